@@ -1,0 +1,19 @@
+# What all our targets are compiled with.
+#
+# Never -march or AVX flags here: Eigen objects are exchanged with prebuilt libraries, and another
+# alignment than theirs corrupts the heap.
+
+add_library(surefoot_compiler INTERFACE)
+target_compile_options(surefoot_compiler INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${SUREFOOT_WARNINGS_AS_ERRORS}>:-Werror>)
+# A program loads only the shared libraries that it uses: the tests start in milliseconds.
+target_link_options(surefoot_compiler INTERFACE -Wl,--as-needed)
+
+# ccache is shared by all build folders: sources are named relative to the source tree's place, and
+# the build folder's own name does not count.
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=true ${CCACHE})
+endif()

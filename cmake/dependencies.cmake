@@ -1,0 +1,28 @@
+# Third-party packages: those of dependencies/python.txt from the virtual environment's prefix,
+# those of dependencies/debian.txt from the system.
+
+set(SUREFOOT_PYTHON ${PROJECT_SOURCE_DIR}/.venv/bin/python CACHE FILEPATH
+    "Python of the virtual environment that holds Pinocchio and MuJoCo")
+if(NOT EXISTS ${SUREFOOT_PYTHON})
+  message(FATAL_ERROR "There is no ${SUREFOOT_PYTHON}: run tools/setup.sh first.")
+endif()
+
+execute_process(COMMAND ${SUREFOOT_PYTHON} -c "import sysconfig; print(sysconfig.get_path('platlib'))"
+                OUTPUT_VARIABLE site_packages OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(SUREFOOT_CMEEL_PREFIX ${site_packages}/cmeel.prefix)
+set(SUREFOOT_MUJOCO_PREFIX ${site_packages}/mujoco)
+set(SUREFOOT_ROBOT_PACKAGES ${SUREFOOT_CMEEL_PREFIX}/share)
+# An installed program finds these libraries where they lie, as one in the build tree does.
+set(CMAKE_INSTALL_RPATH ${SUREFOOT_CMEEL_PREFIX}/lib ${SUREFOOT_CMEEL_PREFIX}/lib64 ${SUREFOOT_MUJOCO_PREFIX})
+list(PREPEND CMAKE_PREFIX_PATH ${SUREFOOT_CMEEL_PREFIX} ${SUREFOOT_CMEEL_PREFIX}/lib64)
+
+set(Boost_NO_WARN_NEW_VERSIONS ON)  # CMake 3.25 is older than the Boost that Pinocchio brings
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(pinocchio REQUIRED)
+find_package(tinyxml2 REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(zstd REQUIRED)
+find_package(CLI11 REQUIRED)
+include(mujoco)

@@ -1,0 +1,22 @@
+# An installed tree: libraries and headers for find_package(surefoot), the program and its data.
+
+include(CMakePackageConfigHelpers)
+
+list(TRANSFORM SUREFOOT_FOLDERS PREPEND surefoot_ OUTPUT_VARIABLE folder_targets)
+install(TARGETS ${folder_targets} EXPORT surefootTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY surefoot DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+if(TARGET surefoot)
+  install(TARGETS surefoot)
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY robots stacks scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/surefoot)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/surefoot)
+install(EXPORT surefootTargets NAMESPACE surefoot:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/surefootConfig.cmake.in ${PROJECT_BINARY_DIR}/surefootConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/surefootConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/surefootConfig.cmake ${PROJECT_BINARY_DIR}/surefootConfigVersion.cmake
+              cmake/mujoco.cmake
+        DESTINATION ${package_folder})

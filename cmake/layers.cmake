@@ -1,0 +1,52 @@
+# One library for each folder of surefoot/, linked as tools/layers.toml allows.
+
+set(layers_file ${PROJECT_SOURCE_DIR}/tools/layers.toml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${layers_file})
+
+# Third-party libraries stay inside the folder that uses them: no public header shows their types.
+set(third_party_model pinocchio::pinocchio_default pinocchio::pinocchio_parsers tinyxml2::tinyxml2)
+set(third_party_simulation mujoco::mujoco)
+set(third_party_solver $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+set(third_party_config yaml-cpp $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> tinyxml2::tinyxml2)
+set(third_party_logging $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> zstd::libzstd_shared)
+set(third_party_runtime Threads::Threads)
+set(third_party_view $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> Threads::Threads)
+
+function(surefoot_folder folder allowed)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/surefoot/${folder}/*.cpp)
+  set(visibility PUBLIC)
+  if(sources)
+    add_library(surefoot_${folder} STATIC ${sources})
+    target_link_libraries(surefoot_${folder} PRIVATE $<BUILD_INTERFACE:surefoot_compiler>
+                          ${third_party_${folder}})
+  else()
+    add_library(surefoot_${folder} INTERFACE)
+    set(visibility INTERFACE)
+  endif()
+  target_compile_features(surefoot_${folder} ${visibility} cxx_std_20)
+  target_include_directories(surefoot_${folder} ${visibility}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  list(TRANSFORM allowed PREPEND surefoot_)
+  target_link_libraries(surefoot_${folder} ${visibility} Eigen3::Eigen ${allowed})
+  set_target_properties(surefoot_${folder} PROPERTIES EXPORT_NAME ${folder})
+  add_library(surefoot::${folder} ALIAS surefoot_${folder})
+endfunction()
+
+set(SUREFOOT_FOLDERS)
+file(STRINGS ${layers_file} lines)
+foreach(line IN LISTS lines)
+  if(line MATCHES "^\\[fences\\]")
+    break()
+  elseif(line MATCHES "^([a-z_]+) = \\[(.*)\\]$")
+    set(folder ${CMAKE_MATCH_1})
+    string(REGEX MATCHALL "[a-z_]+" allowed "${CMAKE_MATCH_2}")
+    surefoot_folder(${folder} "${allowed}")
+    list(APPEND SUREFOOT_FOLDERS ${folder})
+  endif()
+endforeach()
+
+set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES COMPILE_DEFINITIONS
+  "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";\
+SUREFOOT_SOURCE_DATA=\"${PROJECT_SOURCE_DIR}\";\
+SUREFOOT_INSTALLED_DATA=\"${CMAKE_INSTALL_FULL_DATADIR}/surefoot\";\
+SUREFOOT_ROBOT_PACKAGES=\"${SUREFOOT_ROBOT_PACKAGES}\"")

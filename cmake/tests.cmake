@@ -1,0 +1,58 @@
+# Tests, examples and benchmarks. One executable for each folder of tests/; ctest counts every case.
+
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+include(GoogleTest)
+set(CMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE PRE_TEST)
+
+# tests/support/ is compiled into a library of its own, used as "tests/support/….hpp".
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
+set(SUREFOOT_TEST_LIBRARIES surefoot_compiler ${SUREFOOT_LIBRARIES})
+if(sources)
+  add_library(surefoot_test_support STATIC ${sources})
+  target_link_libraries(surefoot_test_support PUBLIC ${SUREFOOT_TEST_LIBRARIES} GTest::gtest)
+  list(PREPEND SUREFOOT_TEST_LIBRARIES surefoot_test_support)
+endif()
+
+file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/tests/*/*.cpp)
+list(FILTER sources EXCLUDE REGEX "^(support|install)/")
+foreach(source IN LISTS sources)
+  cmake_path(GET source PARENT_PATH folder)
+  if(NOT TARGET test_${folder})
+    add_executable(test_${folder})
+    target_compile_definitions(test_${folder} PRIVATE SUREFOOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # Tests may look at every stage's third-party types, to check against them.
+    target_link_libraries(test_${folder} PRIVATE ${SUREFOOT_TEST_LIBRARIES} GTest::gtest_main
+      nlohmann_json::nlohmann_json mujoco::mujoco yaml-cpp zstd::libzstd_shared)
+    # What walks for a while is labelled, so that a quick run can leave it out.
+    if(folder STREQUAL "scenarios")
+      set(labels PROPERTIES LABELS slow)
+    else()
+      set(labels)
+    endif()
+    gtest_discover_tests(test_${folder} TEST_PREFIX ${folder}/ DISCOVERY_TIMEOUT 60 ${labels})
+  endif()
+  target_sources(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests/${source})
+endforeach()
+
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
+foreach(source IN LISTS sources)
+  cmake_path(GET source STEM name)
+  add_executable(example_${name} ${source})
+  target_link_libraries(example_${name} PRIVATE surefoot_compiler ${SUREFOOT_LIBRARIES})
+  add_test(NAME examples/${name} COMMAND example_${name} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+endforeach()
+
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmarks/*.cpp)
+foreach(source IN LISTS sources)
+  cmake_path(GET source STEM name)
+  add_executable(benchmark_${name} ${source})
+  target_link_libraries(benchmark_${name} PRIVATE ${SUREFOOT_TEST_LIBRARIES} benchmark::benchmark
+    mujoco::mujoco)
+endforeach()
+
+add_test(NAME checks/layers COMMAND ${SUREFOOT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
+add_test(NAME checks/format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
+add_test(NAME install/consumer COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR}
+         -D SOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/tests/install/run.cmake)
+set_tests_properties(install/consumer PROPERTIES LABELS slow)

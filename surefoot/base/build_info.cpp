@@ -1,0 +1,15 @@
+#include "surefoot/base/build_info.hpp"
+
+namespace surefoot {
+
+const BuildInfo& build_info() {
+  static constexpr BuildInfo kInfo = {
+      .version = SUREFOOT_VERSION,
+      .source_data = SUREFOOT_SOURCE_DATA,
+      .installed_data = SUREFOOT_INSTALLED_DATA,
+      .robot_packages = SUREFOOT_ROBOT_PACKAGES,
+  };
+  return kInfo;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,46 @@
+"""Holds every #include of surefoot/ and app/ against tools/layers.toml; prints what breaks it."""
+
+import pathlib
+import re
+import sys
+import tomllib
+
+root = pathlib.Path(__file__).resolve().parent.parent
+rules = tomllib.loads((root / "tools/layers.toml").read_text())
+folders, fences = rules["folders"], rules["fences"]
+complaints = []
+
+# An order in which every folder stands below the ones that may include it: none exists in a cycle.
+remaining = {folder: set(allowed) for folder, allowed in folders.items()}
+while free := [folder for folder, allowed in remaining.items() if not allowed & remaining.keys()]:
+    for folder in free:
+        del remaining[folder]
+if remaining:
+    complaints.append(f"tools/layers.toml: a cycle among {', '.join(remaining)}")
+
+sources = [path for top in ("surefoot", "app") for path in sorted((root / top).rglob("*.[hc]pp"))]
+for source in sources:
+    place = source.relative_to(root)
+    folder = "app" if place.parts[0] == "app" else place.parts[1]
+    if folder != "app" and folder not in folders:
+        complaints.append(f"{place}: folder {folder} is not in tools/layers.toml")
+        continue
+    allowed = folders if folder == "app" else [folder, *folders[folder]]
+    for number, line in enumerate(source.read_text().splitlines(), 1):
+        if not (match := re.match(r'\s*#\s*include\s*[<"]([^>"]+)', line)):
+            continue
+        header = match[1]
+        parts = header.split("/")
+        if parts[0] == "app" and folder != "app":
+            complaints.append(f"{place}:{number}: nothing includes app/ ({header})")
+        if parts[0] == "surefoot" and parts[1] not in allowed:
+            complaints.append(f"{place}:{number}: {folder} must not include {header}")
+        for fence, users in fences.items():
+            fenced = header == fence or (fence.endswith("/") and header.startswith(fence))
+            if fenced and folder not in users:
+                where = ", ".join(users) or "tests and benchmarks"
+                complaints.append(f"{place}:{number}: {header} is only for {where}")
+
+print(*complaints, sep="\n", end="\n" if complaints else "")
+print(f"layers: {len(sources)} files, {len(complaints)} complaints")
+sys.exit(1 if complaints else 0)

