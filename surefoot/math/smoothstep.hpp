@@ -1,0 +1,11 @@
+#pragma once
+
+namespace surefoot {
+
+/// Rises smoothly from 0 at s = 0 to 1 at s = 1: 3 s² − 2 s³, held outside.
+[[nodiscard]] constexpr double smoothstep(double s) {
+  const double c = s < 0.0 ? 0.0 : (s > 1.0 ? 1.0 : s);
+  return c * c * (3.0 - 2.0 * c);
+}
+
+}  // namespace surefoot

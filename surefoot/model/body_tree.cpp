@@ -1,0 +1,158 @@
+#include "surefoot/model/body_tree.hpp"
+
+#include "surefoot/base/error.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace surefoot {
+namespace {
+
+constexpr int kBaseBody = 0;
+int body_of(Leg leg, int joint) { return 1 + first_joint(leg) + joint; }
+
+/// Where a link is welded to: its body and its frame in the body's.
+struct Placement {
+  int body = kBaseBody;
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+};
+
+std::string known_links(const Urdf& urdf) {
+  std::string names;
+  for (const UrdfLink& link : urdf.links) names += " " + link.name;
+  return names;
+}
+
+std::string known_joints(const Urdf& urdf) {
+  std::string names;
+  for (const UrdfJoint& joint : urdf.joints) {
+    if (joint.type != "fixed") names += " " + joint.name;
+  }
+  return names;
+}
+
+/// Number of the body behind every described joint.
+std::map<std::string, int> described_joints(const RobotDescription& description, const Urdf& urdf) {
+  std::map<std::string, int> bodies;
+  for (const Leg leg : kLegs) {
+    for (int j = 0; j < kJointsPerLeg; ++j) {
+      const std::string& name = description.legs[index(leg)].joints[static_cast<std::size_t>(j)];
+      const auto found = std::find_if(urdf.joints.begin(), urdf.joints.end(),
+                                      [&](const UrdfJoint& joint) { return joint.name == name; });
+      if (found == urdf.joints.end()) {
+        throw UnknownNameError("unknown joint \"" + name + "\"; the robot has:" + known_joints(urdf));
+      }
+      if (found->type != "revolute" && found->type != "continuous") {
+        throw Error("joint \"" + name + "\" is " + found->type + "; a leg's joint must be revolute");
+      }
+      if (!bodies.emplace(name, body_of(leg, j)).second) {
+        throw Error("joint \"" + name + "\" is named for two places of the robot");
+      }
+    }
+  }
+  return bodies;
+}
+
+/// Walks the tree from its root and collects bodies, hinges and the placement of every link.
+class Builder {
+ public:
+  Builder(const RobotDescription& description, const Urdf& urdf)
+      : urdf_(urdf), bodies_(described_joints(description, urdf)) {
+    add_link(urdf.root, Placement());
+  }
+
+  [[nodiscard]] const BodyTree& tree() const { return tree_; }
+  [[nodiscard]] BodyTree& tree() { return tree_; }
+
+  [[nodiscard]] const Placement& placement(const std::string& link) const {
+    const auto found = placements_.find(link);
+    if (found == placements_.end()) {
+      throw UnknownNameError("unknown frame \"" + link + "\"; the robot has:" + known_links(urdf_));
+    }
+    return found->second;
+  }
+
+ private:
+  void add_link(const std::string& name, const Placement& placement) {
+    placements_[name] = placement;
+    Inertia& inertia = inertia_of(placement.body);
+    inertia = inertia + urdf_.find_link(name)->inertia.placed(placement.R, placement.p);
+    for (const UrdfJoint& joint : urdf_.joints) {
+      if (joint.parent == name) add_joint(joint, placement);
+    }
+  }
+
+  void add_joint(const UrdfJoint& joint, const Placement& parent) {
+    const Mat3 R = parent.R * joint.R;
+    const Vec3 p = parent.p + parent.R * joint.p;
+    const auto described = bodies_.find(joint.name);
+    if (described == bodies_.end()) {
+      if (joint.type != "fixed") {
+        throw Error(urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
+                    "\" can move but is not a joint of a leg of the description");
+      }
+      add_link(joint.child, {parent.body, R, p});
+      return;
+    }
+    const int body = described->second;
+    const int place = (body - 1) % kJointsPerLeg;
+    if (parent.body != (place == 0 ? kBaseBody : body - 1)) {
+      throw Error("joint \"" + joint.name + "\" is not connected to the one before it in its leg");
+    }
+    leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {R, p, joint.axis};
+    add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
+  }
+
+  LegTree& leg_of(int body) {
+    return tree_.legs[static_cast<std::size_t>((body - 1) / kJointsPerLeg)];
+  }
+
+  Inertia& inertia_of(int body) {
+    if (body == kBaseBody) return tree_.base;
+    return leg_of(body).inertias[static_cast<std::size_t>((body - 1) % kJointsPerLeg)];
+  }
+
+  const Urdf& urdf_;
+  const std::map<std::string, int> bodies_;
+  std::map<std::string, Placement> placements_;
+  BodyTree tree_;
+};
+
+/// The placement of a link that has to lie behind a certain joint.
+const Placement& require(const Builder& builder, const std::string& link, Leg leg, int first,
+                         int last) {
+  const Placement& placement = builder.placement(link);
+  if (placement.body < body_of(leg, first) || placement.body > body_of(leg, last)) {
+    throw Error("frame \"" + link + "\" is not on the expected part of leg " +
+                std::string(kLegNames[index(leg)]));
+  }
+  return placement;
+}
+
+void add_points(const RobotDescription& description, Leg leg, Builder& builder) {
+  const LegDescription& names = description.legs[index(leg)];
+  LegTree& tree = builder.tree().legs[index(leg)];
+  (void)require(builder, names.thigh_link, leg, 1, 1);
+  const Placement& hip = require(builder, names.hip_frame, leg, 0, 1);
+  tree.chain.hip = hip.p;
+  tree.chain.hip_hinge = hip.body - body_of(leg, 0);
+  tree.R_shank = require(builder, names.shank_link, leg, 2, 2).R;
+  const Placement& foot = require(builder, names.foot_frame, leg, 2, 2);
+  tree.chain.foot = foot.p + foot.R * description.foot_center;
+}
+
+}  // namespace
+
+BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
+  Builder builder(description, urdf);
+  (void)builder.placement(description.base_link);  // an unknown name first, then a wrong one
+  if (description.base_link != urdf.root) {
+    throw Error("the base \"" + description.base_link + "\" must be the root of the URDF, \"" +
+                urdf.root + "\"");
+  }
+  for (const Leg leg : kLegs) add_points(description, leg, builder);
+  return builder.tree();
+}
+
+}  // namespace surefoot

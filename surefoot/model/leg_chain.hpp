@@ -1,0 +1,30 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// A hinge: the child's frame in the parent's at angle 0, and the axis it turns about.
+struct Hinge {
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();      ///< [m]
+  Vec3 axis = Vec3::UnitX();  ///< in the child's frame
+};
+
+/// Kinematics of one leg in the base frame B: three hinges and the points that they move.
+struct LegChain {
+  std::array<Hinge, kJointsPerLeg> hinges;  ///< HAA, HFE, KFE
+  Vec3 foot = Vec3::Zero();                 ///< centre of the foot sphere, in the KFE child's frame
+  Vec3 hip = Vec3::Zero();                  ///< hip H, in the frame of hinge `hip_hinge`'s child
+  int hip_hinge = 1;
+
+  /// Position of the foot in B [m] and, if asked for, its Jacobian J with v = J q̇.
+  [[nodiscard]] Vec3 foot_in_base(const Vec3& q, Mat3* jacobian = nullptr) const noexcept;
+  [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
+
+  /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns false,
+  /// with the angles of the closest foot position found, if p_BF can't be reached within 0.1 µm.
+  [[nodiscard]] bool inverse_kinematics(const Vec3& p_BF, const Vec3& guess, Vec3& q) const noexcept;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,236 @@
+#include "surefoot/model/robot_model.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/model/body_tree.hpp"
+
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/jacobian.hpp>
+#include <pinocchio/algorithm/kinematics.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+/// The only argument type that Pinocchio's precompiled algorithms match; any other is compiled here,
+/// which takes a minute.
+using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
+
+// A translation (rate: v_WB in W) and then a ball joint (rate: w_WB_B in B) at the root make
+// Pinocchio's velocity our u of Eq. (1), and the legs are added in our order: nothing is transformed.
+constexpr pinocchio::JointIndex kTranslationJoint = 1;
+constexpr pinocchio::JointIndex kBaseJoint = 2;
+
+pinocchio::JointIndex joint_index(Leg leg, int joint) {
+  return kBaseJoint + 1 + static_cast<pinocchio::JointIndex>(first_joint(leg) + joint);
+}
+
+pinocchio::Inertia to_pinocchio(const Inertia& inertia) {
+  return {inertia.mass, inertia.com, inertia.about_com};
+}
+
+pinocchio::JointModel revolute(const Vec3& axis) {
+  if (axis == Vec3::UnitX()) return pinocchio::JointModelRX();
+  if (axis == Vec3::UnitY()) return pinocchio::JointModelRY();
+  if (axis == Vec3::UnitZ()) return pinocchio::JointModelRZ();
+  return pinocchio::JointModelRevoluteUnaligned(axis);
+}
+
+pinocchio::Model make_pinocchio_model(const BodyTree& tree) {
+  using pinocchio::SE3;
+  pinocchio::Model model;
+  model.gravity.linear(Vec3(0.0, 0.0, -kGravity));
+  model.addJoint(0, pinocchio::JointModelTranslation(), SE3::Identity(), "base_position");
+  model.addJoint(kTranslationJoint, pinocchio::JointModelSpherical(), SE3::Identity(),
+                 "base_orientation");
+  model.appendBodyToJoint(kBaseJoint, to_pinocchio(tree.base), SE3::Identity());
+  for (const Leg leg : kLegs) {
+    const LegTree& parts = tree.legs[index(leg)];
+    pinocchio::JointIndex parent = kBaseJoint;
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      const Hinge& hinge = parts.chain.hinges[j];
+      const std::string name =
+          std::string(kLegNames[index(leg)]) + "_" + std::string(kJointNames[j]);
+      parent = model.addJoint(parent, revolute(hinge.axis), SE3(hinge.R, hinge.p), name);
+      model.appendBodyToJoint(parent, to_pinocchio(parts.inertias[j]), SE3::Identity());
+    }
+  }
+  return model;
+}
+
+}  // namespace
+
+struct RobotModel::Implementation {
+  Implementation(RobotDescription robot, const Urdf& urdf)
+      : description(std::move(robot)),
+        notes(urdf.notes),
+        tree(make_body_tree(description, urdf)),
+        model(make_pinocchio_model(tree)),
+        data(model),
+        q(Eigen::VectorXd::Zero(model.nq)),
+        u(Eigen::VectorXd::Zero(model.nv)),
+        zero(Eigen::VectorXd::Zero(model.nv)) {
+    // The blocks that never change; update() writes the others.
+    dynamics.base.J.leftCols<3>().setIdentity();
+    for (const Leg leg : kLegs) {
+      for (PointKinematics* point : {&dynamics.hip[index(leg)], &dynamics.foot[index(leg)]}) {
+        point->J.leftCols<3>().setIdentity();
+      }
+    }
+    // crba of the rest posture gives the mass.
+    q[6] = 1.0;
+    update_dynamics();
+  }
+
+  void set_state(const RobotState& state) {
+    const Quat q_WB = state.q_WB.normalized();
+    q << state.p_WB, q_WB.x(), q_WB.y(), q_WB.z(), q_WB.w(), state.q;
+    u << state.v_WB, state.w_WB_B, state.qd;
+    dynamics.q = state.q;
+    dynamics.u = u;
+  }
+
+  void run_algorithms() {
+    const ConstVector position(q);
+    const ConstVector velocity(u);
+    const ConstVector no_acceleration(zero);
+    pinocchio::crba(model, data, position);
+    pinocchio::nonLinearEffects(model, data, position, velocity);
+    pinocchio::forwardKinematics(model, data, position, velocity, no_acceleration);
+    pinocchio::computeJointJacobians(model, data);
+  }
+
+  void update_dynamics() {
+    run_algorithms();
+    dynamics.M = data.M.selfadjointView<Eigen::Upper>();
+    dynamics.h = data.nle;
+    update_base();
+    update_com();
+  }
+
+  void update_base() {
+    const Mat3& R_WB = data.oMi[kBaseJoint].rotation();
+    dynamics.base.p = q.head<3>();
+    dynamics.base.v = u.head<3>();
+    dynamics.base_rotation.R = R_WB;
+    dynamics.base_rotation.w = R_WB * u.segment<3>(3);
+    dynamics.base_rotation.J.middleCols<3>(3) = R_WB;
+  }
+
+  /// The first three rows of the equations of motion are those of the whole mass: m a_com = Σ f.
+  void update_com() {
+    const pinocchio::Inertia& whole = data.Ycrb[kTranslationJoint];
+    dynamics.mass = whole.mass();
+    dynamics.com.p = dynamics.base.p + whole.lever();
+    dynamics.com.J = dynamics.M.topRows<3>() / dynamics.mass;
+    dynamics.com.v = dynamics.com.J * u;
+    dynamics.com.Jdot_u = dynamics.h.head<3>() / dynamics.mass - kGravity * Vec3::UnitZ();
+  }
+
+  /// A point at `offset` in the frame of a leg's joint.
+  void update_point(Leg leg, int joint, const Vec3& offset, PointKinematics& point) const {
+    const pinocchio::JointIndex body = joint_index(leg, joint);
+    const Mat3& R = data.oMi[body].rotation();
+    const Vec3 v = data.v[body].linear() + data.v[body].angular().cross(offset);
+    point.p = data.oMi[body].translation() + R * offset;
+    point.v = R * v;
+    // Classical acceleration: the spatial one, moved to the point, plus ω × v.
+    point.Jdot_u = R * (data.a[body].linear() + data.a[body].angular().cross(offset) +
+                        data.v[body].angular().cross(v));
+    point.J.middleCols<3>(3) =
+        -skew(point.p - dynamics.base.p) * data.oMi[kBaseJoint].rotation();
+    for (int j = 0; j <= joint; ++j) {
+      const auto twist = data.J.col(6 + first_joint(leg) + j);  // linear part: at W's origin
+      point.J.col(6 + first_joint(leg) + j) =
+          twist.head<3>() + Vec3(twist.tail<3>()).cross(point.p);
+    }
+  }
+
+  void update_shank(Leg leg, RotationKinematics& shank) const {
+    const pinocchio::JointIndex body = joint_index(leg, 2);
+    const Mat3& R = data.oMi[body].rotation();
+    shank.R = R * tree.legs[index(leg)].R_shank;
+    shank.w = R * data.v[body].angular();
+    shank.Jdot_u = R * data.a[body].angular();
+    shank.J.middleCols<3>(3) = data.oMi[kBaseJoint].rotation();
+    shank.J.middleCols<3>(6 + first_joint(leg)) =
+        data.J.block<3, 3>(3, 6 + first_joint(leg));
+  }
+
+  /// Moves from the sphere's centre to its lowest point, a lever −r n that stays along n: without
+  /// the centripetal part, because the point of contact wanders over the sphere as it rolls.
+  void update_contact(Leg leg, const Vec3& normal) {
+    const PointKinematics& foot = dynamics.foot[index(leg)];
+    const RotationKinematics& shank = dynamics.shank[index(leg)];
+    PointKinematics& contact = dynamics.contact[index(leg)];
+    const Vec3 lever = -description.foot_radius * normal;
+    contact.p = foot.p + lever;
+    contact.v = foot.v + shank.w.cross(lever);
+    contact.J = foot.J;
+    contact.J.middleCols<3>(3) -= skew(lever) * shank.J.middleCols<3>(3);
+    contact.J.middleCols<3>(6 + first_joint(leg)) -=
+        skew(lever) * shank.J.middleCols<3>(6 + first_joint(leg));
+    contact.Jdot_u = foot.Jdot_u + shank.Jdot_u.cross(lever);
+  }
+
+  void update_leg(Leg leg, const Vec3& normal) {
+    const LegChain& chain = tree.legs[index(leg)].chain;
+    update_point(leg, chain.hip_hinge, chain.hip, dynamics.hip[index(leg)]);
+    update_point(leg, 2, chain.foot, dynamics.foot[index(leg)]);
+    update_shank(leg, dynamics.shank[index(leg)]);
+    update_contact(leg, normal);
+  }
+
+  const RobotDescription description;
+  const std::vector<std::string> notes;
+  const BodyTree tree;
+  const pinocchio::Model model;
+  pinocchio::Data data;
+  Eigen::VectorXd q;  // p_WB, q_WB (x y z w), joints
+  Eigen::VectorXd u;
+  const Eigen::VectorXd zero;
+  Dynamics dynamics;
+};
+
+RobotModel::RobotModel(RobotDescription description) {
+  const Urdf urdf = read_urdf(description.urdf_path);
+  implementation_ = std::make_unique<Implementation>(std::move(description), urdf);
+}
+
+RobotModel::~RobotModel() = default;
+RobotModel::RobotModel(RobotModel&&) noexcept = default;
+RobotModel& RobotModel::operator=(RobotModel&&) noexcept = default;
+
+const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_normal_W) noexcept {
+  implementation_->set_state(state);
+  implementation_->update_dynamics();
+  for (const Leg leg : kLegs) implementation_->update_leg(leg, terrain_normal_W);
+  return implementation_->dynamics;
+}
+
+const Dynamics& RobotModel::dynamics() const { return implementation_->dynamics; }
+const RobotDescription& RobotModel::description() const { return implementation_->description; }
+double RobotModel::mass() const { return implementation_->dynamics.mass; }
+const std::vector<std::string>& RobotModel::notes() const { return implementation_->notes; }
+
+Vec3 RobotModel::foot_in_base(Leg leg, const Vec3& q_leg) const noexcept {
+  return implementation_->tree.legs[index(leg)].chain.foot_in_base(q_leg);
+}
+
+Vec3 RobotModel::hip_in_base(Leg leg, const Vec3& q_leg) const noexcept {
+  return implementation_->tree.legs[index(leg)].chain.hip_in_base(q_leg);
+}
+
+Mat3 RobotModel::foot_jacobian_in_base(Leg leg, const Vec3& q_leg) const noexcept {
+  Mat3 jacobian;
+  (void)implementation_->tree.legs[index(leg)].chain.foot_in_base(q_leg, &jacobian);
+  return jacobian;
+}
+
+bool RobotModel::inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess,
+                                    Vec3& q_leg) const noexcept {
+  return implementation_->tree.legs[index(leg)].chain.inverse_kinematics(p_BF, guess, q_leg);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "surefoot/model/description.hpp"
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/robot_state.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Kinematics and dynamics of a robot from its URDF (Pinocchio, hidden behind this header).
+/// Allocates at construction only.
+class RobotModel {
+ public:
+  /// Reads the URDF. Throws Error if a frame, joint or link of the description is not in it (the message
+  /// lists what is), if a mass is negative, or if the file is missing or broken. A massless or
+  /// not positive definite inertia of the root link is dropped, with a line in `notes()`.
+  explicit RobotModel(RobotDescription description);
+  ~RobotModel();
+  RobotModel(RobotModel&&) noexcept;
+  RobotModel& operator=(RobotModel&&) noexcept;
+
+  /// All quantities of `Dynamics` at a state. `terrain_normal_W` is the unit normal that places the
+  /// contact points of the foot spheres. Does not allocate, does not throw.
+  const Dynamics& update(const RobotState& state, const Vec3& terrain_normal_W) noexcept;
+
+  [[nodiscard]] const Dynamics& dynamics() const;
+  [[nodiscard]] const RobotDescription& description() const;
+  [[nodiscard]] double mass() const;                        ///< [kg]
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+
+  /// Centre of the foot sphere in B for joint angles q of that leg (HAA, HFE, KFE) [m].
+  [[nodiscard]] Vec3 foot_in_base(Leg leg, const Vec3& q_leg) const noexcept;
+  /// Hip H in B at joint angles q of that leg [m].
+  [[nodiscard]] Vec3 hip_in_base(Leg leg, const Vec3& q_leg) const noexcept;
+  /// Translational Jacobian of foot_in_base, 3×3.
+  [[nodiscard]] Mat3 foot_jacobian_in_base(Leg leg, const Vec3& q_leg) const noexcept;
+  /// Joint angles that put the sphere centre at p_BF, starting from `guess`, which chooses the knee's
+  /// side (damped Newton). Returns false, with the closest angles, if it can't be reached.
+  [[nodiscard]] bool inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess, Vec3& q_leg) const noexcept;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace surefoot

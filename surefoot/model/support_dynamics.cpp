@@ -1,0 +1,67 @@
+#include "surefoot/model/support_dynamics.hpp"
+
+namespace surefoot {
+
+void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) noexcept {
+  stack_jacobians(dynamics, plan);
+  if (num_contacts_ == 0) {
+    rank_ = 0;
+    Q_.setIdentity();
+    return;
+  }
+  qr_.setThreshold(kRankTolerance);
+  qr_.compute(J_s_transposed_);
+  rank_ = static_cast<int>(qr_.rank());
+  Q_ = qr_.householderQ();
+  invert();
+  const int n = 3 * num_contacts_;
+  Lambda_.topLeftCorner(n, kNumVelocities).noalias() = inverse_ * dynamics.M;
+  Lambda_.topRightCorner(n, kNumJoints) = -inverse_.rightCols<kNumJoints>();
+  lambda_0_.head(n).noalias() = inverse_ * dynamics.h;
+}
+
+Vec3 SupportDynamics::force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept {
+  if (!in_contact(leg)) return Vec3::Zero();
+  const int row = first_force(leg);
+  return Lambda_.middleRows<3>(row) * x + lambda_0_.segment<3>(row);
+}
+
+void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {
+  num_contacts_ = 0;
+  J_s_transposed_.resize(kNumVelocities, 3 * plan.num_contacts());
+  for (const Leg leg : kLegs) {
+    first_force_[index(leg)] = -1;
+    if (!plan.contact(leg)) continue;
+    first_force_[index(leg)] = 3 * num_contacts_;
+    J_s_transposed_.middleCols<3>(3 * num_contacts_) = dynamics.contact[index(leg)].J.transpose();
+    ++num_contacts_;
+  }
+}
+
+/// With full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r rows of R that are left are wide: R_rᵀ = Z L
+/// gives the solution of least norm, Π Z L⁻ᵀ Q_cᵀ.
+void SupportDynamics::invert() {
+  const int n = 3 * num_contacts_;
+  Inverse solution = Inverse::Zero(n, kNumVelocities);
+  auto solved = solution.topRows(rank_);
+  solved = Q_.leftCols(rank_).transpose();
+  const auto R = qr_.matrixR();
+  if (rank_ == n) {
+    R.topLeftCorner(n, n).triangularView<Eigen::Upper>().solveInPlace(solved);
+  } else {
+    using Wide = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxForces,
+                               kMaxForces>;
+    Wide wide = Wide::Zero(n, rank_);
+    wide = R.topRows(rank_).triangularView<Eigen::Upper>().toDenseMatrix().transpose();
+    const Eigen::HouseholderQR<Wide> second(wide);
+    second.matrixQR()
+        .topRows(rank_)
+        .triangularView<Eigen::Upper>()
+        .transpose()
+        .solveInPlace(solved);
+    solution.applyOnTheLeft(second.householderQ());
+  }
+  inverse_.noalias() = qr_.colsPermutation() * solution;
+}
+
+}  // namespace surefoot

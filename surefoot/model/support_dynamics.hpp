@@ -1,0 +1,67 @@
+#pragma once
+
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+
+#include <Eigen/QR>
+
+namespace surefoot {
+
+/// The equations of motion, split by the feet that carry the robot (Bellicoso 2016, Eqs. 4–7).
+///
+///     J_sᵀ Π = [Q_c Q_u] [R; 0]
+///     without λ:   Q_uᵀ (M u̇ + h − Sᵀτ) = 0
+///     λ itself:    λ = (J_sᵀ)⁺ (M u̇ + h − Sᵀτ) = Λ x + λ₀,   x = (u̇, τ)
+///
+/// J_s stacks the contact Jacobians of the legs in contact, in the order of `kLegs`; λ are their
+/// forces on the robot in W [N]. J_sᵀ loses rank where legs are straight or feet coincide: pivots
+/// below `kRankTolerance` times the largest count as zero, Q_u keeps all directions that no contact
+/// force reaches, and λ is the one of least norm. Computed once a tick; does not allocate.
+class SupportDynamics {
+ public:
+  static constexpr int kMaxForces = 3 * kNumLegs;
+  static constexpr double kRankTolerance = 1e-6;
+
+  using ForceMap = Eigen::Matrix<double, kMaxForces, kNumUnknowns>;
+  using ForceVector = Eigen::Matrix<double, kMaxForces, 1>;
+
+  SupportDynamics() = default;
+
+  /// The legs in contact are those of the plan.
+  void update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
+
+  [[nodiscard]] int num_contacts() const { return num_contacts_; }
+  [[nodiscard]] int rank() const { return rank_; }  ///< of J_s; 3 n_c where it is full
+  [[nodiscard]] bool in_contact(Leg leg) const { return first_force_[index(leg)] >= 0; }
+  /// Row of the leg's force in Λ and λ₀, −1 if it is not in contact.
+  [[nodiscard]] int first_force(Leg leg) const { return first_force_[index(leg)]; }
+
+  /// Basis of the motions that no contact force acts on: 18 × (18 − rank), orthonormal.
+  [[nodiscard]] auto Q_u() const { return Q_.rightCols(kNumVelocities - rank_); }
+  [[nodiscard]] auto Lambda() const { return Lambda_.topRows(3 * num_contacts_); }
+  [[nodiscard]] auto lambda_0() const { return lambda_0_.head(3 * num_contacts_); }
+
+  /// Contact force of a leg at x in W [N], zero if it is not in contact.
+  [[nodiscard]] Vec3 force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept;
+
+ private:
+  using Stacked = Eigen::Matrix<double, kNumVelocities, Eigen::Dynamic, Eigen::ColMajor,
+                                kNumVelocities, kMaxForces>;
+  using Inverse = Eigen::Matrix<double, Eigen::Dynamic, kNumVelocities, Eigen::ColMajor, kMaxForces,
+                                kNumVelocities>;
+
+  void stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan);
+  void invert();
+
+  int num_contacts_ = 0;
+  int rank_ = 0;
+  PerLeg<int> first_force_{-1, -1, -1, -1};
+  Stacked J_s_transposed_;
+  Eigen::ColPivHouseholderQR<Stacked> qr_;
+  MassMatrix Q_ = MassMatrix::Identity();
+  Inverse inverse_;  ///< (J_sᵀ)⁺
+  ForceMap Lambda_ = ForceMap::Zero();
+  ForceVector lambda_0_ = ForceVector::Zero();
+};
+
+}  // namespace surefoot

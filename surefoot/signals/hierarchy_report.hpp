@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace surefoot {
+
+inline constexpr std::size_t kMaxLevels = 16;
+inline constexpr std::size_t kMaxReportedRows = 96;
+
+/// How one level of the hierarchy came out at one tick.
+struct LevelReport {
+  double residual = 0.0;  ///< √Σ violation², in the unit of the level's rows
+  std::int32_t degrees_of_freedom_left = 0;
+  std::int32_t iterations = 0;
+  std::int32_t num_rows = 0;
+  std::int32_t num_active = 0;  ///< inequality rows at or beyond a bound
+};
+
+/// An inequality row at or beyond a bound.
+struct ActiveRow {
+  std::int16_t level = 0;
+  std::int16_t state = 0;  ///< RowState of the solver: ±1 at a bound, ±3 beyond it
+  std::int32_t id = 0;     ///< identifies the row across ticks; names stand in the log's header
+};
+
+/// How the hierarchy came out at one tick: plain data for the log and the viewer.
+struct HierarchyReport {
+  std::int32_t status = 0;  ///< SolveStatus
+  std::int32_t num_levels = 0;
+  std::int32_t num_active = 0;  ///< entries of `active`
+  std::array<LevelReport, kMaxLevels> levels{};
+  std::array<ActiveRow, kMaxReportedRows> active{};
+};
+
+}  // namespace surefoot

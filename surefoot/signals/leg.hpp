@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/math/types.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace surefoot {
+
+/// The four legs, in the order of every array of this library (left/right, fore/hind).
+enum class Leg : int { LF = 0, RF = 1, LH = 2, RH = 3 };
+
+inline constexpr int kNumLegs = 4;
+inline constexpr int kJointsPerLeg = 3;                           ///< HAA, HFE, KFE
+inline constexpr int kNumJoints = kNumLegs * kJointsPerLeg;       ///< n_τ = 12
+inline constexpr int kNumVelocities = 6 + kNumJoints;             ///< n_u = 18
+inline constexpr int kNumUnknowns = kNumVelocities + kNumJoints;  ///< x = (u̇, τ), 30
+
+inline constexpr std::array<Leg, kNumLegs> kLegs{Leg::LF, Leg::RF, Leg::LH, Leg::RH};
+inline constexpr std::array<std::string_view, kNumLegs> kLegNames{"LF", "RF", "LH", "RH"};
+inline constexpr std::array<std::string_view, kJointsPerLeg> kJointNames{"HAA", "HFE", "KFE"};
+
+template <typename T>
+using PerLeg = std::array<T, kNumLegs>;
+
+/// Joint-space vector: joint j of leg k stands at 3 k + j.
+using JointVector = Eigen::Matrix<double, kNumJoints, 1>;
+/// Generalized velocity u = (v_WB in W, w_WB in B, q̇) or acceleration (Eq. 1).
+using GeneralizedVector = Eigen::Matrix<double, kNumVelocities, 1>;
+
+[[nodiscard]] constexpr std::size_t index(Leg leg) { return static_cast<std::size_t>(leg); }
+[[nodiscard]] constexpr bool is_front(Leg leg) { return leg == Leg::LF || leg == Leg::RF; }
+[[nodiscard]] constexpr bool is_left(Leg leg) { return leg == Leg::LF || leg == Leg::LH; }
+/// First joint of a leg in a JointVector.
+[[nodiscard]] constexpr int first_joint(Leg leg) { return kJointsPerLeg * static_cast<int>(leg); }
+
+}  // namespace surefoot

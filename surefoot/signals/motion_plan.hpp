@@ -1,0 +1,68 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// What a leg is doing. `stance` and `unloading` carry force, the others do not.
+enum class LegPhase : int {
+  stance = 0,     ///< in contact, f_max ramps up from 0 after a touchdown and stays
+  unloading = 1,  ///< in contact, f_max ramps down to 0 before lift-off
+  swing = 2,      ///< follows its swing curve
+  search = 3,     ///< goes on down along the terrain normal until it meets ground
+};
+
+[[nodiscard]] constexpr bool in_contact(LegPhase phase) {
+  return phase == LegPhase::stance || phase == LegPhase::unloading;
+}
+
+/// Reference of one foot F (the centre of its sphere), all vectors in W.
+struct FootPlan {
+  LegPhase phase = LegPhase::stance;
+  Vec3 p_WF = Vec3::Zero();  ///< reference position; of a stance foot: its foothold [m]
+  Vec3 v_WF = Vec3::Zero();  ///< [m/s]
+  Vec3 a_WF = Vec3::Zero();  ///< [m/s²]
+  double force_min = 0.0;    ///< normal force limits of Eq. (30), min(f_min, f_max(t)) [N]
+  double force_max = 0.0;    ///< [N]
+};
+
+/// Reference of the torso in W.
+struct TorsoPlan {
+  Quat q_WB = Quat::Identity();      ///< desired orientation
+  Vec3 w_WB = Vec3::Zero();          ///< desired angular velocity, in W [rad/s]
+  Vec3 wdot_WB = Vec3::Zero();       ///< desired angular acceleration, in W [rad/s²]
+  double height = 0.0;               ///< desired z of the base in W [m]
+  double height_rate = 0.0;          ///< [m/s]
+  double height_acceleration = 0.0;  ///< [m/s²]
+};
+
+/// Desired motion of the centre of mass, x and y in W.
+struct ComPlan {
+  Vec2 p{0.0, 0.0};    ///< [m]
+  Vec2 v{0.0, 0.0};    ///< [m/s]
+  Vec2 a{0.0, 0.0};    ///< [m/s²]
+  Vec2 zmp{0.0, 0.0};  ///< the zero-moment point that goes with it [m]
+};
+
+/// Everything that the tasks follow at one tick, made by the planner.
+struct MotionPlan {
+  double time = 0.0;  ///< [s]
+  PerLeg<FootPlan> feet{};
+  TorsoPlan torso{};
+  ComPlan com{};
+  Mat3 R_WC = Mat3::Identity();  ///< control frame C: z along the terrain normal, x the heading
+  Vec3 terrain_point =
+      Vec3::Zero();            ///< a point of the terrain plane, at sphere-centre height, in W [m]
+  double friction = 0.0;       ///< μ that the contact forces may use
+  double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
+  int event = 0;               ///< PlanEvent of this tick, 0 none (planning/events.hpp)
+
+  [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
+  [[nodiscard]] int num_contacts() const {
+    int count = 0;
+    for (const Leg leg : kLegs) count += contact(leg) ? 1 : 0;
+    return count;
+  }
+};
+
+}  // namespace surefoot

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+#include <limits>
+
+namespace surefoot {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// What the robot's sensors give at one control tick. Members that a robot does not measure stay
+/// NaN.
+struct SensorReading {
+  double time = kNaN;                                ///< [s] since the start of the run
+  JointVector q = JointVector::Constant(kNaN);       ///< joint positions, encoders [rad]
+  JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
+  Vec3 gyro = Vec3::Constant(kNaN);                  ///< w_WB_B, angular velocity of B in B [rad/s]
+  Vec3 accelerometer = Vec3::Constant(kNaN);  ///< specific force of the base frame in B [m/s²]
+  /// Normal force of a foot sensor [N]; NaN on robots without one (ANYmal B has none).
+  PerLeg<double> foot_force{kNaN, kNaN, kNaN, kNaN};
+};
+
+}  // namespace surefoot

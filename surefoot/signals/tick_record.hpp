@@ -1,0 +1,47 @@
+#pragma once
+
+#include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/signals/joint_command.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
+#include "surefoot/signals/user_command.hpp"
+
+namespace surefoot {
+
+/// What the controller's model says of the robot at one tick, in W; of the believed state, not the
+/// true one.
+struct ModelRecord {
+  Vec3 p_WCom = Vec3::Zero();  ///< centre of mass [m]
+  Vec3 v_WCom = Vec3::Zero();
+  PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                    Vec3::Zero()};  ///< foot sphere centres
+  PerLeg<Vec3> p_WH{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< hips
+  PerLeg<Vec3> force{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                     Vec3::Zero()};  ///< λ of the solution [N]
+};
+
+/// One tick of the control loop, complete: with the readings alone it can be computed again.
+struct TickRecord {
+  SensorReading reading;
+  UserCommand user;
+  RobotState state;
+  MotionPlan plan;
+  ModelRecord model;
+  HierarchyReport hierarchy;
+  JointCommand command;
+};
+
+/// Wall-clock time of the stages of one tick [µs]; stands apart from TickRecord, which is
+/// deterministic.
+struct TickTiming {
+  double time = 0.0;  ///< of the tick [s]
+  double estimate = 0.0;
+  double plan = 0.0;
+  double model = 0.0;
+  double stack = 0.0;
+  double solve = 0.0;
+  double total = 0.0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "surefoot/math/types.hpp"
+
+namespace surefoot {
+
+/// What the operator asks for. Velocities are those of the base in the control frame C.
+struct UserCommand {
+  bool walk = false;        ///< false: stand on four feet
+  Vec2 velocity{0.0, 0.0};  ///< forward (x) and lateral (y) [m/s]
+  double yaw_rate = 0.0;    ///< [rad/s]
+  double height = 0.0;      ///< offset to the nominal torso height [m]
+};
+
+}  // namespace surefoot

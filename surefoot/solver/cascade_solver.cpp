@@ -1,0 +1,138 @@
+#include "surefoot/solver/cascade_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A row within this share of ‖a‖ ‖x‖ of a bound is reported as being at it.
+constexpr double kAtBound = 1e-10;
+
+Index total_rows(const Hierarchy& hierarchy) {
+  Index rows = 0;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).max_rows();
+  return rows;
+}
+
+bool is_valid_level(const Level& level) {
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double lower = level.lower()[i];
+    const double upper = level.upper()[i];
+    // The squared length is finite only if every element is, and if none would overflow.
+    const bool is_finite = std::isfinite(level.A().row(i).squaredNorm());
+    if (!is_finite || !(lower <= upper) || lower == kInfinity || upper == -kInfinity) return false;
+  }
+  return true;
+}
+
+RowState state_of(double value, double lower, double upper, double tolerance) {
+  if (lower == upper) return RowState::equality;
+  if (value > upper + tolerance) return RowState::above_upper;
+  if (value < lower - tolerance) return RowState::below_lower;
+  if (value >= upper - tolerance) return RowState::at_upper;
+  if (value <= lower + tolerance) return RowState::at_lower;
+  return RowState::inactive;
+}
+
+}  // namespace
+
+CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options)
+    : options_(options),
+      tableau_(capacity.unknowns(), total_rows(capacity)),
+      level_solver_(capacity.unknowns(), total_rows(capacity)) {
+  solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
+  solution_.levels.resize(capacity.num_levels());
+  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
+    const auto rows = static_cast<std::size_t>(capacity.level(k).max_rows());
+    solution_.levels[k].rows.assign(rows, RowState::inactive);
+  }
+}
+
+const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
+  if (!is_valid(hierarchy)) {
+    reject(hierarchy);
+    return solution_;
+  }
+  solution_.status = SolveStatus::optimal;
+  solution_.failed_level = -1;
+  tableau_.reset();
+  level_solver_.reset(options_.rank);
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    LevelResult& result = solution_.levels[k];
+    result.iterations = 0;
+    if (solution_.status == SolveStatus::optimal && tableau_.num_free() > 0) {
+      tableau_.append(hierarchy.level(k));
+      if (level_solver_.minimize(tableau_, max_iterations())) {
+        level_solver_.retire(tableau_);
+      } else {
+        solution_.status = SolveStatus::iteration_cap;
+        solution_.failed_level = static_cast<int>(k);
+      }
+      result.iterations = level_solver_.iterations();
+    }
+    result.degrees_of_freedom_left = tableau_.num_free();
+  }
+  solution_.x = tableau_.value.head(tableau_.unknowns);
+  if (!solution_.x.allFinite()) {
+    reject(hierarchy);
+    return solution_;
+  }
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    LevelResult& result = solution_.levels[k];
+    result.num_rows = 0;
+    if (k < hierarchy.num_levels()) describe(hierarchy.level(k), result);
+  }
+  return solution_;
+}
+
+bool CascadeSolver::is_valid(const Hierarchy& hierarchy) const {
+  if (hierarchy.unknowns() != tableau_.unknowns) return false;
+  if (hierarchy.num_levels() > solution_.levels.size()) return false;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    const auto rows = static_cast<std::size_t>(hierarchy.level(k).num_rows());
+    if (rows > solution_.levels[k].rows.size() || !is_valid_level(hierarchy.level(k))) return false;
+  }
+  return true;
+}
+
+void CascadeSolver::reject(const Hierarchy& hierarchy) {
+  solution_.status = SolveStatus::invalid_input;
+  solution_.failed_level = -1;
+  solution_.x.setZero();
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    LevelResult& result = solution_.levels[k];
+    result.num_rows = 0;
+    result.residual = 0.0;
+    result.iterations = 0;
+    result.degrees_of_freedom_left = tableau_.unknowns;
+    const bool is_bad = k < hierarchy.num_levels() && !is_valid_level(hierarchy.level(k));
+    if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);
+  }
+}
+
+int CascadeSolver::max_iterations() const {
+  if (options_.max_iterations > 0) return options_.max_iterations;
+  return 50 + 10 * static_cast<int>(tableau_.num_rows - tableau_.unknowns);
+}
+
+void CascadeSolver::describe(const Level& level, LevelResult& result) const {
+  result.num_rows = level.num_rows();
+  double sum = 0.0;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double value = level.A().row(i).dot(solution_.x);
+    const double tolerance = kAtBound * level.A().row(i).norm() * tableau_.x_size;
+    const double lower = level.lower()[i];
+    const double upper = level.upper()[i];
+    const double violation = std::max({0.0, lower - value, value - upper});
+    sum += violation * violation;
+    result.rows[static_cast<std::size_t>(i)] = state_of(value, lower, upper, tolerance);
+  }
+  result.residual = std::sqrt(sum);
+}
+
+}  // namespace surefoot

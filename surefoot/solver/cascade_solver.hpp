@@ -1,0 +1,50 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/level_solver.hpp"
+#include "surefoot/solver/solution.hpp"
+#include "surefoot/solver/tableau.hpp"
+
+namespace surefoot {
+
+struct CascadeOptions {
+  RankTolerance rank;      ///< what counts as an independent row
+  int max_iterations = 0;  ///< of the active-set method in a level; 0: 50 + 10 × rows so far
+};
+
+/// The paper's cascade (Eqs. 8–13), exact: level k is solved in the null space of everything that
+/// the levels before it determine, subject to their inequality rows,
+///
+///     z* = argmin_z ½ ‖violation of level k at x + Z z‖²   s.t.   lower ≤ aᵢ (x + Z z) ≤ upper
+///     x ← x + Z z*,   Z ← Z N(rows determined by level k)
+///
+/// starting from x = 0, Z = I. A level can't fail: z = 0 is always feasible, and contradictions
+/// end in their least violation. Where the whole hierarchy leaves x open, each level has changed
+/// it by the least norm, from 0. There is no regularisation and no normal equation.
+///
+/// All memory is taken at construction; `solve` does not allocate, throw or lock, and gives the
+/// same bits for the same input.
+class CascadeSolver {
+ public:
+  /// Sizes come from `capacity`: unknowns, number of levels, and the levels' max_rows.
+  explicit CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options = {});
+
+  /// The reference stays valid until the next call. A hierarchy beyond the capacity, with NaN,
+  /// with lower > upper or with a bound that can't be met (lower = ∞) is `invalid_input`.
+  const Solution& solve(const Hierarchy& hierarchy) noexcept;
+
+  [[nodiscard]] const Solution& solution() const { return solution_; }
+
+ private:
+  [[nodiscard]] bool is_valid(const Hierarchy& hierarchy) const;
+  void reject(const Hierarchy& hierarchy);
+  [[nodiscard]] int max_iterations() const;
+  void describe(const Level& level, LevelResult& result) const;
+
+  CascadeOptions options_;
+  Tableau tableau_;
+  LevelSolver level_solver_;
+  Solution solution_;
+};
+
+}  // namespace surefoot

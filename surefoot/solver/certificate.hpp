@@ -1,0 +1,44 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// How far a level is from its lexicographic optimum.
+struct LevelCertificate {
+  double residual = 0.0;  ///< √Σ violation²
+  /// min over λ free, μ ≥ 0 of ‖g + Eᵀ λ + Tᵀ μ‖ / (1 + Σ ‖aᵢ‖ |vᵢ|), 0 at an optimum
+  double stationarity = 0.0;
+};
+
+struct CertificateOptions {
+  double tight = 1e-8;  ///< a row this close to a bound, relative to 1 + ‖a‖ ‖x‖, touches it
+  double rank = 1e-8;   ///< relative length below which a row depends on others
+};
+
+/// Checks x against the optimality conditions of every level, without any solver:
+///
+///     g = Σ vᵢ aᵢ  the gradient of ½ ‖violation‖² of the level at x
+///     E            equality rows and violated rows of all levels before: their residual is fixed
+///     T            satisfied rows of all levels before that touch a bound,
+///                  signed so that T z ≤ 0 keeps them satisfied
+///
+/// The level is optimal if and only if −g lies in the cone {Eᵀ λ + Tᵀ μ, μ ≥ 0} (the problem is
+/// convex); the distance to it comes from non-negative least squares. Own rows that touch a bound
+/// are not in T: their violation is zero and so is their share of g. Allocates.
+[[nodiscard]] std::vector<LevelCertificate> certify(const Hierarchy& hierarchy,
+                                                    const Eigen::VectorXd& x,
+                                                    const CertificateOptions& options = {});
+
+/// Largest stationarity of all levels; 0 for a hierarchy without levels.
+[[nodiscard]] double worst_stationarity(const std::vector<LevelCertificate>& levels);
+
+/// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23).
+[[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
+                                                         const Eigen::VectorXd& b);
+
+}  // namespace surefoot

@@ -1,0 +1,34 @@
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace surefoot {
+
+Level::Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns)
+    : name_(std::move(name)),
+      A_(RowMajor::Zero(max_rows, unknowns)),
+      lower_(Eigen::VectorXd::Zero(max_rows)),
+      upper_(Eigen::VectorXd::Zero(max_rows)),
+      ids_(static_cast<std::size_t>(max_rows), 0) {}
+
+Rows Level::add(Eigen::Index count, int first_id) {
+  assert(count >= 0 && num_rows_ + count <= max_rows() && "level is full");
+  const Eigen::Index first = num_rows_;
+  num_rows_ += count;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    ids_[static_cast<std::size_t>(first + i)] = first_id + static_cast<int>(i);
+  }
+  Rows rows{Eigen::Map<RowMajor>(A_.data() + first * A_.cols(), count, A_.cols()),
+            Eigen::Map<Eigen::VectorXd>(lower_.data() + first, count),
+            Eigen::Map<Eigen::VectorXd>(upper_.data() + first, count)};
+  rows.A.setZero();
+  return rows;
+}
+
+std::size_t Hierarchy::add_level(std::string name, Eigen::Index max_rows) {
+  levels_.emplace_back(std::move(name), max_rows, unknowns_);
+  return levels_.size() - 1;
+}
+
+}  // namespace surefoot

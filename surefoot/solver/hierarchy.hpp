@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// Rows that a task fills in place: lower ≤ A x ≤ upper, an equality where lower = upper (Eq. 8).
+/// A one-sided row has ±infinity on its open side.
+struct Rows {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor> A;             ///< rows × unknowns
+  Eigen::Map<Eigen::VectorXd> lower;  ///< in the unit of the row
+  Eigen::Map<Eigen::VectorXd> upper;
+
+  /// Makes row i the equality a x = b.
+  void set_equal(Eigen::Index i, double b) { lower[i] = upper[i] = b; }
+};
+
+/// One priority: rows that are satisfied as well as possible, in the least-squares sense of their
+/// violation, without disturbing any level before.
+class Level {
+ public:
+  using RowMajor = Rows::RowMajor;
+
+  /// Capacity is fixed here; nothing allocates afterwards.
+  Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns);
+
+  void clear() { num_rows_ = 0; }
+
+  /// Appends `count` rows, zeroed in A, for the caller to fill. `first_id` identifies the row
+  /// across ticks (a friction row of leg 2 keeps its id when leg 1 lifts off); ids count up from
+  /// it.
+  [[nodiscard]] Rows add(Eigen::Index count, int first_id);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Eigen::Index num_rows() const { return num_rows_; }
+  [[nodiscard]] Eigen::Index max_rows() const { return A_.rows(); }
+  [[nodiscard]] auto A() const { return A_.topRows(num_rows_); }
+  [[nodiscard]] auto lower() const { return lower_.head(num_rows_); }
+  [[nodiscard]] auto upper() const { return upper_.head(num_rows_); }
+  [[nodiscard]] int id(Eigen::Index row) const { return ids_[static_cast<std::size_t>(row)]; }
+
+ private:
+  std::string name_;
+  RowMajor A_;
+  Eigen::VectorXd lower_, upper_;
+  std::vector<int> ids_;
+  Eigen::Index num_rows_ = 0;
+};
+
+/// Levels in strict order of priority over the same unknowns x, highest first.
+class Hierarchy {
+ public:
+  explicit Hierarchy(Eigen::Index unknowns) : unknowns_(unknowns) {}
+
+  /// At set-up only: appends a level of fixed capacity and returns its index.
+  std::size_t add_level(std::string name, Eigen::Index max_rows);
+
+  [[nodiscard]] Eigen::Index unknowns() const { return unknowns_; }
+  [[nodiscard]] std::size_t num_levels() const { return levels_.size(); }
+  [[nodiscard]] Level& level(std::size_t i) { return levels_[i]; }
+  [[nodiscard]] const Level& level(std::size_t i) const { return levels_[i]; }
+
+ private:
+  Eigen::Index unknowns_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace surefoot {
+
+/// A reflection I − β v vᵀ with v₀ = 1 that maps a vector a to (head, 0, …, 0)ᵀ.
+struct Reflection {
+  double beta = 0.0;  ///< 0 is the identity
+  double head = 0.0;  ///< ±‖a‖, of the sign that avoids cancellation
+};
+
+/// Turns `a` into the vector v of its reflection (v₀ = 1 is written too). Does not allocate.
+template <typename Vector>
+[[nodiscard]] Reflection make_reflection(Vector&& a) {
+  const double norm = a.norm();
+  if (norm == 0.0) {
+    if (a.size() > 0) a[0] = 1.0;
+    return {};
+  }
+  const double first = a[0];
+  const double head = first > 0.0 ? -norm : norm;
+  const double pivot = first - head;
+  a /= pivot;
+  a[0] = 1.0;
+  return {-pivot / head, head};
+}
+
+/// a ← (I − β v vᵀ) a.
+template <typename Vector, typename Target>
+void reflect(const Vector& v, double beta, Target&& a) {
+  const double along = beta * v.dot(a);
+  a -= along * v;
+}
+
+/// T ← T (I − β v vᵀ); `scratch` has as many elements as T has rows.
+template <typename Vector, typename Columns, typename Scratch>
+void reflect_columns(const Vector& v, double beta, Columns&& T, Scratch&& scratch) {
+  scratch.noalias() = T * v;
+  scratch *= beta;
+  T.noalias() -= scratch * v.transpose();
+}
+
+/// Rotates two columns so that the second element of the pair (x, y) becomes zero.
+template <typename First, typename Second>
+void rotate_columns(double x, double y, First&& first, Second&& second) {
+  const double radius = std::hypot(x, y);
+  if (radius == 0.0) return;
+  const double c = x / radius;
+  const double s = y / radius;
+  for (Eigen::Index i = 0; i < first.size(); ++i) {
+    const double a = first[i];
+    const double b = second[i];
+    first[i] = c * a + s * b;
+    second[i] = c * b - s * a;
+  }
+}
+
+}  // namespace surefoot

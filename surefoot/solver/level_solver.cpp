@@ -1,0 +1,221 @@
+#include "surefoot/solver/level_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+using Side = LevelRows::Side;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Forces, relative to Σ ‖aᵢ‖ |rᵢ|: below −kWrongSign a constraint is let go, above kStrict it is
+/// certain to be needed.
+constexpr double kWrongSign = 1e-11;
+constexpr double kStrict = 1e-9;
+/// Violations relative to ‖aᵢ‖ ‖x‖ above which a row certainly can't be met.
+constexpr double kViolated = 1e-9;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+LevelSolver::LevelSolver(Index unknowns, Index max_rows)
+    : factorization_(max_rows, unknowns),
+      working_set_(unknowns),
+      rows_(max_rows),
+      selected_(at(max_rows), 0),
+      factorized_(at(max_rows), 0),
+      direction_(Eigen::VectorXd::Zero(unknowns)),
+      gradient_(Eigen::VectorXd::Zero(unknowns)) {}
+
+void LevelSolver::reset(const RankTolerance& tolerance) {
+  tolerance_ = tolerance;
+  smallest_pivot_ = 1.0;
+}
+
+bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
+  working_set_.clear(tableau);
+  num_factorized_ = -1;
+  zero_steps_ = 0;
+  force_scale_ = force_noise_ = 0.0;
+  for (iterations_ = 0; iterations_ < max_iterations; ++iterations_) {
+    rows_.update(tableau);
+    const Move move = descend(tableau);
+    if (move == Move::blocked || move == Move::piece_changed) continue;
+    rows_.update(tableau);
+    if (!drop_constraint(tableau)) return true;
+  }
+  return false;
+}
+
+LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
+  const Index first = tableau.first_free + working_set_.size();
+  const Index free = tableau.unknowns - first;
+  if (free == 0 || rows_.num_counting() == 0) return Move::negligible;
+  for (Index i = 0; i < rows_.num_counting(); ++i) selected_[at(i)] = rows_.counting(i);
+  factorize(tableau, first, rows_.num_counting());
+  auto direction = direction_.head(free);
+  factorization_.least_squares_step(rows_.counting_residuals(), direction);
+  const double size = direction.norm();
+  tableau.set_direction(first, direction, tolerance_.keep * size);
+  if (is_negligible(tableau)) return Move::negligible;
+
+  const Block block = first_block(tableau);
+  const double length = rows_.minimum_along(tableau, block.length);
+  tableau.move(length);
+  zero_steps_ = length * size > kEpsilon * tableau.x_size ? 0 : zero_steps_ + 1;
+  if (block.row >= 0 && length >= block.length) {
+    tableau.value[block.row] = block.side > 0 ? tableau.upper[block.row] : tableau.lower[block.row];
+    working_set_.add(tableau, block.row, block.side);
+    num_factorized_ = -1;
+    return Move::blocked;
+  }
+  return rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
+}
+
+// Factorizes the first `num_rows` selected rows in the columns from `first`, unless they are
+// factorized already.
+void LevelSolver::factorize(const Tableau& tableau, Index first, Index num_rows) {
+  if (num_factorized_ == num_rows &&
+      std::equal(selected_.begin(), selected_.begin() + num_rows, factorized_.begin())) {
+    return;
+  }
+  const Index free = tableau.unknowns - first;
+  auto columns = factorization_.rows_to_fill(num_rows, free);
+  auto scales = factorization_.scales_to_fill();
+  for (Index i = 0; i < num_rows; ++i) {
+    const Index row = selected_[at(i)];
+    columns.col(i) = tableau.T.row(row).tail(free).transpose();
+    scales[i] = tableau.scale[row];
+    factorized_[at(i)] = row;
+  }
+  factorization_.compute(tolerance_);
+  num_factorized_ = num_rows;
+}
+
+bool LevelSolver::is_negligible(const Tableau& tableau) const {
+  for (Index i = 0; i < rows_.num_counting(); ++i) {
+    const Index row = rows_.counting(i);
+    if (std::abs(tableau.motion[row]) > tableau.noise(row)) return false;
+  }
+  return true;
+}
+
+LevelSolver::Block LevelSolver::first_block(const Tableau& tableau) const {
+  Block block{kInfinity, -1, 0};
+  double best_rate = 0.0;
+  for (Index row = tableau.unknowns; row < tableau.level_begin; ++row) {
+    if (tableau.held[at(row)]) continue;
+    const double rate = tableau.motion[row];
+    if (rate == 0.0) continue;
+    const double bound = rate > 0.0 ? tableau.upper[row] : tableau.lower[row];
+    const double length = std::max(0.0, (bound - tableau.value[row]) / rate);
+    const double relative_rate = std::abs(rate) / tableau.scale[row];
+    const bool is_tie = length == block.length && !is_cycling() && relative_rate > best_rate;
+    if (length < block.length || is_tie) {
+      block = {length, row, rate > 0.0 ? 1 : -1};
+      best_rate = relative_rate;
+    }
+  }
+  return block;
+}
+
+// Lets the constraint go that pulls most strongly the wrong way; false if none does.
+bool LevelSolver::drop_constraint(Tableau& tableau) {
+  update_forces(tableau);
+  const double wrong = -(kWrongSign * force_scale_ + force_noise_);
+  Index worst = -1;
+  for (Index i = 0; i < working_set_.size(); ++i) {
+    if (working_set_[i].force >= wrong) continue;
+    const bool better =
+        worst < 0 || (is_cycling() ? working_set_[i].row < working_set_[worst].row
+                                   : working_set_[i].force < working_set_[worst].force);
+    if (better) worst = i;
+  }
+  if (worst < 0) return false;
+  working_set_.remove(tableau, worst);
+  num_factorized_ = -1;
+  return true;
+}
+
+void LevelSolver::update_forces(const Tableau& tableau) {
+  const Index held = working_set_.size();
+  const Index count = tableau.num_rows - tableau.level_begin;
+  const auto scale = tableau.scale.segment(tableau.level_begin, count).array();
+  force_scale_ = (scale * rows_.residuals().array().abs()).sum();
+  force_noise_ = 0.0;
+  for (Index i = 0; i < rows_.num_counting(); ++i) {
+    force_noise_ += tableau.scale[rows_.counting(i)] * tableau.noise(rows_.counting(i));
+  }
+  if (held == 0) return;
+  auto gradient = gradient_.head(held);
+  gradient.noalias() =
+      tableau.T.block(tableau.level_begin, tableau.first_free, count, held).transpose() *
+      rows_.residuals();
+  working_set_.set_forces(tableau, gradient);
+}
+
+void LevelSolver::retire(Tableau& tableau) {
+  release_idle_constraints(tableau);
+  note_pivot(working_set_.smallest_pivot(tableau));
+  const Index num_determined = collect_determined_rows(tableau);
+  tableau.first_free += working_set_.size();
+  const Index free = tableau.num_free();
+  if (num_determined > 0 && free > 0) {
+    factorize(tableau, tableau.first_free, num_determined);
+    factorization_.apply_on_the_right(tableau.rows(tableau.first_free, free),
+                                      tableau.scratch.head(tableau.num_rows));
+    tableau.first_free += factorization_.num_fixed();
+    note_pivot(factorization_.smallest_pivot());
+  }
+  mark_remaining(tableau);
+  working_set_.clear(tableau);
+  tableau.retire();
+}
+
+void LevelSolver::release_idle_constraints(Tableau& tableau) {
+  const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
+  for (Index i = working_set_.size() - 1; i >= 0; --i) {
+    if (working_set_[i].force > strict) continue;
+    working_set_.remove(tableau, i);
+    num_factorized_ = -1;
+  }
+}
+
+// Rows of the level whose residual is the same at all of its optima.
+Index LevelSolver::collect_determined_rows(const Tableau& tableau) {
+  Index count = 0;
+  for (Index i = 0; i < tableau.num_rows - tableau.level_begin; ++i) {
+    const Index row = tableau.level_begin + i;
+    const double clearly = kViolated * tableau.scale[row] * tableau.x_size;
+    const bool is_determined =
+        rows_.side(i) == Side::equality || std::abs(rows_.residuals()[i]) > clearly;
+    if (is_determined) selected_[at(count++)] = row;
+  }
+  return count;
+}
+
+// Rows to keep as constraints: those not fixed, and that can still move.
+void LevelSolver::mark_remaining(Tableau& tableau) {
+  const Index free = tableau.num_free();
+  for (Index row = tableau.unknowns; row < tableau.num_rows; ++row) {
+    const double left = tableau.T.row(row).tail(free).norm();
+    tableau.keep[at(row)] = left > tolerance_.keep * tableau.scale[row] && !tableau.held[at(row)];
+  }
+  for (Index i = 0; i < tableau.num_rows - tableau.level_begin; ++i) {
+    if (rows_.side(i) == Side::equality) tableau.keep[at(tableau.level_begin + i)] = 0;
+  }
+}
+
+// The weaker the directions already used, the larger the rounding in what is left.
+void LevelSolver::note_pivot(double relative) {
+  smallest_pivot_ = std::min(smallest_pivot_, relative);
+  const double rounding = 64.0 * kEpsilon / smallest_pivot_;
+  tolerance_.keep = std::clamp(rounding, tolerance_.keep, tolerance_.solve);
+}
+
+}  // namespace surefoot

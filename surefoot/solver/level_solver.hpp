@@ -1,0 +1,79 @@
+#pragma once
+
+#include "surefoot/solver/level_rows.hpp"
+#include "surefoot/solver/row_factorization.hpp"
+#include "surefoot/solver/tableau.hpp"
+#include "surefoot/solver/working_set.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// Solves one level of the cascade (Eqs. 9–11) in its least-squares form
+///
+///     min_z ½ ‖violation of the level at x + Z z‖²   subject to the constraints in the tableau
+///
+/// by a primal active-set method from z = 0, which is feasible by construction. Each step is the
+/// minimum of the present quadratic piece over the directions that no held constraint forbids,
+/// from orthogonal factorizations (H of Eq. 11 is never formed), followed by an exact line search.
+/// Every iterate is feasible for all constraints. Where a level leaves directions open, z changes
+/// as little as possible.
+class LevelSolver {
+ public:
+  LevelSolver(Eigen::Index unknowns, Eigen::Index max_rows);
+
+  /// Starts a hierarchy.
+  void reset(const RankTolerance& tolerance);
+
+  /// Moves the tableau to the optimum of its level; false at the cap of iterations.
+  [[nodiscard]] bool minimize(Tableau& tableau, int max_iterations);
+
+  /// After `minimize`: fixes all that the level determines (the null space shrinks, Eq. 12) and
+  /// turns the rest of its rows into constraints.
+  ///
+  /// Fixed are (i) equality rows and violated rows of the level, whose residual is unique at the
+  /// optimum, and (ii) held constraints that push back with a strictly positive multiplier: all
+  /// optima of the level lie on them. Satisfied rows and those with zero multiplier remain
+  /// inequalities.
+  void retire(Tableau& tableau);
+
+  [[nodiscard]] int iterations() const { return iterations_; }
+
+ private:
+  struct Block {
+    double length = 0.0;  ///< step at which the constraint is met
+    Eigen::Index row = -1;
+    int side = 0;
+  };
+  enum class Move { negligible, blocked, piece_changed, stationary };
+
+  [[nodiscard]] Move descend(Tableau& tableau);
+  void factorize(const Tableau& tableau, Eigen::Index first, Eigen::Index num_rows);
+  [[nodiscard]] bool is_negligible(const Tableau& tableau) const;
+  [[nodiscard]] Block first_block(const Tableau& tableau) const;
+  [[nodiscard]] bool drop_constraint(Tableau& tableau);
+  void update_forces(const Tableau& tableau);
+  void release_idle_constraints(Tableau& tableau);
+  [[nodiscard]] Eigen::Index collect_determined_rows(const Tableau& tableau);
+  void mark_remaining(Tableau& tableau);
+  void note_pivot(double relative);
+  [[nodiscard]] bool is_cycling() const { return zero_steps_ > kPatience; }
+
+  static constexpr int kPatience = 8;  ///< steps of zero length before Bland's rule
+
+  RankTolerance tolerance_;
+  double smallest_pivot_ = 1.0;
+  RowFactorization factorization_;
+  WorkingSet working_set_;
+  LevelRows rows_;
+  std::vector<Eigen::Index> selected_;    // rows to factorize
+  std::vector<Eigen::Index> factorized_;  // rows in the factorization
+  Eigen::Index num_factorized_ = -1;      // −1: not valid for the present basis
+  Eigen::VectorXd direction_, gradient_;
+  double force_scale_ = 0.0, force_noise_ = 0.0;
+  int iterations_ = 0, zero_steps_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace surefoot {
+
+/// Orthonormal basis Z of the null space N(A) = {x : A x = 0}, one direction a column (Eq. 12).
+///
+/// A row counts as independent of those before it if more than `relative_tolerance` ‖aᵢ‖ of it is
+/// left after projection, so scaling a row changes nothing. A trivial null space has zero columns,
+/// that of no rows is the identity. Allocates; for set-up, tests and independent checks.
+[[nodiscard]] Eigen::MatrixXd null_space(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                         double relative_tolerance = 1e-8);
+
+/// N([A₁; A₂]) = Z₁ N(A₂ Z₁) for a basis Z₁ of N(A₁) (Eq. 12). A₂ Z₁ may lose rank where A₁ and A₂
+/// each have it: two tasks in conflict.
+[[nodiscard]] Eigen::MatrixXd null_space_within(const Eigen::Ref<const Eigen::MatrixXd>& A2,
+                                                const Eigen::Ref<const Eigen::MatrixXd>& Z1,
+                                                double relative_tolerance = 1e-8);
+
+}  // namespace surefoot

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// Rank policy of a cascade, relative to the length ‖aᵢ‖ that a row has in the space of x.
+///
+/// What is left of a row after projection onto the null space of everything fixed before decides:
+///  - more than `solve` ‖aᵢ‖: the row is independent, the level may use this direction;
+///  - between `keep` and `solve`: the direction is too weak to be used (x would blow up by more
+///    than 1 / solve) and too strong to be given away: it is fixed where it is;
+///  - less than `keep` ‖aᵢ‖: rounding, the row depends on those fixed before.
+struct RankTolerance {
+  double solve = 1e-8;
+  double keep = 1e-12;
+};
+
+/// Rank-revealing orthogonal factorization of a stack of rows K (m × d),
+///
+///     P K = [L 0] Qᵀ,   L lower trapezoidal (m × rank),   Q = H₁ H₂ … of Householder reflections,
+///
+/// rows chosen by the largest relative remaining length. The columns of Q past `num_fixed()` span
+/// the null space N(K) of Eq. 12. Memory is fixed at construction.
+class RowFactorization {
+ public:
+  RowFactorization(Eigen::Index max_rows, Eigen::Index max_columns);
+
+  /// Place for the rows to factorize, one a column (d × m), to be filled before `compute`, and
+  /// for their lengths in the space of x.
+  [[nodiscard]] auto rows_to_fill(Eigen::Index num_rows, Eigen::Index num_columns) {
+    num_rows_ = num_rows;
+    num_columns_ = num_columns;
+    return K_.topLeftCorner(num_columns, num_rows);
+  }
+  [[nodiscard]] auto scales_to_fill() { return scale_.head(num_rows_); }
+
+  void compute(const RankTolerance& tolerance);
+
+  /// Directions that the rows can use.
+  [[nodiscard]] Eigen::Index rank() const { return rank_; }
+  /// Directions that are no longer free: `rank` and those too weak to be used.
+  [[nodiscard]] Eigen::Index num_fixed() const { return num_fixed_; }
+  /// Smallest relative length among the used pivots; 1 if there are none.
+  [[nodiscard]] double smallest_pivot() const { return smallest_pivot_; }
+
+  /// p (d) of minimum norm among the minimisers of ‖K p + r‖ within the usable directions.
+  void least_squares_step(const Eigen::Ref<const Eigen::VectorXd>& r,
+                          Eigen::Ref<Eigen::VectorXd> p);
+
+  /// T ← T Q, for T (k × d); `scratch` has k elements.
+  void apply_on_the_right(Eigen::Ref<Eigen::MatrixXd> T, Eigen::Ref<Eigen::VectorXd> scratch);
+
+ private:
+  [[nodiscard]] Eigen::Index choose_pivot(Eigen::Index step) const;
+  void swap_rows(Eigen::Index i, Eigen::Index j);
+  void eliminate(Eigen::Index step);
+  void downdate_length(Eigen::Index step, Eigen::Index row);
+  void solve_triangle(const Eigen::Ref<const Eigen::VectorXd>& r);
+  void solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& r);
+
+  Eigen::Index num_rows_ = 0, num_columns_ = 0, rank_ = 0, num_fixed_ = 0;
+  double smallest_pivot_ = 1.0;
+  Eigen::MatrixXd K_;      // d × m: reflections below the diagonal, Lᵀ above
+  Eigen::VectorXd scale_;  // m, moves with the rows
+  Eigen::VectorXd beta_;
+  Eigen::VectorXd length_, reference_length_;
+  std::vector<Eigen::Index> order_;  // position → row as it was filled
+  Eigen::VectorXd v_, q_;
+  // Trapezoid: second factorization, by rows and columns of any scale.
+  Eigen::MatrixXd G_;
+  Eigen::VectorXd c_;
+  std::vector<Eigen::Index> column_order_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// All rows that still matter, seen in a basis of the unknowns that makes the next step easy.
+///
+/// The basis Q is orthogonal; its columns from `first_free` on span the null space Z of everything
+/// that has been fixed (Eqs. 12, 13). Row i of T holds aᵢ Q; the first `unknowns` rows are those
+/// of the identity, so there T = Q and value = x. Then come rows of finished levels that are still
+/// inequalities, then the rows of the level being solved:
+///
+///     [0, unknowns)  x   |   [unknowns, level_begin)  constraints   |   [level_begin, num_rows)
+///     level
+///
+/// Columns before `first_free` are stale: nothing moves along them any more.
+class Tableau {
+ public:
+  Tableau(Eigen::Index unknowns, Eigen::Index max_rows);
+
+  /// Z = I, x = 0, no rows.
+  void reset();
+
+  /// Adds the rows of the next level: T = A Z, value = A x.
+  void append(const Level& level);
+
+  /// Q ← Q (I − β v vᵀ) on the columns from `first`, as many as v has; in all rows.
+  void reflect(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& v, double beta);
+
+  /// Rotates the columns `first` and `first` + 1 so that T(row, first + 1) becomes zero.
+  void rotate(Eigen::Index row, Eigen::Index first);
+
+  /// x and the values of all rows move by `step` · T(:, first …) p; see `motion`.
+  void move(double step);
+
+  /// motion ← T(:, first …) p, the rate of all values along p; 0 where it is at most
+  /// `negligible` ‖aᵢ‖, which is rounding: a row that depends on fixed ones does not move.
+  void set_direction(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& p,
+                     double negligible);
+
+  /// Ends a level: rows for which `keep` is not set leave, the rest become constraints.
+  void retire();
+
+  /// Smallest change of row i's value that is not rounding.
+  [[nodiscard]] double noise(Eigen::Index i) const { return kRounding * scale[i] * x_size; }
+
+  [[nodiscard]] Eigen::Index num_free() const { return unknowns - first_free; }
+  [[nodiscard]] auto rows(Eigen::Index first_column, Eigen::Index columns) {
+    return T.block(0, first_column, num_rows, columns);
+  }
+
+  static constexpr double kRounding = 2e-14;
+
+  Eigen::Index unknowns;
+  Eigen::Index first_free = 0;
+  Eigen::Index level_begin = 0;
+  Eigen::Index num_rows = 0;
+  double x_size = 0.0;  ///< largest ‖x‖ so far
+
+  Eigen::MatrixXd T;
+  Eigen::VectorXd value, lower, upper;  ///< by row
+  Eigen::VectorXd scale;                ///< length of the row in the space of x
+  Eigen::VectorXd motion;
+  std::vector<char> keep;  ///< by row; set by the level before `retire`
+  std::vector<char> held;  ///< by row; 1 while in the working set
+  Eigen::VectorXd scratch;
+};
+
+}  // namespace surefoot

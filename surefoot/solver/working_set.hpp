@@ -1,0 +1,49 @@
+#pragma once
+
+#include "surefoot/solver/tableau.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// Constraints of higher levels that are held at a bound while a level is solved.
+///
+/// The basis of the tableau is turned so that the held rows are lower triangular in the first
+/// free columns: T(held, first_free …) = [L 0]. What comes after them moves no held row.
+class WorkingSet {
+ public:
+  explicit WorkingSet(Eigen::Index unknowns);
+
+  struct Held {
+    Eigen::Index row = 0;
+    int side = 0;        ///< +1 at its upper bound, −1 at its lower bound
+    double force = 0.0;  ///< multiplier times side times ‖a‖; ≥ 0 where the bound is needed
+  };
+
+  void clear(Tableau& tableau);
+  void add(Tableau& tableau, Eigen::Index row, int side);
+  void remove(Tableau& tableau, Eigen::Index position);
+
+  /// Forces μ that balance the gradient: Lᵀ μ = −gradient, gradient of size `size()`. Overwrites
+  /// `gradient`.
+  void set_forces(const Tableau& tableau, Eigen::Ref<Eigen::VectorXd> gradient);
+
+  /// Smallest |Lᵢᵢ| / ‖aᵢ‖.
+  [[nodiscard]] double smallest_pivot(const Tableau& tableau) const;
+
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+  [[nodiscard]] const Held& operator[](Eigen::Index i) const {
+    return held_[static_cast<std::size_t>(i)];
+  }
+
+ private:
+  [[nodiscard]] Held& at(Eigen::Index i) { return held_[static_cast<std::size_t>(i)]; }
+
+  std::vector<Held> held_;
+  Eigen::Index size_ = 0;
+  Eigen::VectorXd v_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// A number that a task can be given.
+struct TaskParameter {
+  std::string_view name;
+  double default_value = 0.0;
+  double minimum = 0.0;  ///< smallest legal value
+  std::string_view unit;
+  std::string_view help;
+};
+
+/// A word that a task can be given, out of a few.
+struct TaskChoice {
+  std::string_view name;
+  std::vector<std::string_view> values;
+  std::string_view default_value;
+  std::string_view help;
+};
+
+/// What a stack file may say about a task, and what `list tasks` shows.
+struct TaskInfo {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view equation;  ///< of Bellicoso 2016
+  std::vector<TaskParameter> parameters;
+  std::vector<TaskChoice> choices;
+};
+
+/// Values given by name; what is not given keeps its default.
+struct TaskParameters {
+  std::map<std::string, double> numbers;       ///< e.g. kp: 500
+  std::map<std::string, std::string> choices;  ///< e.g. form: radial
+};
+
+/// All tasks, in the order of Table I and then those that it does not have.
+[[nodiscard]] std::span<const TaskInfo> task_catalog();
+
+/// The catalog's entry. Throws UnknownNameError that lists the tasks.
+[[nodiscard]] const TaskInfo& task_info(std::string_view name);
+
+/// Makes a task by name. Throws UnknownNameError for an unknown task, parameter or choice, and Error
+/// for a number that is not finite or out of range; the message says what would be valid.
+[[nodiscard]] std::unique_ptr<Task> make_task(std::string_view name,
+                                              const TaskParameters& parameters = {});
+
+}  // namespace surefoot

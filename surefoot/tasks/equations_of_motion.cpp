@@ -1,0 +1,18 @@
+#include "surefoot/tasks/equations_of_motion.hpp"
+
+namespace surefoot {
+
+void EquationsOfMotion::write(const TaskInput& input, Level& level) const noexcept {
+  const auto Q_u = input.support.Q_u();
+  Rows rows = level.add(Q_u.cols(), first_id());
+  rows.A.leftCols<kNumVelocities>().noalias() = -Q_u.transpose() * input.dynamics.M;
+  rows.A.rightCols<kNumJoints>() = Q_u.transpose().rightCols<kNumJoints>();
+  rows.lower.noalias() = Q_u.transpose() * input.dynamics.h;
+  rows.upper = rows.lower;
+}
+
+std::string EquationsOfMotion::row_name(int id) const {
+  return "direction " + std::to_string(id) + " of Q_u";
+}
+
+}  // namespace surefoot

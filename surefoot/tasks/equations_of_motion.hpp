@@ -1,0 +1,21 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Keeps accelerations and torques consistent with the robot's dynamics, contact forces eliminated.
+///
+///     Q_uᵀ [−M  Sᵀ] x = Q_uᵀ h     (Bellicoso 2016, Eq. 15)
+///
+/// Writes 18 − rank(J_s) rows (18 − 3 n_c where no leg is singular) in mixed units of force and
+/// torque [N, N·m].
+class EquationsOfMotion final : public Task {
+ public:
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return kNumVelocities; }
+  [[nodiscard]] std::string_view name() const override { return "equations_of_motion"; }
+  [[nodiscard]] std::string row_name(int id) const override;
+};
+
+}  // namespace surefoot

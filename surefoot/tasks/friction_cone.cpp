@@ -1,0 +1,53 @@
+#include "surefoot/tasks/friction_cone.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace surefoot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// B of Eq. 31 for one foot: four faces, each ≤ 0, and the normal force, for forces in W.
+Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& R_WC, double mu) {
+  const Vec3 heading = R_WC.col(0);
+  const Vec3 lateral = R_WC.col(1);
+  const Vec3 normal = R_WC.col(2);
+  Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> B;
+  B.row(0) = heading - mu * normal;
+  B.row(1) = -heading - mu * normal;
+  B.row(2) = lateral - mu * normal;
+  B.row(3) = -lateral - mu * normal;
+  B.row(4) = normal;
+  return B;
+}
+
+}  // namespace
+
+void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
+  const double inner = options_.pyramid == Pyramid::inner ? 1.0 / std::numbers::sqrt2 : 1.0;
+  const auto B = pyramid_rows(input.plan.R_WC, inner * input.plan.friction);
+  for (const Leg leg : kLegs) {
+    if (!input.support.in_contact(leg)) continue;
+    const FootPlan& foot = input.plan.feet[index(leg)];
+    const int force = input.support.first_force(leg);
+    Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
+    rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
+    rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,
+        std::min(foot.force_min, foot.force_max);
+    rows.upper << 0.0, 0.0, 0.0, 0.0, foot.force_max;
+    const Eigen::Matrix<double, kRowsPerLeg, 1> offset =
+        B * input.support.lambda_0().segment<3>(force);
+    rows.lower -= offset;
+    rows.upper -= offset;
+  }
+}
+
+std::string FrictionCone::row_name(int id) const {
+  constexpr std::array<const char*, kRowsPerLeg> kNames{
+      " slip forward", " slip backward", " slip left", " slip right", " normal force"};
+  return std::string(kLegNames[static_cast<std::size_t>(id / kRowsPerLeg)]) +
+         kNames[static_cast<std::size_t>(id % kRowsPerLeg)];
+}
+
+}  // namespace surefoot

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Keeps contact forces inside a friction pyramid and their normal part within the plan's limits.
+///
+///     |ĥᵀλ_i| ≤ μ' n̂ᵀλ_i,   |l̂ᵀλ_i| ≤ μ' n̂ᵀλ_i             (Bellicoso 2016, Eq. 29)
+///     min(f_min, f_max(t)) ≤ n̂ᵀλ_i ≤ f_max(t)               (Eq. 30)
+///     λ = Λ x + λ₀                                           (Eq. 31)
+///
+/// ĥ, l̂, n̂ are the axes of the control frame C. The pyramid with μ' = μ touches the cone from outside
+/// and exceeds it on the diagonals by √2; with μ' = μ/√2 it lies inside. Writes 5 rows for each leg in
+/// contact [N].
+class FrictionCone final : public Task {
+ public:
+  enum class Pyramid { inner, outer };
+
+  struct Options {
+    Pyramid pyramid = Pyramid::inner;
+  };
+
+  static constexpr int kRowsPerLeg = 5;
+
+  explicit FrictionCone(const Options& options) : options_(options) {}
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return kRowsPerLeg * kNumLegs; }
+  [[nodiscard]] std::string_view name() const override { return "friction_cone"; }
+  [[nodiscard]] std::string row_name(int id) const override;
+
+ private:
+  Options options_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "surefoot/tasks/motion_bound.hpp"
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Keeps every joint inside the robot's range, by the rule of Bellicoso 2016, Eq. 27.
+///
+///     q_min + margin ≤ q ≤ q_max − margin
+///
+/// Writes 12 rows [rad/s²].
+class JointPositionLimits final : public Task {
+ public:
+  struct Options {
+    double margin = 0.05;  ///< distance kept from the ends of the range [rad]
+    double dt = 0.1;       ///< δt of Eq. 27 [s]
+    BoundResponse response = BoundResponse::no_overshoot;
+  };
+
+  /// Throws Error unless margin ≥ 0 and dt > 0.
+  explicit JointPositionLimits(const Options& options);
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return kNumJoints; }
+  [[nodiscard]] std::string_view name() const override { return "joint_position_limits"; }
+  [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
+
+ private:
+  Options options_;
+  MotionBound bound_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Manipulability of a leg, m = |det J| with J = [j_HAA j_HFE j_KFE] its 3×3 translational Jacobian
+/// (Bellicoso 2016, Eq. 22), and what follows from it.
+struct LegManipulability {
+  double m = 0.0;               ///< [m³]
+  Vec3 gradient = Vec3::Zero(); ///< ∂m/∂q for HAA, HFE, KFE [m³/rad]
+  double height_gradient = 0.0; ///< ∂m/∂z_B with the foot held in place [m²]
+};
+
+/// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and with the foot in place
+/// ∂q/∂z_B = −J⁻¹ e_z. Close to a singular posture |det J| is taken for 1e-4 m³ in J⁻¹.
+[[nodiscard]] LegManipulability leg_manipulability(const Dynamics& dynamics, Leg leg) noexcept;
+
+/// Moves the base in height to where the legs can move best, instead of to a given height.
+///
+///     e_zᵀ J_B u̇ = z̈_ref − e_zᵀ J̇_B u
+///     paper:    z̈_ref = k0 Σ_k w_k ∂m_k/∂q_KFE − kd ż        (Bellicoso 2016, Eqs. 22–24)
+///     chained:  z̈_ref = k0 Σ_k w_k ∂m_k/∂z_B − kd ż
+///
+/// The printed form adds gradients of knee angles to an acceleration in height: where front and hind
+/// knees bend against each other (X-configuration) they cancel. `chained` takes them through the
+/// kinematics with the feet in place. Writes 1 row [m/s²].
+class Manipulability final : public Task {
+ public:
+  enum class Form { chained, paper };
+
+  struct Options {
+    Form form = Form::chained;
+    double k0 = 30.0;              ///< `chained`: [1/(m s²)]; `paper`: [rad/(m² s²)]
+    double kd = 20.0;              ///< damping of the height [1/s]
+    double max_acceleration = 2.0; ///< bound on the first term of z̈_ref [m/s²]
+    PerLeg<double> weights{1.0, 1.0, 1.0, 1.0};  ///< w_k [–]
+  };
+
+  explicit Manipulability(const Options& options) : options_(options) {}
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return 1; }
+  [[nodiscard]] std::string_view name() const override { return "manipulability"; }
+  [[nodiscard]] std::string row_name(int id) const override;
+
+ private:
+  Options options_;
+};
+
+}  // namespace surefoot

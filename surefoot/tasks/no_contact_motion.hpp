@@ -1,0 +1,31 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Keeps the contact points of supporting feet where they are.
+///
+///     J_C u̇ = −J̇_C u − kd J_C u     (Bellicoso 2016, Eq. 16; the damping is ours)
+///
+/// C is the lowest point of the foot sphere and its drift that of rolling without slip. The damping
+/// takes away what velocity an impact or an error of integration left. Writes 3 rows for each leg in
+/// contact, in W [m/s²].
+class NoContactMotion final : public Task {
+ public:
+  struct Options {
+    double kd = 10.0;  ///< damping of the contact point's velocity [1/s]
+  };
+
+  explicit NoContactMotion(const Options& options) : options_(options) {}
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
+  [[nodiscard]] std::string_view name() const override { return "no_contact_motion"; }
+  [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
+
+ private:
+  Options options_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Makes the feet that are not in contact follow their references like a mass on a spring and damper.
+///
+///     J_F u̇ = a_ref + kd (v_ref − v_F) + kp (p_ref − p_F) − J̇_F u     (Bellicoso 2016, Eq. 19)
+///
+/// F is the centre of the foot sphere. Writes 3 rows for each leg that is not in contact, in W
+/// [m/s²]; a rotation of the three rows into C would not change what they ask for.
+class SwingFoot final : public Task {
+ public:
+  struct Options {
+    double kp = 800.0;        ///< [1/s²]
+    double kd = 56.0;         ///< [1/s]
+    double max_error = 0.02;  ///< longer position errors are shortened to this [m]
+  };
+
+  explicit SwingFoot(const Options& options) : options_(options) {}
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return 3 * kNumLegs; }
+  [[nodiscard]] std::string_view name() const override { return "swing_foot"; }
+  [[nodiscard]] std::string row_name(int id) const override { return leg_axis_name(id); }
+
+ private:
+  Options options_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Keeps every torque within what its actuator can give.
+///
+///     −s(−q̇) τ_max ≤ τ ≤ s(q̇) τ_max     (Bellicoso 2016, Eq. 28; s is ours)
+///
+/// s is the `fraction`, and with `speed_line: linear` it falls from there to 0 between the corner
+/// speed and the joint's velocity limit, in the direction of motion only: a motor that turns fast
+/// can't push on, but it can brake. Writes 12 rows [N·m].
+class TorqueLimits final : public Task {
+ public:
+  enum class SpeedLine { none, linear };
+
+  struct Options {
+    double fraction = 1.0;         ///< of the robot's torque limit that may be used [–]
+    SpeedLine speed_line = SpeedLine::none;
+    double corner_speed = 0.5;     ///< where the line begins, as a fraction of the velocity limit [–]
+  };
+
+  /// Throws Error unless 0 < fraction ≤ 1 and 0 ≤ corner_speed < 1.
+  explicit TorqueLimits(const Options& options);
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return kNumJoints; }
+  [[nodiscard]] std::string_view name() const override { return "torque_limits"; }
+  [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
+
+ private:
+  [[nodiscard]] double usable_fraction(double speed, double speed_limit) const noexcept;
+
+  Options options_;
+};
+
+}  // namespace surefoot

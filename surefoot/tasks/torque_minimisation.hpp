@@ -1,0 +1,32 @@
+#pragma once
+
+#include "surefoot/tasks/task.hpp"
+
+namespace surefoot {
+
+/// Asks for no torque, so that a level low in the hierarchy takes the least.
+///
+///     w_j τ_j = 0     (Bellicoso 2016, Eq. 20; the weights are ours)
+///
+/// Writes 12 rows [N·m].
+class TorqueMinimisation final : public Task {
+ public:
+  struct Options {
+    double weight_HAA = 1.0;  ///< of the hip abduction joints [–]
+    double weight_HFE = 1.0;  ///< of the hip flexion joints [–]
+    double weight_KFE = 1.0;  ///< of the knees [–]
+  };
+
+  explicit TorqueMinimisation(const Options& options)
+      : weights_(options.weight_HAA, options.weight_HFE, options.weight_KFE) {}
+
+  void write(const TaskInput& input, Level& level) const noexcept override;
+  [[nodiscard]] int max_rows() const override { return kNumJoints; }
+  [[nodiscard]] std::string_view name() const override { return "torque_minimisation"; }
+  [[nodiscard]] std::string row_name(int id) const override { return joint_name(id); }
+
+ private:
+  Vec3 weights_;
+};
+
+}  // namespace surefoot
