@@ -1,0 +1,149 @@
+#include "surefoot/control/controller.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/control/hierarchy_summary.hpp"
+#include "surefoot/control/safety.hpp"
+#include "surefoot/control/task_stack.hpp"
+#include "surefoot/model/robot_model.hpp"
+#include "surefoot/planning/planner.hpp"
+#include "surefoot/solver/cascade_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+constexpr double kFastestCommand = 1.0;  // [m/s] and [rad/s]
+
+double checked_period(double period) {
+  if (period > 0.0 && std::isfinite(period)) return period;
+  throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
+}
+
+double clamp_finite(double value, double limit) {
+  return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
+}
+
+/// What can't be right in a command is dropped or limited, so that it can't reach the plan.
+UserCommand sane(const UserCommand& user) {
+  UserCommand result = user;
+  for (double& v : result.velocity) v = clamp_finite(v, kFastestCommand);
+  result.yaw_rate = clamp_finite(user.yaw_rate, kFastestCommand);
+  result.height = clamp_finite(user.height, kFastestCommand);
+  return result;
+}
+
+bool is_finite(const RobotState& state) {
+  return std::isfinite(state.time) && state.p_WB.allFinite() && state.q_WB.coeffs().allFinite() &&
+         state.u().allFinite() && state.q.allFinite() && state.torque.allFinite();
+}
+
+}  // namespace
+
+struct Controller::Implementation {
+  Implementation(const RobotDescription& robot, const ControllerOptions& options,
+                 std::unique_ptr<StateEstimator> state_estimator)
+      : estimator(std::move(state_estimator)),
+        model(robot),
+        contact_force(options.contact_force, checked_period(options.period)),
+        planner(options.planner, model.mass() * kGravity, options.period),
+        stack(options.stack, robot),
+        solver(stack.hierarchy()),
+        safety(options.safety, robot, stack.first_free_level()) {}
+
+  const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+  const Solution* optimise(const UserCommand& user) noexcept;
+  void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
+  void ended(Stage stage) const noexcept {
+    if (observer != nullptr) observer->stage_ends(stage);
+  }
+
+  std::unique_ptr<StateEstimator> estimator;
+  RobotModel model;
+  ContactForceEstimator contact_force;
+  Planner planner;
+  TaskStack stack;
+  CascadeSolver solver;
+  Safety safety;
+  TickRecord record;
+  StageObserver* observer = nullptr;
+};
+
+const JointCommand& Controller::Implementation::step(const SensorReading& reading,
+                                                     const UserCommand& user) noexcept {
+  if (observer != nullptr) observer->tick_begins();
+  record.reading = reading;
+  record.user = sane(user);
+  record.state = estimator->update(reading);
+  ended(Stage::estimate);
+  const Solution* solution = is_finite(record.state) ? optimise(record.user) : nullptr;
+  record.command = safety.command(record.state, solution);
+  ended(Stage::command);
+  return record.command;
+}
+
+const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
+  const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
+  contact_force.update(dynamics, record.reading, record.state);
+  ended(Stage::model);
+  record.plan = planner.update(user, record.state, dynamics);
+  ended(Stage::plan);
+  const Hierarchy& hierarchy = stack.update(dynamics, record.plan);
+  ended(Stage::stack);
+  const Solution& solution = solver.solve(hierarchy);
+  ended(Stage::solve);
+  describe(dynamics, solution);
+  return &solution;
+}
+
+void Controller::Implementation::describe(const Dynamics& dynamics,
+                                          const Solution& solution) noexcept {
+  summarise(solution, stack.hierarchy(), record.hierarchy);
+  record.model.p_WCom = dynamics.com.p;
+  record.model.v_WCom = dynamics.com.v;
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    record.model.p_WF[k] = dynamics.foot[k].p;
+    record.model.p_WH[k] = dynamics.hip[k].p;
+    record.model.force[k] = stack.support().force(leg, solution.x);
+  }
+}
+
+Controller::Controller(const RobotDescription& robot, const ControllerOptions& options,
+                       std::unique_ptr<StateEstimator> estimator) {
+  if (estimator == nullptr) throw Error("the controller was given no state estimator");
+  implementation_ = std::make_unique<Implementation>(robot, options, std::move(estimator));
+}
+
+Controller::~Controller() = default;
+
+const JointCommand& Controller::step(const SensorReading& reading,
+                                     const UserCommand& user) noexcept {
+  return implementation_->step(reading, user);
+}
+
+const TickRecord& Controller::record() const { return implementation_->record; }
+
+std::vector<std::string> Controller::level_names() const {
+  const Hierarchy& hierarchy = implementation_->stack.hierarchy();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < hierarchy.num_levels(); ++i)
+    names.push_back(hierarchy.level(i).name());
+  return names;
+}
+
+std::string Controller::row_name(int level, int id) const {
+  return implementation_->stack.row_name(level, id);
+}
+
+std::vector<std::string> Controller::notes() const { return implementation_->model.notes(); }
+
+void Controller::set_stage_observer(StageObserver* observer) {
+  implementation_->observer = observer;
+}
+
+int Controller::steps_taken() const { return implementation_->planner.steps_taken(); }
+
+}  // namespace surefoot

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "surefoot/control/safety_options.hpp"
+#include "surefoot/control/stack_options.hpp"
+#include "surefoot/estimation/contact_force_estimator.hpp"
+#include "surefoot/estimation/state_estimator.hpp"
+#include "surefoot/model/description.hpp"
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/signals/tick_record.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Stages of a tick, in order.
+enum class Stage : int { estimate = 0, model = 1, plan = 2, stack = 3, solve = 4, command = 5 };
+
+/// Is told when a stage of the tick ends; the runtime measures time with it, the controller has no
+/// clock.
+class StageObserver {
+ public:
+  StageObserver() = default;
+  StageObserver(const StageObserver&) = delete;
+  StageObserver& operator=(const StageObserver&) = delete;
+  virtual ~StageObserver() = default;
+  virtual void tick_begins() noexcept = 0;
+  virtual void stage_ends(Stage stage) noexcept = 0;
+};
+
+struct ControllerOptions {
+  double period = 0.0025;  ///< of the control loop [s]
+  PlannerOptions planner;
+  StackOptions stack;
+  ContactForceOptions contact_force;
+  SafetyOptions safety;
+};
+
+/// The whole-body controller: one call a tick turns readings into joint torques.
+class Controller {
+ public:
+  /// Throws Error on options that make no sense. Allocates here only.
+  Controller(const RobotDescription& robot, const ControllerOptions& options,
+             std::unique_ptr<StateEstimator> estimator);
+  ~Controller();
+
+  /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques inside
+  /// the limits; never throws, allocates, locks or prints.
+  const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+
+  /// Everything of the last tick.
+  [[nodiscard]] const TickRecord& record() const;
+  /// Names of the levels, highest priority first.
+  [[nodiscard]] std::vector<std::string> level_names() const;
+  /// Name of the row with this id in a level, for logs and tables.
+  [[nodiscard]] std::string row_name(int level, int id) const;
+  /// Lines worth telling at start (what the model dropped, …).
+  [[nodiscard]] std::vector<std::string> notes() const;
+  /// May be null. Must outlive the controller.
+  void set_stage_observer(StageObserver* observer);
+  /// Steps taken, searches that met no ground, …: counts since the start.
+  [[nodiscard]] int steps_taken() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "surefoot/control/stack_options.hpp"
+#include "surefoot/model/support_dynamics.hpp"
+#include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/tasks/task.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// A stack file come alive: the tasks of every level, and the hierarchy that they write at each
+/// tick.
+class TaskStack {
+ public:
+  /// Throws Error on a task or parameter that does not exist; the message lists what does.
+  TaskStack(const StackOptions& options, const RobotDescription& robot);
+
+  /// This tick's rows. Allocates nothing.
+  const Hierarchy& update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
+
+  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+  /// Contact forces as an affine function of x, of the last update.
+  [[nodiscard]] const SupportDynamics& support() const { return support_; }
+  /// Index of the first level that has none of the tasks that keep the physics: equations of
+  /// motion, contacts, torque and contact force limits.
+  [[nodiscard]] int first_free_level() const { return first_free_level_; }
+  [[nodiscard]] std::string row_name(int level, int id) const;
+
+ private:
+  struct LevelTasks {
+    std::vector<std::unique_ptr<Task>> tasks;
+  };
+
+  RobotDescription robot_;
+  std::vector<LevelTasks> levels_;
+  SupportDynamics support_;
+  Hierarchy hierarchy_;
+  int first_free_level_ = 0;
+};
+
+}  // namespace surefoot

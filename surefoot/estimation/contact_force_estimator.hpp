@@ -1,0 +1,36 @@
+#pragma once
+
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/robot_state.hpp"
+
+namespace surefoot {
+
+struct ContactForceOptions {
+  double cutoff_hz = 40.0;  ///< low-pass of the generalized residual
+  bool use_foot_sensor =
+      false;  ///< take the normal force of a foot force sensor instead, where there is one
+};
+
+/// Ground forces on the feet from joint torques alone, without foot sensors:
+///
+///     f_k = (J_kᵀ)⁻¹ LPF(M Δu/Δt + h − Sᵀτ)_k      (rows and columns of leg k; from Eq. 2)
+///
+/// J_k is the 3×3 block of the contact Jacobian of leg k, inverted with a damping that matters only
+/// near the straight leg. In W, of the ground on the foot [N]. Does not allocate.
+class ContactForceEstimator {
+ public:
+  ContactForceEstimator(const ContactForceOptions& options, double period);
+
+  /// Fills state.foot_force from state.torque and the dynamics at that state.
+  void update(const Dynamics& dynamics, const SensorReading& reading, RobotState& state) noexcept;
+
+ private:
+  ContactForceOptions options_;
+  double period_;
+  double gain_;
+  GeneralizedVector previous_u_ = GeneralizedVector::Zero();
+  JointVector residual_ = JointVector::Zero();
+  bool initialised_ = false;
+};
+
+}  // namespace surefoot

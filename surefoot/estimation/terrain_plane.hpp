@@ -1,0 +1,30 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// Plane through the latest footholds: z = a x + b y + c by least squares (Gehring 2015; the
+/// paper's control frame). The points are sphere centres, so the plane lies one foot radius above
+/// the ground.
+struct TerrainPlane {
+  Vec3 normal = Vec3::UnitZ();  ///< unit, upward, in W
+  Vec3 point = Vec3::Zero();    ///< mean of the footholds, in W [m]
+  double residual = 0.0;        ///< largest distance of a foothold from the plane [m]
+
+  /// Height of the plane over (x, y) [m].
+  [[nodiscard]] double height(const Vec2& xy) const {
+    return point.z() -
+           (normal.x() * (xy.x() - point.x()) + normal.y() * (xy.y() - point.y())) / normal.z();
+  }
+};
+
+/// Fits the plane. A direction in which the feet nearly coincide (second moment below (2 cm)²) is
+/// taken as level, and the tilt is limited to `max_tilt` [rad], so that the normal is always
+/// defined.
+[[nodiscard]] TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt);
+
+/// Rotation R_WC of the control frame: z along the normal, x the heading projected onto the plane.
+[[nodiscard]] Mat3 control_frame(const Vec3& normal, double yaw);
+
+}  // namespace surefoot

@@ -1,0 +1,214 @@
+#include "surefoot/planning/com_planner.hpp"
+
+#include "surefoot/math/smoothstep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kShortestPhase = 1e-3;  // [s]
+constexpr int kMaxSamples = 8;           // of a phase
+constexpr int kMaxRegionEdges = 6;       // counted for the capacity of the levels
+constexpr int kUnknownsPerKnot = 6;      // p, v, a in x and y
+constexpr int kGaussPoints = 4;          // exact for the square of a cubic
+constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.3300094782075719,
+                                                       0.6699905217924281, 0.9305681557970263};
+constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,
+                                                         0.3260725774312731, 0.1739274225687269};
+
+}  // namespace
+
+ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
+                       double robot_weight)
+    : options_(options), force_(force), weight_(robot_weight) {
+  for (int phases = 1; phases <= kMaxPhases; ++phases) {
+    problems_.push_back(std::make_unique<Problem>(make_hierarchy(phases)));
+  }
+}
+
+Hierarchy ComPlanner::make_hierarchy(int phases) {
+  Hierarchy hierarchy(kUnknownsPerKnot * phases);
+  hierarchy.add_level("zmp in the support region", phases * kMaxSamples * kMaxRegionEdges);
+  hierarchy.add_level("capture point in the swing's triangle",
+                      phases * kMaxSamples * kMaxRegionEdges);
+  hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
+  return hierarchy;
+}
+
+void ComPlanner::add(const SupportPhase& phase) noexcept {
+  if (num_phases_ == kMaxPhases || !(phase.duration >= kShortestPhase)) return;
+  phases_[static_cast<std::size_t>(num_phases_++)] = phase;
+}
+
+void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
+                      const Vec2& end_velocity) noexcept {
+  if (num_phases_ == 0) return;
+  guess_knots(time, begin);
+  begin_time_ = time;
+  height_ = height;
+  planned_ = num_phases_;
+  Problem& problem = *problems_[static_cast<std::size_t>(planned_ - 1)];
+  for (std::size_t l = 0; l < problem.hierarchy.num_levels(); ++l)
+    problem.hierarchy.level(l).clear();
+  for (int phase = 0; phase < planned_; ++phase) {
+    durations_[static_cast<std::size_t>(phase)] = phases_[static_cast<std::size_t>(phase)].duration;
+    write_region_rows(problem.hierarchy, phase);
+    write_smoothness_rows(problem.hierarchy.level(2), phase);
+  }
+  write_terminal_rows(problem.hierarchy.level(2), end_velocity);
+  const Solution& solution = problem.solver.solve(problem.hierarchy);
+  for (int k = 1; k <= planned_; ++k) {
+    const auto x = solution.x.segment<kUnknownsPerKnot>(kUnknownsPerKnot * (k - 1));
+    Motion<Vec2>& knot = knots_[static_cast<std::size_t>(k)];
+    knot = {knot.p + Vec2(x[0], x[3]), knot.v + Vec2(x[1], x[4]), knot.a + Vec2(x[2], x[5])};
+  }
+  measure_slack();
+}
+
+// The unknowns are the deviations from a guess, so that the solver starts where the last plan was.
+void ComPlanner::guess_knots(double time, const Motion<Vec2>& begin) noexcept {
+  const double old_end = end_time();
+  std::array<Motion<Vec2>, kMaxPhases + 1> guess;
+  guess[0] = begin;
+  double t = time;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(num_phases_); ++k) {
+    t += phases_[k].duration;
+    if (planned_ > 0 && t <= old_end) {
+      const ComPlan old = at(t);
+      guess[k + 1] = {old.p, old.v, old.a};
+    } else {
+      Vec2 center = Vec2::Zero();
+      for (const Vec2& foot : phases_[k].feet) center += 0.25 * foot;
+      guess[k + 1] = {center, Vec2::Zero(), Vec2::Zero()};
+    }
+  }
+  knots_ = guess;
+}
+
+void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
+  const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+  const int samples = std::clamp(
+      static_cast<int>(std::ceil(support.duration / options_.sample_interval)), 2, kMaxSamples);
+  for (int i = 1; i <= samples; ++i) {
+    const double t = support.duration * i / samples;
+    const SupportRegion region = region_at(support, t);
+    write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, 0.0,
+                      -height_ / kGravity);
+    if (support.must_rest) {
+      write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
+                        std::sqrt(height_ / kGravity), 0.0);
+    }
+  }
+}
+
+void ComPlanner::write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
+                                   double margin, double k_v, double k_a) const noexcept {
+  const double T = phases_[static_cast<std::size_t>(phase)].duration;
+  const HermiteWeights w =
+      hermite_position(t, T) + k_v * hermite_velocity(t, T) + k_a * hermite_acceleration(t, T);
+  for (int e = 0; e < region.num_edges() && level.num_rows() < level.max_rows(); ++e) {
+    Rows rows = level.add(1, 0);
+    const HalfPlane& edge = region.edge(e);
+    double known = 0.0;
+    for (int axis = 0; axis < 2; ++axis)
+      known += add_terms(rows, 0, phase, axis, w, edge.normal[axis]);
+    rows.lower[0] = -kInfinity;
+    rows.upper[0] = edge.offset - margin - known;
+  }
+}
+
+void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
+  const double T = phases_[static_cast<std::size_t>(phase)].duration;
+  for (std::size_t i = 0; i < kGaussPoints; ++i) {
+    const HermiteWeights w =
+        std::sqrt(kGaussWeights[i] * T) * hermite_acceleration(kGaussNodes[i] * T, T);
+    Rows rows = level.add(2, 0);
+    for (int axis = 0; axis < 2; ++axis)
+      rows.set_equal(axis, -add_terms(rows, axis, phase, axis, w, 1.0));
+  }
+}
+
+void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity) const noexcept {
+  const SupportPhase& last = phases_[static_cast<std::size_t>(planned_ - 1)];
+  Vec2 center = Vec2::Zero();
+  for (const Vec2& foot : last.feet) center += 0.25 * foot;
+  const Motion<Vec2>& guess = knots_[static_cast<std::size_t>(planned_)];
+  Rows rows = level.add(kUnknownsPerKnot, 0);
+  const Eigen::Index first = kUnknownsPerKnot * (planned_ - 1);
+  const double w = options_.terminal_weight;
+  for (int axis = 0; axis < 2; ++axis) {
+    for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = w;
+    rows.set_equal(3 * axis, w * (center[axis] - guess.p[axis]));
+    rows.set_equal(3 * axis + 1, w * (end_velocity[axis] - guess.v[axis]));
+    rows.set_equal(3 * axis + 2, -w * guess.a[axis]);
+  }
+}
+
+double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
+                             const HermiteWeights& w, double scale) const noexcept {
+  const Eigen::Index end = kUnknownsPerKnot * phase + 3 * axis;
+  rows.A.row(i).segment<3>(end) += scale * w.tail<3>();
+  if (phase > 0) rows.A.row(i).segment<3>(end - kUnknownsPerKnot) += scale * w.head<3>();
+  const Motion<Vec2>& from = knots_[static_cast<std::size_t>(phase)];
+  const Motion<Vec2>& to = knots_[static_cast<std::size_t>(phase) + 1];
+  return scale * (w[0] * from.p[axis] + w[1] * from.v[axis] + w[2] * from.a[axis] +
+                  w[3] * to.p[axis] + w[4] * to.v[axis] + w[5] * to.a[axis]);
+}
+
+double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
+  if (!phase.down[leg]) return 0.0;
+  if (!force_.ramps) return force_.max / weight_;
+  const double up = smoothstep((phase.loaded_for[leg] + t) / force_.ramp_up);
+  const double down = smoothstep((phase.lifts_in[leg] - t) / force_.ramp_down);
+  return std::min(up, down) * force_.max / weight_;
+}
+
+SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {
+  PerLeg<double> shares{};
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) shares[leg] = share(phase, leg, t);
+  return SupportRegion(phase.feet, shares);
+}
+
+Motion<Vec2> ComPlanner::evaluate(int phase, double t) const noexcept {
+  const auto k = static_cast<std::size_t>(phase);
+  return hermite(knots_[k], knots_[k + 1], t, durations_[k]);
+}
+
+ComPlan ComPlanner::at(double time) const noexcept {
+  double t = time - begin_time_;
+  int phase = 0;
+  while (phase < planned_ - 1 && t > durations_[static_cast<std::size_t>(phase)]) {
+    t -= durations_[static_cast<std::size_t>(phase++)];
+  }
+  if (planned_ == 0 || t > durations_[static_cast<std::size_t>(phase)]) {
+    const Vec2& rest = knots_[static_cast<std::size_t>(planned_)].p;
+    return {rest, Vec2::Zero(), Vec2::Zero(), rest};
+  }
+  const Motion<Vec2> m = evaluate(phase, t);
+  return {m.p, m.v, m.a, m.p - height_ / kGravity * m.a};
+}
+
+double ComPlanner::end_time() const {
+  double t = begin_time_;
+  for (int k = 0; k < planned_; ++k) t += durations_[static_cast<std::size_t>(k)];
+  return t;
+}
+
+void ComPlanner::measure_slack() noexcept {
+  zmp_slack_ = 0.0;
+  for (int phase = 0; phase < planned_; ++phase) {
+    const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+    for (int i = 1; i <= 4; ++i) {
+      const double t = support.duration * i / 4.0;
+      const Motion<Vec2> m = evaluate(phase, t);
+      const double margin = region_at(support, t).margin(m.p - height_ / kGravity * m.a);
+      zmp_slack_ = std::max(zmp_slack_, -margin);
+    }
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "surefoot/math/quintic.hpp"
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/planning/support_region.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace surefoot {
+
+/// A stretch of the gait with one set of feet down.
+struct SupportPhase {
+  double duration = 0.0;  ///< [s]
+  PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
+                    Vec2::Zero()};  ///< footholds, x and y in W
+  PerLeg<bool> down{};              ///< carries force for (part of) this phase
+  PerLeg<double> loaded_for{};  ///< time since touchdown at the phase's begin; ramps f_max up [s]
+  PerLeg<double> lifts_in{};  ///< time to lift-off at the phase's begin; ramps down; ∞ if none [s]
+  bool must_rest = false;     ///< the capture point stays inside: the phase may have to wait
+};
+
+/// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline a phase, whose knots
+/// (position, velocity, acceleration in x and y) come from one strict hierarchy:
+///
+///   1. the ZMP  p − (h/g) p̈  inside the shrinking and switching support region, by a margin
+///   2. the capture point  p + √(h/g) ṗ  inside the triangle of a swing, by a margin
+///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
+///
+/// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,
+/// never infeasible. Winkler 2015 and Kalakrishnan 2011 have the QP, the hierarchy replaces their
+/// weights. Allocates at construction only.
+class ComPlanner {
+ public:
+  static constexpr int kMaxPhases = 10;
+
+  ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, double robot_weight);
+
+  void clear() { num_phases_ = 0; }
+  /// Appends a phase; ignored beyond kMaxPhases or shorter than a millisecond.
+  void add(const SupportPhase& phase) noexcept;
+
+  /// Plans through the phases added, from `begin` at `time`. `height` is that of the COM over the
+  /// support, `end_velocity` the one at the end of the horizon.
+  void plan(double time, const Motion<Vec2>& begin, double height,
+            const Vec2& end_velocity) noexcept;
+
+  /// The plan at a time; after its end it stays where it ended.
+  [[nodiscard]] ComPlan at(double time) const noexcept;
+  [[nodiscard]] double end_time() const;
+  /// How far the ZMP of the plan had to leave the (unshrunk) region [m].
+  [[nodiscard]] double zmp_slack() const { return zmp_slack_; }
+  /// Share of the weight that a foot can carry `t` after the begin of a phase.
+  [[nodiscard]] double share(const SupportPhase& phase, std::size_t leg, double t) const;
+
+ private:
+  /// The hierarchy and its solver for one number of phases.
+  struct Problem {
+    Hierarchy hierarchy;
+    CascadeSolver solver;
+    explicit Problem(Hierarchy h) : hierarchy(std::move(h)), solver(hierarchy) {}
+  };
+  static Hierarchy make_hierarchy(int phases);
+
+  void guess_knots(double time, const Motion<Vec2>& begin) noexcept;
+  void write_region_rows(Hierarchy& hierarchy, int phase) const noexcept;
+  /// Rows  n·(p + k_v ṗ + k_a p̈) ≤ offset − margin  for every edge of the region, at t in a phase.
+  void write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
+                         double margin, double k_v, double k_a) const noexcept;
+  void write_smoothness_rows(Level& level, int phase) const noexcept;
+  void write_terminal_rows(Level& level, const Vec2& end_velocity) const noexcept;
+  /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the
+  /// guess.
+  double add_terms(Rows& rows, Eigen::Index i, int phase, int axis, const HermiteWeights& w,
+                   double scale) const noexcept;
+  [[nodiscard]] SupportRegion region_at(const SupportPhase& phase, double t) const noexcept;
+  [[nodiscard]] Motion<Vec2> evaluate(int phase, double t) const noexcept;
+  void measure_slack() noexcept;
+
+  ComPlannerOptions options_;
+  ForceOptions force_;
+  double weight_;
+  std::array<SupportPhase, kMaxPhases> phases_{};
+  int num_phases_ = 0;
+  double begin_time_ = 0.0;
+  double height_ = 0.5;
+  double zmp_slack_ = 0.0;
+  std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
+  // The plan in force: kept apart from the phases being added.
+  std::array<Motion<Vec2>, kMaxPhases + 1> knots_{};
+  std::array<double, kMaxPhases> durations_{};
+  int planned_ = 0;
+};
+
+}  // namespace surefoot

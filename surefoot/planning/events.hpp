@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string_view>
+
+namespace surefoot {
+
+/// What happened in the walk at a tick; kept in the log.
+enum class PlanEvent : int {
+  none = 0,
+  lift_off = 1,
+  touchdown = 2,
+  probe_same_ground = 3,  ///< the first touch found the ground where the last foothold was
+  probe_edge = 4,         ///< … found it lower or higher: the foot goes on beyond the edge
+  late = 5,               ///< no ground at the expected time: the gait waits, the foot searches
+  no_ground = 6,          ///< none within reach: the foot is taken back
+  lost_contact = 7,       ///< a stance foot lost its ground
+  lift_off_aborted =
+      8,  ///< the leg did not unload or the balance was not over the others: shift again
+};
+
+[[nodiscard]] constexpr std::string_view name(PlanEvent event) {
+  switch (event) {
+    case PlanEvent::none:
+      return "none";
+    case PlanEvent::lift_off:
+      return "lift-off";
+    case PlanEvent::touchdown:
+      return "touchdown";
+    case PlanEvent::probe_same_ground:
+      return "probe: same ground";
+    case PlanEvent::probe_edge:
+      return "probe: edge, going beyond";
+    case PlanEvent::late:
+      return "no ground at the expected time: searching";
+    case PlanEvent::no_ground:
+      return "no ground within reach: foot taken back";
+    case PlanEvent::lost_contact:
+      return "stance foot lost contact: searching";
+    case PlanEvent::lift_off_aborted:
+      return "lift-off aborted: shifting again";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot

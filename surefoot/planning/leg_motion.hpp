@@ -1,0 +1,66 @@
+#pragma once
+
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/planning/swing_curve.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+
+#include <limits>
+
+namespace surefoot {
+
+/// What a leg notices at a tick.
+enum class LegEvent { none, touchdown, unreachable, lost };
+
+/// Phase, reference and force limits of one leg, and the tests that end its phases.
+class LegMotion {
+ public:
+  LegMotion(const SwingOptions& swing, const TouchdownOptions& touchdown, const ForceOptions& force,
+            double period)
+      : swing_(swing), touchdown_(touchdown), force_(force), period_(period) {}
+
+  /// Stands at p from `time` on; `loaded` from long before (no ramp).
+  void plant(double time, const Vec3& p_WF, bool loaded = false);
+  /// Ramps f_max down to reach 0 at `lift_off_time`.
+  void unload(double lift_off_time);
+  /// Takes the lift-off back: ramps up again.
+  void reload(double time);
+  /// Leaves the ground.
+  void lift(double time, const SwingTarget& target);
+  /// Goes straight down from p along −normal: a lost stance foot, or a swing to be ended at once.
+  void search(double time, const Vec3& p_WF, const Vec3& normal);
+
+  /// Looks at the true foot: position and estimated ground force, both in W.
+  [[nodiscard]] LegEvent observe(double time, const Vec3& p_WF, const Vec3& force,
+                                 const Vec3& normal);
+
+  [[nodiscard]] FootPlan plan(double time) const;
+  [[nodiscard]] LegPhase phase() const { return phase_; }
+  [[nodiscard]] bool down() const { return in_contact(phase_); }
+  [[nodiscard]] const Vec3& foothold() const { return foothold_; }
+  /// Time since the touchdown (or lift-off) that began the phase [s].
+  [[nodiscard]] double since(double time) const { return time - begin_; }
+  [[nodiscard]] const SwingTarget& target() const { return curve_.target(); }
+  /// Is the foot's estimated normal force small enough to lift it?
+  [[nodiscard]] bool unloaded() const { return normal_force_ < touchdown_.lift_off_force; }
+
+ private:
+  [[nodiscard]] LegEvent observe_stance();
+  [[nodiscard]] LegEvent observe_swing(double time, const Vec3& p_WF);
+  [[nodiscard]] double force_max(double time) const;
+
+  SwingOptions swing_;
+  TouchdownOptions touchdown_;
+  ForceOptions force_;
+  double period_;
+  LegPhase phase_ = LegPhase::stance;
+  double begin_ = 0.0;
+  double lift_off_time_ = std::numeric_limits<double>::infinity();
+  Vec3 foothold_ = Vec3::Zero();
+  SwingCurve curve_;
+  double normal_force_ = 0.0;
+  double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
+  double stuck_for_ = 0.0;  // how long the searching foot has stayed behind [s]
+  int firm_ticks_ = 0;      // ticks in a row with a firm contact
+};
+
+}  // namespace surefoot

@@ -1,0 +1,323 @@
+#include "surefoot/planning/planner.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kGrace = 0.04;        // a touchdown this late is still on time [s]
+constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
+constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
+constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
+constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
+constexpr double kGroundlessTravel =
+    0.10;  // a foot taken back drops its goal no further than this [m]
+
+}  // namespace
+
+Planner::Planner(const PlannerOptions& options, double weight, double period)
+    : options_(options),
+      period_(period),
+      com_planner_(options.com, options.force, weight),
+      foothold_planner_(options.stance, options.foothold),
+      torso_(options.torso, period),
+      legs_{LegMotion(options.swing, options.contact, options.force, period),
+            LegMotion(options.swing, options.contact, options.force, period),
+            LegMotion(options.swing, options.contact, options.force, period),
+            LegMotion(options.swing, options.contact, options.force, period)} {}
+
+const MotionPlan& Planner::update(const UserCommand& user, const RobotState& state,
+                                  const Dynamics& dynamics) noexcept {
+  time_ = state.time;
+  event_ = PlanEvent::none;
+  if (!initialised_) initialise(state, dynamics);
+  if (mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
+  observe_legs(user, state, dynamics);
+  advance(user, dynamics);
+  write_plan(user);
+  return plan_;
+}
+
+void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
+  initialised_ = true;
+  yaw_ = surefoot::yaw(state.R_WB());
+  for (const Leg k : kLegs) leg(k).plant(time_, dynamics.foot[index(k)].p, true);
+  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  torso_.restart(state);
+  replan_com(UserCommand{}, dynamics);
+}
+
+void Planner::observe_legs(const UserCommand& user, const RobotState& state,
+                           const Dynamics& dynamics) {
+  for (const Leg k : kLegs) {
+    const Vec3& p_WF = dynamics.foot[index(k)].p;
+    switch (leg(k).observe(time_, p_WF, state.foot_force[index(k)], plane_.normal)) {
+      case LegEvent::none:
+        break;
+      case LegEvent::touchdown:
+        on_touchdown(k, user, state, dynamics);
+        break;
+      case LegEvent::unreachable:
+        on_unreachable(k, p_WF);
+        break;
+      case LegEvent::lost:
+        on_lost(k, user, dynamics);
+        break;
+    }
+  }
+}
+
+void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& state,
+                           const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
+  const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
+  if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
+  event_ = PlanEvent::touchdown;
+  leg(k).plant(time_, p_WF);
+  foothold_planner_.remember(k, p_WF);
+  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  if (torso_.far_off(state)) torso_.restart(state);
+  if (was_swinging) {
+    ++steps_taken_;
+    cursor_ = (cursor_ + 1) % kNumLegs;
+    begin_support(support_duration());
+  }
+  replan_com(user, dynamics);
+}
+
+bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
+  probing_ = false;
+  const double from_last = std::abs(p_WF.z() - leg(k).foothold().z());
+  const double from_plane = std::abs(p_WF.z() - plane_.height(p_WF.head<2>()));
+  const bool same_ground = std::min(from_last, from_plane) < options_.probe.tolerance;
+  Vec3 goal = p_WF;
+  if (same_ground) {
+    goal.head<2>() = probe_target_.head<2>();
+  } else {
+    goal.head<2>() += options_.probe.beyond * probe_direction_;
+  }
+  event_ = same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge;
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.probe.duration, options_.probe.lift});
+  return true;
+}
+
+void Planner::on_unreachable(Leg k, const Vec3& p_WF) {
+  event_ = PlanEvent::no_ground;
+  probing_ = false;
+  const Vec3& last = leg(k).foothold();
+  const Vec2 travelled = (p_WF - last).head<2>();
+  Vec3 goal = last;
+  if (travelled.norm() > 1.5 * options_.swing.retract_distance) {
+    goal.head<2>() = p_WF.head<2>() - options_.swing.retract_distance * travelled.normalized();
+    goal.z() = std::max(p_WF.z(), last.z() - kGroundlessTravel);
+  }
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex});
+  deadline_ = time_ + swing_duration(k);
+}
+
+void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  event_ = PlanEvent::lost_contact;
+  leg(k).search(time_, dynamics.foot[index(k)].p, plane_.normal);
+  if (mode_ == Mode::swing) {
+    const Leg swinging = next_leg();
+    probing_ = false;
+    leg(swinging).search(time_, dynamics.foot[index(swinging)].p, plane_.normal);
+  } else if (mode_ == Mode::support && leg(next_leg()).phase() == LegPhase::unloading) {
+    leg(next_leg()).reload(time_);
+  }
+  replan_com(user, dynamics);
+}
+
+void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
+  switch (mode_) {
+    case Mode::stand:
+      if (user.walk && all_down()) {
+        begin_support(options_.gait.start_duration);
+        replan_com(user, dynamics);
+      }
+      break;
+    case Mode::support:
+      advance_support(user, dynamics);
+      break;
+    case Mode::swing:
+      if (time_ >= deadline_ + kGrace) {
+        event_ = PlanEvent::late;
+        deadline_ = time_ + kWaitDuration;
+        replan_com(user, dynamics);
+      }
+      break;
+  }
+}
+
+void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics) {
+  LegMotion& next = leg(next_leg());
+  if (!all_down()) {  // a lost foot is still searching: the gait waits
+    lift_time_ = std::max(lift_time_, time_ + support_duration());
+    return;
+  }
+  if (next.phase() == LegPhase::stance) {
+    if (!user.walk) {
+      mode_ = Mode::stand;
+      replan_com(user, dynamics);
+    } else if (time_ >= lift_time_ - options_.force.ramp_down) {
+      next.unload(lift_time_);
+    }
+    return;
+  }
+  if (time_ < lift_time_) return;
+  if (next.unloaded() && balanced_without(next_leg(), dynamics)) {
+    lift_off(next_leg(), user, dynamics);
+  } else if (time_ > lift_time_ + kLiftOffPatience) {
+    event_ = PlanEvent::lift_off_aborted;
+    next.reload(time_);
+    begin_support(options_.gait.switch_duration);
+    replan_com(user, dynamics);
+  }
+}
+
+void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  event_ = PlanEvent::lift_off;
+  mode_ = Mode::swing;
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
+  probe_target_ = foothold_planner_.foothold(k, footholds(), plane_, yaw_, user, cycle_duration());
+  Vec3 goal = probe_target_;
+  probing_ = probes(k);
+  if (probing_) {
+    const Vec2 heading(std::cos(yaw_), std::sin(yaw_));
+    const Vec2 step = (goal - p_WF).head<2>();
+    probe_direction_ = step.norm() > 0.02 ? step.normalized() : heading;
+    goal.head<2>() += options_.probe.ahead * probe_direction_;
+    goal.z() = plane_.height(goal.head<2>());
+  }
+  leg(k).lift(time_,
+              {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex});
+  const bool on_time = time_ - lift_time_ < 0.05;
+  deadline_ = time_ + swing_duration(k);
+  if (!on_time) replan_com(user, dynamics);
+}
+
+bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {
+  PerLeg<Vec2> feet;
+  PerLeg<double> share{1.0, 1.0, 1.0, 1.0};
+  share[index(k)] = 0.0;
+  for (const Leg other : kLegs) feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
+  const Vec2 com = dynamics.com.p.head<2>();
+  const double height = std::max(0.1, dynamics.com.p.z() - plane_.height(com));
+  const Vec2 capture_point = com + std::sqrt(height / kGravity) * dynamics.com.v.head<2>();
+  return SupportRegion(feet, share).margin(capture_point) > kLiftOffMargin;
+}
+
+void Planner::begin_support(double duration) {
+  mode_ = Mode::support;
+  lift_time_ = time_ + duration;
+}
+
+// The phases ahead: what is left of this one, then support and swing in turn over the horizon, with
+// the footholds that are expected by then.
+void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
+  const Vec2 com = dynamics.com.p.head<2>();
+  const Motion<Vec2> begin{com, dynamics.com.v.head<2>(), plan_.com.a};
+  const double height = std::max(0.1, dynamics.com.p.z() - plane_.height(com));
+  PerLeg<Vec3> feet = footholds();
+  SupportPhase phase;
+  phase.lifts_in.fill(kInfinity);
+  for (const Leg k : kLegs) {
+    phase.feet[index(k)] = feet[index(k)].head<2>();
+    phase.down[index(k)] = leg(k).down();
+    phase.loaded_for[index(k)] = leg(k).down() ? leg(k).since(time_) : 0.0;
+  }
+  const auto add = [&](double duration, bool must_rest) {
+    phase.duration = duration;
+    phase.must_rest = must_rest;
+    com_planner_.add(phase);
+    for (double& loaded : phase.loaded_for) loaded += duration;
+    for (double& lifts : phase.lifts_in) lifts -= duration;
+  };
+  const auto land = [&](Leg k, const Vec3& foothold) {
+    feet[index(k)] = foothold;
+    phase.feet[index(k)] = foothold.head<2>();
+    phase.down[index(k)] = true;
+    phase.loaded_for[index(k)] = 0.0;
+    phase.lifts_in[index(k)] = kInfinity;
+  };
+
+  com_planner_.clear();
+  if (mode_ == Mode::stand || !user.walk) {
+    if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);
+    for (const Leg k : kLegs) {
+      if (!phase.down[index(k)]) land(k, dynamics.foot[index(k)].p);
+    }
+    add(kStandDuration, false);
+    com_planner_.plan(time_, begin, height, Vec2::Zero());
+    return;
+  }
+  int ahead = 0;
+  if (mode_ == Mode::swing) {
+    add(std::max(deadline_ - time_, period_), true);
+    land(next_leg(), leg(next_leg()).target().goal);
+    ahead = 1;
+  }
+  for (int step = ahead; step < options_.com.horizon_steps; ++step) {
+    const Leg k = next_leg(step);
+    const bool begun = step == 0;
+    const double duration = begun ? std::max(lift_time_ - time_, period_) : support_duration(step);
+    phase.lifts_in[index(k)] = duration;
+    add(duration, false);
+    phase.down[index(k)] = false;
+    add(swing_duration(k), true);
+    land(k, foothold_planner_.foothold(k, feet, plane_, yaw_, user, cycle_duration()));
+  }
+  add(support_duration(options_.com.horizon_steps), false);
+  const Vec2 velocity = rotation_about_z(yaw_).topLeftCorner<2, 2>() * user.velocity;
+  com_planner_.plan(time_, begin, height, velocity);
+}
+
+void Planner::write_plan(const UserCommand& user) {
+  plan_.time = time_;
+  for (const Leg k : kLegs) plan_.feet[index(k)] = leg(k).plan(time_);
+  plan_.com = com_planner_.at(time_);
+  plan_.com_zmp_slack = com_planner_.zmp_slack();
+  const double yaw_rate = mode_ != Mode::stand ? user.yaw_rate : 0.0;
+  torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height);
+  plan_.torso = torso_.plan();
+  plan_.R_WC = control_frame(plane_.normal, yaw_);
+  plan_.terrain_point = plane_.point;
+  plan_.friction = options_.force.friction;
+  plan_.event = static_cast<int>(event_);
+}
+
+Leg Planner::next_leg(int ahead) const {
+  return options_.gait.order[static_cast<std::size_t>((cursor_ + ahead) % kNumLegs)];
+}
+
+double Planner::support_duration(int ahead) const {
+  const bool same_side = is_left(next_leg(ahead)) == is_left(next_leg(ahead + kNumLegs - 1));
+  return same_side ? options_.gait.same_side_duration : options_.gait.switch_duration;
+}
+
+double Planner::swing_duration(Leg k) const {
+  return options_.gait.swing_duration + (probes(k) ? options_.probe.duration : 0.0);
+}
+
+double Planner::cycle_duration() const {
+  double sum = 0.0;
+  for (int i = 0; i < kNumLegs; ++i) sum += support_duration(i) + swing_duration(next_leg(i));
+  return sum;
+}
+
+bool Planner::all_down() const {
+  return std::all_of(legs_.begin(), legs_.end(), [](const LegMotion& l) { return l.down(); });
+}
+
+PerLeg<Vec3> Planner::footholds() const {
+  PerLeg<Vec3> result;
+  for (const Leg k : kLegs) result[index(k)] = leg(k).foothold();
+  return result;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "surefoot/estimation/terrain_plane.hpp"
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/planning/com_planner.hpp"
+#include "surefoot/planning/events.hpp"
+#include "surefoot/planning/foothold_planner.hpp"
+#include "surefoot/planning/leg_motion.hpp"
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/planning/torso_reference.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/user_command.hpp"
+
+namespace surefoot {
+
+/// The walk: one leg after the other in the gait's order, the COM led through the support regions
+/// by a ZMP plan, the torso along the plane through the footholds. A foot that meets no ground goes
+/// on down while the gait waits. Plans relative to the footholds; nothing depends on where the
+/// world's origin lies.
+class Planner {
+ public:
+  /// `weight` of the robot [N]; `period` of the control loop [s].
+  Planner(const PlannerOptions& options, double weight, double period);
+
+  /// One tick. Allocates nothing, throws nothing.
+  const MotionPlan& update(const UserCommand& user, const RobotState& state,
+                           const Dynamics& dynamics) noexcept;
+
+  /// Unit normal of the terrain as believed, in W.
+  [[nodiscard]] const Vec3& terrain_normal() const { return plane_.normal; }
+  [[nodiscard]] int steps_taken() const { return steps_taken_; }
+
+ private:
+  enum class Mode { stand, support, swing };
+
+  void initialise(const RobotState& state, const Dynamics& dynamics);
+  void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
+  void on_touchdown(Leg leg, const UserCommand& user, const RobotState& state,
+                    const Dynamics& dynamics);
+  /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
+  bool continue_probe(Leg leg, const Vec3& p_WF);
+  void on_unreachable(Leg leg, const Vec3& p_WF);
+  void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void advance(const UserCommand& user, const Dynamics& dynamics);
+  void advance_support(const UserCommand& user, const Dynamics& dynamics);
+  void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
+  void begin_support(double duration);
+  void replan_com(const UserCommand& user, const Dynamics& dynamics);
+  void write_plan(const UserCommand& user);
+
+  [[nodiscard]] Leg next_leg(int ahead = 0) const;
+  [[nodiscard]] double support_duration(int ahead = 0) const;
+  [[nodiscard]] double swing_duration(Leg leg) const;
+  [[nodiscard]] double cycle_duration() const;
+  [[nodiscard]] bool probes(Leg leg) const { return options_.probe.enabled && is_front(leg); }
+  [[nodiscard]] bool all_down() const;
+  [[nodiscard]] PerLeg<Vec3> footholds() const;
+  [[nodiscard]] LegMotion& leg(Leg which) { return legs_[index(which)]; }
+  [[nodiscard]] const LegMotion& leg(Leg which) const { return legs_[index(which)]; }
+
+  PlannerOptions options_;
+  double period_;
+  ComPlanner com_planner_;
+  FootholdPlanner foothold_planner_;
+  TorsoReference torso_;
+  PerLeg<LegMotion> legs_;
+  TerrainPlane plane_;
+  MotionPlan plan_;
+
+  bool initialised_ = false;
+  double time_ = 0.0;
+  double yaw_ = 0.0;
+  Mode mode_ = Mode::stand;
+  int cursor_ = 0;          // place of the next leg in the gait's order
+  double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
+  double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
+  bool probing_ = false;    // the swinging foot makes its first touch
+  Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch
+  Vec2 probe_direction_{1.0, 0.0};
+  int steps_taken_ = 0;
+  PlanEvent event_ = PlanEvent::none;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// Where the knees point: the side of each leg's inverse kinematics.
+enum class KneeConfiguration {
+  x,         ///< front knees backward, hind knees forward (ANYmal's usual stance)
+  forward,   ///< all forward: the way downstairs
+  backward,  ///< all backward: the way upstairs
+};
+
+/// Nominal stance: feet relative to the torso's centre, in the control frame.
+struct StanceOptions {
+  double half_length = 0.36;  ///< x of the front feet, −x of the hind feet [m]
+  double half_width = 0.22;   ///< y of the left feet, −y of the right feet [m]
+  double height = 0.46;       ///< base above the sphere centres of the feet [m]
+  KneeConfiguration knees = KneeConfiguration::x;
+};
+
+/// Order and timing of the walk.
+struct GaitOptions {
+  PerLeg<Leg> order{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
+  double swing_duration = 0.5;      ///< lift-off to expected touchdown [s]
+  double same_side_duration = 0.3;  ///< four feet down before a leg on the same side swings [s]
+  double switch_duration = 0.6;     ///< four feet down before a leg on the other side swings [s]
+  double start_duration = 1.0;      ///< four feet down before the first step [s]
+};
+
+/// Contact forces at phase changes, Eq. (30).
+struct ForceOptions {
+  double friction = 0.5;    ///< μ of the friction pyramid
+  double min = 10.0;        ///< f_min of a loaded foot [N]
+  double max = 250.0;       ///< f_max of a loaded foot [N]
+  double ramp_up = 0.10;    ///< f_max from 0 to max after a touchdown [s]
+  double ramp_down = 0.15;  ///< f_max from max to 0 before a lift-off [s]
+  bool ramps = true;        ///< false: no modulation, for comparison
+};
+
+/// Trajectory of the centre of mass: quintic Hermite splines from a QP with the ZMP in the support
+/// region.
+struct ComPlannerOptions {
+  double zmp_margin = 0.02;  ///< ZMP inside the support region by [m]
+  double rest_margin =
+      0.04;               ///< capture point inside the swing's triangle by [m]: it may wait there
+  int horizon_steps = 3;  ///< swings that the QP looks ahead
+  double sample_interval = 0.08;  ///< of the ZMP constraints [s]
+  double terminal_weight = 1.0;   ///< pull of the horizon's end to the centre of the feet [1/s²]
+};
+
+struct SwingOptions {
+  double apex = 0.08;              ///< height over the higher of start and goal [m]
+  double horizontal_start = 0.15;  ///< horizontal motion from this share of the swing …
+  double horizontal_end = 0.85;    ///< … to this
+  double touchdown_speed = 0.1;    ///< downward, at the end of the swing and in the search [m/s]
+  double search_depth_max = 0.30;  ///< below the expected ground [m]
+  double retract_distance = 0.08;  ///< a foot that met no ground comes back by this [m]
+  double armed_after = 0.5;        ///< touchdown is believed after this share of the swing
+};
+
+/// When a foot counts as down, as up, or as lost.
+struct TouchdownOptions {
+  double touchdown_force = 15.0;  ///< [N]
+  double lift_off_force = 15.0;   ///< [N]
+  double stall_error = 0.005;  ///< foot behind its reference by this, with at least stall_force [m]
+  double stall_force = 3.0;    ///< [N]
+  double lost_force = 2.0;     ///< a loaded stance foot below this … [N]
+  double lost_duration = 0.06;  ///< … for this long is lost [s]
+};
+
+/// Two-touch probing: a front foot first touches ahead of its foothold; an edge between is found
+/// before the foot is loaded.
+struct ProbeOptions {
+  bool enabled = false;
+  double ahead = 0.045;      ///< first touch ahead of the foothold [m]
+  double tolerance = 0.015;  ///< same ground if within this of the leg's last foothold [m]
+  double lift = 0.02;        ///< between the touches [m]
+  double beyond = 0.05;      ///< other ground: land this much beyond the first touch [m]
+  double duration = 0.35;    ///< of the second swing [s]
+};
+
+/// How the torso follows the terrain.
+struct TorsoOptions {
+  double frequency = 5.0;          ///< of the critically damped reference filter [rad/s]
+  double max_tilt = 0.35;          ///< of the reference [rad]
+  double restart_position = 0.01;  ///< restart from the true pose beyond this after a touchdown [m]
+  double restart_angle = 0.02;     ///< [rad]
+  bool follow_terrain = true;      ///< roll and pitch from the plane through the footholds
+};
+
+struct FootholdOptions {
+  bool hind_use_front_prints = true;  ///< hind feet step where the front feet found ground
+  double print_radius = 0.10;  ///< a footprint is used within this of the nominal foothold [m]
+  double max_step = 0.30;      ///< [m]
+};
+
+struct PlannerOptions {
+  StanceOptions stance;
+  GaitOptions gait;
+  ForceOptions force;
+  ComPlannerOptions com;
+  SwingOptions swing;
+  TouchdownOptions contact;
+  ProbeOptions probe;
+  TorsoOptions torso;
+  FootholdOptions foothold;
+};
+
+}  // namespace surefoot

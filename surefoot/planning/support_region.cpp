@@ -1,0 +1,86 @@
+#include "surefoot/planning/support_region.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace surefoot {
+namespace {
+
+constexpr double kSmallShare = 1e-9;
+constexpr double kCoincident = 1e-6;     // [m]
+constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges to hold on to
+
+}  // namespace
+
+SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share)
+    : feet_(feet), share_(share) {
+  const double total = std::accumulate(share.begin(), share.end(), 0.0);
+  if (total <= kSmallShare) return;
+  for (double& a : share_) a *= std::max(1.0, kSmallestTotal / total);
+  Vec2 line = Vec2::Zero();
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t j = i + 1; j < feet.size(); ++j) {
+      if (share_[i] <= kSmallShare || share_[j] <= kSmallShare) continue;
+      add_edges_between(i, j);
+      line = feet[j] - feet[i];
+    }
+  }
+  if (num_edges_ <= 2 && line.norm() > kCoincident) {  // two feet: close the segment at its ends
+    add_edge(line.normalized());
+    add_edge(-line.normalized());
+  }
+}
+
+// Maximising a direction fills the feet greedily in order of normal·p. Along the edge between i and
+// j these two tie; the edge has a length only if what is left for the tied feet is more than
+// nothing and less than all that they can take.
+void SupportRegion::add_edges_between(std::size_t i, std::size_t j) {
+  const Vec2 along = feet_[j] - feet_[i];
+  if (along.norm() < kCoincident) return;
+  const Vec2 perpendicular = Vec2(along.y(), -along.x()).normalized();
+  for (const double sign : {1.0, -1.0}) {
+    const Vec2 normal = sign * perpendicular;
+    const double tie = normal.dot(feet_[i]);
+    double before = 0.0, tied = 0.0;
+    for (std::size_t k = 0; k < feet_.size(); ++k) {
+      const double ahead = normal.dot(feet_[k]) - tie;
+      if (ahead > kCoincident)
+        before += share_[k];
+      else if (ahead >= -kCoincident)
+        tied += share_[k];
+    }
+    const double left = 1.0 - before;
+    if (left > kSmallShare && left < tied - kSmallShare) add_edge(normal);
+  }
+}
+
+void SupportRegion::add_edge(const Vec2& normal) {
+  if (num_edges_ == kMaxEdges) return;
+  edges_[static_cast<std::size_t>(num_edges_++)] = {normal, support(normal)};
+}
+
+double SupportRegion::support(const Vec2& normal) const {
+  std::array<std::size_t, kNumLegs> order{0, 1, 2, 3};
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return normal.dot(feet_[a]) > normal.dot(feet_[b]);
+  });
+  double left = 1.0, sum = 0.0;
+  for (const std::size_t k : order) {
+    const double taken = std::min(left, share_[k]);
+    sum += taken * normal.dot(feet_[k]);
+    left -= taken;
+  }
+  return sum;
+}
+
+double SupportRegion::margin(const Vec2& p) const {
+  if (num_edges_ == 0) return -std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < num_edges_; ++i) {
+    smallest = std::min(smallest, edge(i).offset - edge(i).normal.dot(p));
+  }
+  return smallest;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+#include <array>
+
+namespace surefoot {
+
+/// Half-plane n·p ≤ offset with unit outward normal n.
+struct HalfPlane {
+  Vec2 normal{1.0, 0.0};
+  double offset = 0.0;
+};
+
+/// Where the zero-moment point can be while each foot carries at most a share α_i of the weight:
+///
+///     { Σ w_i p_i :  0 ≤ w_i ≤ α_i,  Σ w_i = 1 }
+///
+/// With α = 1 for all feet down it is the support polygon; while f_max of a foot ramps down before
+/// a lift-off it shrinks to the triangle of the other three. Its edges are parallel to lines
+/// between two feet.
+class SupportRegion {
+ public:
+  static constexpr int kMaxEdges = 14;
+
+  SupportRegion() = default;
+  /// `share[i]` = α_i ≥ 0, zero for a foot in the air. If Σ α_i < 1 the shares are scaled up.
+  SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share);
+
+  [[nodiscard]] int num_edges() const { return num_edges_; }
+  [[nodiscard]] const HalfPlane& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
+  /// Distance of p to the nearest edge, positive inside [m]; −∞ with no foot down.
+  [[nodiscard]] double margin(const Vec2& p) const;
+
+ private:
+  void add_edges_between(std::size_t i, std::size_t j);
+  void add_edge(const Vec2& normal);
+  [[nodiscard]] double support(const Vec2& normal) const;
+
+  PerLeg<Vec2> feet_{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  PerLeg<double> share_{};
+  std::array<HalfPlane, kMaxEdges> edges_{};
+  int num_edges_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,55 @@
+#include "surefoot/planning/swing_curve.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a step [m]
+constexpr double kUpstairsStart =
+    0.35;  // horizontal motion begins once the foot is above the edge …
+constexpr double kDownstairsEnd = 0.60;  // … and ends before it goes down behind it
+constexpr double kUpstairsApexShare = 0.40;
+constexpr double kApexShare = 0.45;
+
+}  // namespace
+
+SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
+    : target_(target), touchdown_speed_(options.touchdown_speed) {
+  const Vec3 difference = target.goal - target.start;
+  rise_ = target.normal.dot(difference);
+  along_ = difference - rise_ * target.normal;
+  top_ = std::max(0.0, rise_) + target.apex;
+  horizontal_start_ = options.horizontal_start;
+  horizontal_end_ = options.horizontal_end;
+  apex_share_ = kApexShare;
+  if (rise_ > kStepHeight) {
+    horizontal_start_ = std::max(horizontal_start_, kUpstairsStart);
+    apex_share_ = kUpstairsApexShare;
+  }
+  if (rise_ < -kStepHeight) horizontal_end_ = std::min(horizontal_end_, kDownstairsEnd);
+}
+
+Motion<Vec3> SwingCurve::at(double t) const {
+  const Motion<double> up = normal_motion(t);
+  const Motion<double> share = horizontal_share(t);
+  return {target_.start + share.p * along_ + up.p * target_.normal,
+          share.v * along_ + up.v * target_.normal, share.a * along_ + up.a * target_.normal};
+}
+
+Motion<double> SwingCurve::normal_motion(double t) const {
+  const double T = target_.duration;
+  const double apex_time = apex_share_ * T;
+  if (t > T) return {rise_ - touchdown_speed_ * (t - T), -touchdown_speed_, 0.0};
+  if (t < apex_time) return hermite<double>({0.0, 0.0, 0.0}, {top_, 0.0, 0.0}, t, apex_time);
+  return hermite<double>({top_, 0.0, 0.0}, {rise_, -touchdown_speed_, 0.0}, t - apex_time,
+                         T - apex_time);
+}
+
+Motion<double> SwingCurve::horizontal_share(double t) const {
+  const double T = target_.duration;
+  const double begin = horizontal_start_ * T, length = (horizontal_end_ - horizontal_start_) * T;
+  return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t - begin, length);
+}
+
+}  // namespace surefoot

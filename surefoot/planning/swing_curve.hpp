@@ -1,0 +1,43 @@
+#pragma once
+
+#include "surefoot/math/quintic.hpp"
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// Where a swing begins and should end.
+struct SwingTarget {
+  Vec3 start = Vec3::Zero();    ///< foot at lift-off, in W [m]
+  Vec3 goal = Vec3::Zero();     ///< expected foothold, in W [m]
+  Vec3 normal = Vec3::UnitZ();  ///< of the terrain: the foot rises and searches along it
+  double duration = 0.5;        ///< [s]
+  double apex = 0.08;           ///< over the higher of start and goal [m]
+};
+
+/// A swing foot's path: quintic splines along and across the terrain normal, then a straight search
+/// at constant speed from the expected foothold on downward.
+class SwingCurve {
+ public:
+  SwingCurve() = default;
+  SwingCurve(const SwingTarget& target, const SwingOptions& options);
+
+  /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
+  [[nodiscard]] Motion<Vec3> at(double t) const;
+  [[nodiscard]] double duration() const { return target_.duration; }
+  [[nodiscard]] const SwingTarget& target() const { return target_; }
+
+ private:
+  [[nodiscard]] Motion<double> normal_motion(double t) const;
+  [[nodiscard]] Motion<double> horizontal_share(double t) const;
+
+  SwingTarget target_;
+  Vec3 along_ = Vec3::Zero();  ///< start to goal within the plane [m]
+  double rise_ = 0.0;          ///< start to goal along the normal [m]
+  double top_ = 0.0;           ///< highest point over the start [m]
+  double apex_share_ = 0.45;   ///< of the duration, when it is reached
+  double horizontal_start_ = 0.15, horizontal_end_ = 0.85;
+  double touchdown_speed_ = 0.1;
+};
+
+}  // namespace surefoot
