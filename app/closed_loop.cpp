@@ -1,0 +1,146 @@
+#include "app/closed_loop.hpp"
+
+#include "app/goal_watch.hpp"
+#include "app/run_log.hpp"
+#include "app/truth_estimator.hpp"
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/evaluation/evaluator.hpp"
+#include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/runtime/stage_timer.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace surefoot {
+namespace {
+
+constexpr double kProgressInterval = 0.1;  // of simulated time [s]
+constexpr double kAfterSafetyStop = 1.0;   // how long a robot that was stopped is watched [s]
+
+std::string reason(Ending ending) {
+  switch (ending) {
+    case Ending::finished: return "the whole duration";
+    case Ending::goal_reached: return "goal reached";
+    case Ending::fell: return "fell";
+    case Ending::safety: return "the controller stopped for safety";
+    case Ending::interrupted: return "interrupted";
+  }
+  return "";
+}
+
+/// Everything of one run, wired together.
+class ClosedLoop {
+ public:
+  ClosedLoop(const Scenario& scenario, const ClosedLoopOptions& options)
+      : scenario_(scenario),
+        options_(options),
+        model_(scenario.robot),
+        plant_(scenario.robot, scenario.plant),
+        controller_(scenario.robot, scenario.controller,
+                    std::make_unique<TruthEstimator>(plant_.truth())),
+        goal_(scenario.goal),
+        evaluator_(evaluator_options()) {
+    controller_.set_stage_observer(&timer_);
+    if (options.record_path.empty()) return;
+    recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
+    truth_log_.emplace(*recorder_);
+  }
+
+  RunResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto ticks = static_cast<long>(std::ceil(scenario_.duration / scenario_.controller.period));
+    std::optional<Ending> ending;
+    for (long tick = 0; tick < ticks && !ending; ++tick) ending = step();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return finish(ending.value_or(Ending::finished), wall.count());
+  }
+
+ private:
+  EvaluatorOptions evaluator_options() const {
+    return {.control_period = scenario_.controller.period,
+            .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
+            .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
+  }
+
+  /// One tick; says why it is the last one.
+  std::optional<Ending> step() {
+    const SensorReading& reading = plant_.read();
+    const JointCommand& command = controller_.step(reading, scenario_.user(reading.time));
+    judge();
+    const std::optional<Ending> ending = check_end(command);
+    report_progress();
+    plant_.write(command);
+    return ending;
+  }
+
+  /// Readings, truth and record belong to the same time until the plant moves on.
+  void judge() {
+    TickTiming timing = timer_.timing();
+    timing.time = plant_.time();
+    evaluator_.add(plant_.truth(), controller_.record());
+    evaluator_.add(timing);
+    if (!recorder_) return;
+    recorder_->record(controller_.record());
+    recorder_->record(timing);
+    truth_log_->record(plant_.truth());
+  }
+
+  std::optional<Ending> check_end(const JointCommand& command) {
+    const double time = plant_.time();
+    if (command.mode == CommandMode::damping && std::isnan(stopped_at_)) stopped_at_ = time;
+    if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
+    if (evaluator_.fell()) return Ending::fell;
+    if (time - stopped_at_ > kAfterSafetyStop) return Ending::safety;
+    if (goal_.update(plant_.truth())) return Ending::goal_reached;
+    return std::nullopt;
+  }
+
+  void report_progress() {
+    if (!options_.progress || plant_.time() < next_progress_) return;
+    next_progress_ += kProgressInterval;
+    options_.progress(plant_.time());
+  }
+
+  RunResult finish(Ending ending, double wall_seconds) {
+    RunResult result;
+    result.ending = ending;
+    result.safety_stop = !std::isnan(stopped_at_);
+    result.metrics = evaluator_.metrics({.reason = reason(ending),
+                                         .wall_seconds = wall_seconds,
+                                         .seed = scenario_.seed,
+                                         .version = std::string(build_info().version),
+                                         .goal_reached = goal_.reached()});
+    result.criteria = evaluate(scenario_.criteria, result.metrics);
+    result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop &&
+                               ending != Ending::interrupted;
+    result.drawn = scenario_.drawn;
+    result.notes = run_notes(controller_, plant_);
+    if (recorder_) recorder_->close(summary_json(result.metrics, result.criteria));
+    return result;
+  }
+
+  const Scenario& scenario_;
+  const ClosedLoopOptions options_;
+  RobotModel model_;
+  Plant plant_;
+  Controller controller_;
+  GoalWatch goal_;
+  Evaluator evaluator_;
+  StageTimer timer_;
+  std::optional<Recorder> recorder_;
+  std::optional<TruthLog> truth_log_;
+  double stopped_at_ = kNaN;     // time of the safety stop [s]
+  double next_progress_ = 0.0;   // [s]
+};
+
+}  // namespace
+
+RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options) {
+  return ClosedLoop(scenario, options).run();
+}
+
+void check_setup(const Scenario& scenario) { const ClosedLoop made(scenario, ClosedLoopOptions{}); }
+
+}  // namespace surefoot

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace surefoot {
+
+/// From now on ^C (SIGINT) and SIGTERM only set a flag.
+void watch_for_interrupt();
+
+/// True once one of them came.
+[[nodiscard]] bool interrupted();
+
+}  // namespace surefoot

@@ -1,0 +1,87 @@
+#include "app/list_command.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/results_table.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+
+namespace surefoot {
+namespace {
+
+using Table = std::vector<std::vector<std::string>>;
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+Table robots() {
+  Table table;
+  for (const std::string& name : list_data("robots")) {
+    table.push_back({name, load_robot(name).urdf_path});
+  }
+  return table;
+}
+
+Table stacks() {
+  Table table;
+  for (const std::string& name : list_data("stacks")) {
+    std::string levels;
+    for (const LevelSpec& level : load_stack(name).levels) {
+      levels += (levels.empty() ? "" : " > ") + level.name;
+    }
+    table.push_back({name, levels});
+  }
+  return table;
+}
+
+Table scenarios() {
+  Table table;
+  for (const ScenarioTitle& title : list_scenarios()) table.push_back({title.name, title.description});
+  return table;
+}
+
+Table tasks() {
+  Table table;
+  for (const TaskInfo& task : task_catalog()) {
+    table.push_back({std::string(task.name), std::string(task.equation), std::string(task.summary)});
+    for (const TaskParameter& parameter : task.parameters) {
+      table.push_back({"  " + std::string(parameter.name), number(parameter.default_value),
+                       std::string(parameter.unit) + "  " + std::string(parameter.help)});
+    }
+    for (const TaskChoice& choice : task.choices) {
+      std::string values;
+      for (const std::string_view value : choice.values) values += (values.empty() ? "" : " | ") + std::string(value);
+      table.push_back({"  " + std::string(choice.name), std::string(choice.default_value),
+                       values + "  " + std::string(choice.help)});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+const std::vector<std::string>& listable() {
+  static const std::vector<std::string> kListable{"robots", "stacks", "scenarios", "tasks"};
+  return kListable;
+}
+
+int list_command(const std::string& what) {
+  Table table;
+  if (what == "robots") table = robots();
+  if (what == "stacks") table = stacks();
+  if (what == "scenarios") table = scenarios();
+  if (what == "tasks") table = tasks();
+  std::cout << aligned(table);
+  return kPassed;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// What `surefoot list` can list.
+[[nodiscard]] const std::vector<std::string>& listable();
+
+/// Prints the robots, stacks, scenarios or tasks that there are. Returns an ExitCode.
+int list_command(const std::string& what);
+
+}  // namespace surefoot

@@ -1,0 +1,69 @@
+#include "app/output_files.hpp"
+
+#include "surefoot/base/error.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason() { return std::strerror(errno); }
+
+void probe(const fs::path& folder, const fs::path& shown) {
+  const fs::path trial = folder / (".surefoot-" + std::to_string(getpid()));
+  errno = 0;
+  if (!(std::ofstream(trial) << '\n').flush()) {
+    throw FileError(shown.string() + ": can't be written: " + reason() +
+                    "; a place where you may write would be valid");
+  }
+  std::error_code ignored;
+  fs::remove(trial, ignored);
+}
+
+}  // namespace
+
+void check_writable_file(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw FileError(file.string() + ": is a folder; the name of a file would be valid");
+  }
+  if (fs::exists(file, ignored) && access(file.c_str(), W_OK) != 0) {
+    throw FileError(file.string() + ": can't be written: " + reason());
+  }
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored)) {
+    throw FileError(file.string() + ": there is no folder " + folder.string() + "; make it first");
+  }
+  probe(folder, file);
+}
+
+void prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(folder.string() + ": this folder can't be made: " + error.message());
+  probe(folder, folder);
+}
+
+fs::path with_seed(const fs::path& file, std::uint64_t seed) {
+  fs::path result = file;
+  result.replace_filename(file.stem().string() + "-seed" + std::to_string(seed) +
+                          file.extension().string());
+  return result;
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  const fs::path partial = file.string() + ".partial";
+  if (!(std::ofstream(partial, std::ios::binary) << text).flush()) {
+    throw FileError(file.string() + ": can't be written: " + reason());
+  }
+  fs::rename(partial, file);
+}
+
+}  // namespace surefoot

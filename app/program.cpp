@@ -1,0 +1,119 @@
+#include "app/program.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/list_command.hpp"
+#include "app/output_files.hpp"
+#include "app/run_command.hpp"
+#include "app/solve_command.hpp"
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/view/report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+
+namespace surefoot {
+namespace {
+
+constexpr const char* kFooter = R"(
+Exit codes: 0 the scenario's criteria hold, 1 they don't, 2 the input is wrong or the run was
+interrupted, 3 the controller stopped for safety.
+
+Examples:
+  surefoot run walk_flat                                 once, a table of results
+  surefoot run step_down --seeds 100 --jobs 2            success rate over 100 random trials
+  surefoot run step_down --set terrain.elements.ground.height=-0.20 --report out
+  surefoot list scenarios
+)";
+
+/// A command: fills its arguments while parsing, then runs.
+using Command = std::function<int()>;
+
+void add_run(CLI::App& app, Command& chosen) {
+  CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
+  const auto arguments = std::make_shared<RunArguments>();
+  run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")->required();
+  run->add_option("--seed", arguments->seed,
+                  "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing");
+  run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
+      ->check(CLI::Range(1, 1000000));
+  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(CLI::Range(1, 1024));
+  run->add_option("--set", arguments->assignments,
+                  "path.to.key=value: change a key of the scenario; may be repeated")
+      ->take_all()
+      ->expected(1);
+  run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
+  run->add_option("--report", arguments->report, "Write an HTML report into this folder");
+  run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
+}
+
+void add_list(CLI::App& app, Command& chosen) {
+  CLI::App* list = app.add_subcommand("list", "Show what there is: robots, stacks, scenarios or tasks");
+  const auto what = std::make_shared<std::string>();
+  list->add_option("what", *what, "robots, stacks, scenarios or tasks")
+      ->required()
+      ->check(CLI::IsMember(listable()));
+  list->callback([&chosen, what] { chosen = [what] { return list_command(*what); }; });
+}
+
+void add_report(CLI::App& app, Command& chosen) {
+  CLI::App* report = app.add_subcommand("report", "Write the HTML report of a log");
+  const auto log = std::make_shared<std::string>();
+  const auto folder = std::make_shared<std::string>();
+  report->add_option("log", *log, "Log of a run (MCAP)")->required();
+  report->add_option("--out", *folder, "Folder to write into")->required();
+  report->callback([&chosen, log, folder] {
+    chosen = [log, folder] {
+      prepare_folder(*folder);
+      std::cout << write_report(*log, *folder) << "\n";
+      return static_cast<int>(kPassed);
+    };
+  });
+}
+
+void add_solve(CLI::App& app, Command& chosen) {
+  CLI::App* solve = app.add_subcommand("solve", "Solve task hierarchies, one JSON object a line");
+  const auto file = std::make_shared<std::string>();
+  solve->add_option("file", *file, "JSON lines: {\"levels\":[{\"A\":…,\"b\":…,\"D\":…,\"f\":…},…]}")
+      ->required();
+  solve->callback([&chosen, file] { chosen = [file] { return run_solve(*file, std::cout, std::cerr); }; });
+}
+
+int tell(const char* message) {
+  std::cerr << "surefoot: " << message << "\n";
+  return kWrongInput;
+}
+
+/// Help and version go through CLI11; everything else that it says about the arguments is one line.
+int tell_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
+  return tell((std::string(error.what()) + "; see surefoot --help").c_str());
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Whole-body control of legged robots by strict task hierarchies.", "surefoot");
+  app.set_version_flag("--version", std::string(build_info().version));
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "Help on all commands");
+  Command chosen;
+  add_run(app, chosen);
+  add_list(app, chosen);
+  add_report(app, chosen);
+  add_solve(app, chosen);
+  try {
+    app.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::ParseError& error) {
+    return tell_parsing(app, error);
+  } catch (const std::exception& error) {
+    return tell(error.what());
+  }
+}
+
+}  // namespace surefoot

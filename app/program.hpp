@@ -1,0 +1,8 @@
+#pragma once
+
+namespace surefoot {
+
+/// The whole program: reads its arguments, runs the command, tells errors in one line on stderr. Returns an ExitCode.
+int run_program(int argc, char** argv);
+
+}  // namespace surefoot

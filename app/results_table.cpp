@@ -1,0 +1,158 @@
+#include "app/results_table.hpp"
+
+#include "surefoot/evaluation/metrics.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Table = std::vector<std::vector<std::string>>;
+
+struct Unit {
+  const char* suffix;
+  const char* name;
+};
+constexpr std::array<Unit, 6> kUnits{
+    {{"_mps", "m/s"}, {"_nm", "N·m"}, {"_rad", "rad"}, {"_us", "µs"}, {"_m", "m"}, {"_s", "s"}}};
+
+std::string unit_of(const std::string& metric) {
+  const std::string stem = metric.substr(0, metric.find('.'));
+  for (const Unit& unit : kUnits) {
+    if (stem.ends_with(unit.suffix)) return unit.name;
+  }
+  return "";
+}
+
+std::string number(double value, const char* format = "%.3g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  if (unit == "m" && std::abs(value) < 0.1) return number(1e3 * value) + " mm";
+  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g") + (unit.empty() ? "" : " " + unit);
+}
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
+}
+
+std::string asked(const Json& criterion) {
+  const std::string unit = unit_of(criterion.at("metric").get<std::string>());
+  std::string text;
+  if (criterion.contains("equals")) text = criterion["equals"].get<bool>() ? "yes" : "no";
+  if (criterion.contains("min")) text = "≥ " + with_unit(criterion["min"].get<double>(), unit);
+  if (criterion.contains("max")) {
+    text += (text.empty() ? "≤ " : ", ≤ ") + with_unit(criterion["max"].get<double>(), unit);
+  }
+  return text + (criterion.at("passed").get<bool>() ? " ✓" : " ✗");
+}
+
+/// What a criterion on this metric, or on a member of its distribution, asks for.
+std::string asked_of(const Json& run, const std::string& metric) {
+  for (const Json& criterion : run.at("criteria")) {
+    const auto name = criterion.at("metric").get<std::string>();
+    if (name == metric) return asked(criterion);
+    if (name.starts_with(metric + ".")) return name.substr(metric.size() + 1) + " " + asked(criterion);
+  }
+  return "";
+}
+
+std::string paper_of(const Scenario& scenario, const std::string& metric) {
+  const auto found = std::ranges::find(scenario.paper, metric, &PaperFigure::metric);
+  return found == scenario.paper.end() ? "" : found->text;
+}
+
+std::string title(const Scenario& scenario, const Json& json) {
+  return json.at("scenario").get<std::string>() + ", stack " + json.at("stack").get<std::string>() +
+         (scenario.description.empty() ? "" : "\n" + scenario.description) + "\n\n";
+}
+
+std::string rate_text(const Json& rate) {
+  const Json& interval = rate.at("interval");
+  return std::to_string(rate.at("successes").get<int>()) + " of " +
+         std::to_string(rate.at("trials").get<int>()) + "  (95 %: " +
+         number(100.0 * interval[0].get<double>()) + " … " + number(100.0 * interval[1].get<double>()) + " %)";
+}
+
+std::string failures(const Json& runs) {
+  Table table;
+  for (const Json& run : runs) {
+    if (run.value("succeeded", false)) continue;
+    std::string why = run.value("reason", "");
+    for (const Json& criterion : run.value("criteria", Json::array())) {
+      if (criterion.at("passed").get<bool>()) continue;
+      const auto metric = criterion.at("metric").get<std::string>();
+      const Json value = criterion.at("value");
+      why += "; " + metric + " " + (criterion.contains("equals") ? "" : pretty(metric, value) + ", ") +
+             "must be " + asked(criterion);
+    }
+    table.push_back({"seed " + std::to_string(run.value("seed", std::uint64_t{0})), why});
+  }
+  return table.empty() ? "" : aligned(table) + "\n";
+}
+
+}  // namespace
+
+std::string aligned(const Table& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i] + std::string(widths[i] - letters(row[i]) + 3, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string pretty(const std::string& metric, const Json& value) {
+  if (value.is_null()) return "–";
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
+  if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
+  return "median " + with_unit(value.value("median", kNaN), "") + ", 99 % " +
+         with_unit(value.value("p99", kNaN), "") + ", max " +
+         with_unit(value.value("max", kNaN), unit_of(metric));
+}
+
+std::string run_table(const Scenario& scenario, const Json& run) {
+  Table table{{"", "measured", "must be", "paper"}};
+  for (const auto& [name, value] : values(Metrics())) {
+    const std::string metric(name);
+    const auto found = run.find(metric);
+    if (found == run.end()) continue;
+    table.push_back({metric, pretty(metric, *found), asked_of(run, metric), paper_of(scenario, metric)});
+  }
+  return title(scenario, run) + aligned(table);
+}
+
+std::string seeds_table(const Scenario& scenario, const Json& seeds) {
+  Table rates;
+  for (const auto& [name, rate] : seeds.at("rates").items()) rates.push_back({name, rate_text(rate)});
+  Table table{{"", "median", "worst", "paper"}};
+  for (const auto& [metric, summary] : seeds.at("metrics").items()) {
+    table.push_back({metric, with_unit(summary.at("median").get<double>(), unit_of(metric)),
+                     with_unit(summary.at("worst").get<double>(), unit_of(metric)),
+                     paper_of(scenario, metric)});
+  }
+  return title(scenario, seeds) + failures(seeds.at("runs")) + aligned(rates) + "\n" + aligned(table);
+}
+
+}  // namespace surefoot

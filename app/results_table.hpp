@@ -1,0 +1,25 @@
+#pragma once
+
+#include "surefoot/config/scenario.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Columns of text, aligned: the first to the left, the others as wide as their widest entry. Width counts letters,
+/// not bytes.
+[[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
+/// A metric's value for people: "0.12 mm", "yes", "–". The unit follows from the metric's name.
+[[nodiscard]] std::string pretty(const std::string& metric, const nlohmann::ordered_json& value);
+
+/// One run as a table: metrics with units, what the criteria ask for, the paper's figures.
+[[nodiscard]] std::string run_table(const Scenario& scenario, const nlohmann::ordered_json& run);
+
+/// Several seeds: a line for each run that did not succeed, the rates, median and worst of the metrics.
+[[nodiscard]] std::string seeds_table(const Scenario& scenario, const nlohmann::ordered_json& seeds);
+
+}  // namespace surefoot

@@ -1,0 +1,116 @@
+#include "app/run_command.hpp"
+
+#include "app/closed_loop.hpp"
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/output_files.hpp"
+#include "app/progress.hpp"
+#include "app/results_json.hpp"
+#include "app/results_table.hpp"
+#include "app/seed_runs.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/view/report.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a run's log goes: a report needs one too.
+std::filesystem::path log_path(const RunArguments& arguments) {
+  if (!arguments.record.empty() || arguments.report.empty()) return arguments.record;
+  return std::filesystem::path(arguments.report) / "run.mcap";
+}
+
+/// What can't be written is told before the run, not after it.
+void check_outputs(const RunArguments& arguments) {
+  if (!arguments.report.empty()) prepare_folder(arguments.report);
+  if (!arguments.record.empty()) check_writable_file(arguments.record);
+}
+
+[[noreturn]] void report_interrupt(const std::string& log) {
+  throw Error("interrupted: no results" + (log.empty() ? "" : "; the log " + log + " holds the run so far"));
+}
+
+void print(const RunArguments& arguments, const Json& json, const std::string& table) {
+  std::cout << (arguments.json ? json.dump() + "\n" : table) << std::flush;
+}
+
+int run_one(const RunArguments& arguments) {
+  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
+                                           .seed = arguments.seed.value_or(0),
+                                           .assignments = arguments.assignments});
+  const std::string log = log_path(arguments).string();
+  RunResult result;
+  {
+    Progress progress(scenario.name, scenario.duration, "s");
+    result = run_closed_loop(scenario, {.record_path = log,
+                                        .progress = [&](double time) { progress.update(time); },
+                                        .interrupted = interrupted});
+  }
+  if (result.ending == Ending::interrupted) report_interrupt(log);
+  if (!arguments.report.empty()) {
+    std::fprintf(stderr, "report: %s\n", write_report(log, arguments.report).c_str());
+  }
+  const Json json = run_json(scenario, result);
+  print(arguments, json, run_table(scenario, json));
+  if (result.safety_stop) return kSafetyStop;
+  return result.metrics.succeeded ? kPassed : kFailed;
+}
+
+std::vector<PlannedRun> plan_runs(const RunArguments& arguments) {
+  std::vector<PlannedRun> runs;
+  for (int i = 0; i < arguments.seeds; ++i) {
+    PlannedRun run;
+    const std::uint64_t seed = arguments.seed.value_or(1) + static_cast<std::uint64_t>(i);
+    run.request = {.name_or_path = arguments.scenario, .seed = seed, .assignments = arguments.assignments};
+    const std::filesystem::path log = log_path(arguments);
+    if (!log.empty()) run.log = with_seed(log, seed);
+    if (!arguments.report.empty()) {
+      run.report = std::filesystem::path(arguments.report) / ("seed" + std::to_string(seed));
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+std::string outcome(const Json& row) {
+  const bool succeeded = row.value("succeeded", false);
+  return "seed " + std::to_string(row.value("seed", std::uint64_t{0})) + ": " +
+         (succeeded ? "succeeded" : "did not succeed") + ", " + row.value("reason", "");
+}
+
+int run_seeds(const RunArguments& arguments) {
+  const std::vector<PlannedRun> runs = plan_runs(arguments);
+  const Scenario scenario = load_scenario(runs.front().request);
+  check_setup(scenario);
+  std::vector<Json> rows;
+  {
+    Progress progress(scenario.name, arguments.seeds, "runs");
+    double done = 0.0;
+    rows = run_all(runs, arguments.jobs, [&](std::size_t, const Json& row) {
+      progress.update(++done);
+      progress.say(outcome(row));
+    });
+  }
+  if (interrupted()) report_interrupt("");
+  const Json json = seeds_json(scenario, std::move(rows));
+  print(arguments, json, seeds_table(scenario, json));
+  const Json& rate = json["rates"]["succeeded"];
+  return rate["successes"].get<double>() >= scenario.success_rate * rate["trials"].get<double>() ? kPassed
+                                                                                               : kFailed;
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  watch_for_interrupt();
+  check_outputs(arguments);
+  return arguments.seeds > 0 ? run_seeds(arguments) : run_one(arguments);
+}
+
+}  // namespace surefoot

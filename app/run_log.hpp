@@ -1,0 +1,18 @@
+#pragma once
+
+#include "surefoot/config/scenario.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/model/robot_model.hpp"
+#include "surefoot/simulation/plant.hpp"
+
+namespace surefoot {
+
+/// What model and plant changed in the robot, each line once.
+[[nodiscard]] std::vector<std::string> run_notes(const Controller& controller, const Plant& plant);
+
+/// What the log of a run says before its first tick. The controller must outlive the log.
+[[nodiscard]] LogHeader log_header(const Scenario& scenario, const Controller& controller,
+                                   const Plant& plant, const RobotModel& model);
+
+}  // namespace surefoot

@@ -1,0 +1,45 @@
+#include "app/seed_runs.hpp"
+
+#include "app/closed_loop.hpp"
+#include "app/interrupt.hpp"
+#include "app/process_pool.hpp"
+#include "app/results_json.hpp"
+#include "surefoot/view/report.hpp"
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string run_here(const PlannedRun& run) {
+  const Scenario scenario = load_scenario(run.request);
+  ClosedLoopOptions options;
+  options.record_path = run.log.string();
+  options.interrupted = interrupted;
+  const RunResult result = run_closed_loop(scenario, options);
+  if (!run.report.empty() && result.ending != Ending::interrupted) {
+    write_report(run.log.string(), run.report.string());
+  }
+  return run_json(scenario, result).dump();
+}
+
+Json row(const PlannedRun& run, const JobOutcome& outcome) {
+  return outcome.failure.empty() ? Json::parse(outcome.output)
+                                 : crash_json(run.request.seed, outcome.failure);
+}
+
+}  // namespace
+
+std::vector<Json> run_all(const std::vector<PlannedRun>& runs, int jobs,
+                          const std::function<void(std::size_t run, const Json& row)>& finished) {
+  std::vector<Job> work;
+  for (const PlannedRun& run : runs) work.emplace_back([&run] { return run_here(run); });
+  std::vector<Json> rows(runs.size());
+  run_in_processes(work, jobs, [&](std::size_t number, const JobOutcome& outcome) {
+    rows[number] = row(runs[number], outcome);
+    finished(number, rows[number]);
+  });
+  return rows;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "surefoot/config/config_tree.hpp"
+
+#include <string>
+
+namespace surefoot {
+
+/// A configuration as JSON: numbers and true/false as such, everything else as text.
+[[nodiscard]] std::string to_json(const ConfigNode& tree);
+
+}  // namespace surefoot

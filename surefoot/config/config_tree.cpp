@@ -1,0 +1,181 @@
+#include "surefoot/config/config_tree.hpp"
+
+#include "surefoot/base/error.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+constexpr int kMaxDepth = 32;
+
+/// Turns yaml-cpp's nodes into ours; the only place that knows them.
+class Converter {
+ public:
+  explicit Converter(const std::string& name) : name_(name) {}
+
+  ConfigNode convert(const YAML::Node& yaml, int depth = 0) const {
+    ConfigNode node;
+    node.where = place(yaml.Mark());
+    if (depth > kMaxDepth) {
+      throw FileError(node.where + ": nested deeper than " + std::to_string(kMaxDepth) + " levels");
+    }
+    if (yaml.IsScalar()) {
+      node.kind = ConfigNode::Kind::scalar;
+      node.text = yaml.Scalar();
+    } else if (yaml.IsSequence()) {
+      node.kind = ConfigNode::Kind::list;
+      for (const YAML::Node& item : yaml) node.items.push_back(convert(item, depth + 1));
+    } else if (yaml.IsMap()) {
+      node.kind = ConfigNode::Kind::map;
+      for (const auto& member : yaml) add_member(node, member.first, member.second, depth);
+    }
+    return node;
+  }
+
+  std::string place(const YAML::Mark& mark) const {
+    return mark.is_null() ? name_ : name_ + ":" + std::to_string(mark.line + 1);
+  }
+
+ private:
+  void add_member(ConfigNode& map, const YAML::Node& key, const YAML::Node& value, int depth) const {
+    if (!key.IsScalar()) throw FileError(place(key.Mark()) + ": a key must be a plain word");
+    if (map.find(key.Scalar()) != nullptr) {
+      throw FileError(place(key.Mark()) + ": the key \"" + key.Scalar() + "\" is given twice");
+    }
+    map.members.emplace_back(key.Scalar(), convert(value, depth + 1));
+    // An empty value has no mark of its own; a value on a later line is better found by its key.
+    map.members.back().second.where = place(key.Mark());
+  }
+
+  const std::string& name_;
+};
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> keys;
+  std::istringstream stream(path);
+  for (std::string key; std::getline(stream, key, '.');) keys.push_back(key);
+  if (keys.empty() || path.back() == '.' || std::ranges::count(keys, "") > 0) {
+    throw Error("the path \"" + path + "\" must be keys with a dot between them, as in terrain.friction");
+  }
+  return keys;
+}
+
+ConfigNode& item(ConfigNode& list, const std::string& key, const std::string& path) {
+  std::size_t number = list.items.size();
+  if (key == "x" || key == "y" || key == "z") {
+    number = static_cast<std::size_t>(key[0] - 'x');
+  } else {
+    (void)std::from_chars(key.data(), key.data() + key.size(), number);
+  }
+  if (number >= list.items.size()) {
+    throw Error("the path \"" + path + "\": \"" + key + "\" is no entry of the list at " + list.where +
+                ", which has " + std::to_string(list.items.size()) + ", counted from 0");
+  }
+  return list.items[number];
+}
+
+ConfigNode& child(ConfigNode& node, const std::string& key, const std::string& path,
+                  const std::string& where) {
+  if (node.kind == ConfigNode::Kind::list) return item(node, key, path);
+  if (node.kind == ConfigNode::Kind::scalar) {
+    throw Error("the path \"" + path + "\": there is nothing below \"" + node.text + "\" (" +
+                node.where + "), so no \"" + key + "\"");
+  }
+  node.kind = ConfigNode::Kind::map;
+  if (ConfigNode* found = node.find(key)) return *found;
+  node.members.emplace_back(key, ConfigNode{});
+  node.members.back().second.where = where;
+  return node.members.back().second;
+}
+
+std::size_t equals_sign(const std::string& assignment) {
+  const std::size_t position = assignment.find('=');
+  if (position == std::string::npos || position == 0) {
+    throw Error("--set " + assignment + ": write it as path.to.key=value");
+  }
+  return position;
+}
+
+void set_places(ConfigNode& node, const std::string& where) {
+  node.where = where;
+  for (ConfigNode& entry : node.items) set_places(entry, where);
+  for (auto& [key, value] : node.members) set_places(value, where);
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view key) const {
+  const auto found = std::ranges::find(members, key, &Member::first);
+  return found == members.end() ? nullptr : &found->second;
+}
+
+ConfigNode* ConfigNode::find(std::string_view key) {
+  const auto found = std::ranges::find(members, key, &Member::first);
+  return found == members.end() ? nullptr : &found->second;
+}
+
+ConfigNode parse_yaml(const std::string& text, const std::string& name) {
+  const Converter converter(name);
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) throw FileError(name + ": holds several YAML documents; one is valid");
+    if (documents.empty()) return ConfigNode{.where = name};
+    return converter.convert(documents.front());
+  } catch (const YAML::Exception& error) {
+    throw FileError(converter.place(error.mark) + ": this is not YAML: " + error.msg);
+  }
+}
+
+ConfigNode parse_yaml_file(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  if (std::filesystem::is_directory(file) || !(text << stream.rdbuf())) {
+    throw FileError(file.string() + ": this file can't be read, or is empty");
+  }
+  ConfigNode tree = parse_yaml(text.str(), file.string());
+  if (tree.kind != ConfigNode::Kind::map) {
+    throw FileError(tree.where + ": must be YAML of the form `key: value`; this is " +
+                    (tree.kind == ConfigNode::Kind::list ? "a list" : "not"));
+  }
+  return tree;
+}
+
+void merge(ConfigNode& tree, ConfigNode overlay) {
+  if (tree.kind != ConfigNode::Kind::map || overlay.kind != ConfigNode::Kind::map) {
+    tree = std::move(overlay);
+    return;
+  }
+  tree.where = overlay.where;
+  for (auto& [key, value] : overlay.members) {
+    if (ConfigNode* known = tree.find(key)) {
+      merge(*known, std::move(value));
+    } else {
+      tree.members.emplace_back(key, std::move(value));
+    }
+  }
+}
+
+void set_path(ConfigNode& tree, const std::string& path, ConfigNode value) {
+  ConfigNode* node = &tree;
+  for (const std::string& key : split(path)) node = &child(*node, key, path, value.where);
+  *node = std::move(value);
+}
+
+std::string assigned_path(const std::string& assignment) {
+  return assignment.substr(0, equals_sign(assignment));
+}
+
+void apply_assignment(ConfigNode& tree, const std::string& assignment) {
+  const std::string where = "--set " + assignment;
+  ConfigNode value = parse_yaml(assignment.substr(equals_sign(assignment) + 1), where);
+  set_places(value, where);
+  set_path(tree, assigned_path(assignment), std::move(value));
+}
+
+}  // namespace surefoot

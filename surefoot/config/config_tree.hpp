@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace surefoot {
+
+/// A configuration as a tree of text. Every node knows where it was written, so that an error can
+/// name file and line even after files were laid over each other.
+struct ConfigNode {
+  enum class Kind { null, scalar, list, map };
+  using Member = std::pair<std::string, ConfigNode>;
+
+  Kind kind = Kind::null;
+  std::string text{};              ///< of a scalar
+  std::vector<ConfigNode> items{}; ///< of a list
+  std::vector<Member> members{};   ///< of a map, in the order written; keys are unique
+  std::string where{};             ///< "file:line", or the option of the command line
+
+  /// The member with this key, or null.
+  [[nodiscard]] const ConfigNode* find(std::string_view key) const;
+  [[nodiscard]] ConfigNode* find(std::string_view key);
+};
+
+/// Reads YAML text: one document of maps, lists and scalars; `name` stands for the file in errors.
+/// Throws FileError on what is not YAML, and on a key that is given twice.
+[[nodiscard]] ConfigNode parse_yaml(const std::string& text, const std::string& name);
+
+/// The same from a file, whose top must be a map. Throws FileError also if it can't be read.
+[[nodiscard]] ConfigNode parse_yaml_file(const std::filesystem::path& file);
+
+/// Lays `overlay` over `tree`: maps are merged key by key, everything else is replaced.
+void merge(ConfigNode& tree, ConfigNode overlay);
+
+/// Replaces the node at a dotted path ("terrain.friction"; entries of a list by number, or by x, y, z). Maps on
+/// the way that are missing are made. Throws Error, naming the path, if it leads through a scalar or
+/// beyond the end of a list.
+void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
+
+/// An overlay from the command line, "path.to.key=value": the value is read as YAML.
+/// Throws Error if it has another form.
+void apply_assignment(ConfigNode& tree, const std::string& assignment);
+
+/// The path of an assignment. Throws Error if it has none.
+[[nodiscard]] std::string assigned_path(const std::string& assignment);
+
+}  // namespace surefoot

@@ -1,0 +1,63 @@
+#include "surefoot/config/criteria_section.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/nearest_name.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+void read_limits(Section& limits, Criterion& criterion) {
+  double value = 0.0;
+  for (auto [key, limit] : {std::pair{"min", &criterion.min}, std::pair{"max", &criterion.max}}) {
+    if (limits.node(key) == nullptr) continue;
+    limits.number(key, value);
+    *limit = value;
+  }
+}
+
+Criterion read_criterion(Section& section, const std::string& metric) {
+  Criterion criterion;
+  criterion.metric = metric;
+  if (section.node(metric.c_str())->kind == ConfigNode::Kind::map) {
+    section.section(metric.c_str(), [&](Section& limits) { read_limits(limits, criterion); });
+  } else {
+    bool expected = false;
+    section.flag(metric.c_str(), expected);
+    criterion.equals = expected;
+  }
+  return criterion;
+}
+
+bool is_metric(const std::string& name) {
+  const std::vector<std::string> names = metric_names();
+  return std::ranges::find(names, name.substr(0, name.find('.'))) != names.end();
+}
+
+}  // namespace
+
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values(Metrics())) names.emplace_back(name);
+  return names;
+}
+
+void read_criteria(Section& section, std::vector<Criterion>& criteria) {
+  for (const std::string& metric : section.keys()) {
+    const ConfigNode& given = *section.node(metric.c_str());
+    // A criterion of the base file is taken away by `metric:` with nothing behind it.
+    if (given.kind == ConfigNode::Kind::null) continue;
+    if (!is_metric(metric)) {
+      section.fail(metric, "unknown metric; " + valid_names(metric, metric_names()));
+    }
+    criteria.push_back(read_criterion(section, metric));
+    try {
+      check(criteria.back());
+    } catch (const Error& error) {
+      section.fail(metric, error.what());
+    }
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "surefoot/config/section.hpp"
+#include "surefoot/evaluation/criteria.hpp"
+
+#include <vector>
+
+namespace surefoot {
+
+/// Reads limits on metrics, under the metrics' names:
+///
+///     com_error_max_m: {max: 0.0005}
+///     fell: false
+void read_criteria(Section& section, std::vector<Criterion>& criteria);
+
+/// The metrics that criteria and the paper's figures can name.
+[[nodiscard]] std::vector<std::string> metric_names();
+
+}  // namespace surefoot

@@ -1,0 +1,50 @@
+#include "surefoot/config/data_file.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/nearest_name.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+/// "scenarios" → "scenario"
+std::string singular(const std::string& folder) { return folder.substr(0, folder.size() - 1); }
+
+}  // namespace
+
+std::vector<std::string> list_data(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(data_directory() / folder, ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+fs::path find_data_file(const std::string& folder, const std::string& name, const fs::path& beside) {
+  const std::string extension = fs::path(name).extension().string();
+  if (extension == ".yaml" || extension == ".yml") {
+    if (is_file(name)) return name;
+    if (!beside.empty() && is_file(beside / name)) return beside / name;
+    if (is_file(data_directory() / folder / name)) return data_directory() / folder / name;
+    throw UnknownNameError("there is no file \"" + name + "\"; " +
+                           valid_names(fs::path(name).stem().string(), list_data(folder)));
+  }
+  const fs::path file = data_directory() / folder / (name + ".yaml");
+  // A name with a slash would leave the folder.
+  if (name.find('/') == std::string::npos && is_file(file)) return file;
+  throw UnknownNameError("unknown " + singular(folder) + " \"" + name + "\"; " +
+                         valid_names(name, list_data(folder)));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,125 @@
+#include "surefoot/config/planner_section.hpp"
+
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+void read_stance(Section& section, StanceOptions& stance) {
+  section.number("half_length", stance.half_length, kPositive);
+  section.number("half_width", stance.half_width, kPositive);
+  section.number("height", stance.height, kPositive);
+  section.choice<KneeConfiguration>("knees", stance.knees,
+                                    {{"x", KneeConfiguration::x},
+                                     {"forward", KneeConfiguration::forward},
+                                     {"backward", KneeConfiguration::backward}});
+}
+
+/// Each leg once.
+void read_order(Section& section, PerLeg<Leg>& order) {
+  const ConfigNode* given = section.node("order");
+  if (given == nullptr) return;
+  if (given->items.size() != order.size()) {
+    section.fail("order", "must name each of the 4 legs once: LF, RF, LH, RH");
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::string& name = read_text(given->items[i], section.path_of("order"));
+    const auto found = std::ranges::find(kLegNames, name);
+    if (found == kLegNames.end()) {
+      section.fail("order", "unknown leg \"" + name + "\"; valid are: LF, RF, LH, RH");
+    }
+    order[i] = kLegs[static_cast<std::size_t>(found - kLegNames.begin())];
+    if (std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), order[i]) !=
+        order.begin() + static_cast<std::ptrdiff_t>(i)) {
+      section.fail("order", "leg " + name + " comes twice; it must name each of the 4 legs once");
+    }
+  }
+}
+
+void read_gait(Section& section, GaitOptions& gait) {
+  read_order(section, gait.order);
+  section.number("swing_duration", gait.swing_duration, kPositive);
+  section.number("same_side_duration", gait.same_side_duration, kNotNegative);
+  section.number("switch_duration", gait.switch_duration, kNotNegative);
+  section.number("start_duration", gait.start_duration, kNotNegative);
+}
+
+void read_force(Section& section, ForceOptions& force) {
+  section.number("friction", force.friction, kPositive);
+  section.number("min", force.min, kNotNegative);
+  section.number("max", force.max, kPositive);
+  section.number("ramp_up", force.ramp_up, kNotNegative);
+  section.number("ramp_down", force.ramp_down, kNotNegative);
+  section.flag("ramps", force.ramps);
+  if (force.max < force.min) section.fail("max", "must not be below min");
+}
+
+void read_com(Section& section, ComPlannerOptions& com) {
+  section.number("zmp_margin", com.zmp_margin, kNotNegative);
+  section.number("rest_margin", com.rest_margin, kNotNegative);
+  section.integer("horizon_steps", com.horizon_steps, 1);
+  section.number("sample_interval", com.sample_interval, kPositive);
+  section.number("terminal_weight", com.terminal_weight, kNotNegative);
+}
+
+void read_swing(Section& section, SwingOptions& swing) {
+  section.number("apex", swing.apex, kPositive);
+  section.number("horizontal_start", swing.horizontal_start, kShare);
+  section.number("horizontal_end", swing.horizontal_end, kShare);
+  section.number("touchdown_speed", swing.touchdown_speed, kPositive);
+  section.number("search_depth_max", swing.search_depth_max, kNotNegative);
+  section.number("retract_distance", swing.retract_distance, kNotNegative);
+  section.number("armed_after", swing.armed_after, kShare);
+  if (swing.horizontal_end <= swing.horizontal_start) {
+    section.fail("horizontal_end", "must be above horizontal_start");
+  }
+}
+
+void read_contact(Section& section, TouchdownOptions& contact) {
+  section.number("touchdown_force", contact.touchdown_force, kPositive);
+  section.number("lift_off_force", contact.lift_off_force, kPositive);
+  section.number("stall_error", contact.stall_error, kPositive);
+  section.number("stall_force", contact.stall_force, kNotNegative);
+  section.number("lost_force", contact.lost_force, kNotNegative);
+  section.number("lost_duration", contact.lost_duration, kNotNegative);
+}
+
+void read_probe(Section& section, ProbeOptions& probe) {
+  section.flag("enabled", probe.enabled);
+  section.number("ahead", probe.ahead, kPositive);
+  section.number("tolerance", probe.tolerance, kPositive);
+  section.number("lift", probe.lift, kPositive);
+  section.number("beyond", probe.beyond, kNotNegative);
+  section.number("duration", probe.duration, kPositive);
+}
+
+void read_torso(Section& section, TorsoOptions& torso) {
+  section.number("frequency", torso.frequency, kPositive);
+  section.number("max_tilt", torso.max_tilt, kNotNegative);
+  section.number("restart_position", torso.restart_position, kPositive);
+  section.number("restart_angle", torso.restart_angle, kPositive);
+  section.flag("follow_terrain", torso.follow_terrain);
+}
+
+void read_foothold(Section& section, FootholdOptions& foothold) {
+  section.flag("hind_use_front_prints", foothold.hind_use_front_prints);
+  section.number("print_radius", foothold.print_radius, kNotNegative);
+  section.number("max_step", foothold.max_step, kPositive);
+}
+
+}  // namespace
+
+void read_planner(Section& section, PlannerOptions& options) {
+  section.section("stance", [&](Section& s) { read_stance(s, options.stance); });
+  section.section("gait", [&](Section& s) { read_gait(s, options.gait); });
+  section.section("force", [&](Section& s) { read_force(s, options.force); });
+  section.section("com", [&](Section& s) { read_com(s, options.com); });
+  section.section("swing", [&](Section& s) { read_swing(s, options.swing); });
+  section.section("contact", [&](Section& s) { read_contact(s, options.contact); });
+  section.section("probe", [&](Section& s) { read_probe(s, options.probe); });
+  section.section("torso", [&](Section& s) { read_torso(s, options.torso); });
+  section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
+}
+
+}  // namespace surefoot

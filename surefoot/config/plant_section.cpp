@@ -1,0 +1,86 @@
+#include "surefoot/config/plant_section.hpp"
+
+#include "surefoot/config/terrain_section.hpp"
+
+namespace surefoot {
+namespace {
+
+void read_foot_contact(Section& section, ContactOptions& contact) {
+  constexpr NumberRange kImpedance{.min = 1e-4, .max = 0.9999, .words = "a number between 0 and 1"};
+  section.number("solref_time", contact.solref_time, kPositive);
+  section.number("solref_damping", contact.solref_damping, kPositive);
+  section.number("solimp_min", contact.solimp_min, kImpedance);
+  section.number("solimp_max", contact.solimp_max, kImpedance);
+  section.number("solimp_width", contact.solimp_width, kPositive);
+  section.number("impratio", contact.impratio, kPositive);
+}
+
+void read_actuators(Section& section, ActuatorOptions& actuators) {
+  section.choice<ActuatorModel>("model", actuators.model,
+                                {{"ideal", ActuatorModel::ideal}, {"sea", ActuatorModel::sea}});
+  section.integer("delay_ticks", actuators.delay_ticks, 0);
+  section.number("bandwidth_hz", actuators.bandwidth_hz, kPositive);
+  section.number("stall_torque", actuators.stall_torque, kPositive);
+  section.number("no_load_speed", actuators.no_load_speed, kPositive);
+  section.number("quantisation", actuators.quantisation, kNotNegative);
+  section.number("torque_gain", actuators.torque_gain, kPositive);
+}
+
+void read_sensors(Section& section, SensorOptions& sensors) {
+  section.number("encoder_resolution", sensors.encoder_resolution, kNotNegative);
+  section.number("torque_noise", sensors.torque_noise, kNotNegative);
+  section.number("gyro_noise", sensors.gyro_noise, kNotNegative);
+  section.number("gyro_bias", sensors.gyro_bias, kNotNegative);
+  section.number("accelerometer_noise", sensors.accelerometer_noise, kNotNegative);
+  section.number("accelerometer_bias", sensors.accelerometer_bias, kNotNegative);
+  section.number("rate_hz", sensors.rate_hz, kPositive);
+  section.flag("foot_force", sensors.foot_force);
+  section.number("foot_force_noise", sensors.foot_force_noise, kNotNegative);
+}
+
+/// A push has a force, or an impulse that is spread over its duration.
+void read_push(Section& section, Push& push) {
+  section.require("time");
+  section.text("body", push.body);
+  section.number("time", push.time, kNotNegative);
+  section.number("duration", push.duration, kPositive);
+  Vec3 impulse = Vec3::Zero();
+  section.vector("force", push.force);
+  section.vector("impulse", impulse);
+  const bool has_force = section.node("force") != nullptr;
+  const bool has_impulse = section.node("impulse") != nullptr;
+  if (has_force == has_impulse) section.fail("force", "a push has either a force or an impulse");
+  if (has_impulse) push.force = impulse / push.duration;
+}
+
+/// Pushes have names, so that another file or --set can change one.
+void read_pushes(Section& section, std::vector<Push>& pushes) {
+  for (const std::string& name : section.keys()) {
+    if (section.node(name.c_str())->kind == ConfigNode::Kind::null) continue;
+    section.section(name.c_str(), [&](Section& s) { read_push(s, pushes.emplace_back()); });
+  }
+}
+
+void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
+  section.section("pushes", [&](Section& s) { read_pushes(s, disturbances.pushes); });
+  section.section("payload", [&](Section& payload) {
+    payload.number("mass", disturbances.payload.mass, kNotNegative);
+    payload.vector("position", disturbances.payload.position);
+  });
+  section.number("base_mass_scale", disturbances.base_mass_scale, kPositive);
+  section.number("leg_mass_scale", disturbances.leg_mass_scale, kPositive);
+  section.vector("base_com_offset", disturbances.base_com_offset);
+}
+
+}  // namespace
+
+void read_plant(Section& scenario, PlantOptions& options) {
+  scenario.number("timestep", options.timestep, kPositive);
+  scenario.section("terrain", [&](Section& s) { read_terrain(s, options.terrain); });
+  scenario.section("foot_contact", [&](Section& s) { read_foot_contact(s, options.contact); });
+  scenario.section("actuators", [&](Section& s) { read_actuators(s, options.actuators); });
+  scenario.section("sensors", [&](Section& s) { read_sensors(s, options.sensors); });
+  scenario.section("disturbances", [&](Section& s) { read_disturbances(s, options.disturbances); });
+}
+
+}  // namespace surefoot

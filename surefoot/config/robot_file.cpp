@@ -1,0 +1,163 @@
+#include "surefoot/config/robot_file.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/section.hpp"
+#include "surefoot/model/urdf.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr std::string_view kPackage = "package://";
+
+std::string resolve_urdf(const std::string& urdf, const std::filesystem::path& robot_file) {
+  if (urdf.starts_with(kPackage)) {
+    return (robot_package_directory() / urdf.substr(kPackage.size())).string();
+  }
+  return (robot_file.parent_path() / urdf).string();
+}
+
+/// HAA, HFE, KFE of all legs alike.
+void read_per_joint(Section& section, const char* key, JointVector& value) {
+  Vec3 joints = value.head<3>();
+  section.vector(key, joints);
+  value = joints.replicate<kNumLegs, 1>();
+}
+
+void read_limits(Section& limits, RobotDescription& robot) {
+  for (const char* key : {"torque", "velocity", "position_min", "position_max"}) limits.require(key);
+  double torque = 0.0, velocity = 0.0;
+  limits.number("torque", torque, kPositive);
+  limits.number("velocity", velocity, kPositive);
+  robot.torque_limit.setConstant(torque);
+  robot.velocity_limit.setConstant(velocity);
+  read_per_joint(limits, "position_min", robot.q_min);
+  read_per_joint(limits, "position_max", robot.q_max);
+  if ((robot.q_min.array() >= robot.q_max.array()).any()) {
+    limits.fail("position_max", "must be above position_min at every joint");
+  }
+}
+
+/// The posture of a front leg; hind legs mirror HFE and KFE (X-configuration).
+void read_posture(Section& posture, JointVector& q) {
+  posture.require("nominal");
+  Vec3 front = Vec3::Zero();
+  posture.vector("nominal", front);
+  for (const Leg leg : kLegs) {
+    const double side = is_front(leg) ? 1.0 : -1.0;
+    q.segment<3>(first_joint(leg)) = Vec3(front.x(), side * front.y(), side * front.z());
+  }
+}
+
+void read_gains(Section& gains, RobotDescription& robot) {
+  gains.section("hold", [&](Section& hold) {
+    hold.number("kp", robot.hold_kp, kNotNegative);
+    hold.number("kd", robot.hold_kd, kNotNegative);
+  });
+  gains.number("damping", robot.damping_kd, kNotNegative);
+}
+
+/// Reads names and holds them against those of the URDF.
+class NameReader {
+ public:
+  explicit NameReader(const Urdf& urdf) : urdf_(urdf) {
+    for (const UrdfLink& link : urdf.links) links_.push_back(link.name);
+    for (const UrdfJoint& joint : urdf.joints) {
+      if (joint.type != "fixed") joints_.push_back(joint.name);
+    }
+  }
+
+  void frame(Section& section, const char* key, std::string& value) const {
+    section.require(key);
+    section.text(key, value);
+    if (section.node(key) != nullptr) check(section, key, "frame", value, links_);
+  }
+
+  void joints(Section& section, const char* key, std::array<std::string, kJointsPerLeg>& names) const {
+    section.require(key);
+    const ConfigNode* given = section.node(key);
+    if (given == nullptr) return;
+    if (given->items.size() != names.size()) section.fail(key, "is not a list of 3 joints: HAA, HFE, KFE");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      names[i] = read_text(given->items[i], section.path_of(key));
+      check(section, key, "joint", names[i], joints_);
+    }
+  }
+
+ private:
+  void check(const Section& section, const char* key, const char* what, const std::string& name,
+             const std::vector<std::string>& valid) const {
+    if (std::ranges::find(valid, name) != valid.end()) return;
+    section.fail(key, std::string("unknown ") + what + " \"" + name + "\" in " + urdf_.path + "; " +
+                          valid_names(name, valid));
+  }
+
+  const Urdf& urdf_;
+  std::vector<std::string> links_, joints_;
+};
+
+void read_leg(Section& section, LegDescription& leg, const NameReader& names) {
+  names.joints(section, "joints", leg.joints);
+  names.frame(section, "hip", leg.hip_frame);
+  names.frame(section, "thigh", leg.thigh_link);
+  names.frame(section, "shank", leg.shank_link);
+  names.frame(section, "foot", leg.foot_frame);
+}
+
+void read_foot(Section& foot, RobotDescription& robot) {
+  foot.require("radius");
+  foot.number("radius", robot.foot_radius, kPositive);
+  foot.vector("center", robot.foot_center);
+}
+
+/// The URDF's content, with the robot file's line in front of what is wrong with it.
+Urdf read_urdf_of(const Section& top, const std::string& path) {
+  try {
+    return read_urdf(path);
+  } catch (const Error& error) {
+    top.fail("urdf", error.what());
+  }
+}
+
+}  // namespace
+
+RobotDescription load_robot(const std::string& name_or_path, const std::filesystem::path& beside) {
+  const std::filesystem::path file = find_data_file("robots", name_or_path, beside);
+  const ConfigNode tree = parse_yaml_file(file);
+  Section top(tree, "");
+  RobotDescription robot;
+  for (const char* key : {"name", "urdf", "base", "legs", "foot", "limits", "posture", "max_leg_length"}) {
+    top.require(key);
+    (void)top.node(key);
+  }
+  (void)top.node("gains");
+  top.finish();
+
+  top.text("name", robot.name);
+  std::string urdf_name;
+  top.text("urdf", urdf_name);
+  robot.urdf_path = resolve_urdf(urdf_name, file);
+  robot.mesh_root = robot_package_directory().string();
+  const Urdf urdf = read_urdf_of(top, robot.urdf_path);
+  const NameReader names(urdf);
+  names.frame(top, "base", robot.base_link);
+  top.section("legs", [&](Section& legs) {
+    for (const Leg leg : kLegs) {
+      const char* name = kLegNames[index(leg)].data();
+      legs.require(name);
+      legs.section(name, [&](Section& section) { read_leg(section, robot.legs[index(leg)], names); });
+    }
+  });
+  top.section("foot", [&](Section& foot) { read_foot(foot, robot); });
+  top.section("limits", [&](Section& limits) { read_limits(limits, robot); });
+  top.section("posture", [&](Section& posture) { read_posture(posture, robot.q_nominal); });
+  top.number("max_leg_length", robot.max_leg_length, kPositive);
+  top.section("gains", [&](Section& gains) { read_gains(gains, robot); });
+  return robot;
+}
+
+}  // namespace surefoot

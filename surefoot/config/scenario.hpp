@@ -1,0 +1,72 @@
+#pragma once
+
+#include "surefoot/config/randomise.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/evaluation/criteria.hpp"
+#include "surefoot/model/description.hpp"
+#include "surefoot/signals/user_command.hpp"
+#include "surefoot/simulation/plant_options.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Where the controller's state comes from.
+enum class Estimation {
+  truth,  ///< base state from the simulator's truth, joint positions from the encoders
+};
+
+/// What the operator asks for from a time on.
+struct TimedCommand {
+  double time = 0.0;  ///< [s]
+  UserCommand user;
+};
+
+/// When a run has done what it was for, and ends early.
+struct Goal {
+  /// All four feet stand on the ground beyond this x in W [m]; NaN: no such goal …
+  double feet_beyond_x = std::numeric_limits<double>::quiet_NaN();
+  /// … and the base has then gone on by this [m].
+  double walk_on = 0.0;
+};
+
+/// A figure to print beside a metric.
+struct PaperFigure {
+  std::string metric;
+  std::string text;  ///< as printed, with unit
+};
+
+/// A file that a scenario was read from, word by word.
+struct SourceFile {
+  std::string name;  ///< "scenario.yaml", "base1.yaml", "robot.yaml" or "stack.yaml"
+  std::string text;
+};
+
+/// An experiment, complete: everything that a run is made from.
+struct Scenario {
+  std::string name;
+  std::string description;
+  std::string file;            ///< that it was read from
+  std::uint64_t seed = 0;
+  double duration = 20.0;      ///< longest [s]
+  Estimation estimation = Estimation::truth;
+  RobotDescription robot;
+  ControllerOptions controller;
+  PlantOptions plant;
+  std::vector<TimedCommand> commands;   ///< by time, the first at 0
+  Goal goal;
+  std::vector<RandomDraw> drawn;        ///< what the seed chose
+  std::vector<Criterion> criteria;      ///< that the metrics must meet
+  double success_rate = 1.0;            ///< share of several seeds that must succeed
+  std::vector<PaperFigure> paper;
+  std::vector<SourceFile> sources;
+  std::string options_json;             ///< the whole scenario as it was read, assignments and draws included
+
+  /// The operator's command at a time.
+  [[nodiscard]] const UserCommand& user(double time) const;
+};
+
+}  // namespace surefoot

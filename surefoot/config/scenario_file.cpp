@@ -1,0 +1,222 @@
+#include "surefoot/config/scenario_file.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/config_json.hpp"
+#include "surefoot/config/criteria_section.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/planner_section.hpp"
+#include "surefoot/config/plant_section.hpp"
+#include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/section.hpp"
+#include "surefoot/config/stack_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFiles = 4;
+
+/// The file laid over its `base:`, which may have one too. `files` gets all of them.
+ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
+  ConfigNode tree = parse_yaml_file(file);
+  files.push_back(file);
+  const ConfigNode* base = tree.find("base");
+  if (base == nullptr) return tree;
+  if (files.size() > kMaxFiles) fail_at(*base, "base", "the files lead to each other, or through too many");
+  try {
+    ConfigNode below = read_with_base(
+        find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), files);
+    merge(below, std::move(tree));
+    return below;
+  } catch (const UnknownNameError& error) {
+    fail_at(*base, "base", error.what());
+  }
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
+/// Draws from the seed what no assignment fixes, and writes it into the tree.
+std::vector<RandomDraw> randomise(ConfigNode& tree, const ScenarioRequest& request) {
+  std::vector<RandomDraw> drawn = draw_random(tree, request.seed);
+  std::erase_if(drawn, [&](const RandomDraw& draw) {
+    return std::ranges::any_of(request.assignments, [&](const std::string& assignment) {
+      return assigned_path(assignment) == draw.path;
+    });
+  });
+  for (const RandomDraw& draw : drawn) {
+    const std::string where = tree.find("randomise")->find(draw.path)->where + ": randomise";
+    set_path(tree, draw.path,
+             {.kind = ConfigNode::Kind::scalar, .text = shortest(draw.value), .where = where});
+  }
+  return drawn;
+}
+
+void keep_source(Scenario& scenario, const std::string& name, const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  scenario.sources.push_back({.name = name, .text = text.str()});
+}
+
+/// Reads what another file holds; an unknown name is told with the line that gives it.
+template <typename Load>
+auto load_named(Section& top, const char* key, const Load& load) {
+  std::string name;
+  top.require(key);
+  top.text(key, name);
+  if (top.node(key) == nullptr) top.fail(key, "this key is missing");
+  try {
+    return load(name);
+  } catch (const UnknownNameError& error) {
+    top.fail(key, error.what());
+  }
+}
+
+void read_user(Section& top, std::vector<TimedCommand>& commands) {
+  commands = {TimedCommand{}};
+  const ConfigNode* list = top.node("user");
+  if (list == nullptr) return;
+  if (list->kind != ConfigNode::Kind::list) top.fail("user", "must be a list of commands, each with its time");
+  for (const ConfigNode& item : list->items) {
+    TimedCommand command;
+    Section section(item, "user");
+    section.require("time");
+    section.number("time", command.time, kNotNegative);
+    section.flag("walk", command.user.walk);
+    section.vector("velocity", command.user.velocity);
+    section.number("yaw_rate", command.user.yaw_rate);
+    section.number("height", command.user.height);
+    section.finish();
+    if (command.time < commands.back().time) section.fail("time", "must not be before the command above");
+    commands.push_back(command);
+  }
+}
+
+void read_initial(Section& initial, InitialState& state) {
+  initial.number("x", state.position.x());
+  initial.number("y", state.position.y());
+  initial.number("z", state.position.z());
+  initial.number("yaw", state.yaw);
+}
+
+void read_safety(Section& section, SafetyOptions& safety) {
+  section.integer("damp_after_failures", safety.damp_after_failures, 1);
+  section.number("max_tilt", safety.max_tilt, kPositive);
+}
+
+void read_contact_force(Section& section, ContactForceOptions& contact_force) {
+  section.number("cutoff_hz", contact_force.cutoff_hz, kPositive);
+  section.flag("use_foot_sensor", contact_force.use_foot_sensor);
+}
+
+void read_goal(Section& section, Goal& goal) {
+  section.number("feet_beyond_x", goal.feet_beyond_x);
+  section.number("walk_on", goal.walk_on, kNotNegative);
+}
+
+void read_paper(Section& section, std::vector<PaperFigure>& paper) {
+  const std::vector<std::string> names = metric_names();
+  for (const std::string& metric : section.keys()) {
+    if (std::ranges::find(names, metric) == names.end()) {
+      section.fail(metric, "unknown metric; " + valid_names(metric, names));
+    }
+    paper.push_back({.metric = metric, .text = read_text(*section.node(metric.c_str()), section.path_of(metric))});
+  }
+}
+
+void read_controller(Section& top, ControllerOptions& controller) {
+  top.number("period", controller.period, kPositive);
+  top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
+  top.section("contact_force", [&](Section& s) { read_contact_force(s, controller.contact_force); });
+  top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
+}
+
+void read_body(Section& top, Scenario& scenario) {
+  top.text("name", scenario.name);
+  top.text("description", scenario.description);
+  top.number("duration", scenario.duration, kPositive);
+  top.choice<Estimation>("estimation", scenario.estimation, {{"truth", Estimation::truth}});
+  read_controller(top, scenario.controller);
+  read_plant(top, scenario.plant);
+  top.section("initial", [&](Section& s) { read_initial(s, scenario.plant.initial); });
+  read_user(top, scenario.commands);
+  top.section("goal", [&](Section& s) { read_goal(s, scenario.goal); });
+  top.section("criteria", [&](Section& s) { read_criteria(s, scenario.criteria); });
+  top.number("success_rate", scenario.success_rate, kShare);
+  top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
+  for (const char* key : {"base", "robot", "stack", "tasks", "randomise"}) (void)top.node(key);
+  top.finish();
+}
+
+void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario) {
+  const fs::path folder = file.parent_path();
+  scenario.robot = load_named(top, "robot", [&](const std::string& name) {
+    keep_source(scenario, "robot.yaml", find_data_file("robots", name, folder));
+    return load_robot(name, folder);
+  });
+  scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
+    keep_source(scenario, "stack.yaml", find_data_file("stacks", name, folder));
+    return load_stack(name, folder);
+  });
+  if (const ConfigNode* tasks = top.node("tasks")) {
+    override_tasks(scenario.controller.stack, *tasks, "tasks");
+  }
+}
+
+}  // namespace
+
+const UserCommand& Scenario::user(double time) const {
+  const auto next = std::ranges::upper_bound(commands, time, {}, &TimedCommand::time);
+  return (next - 1)->user;
+}
+
+Scenario load_scenario(const ScenarioRequest& request) {
+  const fs::path file = find_data_file("scenarios", request.name_or_path);
+  std::vector<fs::path> files;
+  ConfigNode tree = read_with_base(file, files);
+  for (const std::string& assignment : request.assignments) apply_assignment(tree, assignment);
+
+  Scenario scenario;
+  scenario.file = file.string();
+  scenario.name = file.stem().string();
+  scenario.seed = request.seed;
+  scenario.drawn = randomise(tree, request);
+  scenario.options_json = to_json(tree);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    keep_source(scenario, i == 0 ? "scenario.yaml" : "base" + std::to_string(i) + ".yaml", files[i]);
+  }
+  Section top(tree, "");
+  read_body(top, scenario);
+  read_robot_and_stack(top, file, scenario);
+
+  scenario.plant.seed = request.seed;
+  scenario.plant.control_period = scenario.controller.period;
+  const RobotModel model(scenario.robot);
+  scenario.plant.initial.q = stance_posture(model, scenario.controller.planner.stance);
+  return scenario;
+}
+
+std::vector<ScenarioTitle> list_scenarios() {
+  std::vector<ScenarioTitle> titles;
+  for (const std::string& name : list_data("scenarios")) {
+    std::vector<fs::path> files;
+    const ConfigNode tree = read_with_base(find_data_file("scenarios", name), files);
+    const ConfigNode* description = tree.find("description");
+    titles.push_back({.name = name, .description = description == nullptr ? "" : description->text});
+  }
+  return titles;
+}
+
+}  // namespace surefoot

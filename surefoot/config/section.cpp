@@ -1,0 +1,153 @@
+#include "surefoot/config/section.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/nearest_name.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+std::string describe(const ConfigNode& node) {
+  switch (node.kind) {
+    case ConfigNode::Kind::null: return "nothing";
+    case ConfigNode::Kind::scalar: return "\"" + node.text + "\"";
+    case ConfigNode::Kind::list: return "a list of " + std::to_string(node.items.size());
+    case ConfigNode::Kind::map: return "a map";
+  }
+  return "";
+}
+
+template <typename Number>
+bool parse(const std::string& text, Number& value) {
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  if (text.size() > 1 && text[0] == '+') ++begin;
+  const auto [stopped, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && stopped == end;
+}
+
+}  // namespace
+
+void fail_at(const ConfigNode& node, const std::string& path, const std::string& message) {
+  const std::string place = node.where.empty() ? "" : node.where + ": ";
+  throw Error(place + (path.empty() ? "" : path + ": ") + message);
+}
+
+double read_number(const ConfigNode& node, const std::string& path, NumberRange range) {
+  double value = 0.0;
+  const bool valid = node.kind == ConfigNode::Kind::scalar && parse(node.text, value) &&
+                     std::isfinite(value) && value <= range.max &&
+                     (range.min_included ? value >= range.min : value > range.min);
+  if (!valid) fail_at(node, path, describe(node) + " is not " + range.words);
+  return value;
+}
+
+const std::string& read_text(const ConfigNode& node, const std::string& path) {
+  if (node.kind != ConfigNode::Kind::scalar) fail_at(node, path, describe(node) + " is not a text");
+  return node.text;
+}
+
+Section::Section(const ConfigNode& node, std::string path) : node_(node), path_(std::move(path)) {
+  const bool is_map = node.kind == ConfigNode::Kind::map || node.kind == ConfigNode::Kind::null;
+  if (!is_map) fail_at(node, path_, describe(node) + " is not a map of keys and values");
+}
+
+std::string Section::path_of(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+void Section::fail(const std::string& key, const std::string& message) const {
+  const ConfigNode* given = node_.find(key);
+  fail_at(given == nullptr ? node_ : *given, path_of(key), message);
+}
+
+const ConfigNode* Section::node(const char* key) {
+  if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+  return node_.find(key);
+}
+
+const ConfigNode* Section::present(const char* key) {
+  const ConfigNode* given = node(key);
+  if (given == nullptr || given->kind != ConfigNode::Kind::null) return given;
+  fail(key, "has no value");
+}
+
+void Section::require(const char* key) { required_.emplace_back(key); }
+
+std::vector<std::string> Section::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : node_.members) names.push_back(key);
+  return names;
+}
+
+void Section::finish() const {
+  for (const auto& [key, value] : node_.members) {
+    if (std::ranges::find(known_, key) != known_.end()) continue;
+    fail(key, "unknown key; " + valid_names(key, known_));
+  }
+  for (const std::string& key : required_) {
+    if (node_.find(key) == nullptr) fail(key, "this key is missing");
+  }
+}
+
+void Section::number(const char* key, double& value, NumberRange range) {
+  if (const ConfigNode* given = present(key)) value = read_number(*given, path_of(key), range);
+}
+
+void Section::integer(const char* key, int& value, int min) {
+  const ConfigNode* given = present(key);
+  if (given == nullptr) return;
+  if (given->kind != ConfigNode::Kind::scalar || !parse(given->text, value)) {
+    fail(key, describe(*given) + " is not a whole number");
+  }
+  if (value < min) fail(key, describe(*given) + " is less than " + std::to_string(min));
+}
+
+void Section::integer(const char* key, std::uint64_t& value) {
+  const ConfigNode* given = present(key);
+  if (given == nullptr) return;
+  if (given->kind != ConfigNode::Kind::scalar || !parse(given->text, value)) {
+    fail(key, describe(*given) + " is not a whole number of at least 0");
+  }
+}
+
+void Section::flag(const char* key, bool& value) {
+  choice<bool>(key, value, {{"true", true}, {"false", false}});
+}
+
+void Section::text(const char* key, std::string& value) {
+  if (const ConfigNode* given = present(key)) value = read_text(*given, path_of(key));
+}
+
+void Section::vector(const char* key, Vec2& value) { fill(key, value.data(), 2); }
+
+void Section::vector(const char* key, Vec3& value) { fill(key, value.data(), 3); }
+
+void Section::fill(const char* key, double* values, std::size_t count) {
+  const ConfigNode* given = present(key);
+  if (given == nullptr) return;
+  if (given->kind != ConfigNode::Kind::list || given->items.size() != count) {
+    fail(key, describe(*given) + " is not a list of " + std::to_string(count) + " numbers");
+  }
+  for (std::size_t i = 0; i < count; ++i) values[i] = read_number(given->items[i], path_of(key));
+}
+
+void Section::numbers(const char* key, std::vector<double>& values) {
+  const ConfigNode* given = present(key);
+  if (given == nullptr) return;
+  if (given->kind != ConfigNode::Kind::list) fail(key, describe(*given) + " is not a list of numbers");
+  values.clear();
+  for (const ConfigNode& entry : given->items) values.push_back(read_number(entry, path_of(key)));
+}
+
+std::size_t Section::choose(const char* key, const std::string& given,
+                            const std::vector<std::string>& names) const {
+  const auto found = std::ranges::find(names, given);
+  if (found == names.end()) fail(key, "unknown choice \"" + given + "\"; " + valid_names(given, names));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+}  // namespace surefoot

@@ -1,0 +1,142 @@
+#include "surefoot/config/stack_file.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/section.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+template <typename Named>
+std::vector<std::string> names_of(const Named& entries) {
+  std::vector<std::string> names;
+  for (const auto& entry : entries) names.emplace_back(entry.name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// A parameter is a number, or a choice by name; the catalog says which.
+void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path, TaskSpec& task) {
+  const TaskInfo& info = task_info(task.task);
+  const std::vector<std::string> numbers = names_of(info.parameters), choices = names_of(info.choices);
+  TaskParameters parameter;
+  if (contains(numbers, key)) {
+    parameter.numbers[key] = task.numbers[key] = read_number(node, path);
+  } else if (contains(choices, key)) {
+    parameter.choices[key] = task.choices[key] = read_text(node, path);
+  } else {
+    std::vector<std::string> valid = numbers;
+    valid.insert(valid.end(), choices.begin(), choices.end());
+    fail_at(node, path, "the task " + task.task + " has no such parameter; " + valid_names(key, valid));
+  }
+  try {
+    (void)make_task(task.task, parameter);
+  } catch (const Error& error) {
+    fail_at(node, path, error.what());
+  }
+}
+
+TaskSpec read_task(const ConfigNode& node, const std::string& path, bool has_level_name) {
+  Section section(node, path);
+  TaskSpec task;
+  section.text("task", task.task);
+  if (section.node("task") == nullptr) section.fail("task", "this key is missing");
+  const std::vector<std::string> valid = names_of(task_catalog());
+  if (!contains(valid, task.task)) {
+    section.fail("task", "unknown task \"" + task.task + "\"; " + valid_names(task.task, valid));
+  }
+  if (has_level_name) (void)section.node("name");
+  for (const std::string& key : section.keys()) {
+    if (key == "task" || (has_level_name && key == "name")) continue;
+    read_parameter(*section.node(key.c_str()), key, section.path_of(key), task);
+  }
+  section.finish();
+  return task;
+}
+
+std::vector<TaskSpec> read_task_list(const ConfigNode& list, const std::string& path) {
+  if (list.items.empty()) fail_at(list, path, "must be a list of at least one task");
+  std::vector<TaskSpec> tasks;
+  for (const ConfigNode& item : list.items) tasks.push_back(read_task(item, path, false));
+  return tasks;
+}
+
+LevelSpec read_level(const ConfigNode& node, const std::string& path) {
+  LevelSpec level;
+  if (const ConfigNode* tasks = node.find("tasks")) {
+    Section section(node, path);
+    section.require("name");
+    section.text("name", level.name);
+    level.tasks = read_task_list(*tasks, path);
+    (void)section.node("tasks");
+    section.finish();
+  } else {
+    level.tasks.push_back(read_task(node, path, true));
+    const ConfigNode* name = node.find("name");
+    level.name = name == nullptr ? level.tasks.front().task : read_text(*name, path + ".name");
+  }
+  return level;
+}
+
+std::vector<std::string> task_names(const StackOptions& stack) {
+  std::vector<std::string> names;
+  for (const LevelSpec& level : stack.levels) {
+    for (const TaskSpec& task : level.tasks) names.push_back(task.task);
+  }
+  return names;
+}
+
+void override_task(StackOptions& stack, const std::string& name, const ConfigNode& parameters,
+                   const std::string& path) {
+  for (LevelSpec& level : stack.levels) {
+    for (TaskSpec& task : level.tasks) {
+      if (task.task != name) continue;
+      for (const auto& [key, value] : parameters.members) {
+        read_parameter(value, key, path + "." + key, task);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+StackOptions load_stack(const std::string& name_or_path, const std::filesystem::path& beside) {
+  const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
+  const ConfigNode tree = parse_yaml_file(file);
+  Section top(tree, "");
+  StackOptions stack;
+  std::string description;
+  top.require("name");
+  top.require("levels");
+  top.text("name", stack.name);
+  top.text("description", description);
+  const ConfigNode* levels = top.node("levels");
+  top.finish();
+  if (levels->items.empty()) fail_at(*levels, "levels", "must be a list of at least one level");
+  for (std::size_t i = 0; i < levels->items.size(); ++i) {
+    stack.levels.push_back(read_level(levels->items[i], "levels." + std::to_string(i)));
+  }
+  return stack;
+}
+
+void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path) {
+  Section section(tasks, path);
+  const std::vector<std::string> names = task_names(stack);
+  for (const std::string& name : section.keys()) {
+    if (std::ranges::find(names, name) == names.end()) {
+      section.fail(name, "the stack \"" + stack.name + "\" has no such task; " + valid_names(name, names));
+    }
+    const ConfigNode& parameters = *section.node(name.c_str());
+    (void)Section(parameters, section.path_of(name));  // is a map
+    override_task(stack, name, parameters, section.path_of(name));
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "surefoot/config/config_tree.hpp"
+#include "surefoot/control/stack_options.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace surefoot {
+
+/// Reads stacks/*.yaml by name or path: levels, highest priority first, each with one task or a list of them.
+///
+///     levels:
+///       - task: com_position        # its parameters stand beside it
+///         kp: 500
+///       - name: contact forces
+///         tasks: [{task: friction_pyramid}, {task: normal_force}]
+///
+/// Unknown tasks and parameters are errors. Throws Error.
+[[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
+                                      const std::filesystem::path& beside = {});
+
+/// Lays parameters over every task of that name: a map from task names to maps of parameters.
+/// Throws Error on a task that the stack does not have.
+void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path);
+
+}  // namespace surefoot

@@ -1,0 +1,126 @@
+#include "surefoot/config/terrain_section.hpp"
+
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kFloorDepth = 1.0;    // of the boxes that make steps, below the lowest ground [m]
+constexpr double kPlatform = 20.0;     // length of the level ground at both ends, and width [m]
+
+using Elements = std::vector<TerrainElement>;
+
+void read_friction(Section& section, double& friction) {
+  section.number("friction", friction, kNotNegative);
+}
+
+void read_plane(Section& section, Elements& elements) {
+  TerrainPlane plane;
+  section.vector("position", plane.position);
+  section.vector("rpy", plane.rpy);
+  read_friction(section, plane.friction);
+  elements.push_back(plane);
+}
+
+void read_size(Section& section, Vec3& size) {
+  section.vector("size", size);
+  if (size.minCoeff() <= 0.0) section.fail("size", "must be above 0 along every axis");
+}
+
+void read_box(Section& section, Elements& elements) {
+  TerrainBox box;
+  section.vector("position", box.position);
+  read_size(section, box.size);
+  section.vector("rpy", box.rpy);
+  read_friction(section, box.friction);
+  elements.push_back(box);
+}
+
+void read_field(Section& section, Elements& elements) {
+  TerrainHeightField field;
+  section.vector("position", field.position);
+  section.number("size_x", field.size_x, kPositive);
+  section.number("size_y", field.size_y, kPositive);
+  section.integer("columns", field.columns, 0);
+  section.integer("rows", field.rows, 0);
+  section.numbers("heights", field.heights);
+  section.number("amplitude", field.amplitude, kNotNegative);
+  section.number("wavelength", field.wavelength, kPositive);
+  section.integer("seed", field.seed);
+  read_friction(section, field.friction);
+  elements.push_back(field);
+}
+
+void read_random_boxes(Section& section, Elements& elements) {
+  TerrainRandomBoxes boxes;
+  section.vector("position", boxes.position);
+  section.number("size_x", boxes.size_x, kPositive);
+  section.number("size_y", boxes.size_y, kPositive);
+  section.number("cell", boxes.cell, kPositive);
+  section.number("max_height", boxes.max_height, kNotNegative);
+  section.integer("seed", boxes.seed);
+  read_friction(section, boxes.friction);
+  elements.push_back(boxes);
+}
+
+struct Steps {
+  double edge = 0.5;       ///< x of the first edge [m]
+  double height = -0.14;   ///< of one step: below 0 down, above 0 up [m]
+  int count = 1;
+  double tread = 0.35;     ///< length of one step [m]
+  double friction = -1.0;
+};
+
+/// Level ground z = 0 up to the edge, then the steps, then level ground again, all as boxes.
+void add_steps(const Steps& steps, Elements& elements) {
+  const double bottom = std::min(0.0, steps.height * steps.count) - kFloorDepth;
+  for (int i = 0; i <= steps.count; ++i) {
+    const double begin = i == 0 ? steps.edge - kPlatform : steps.edge + (i - 1) * steps.tread;
+    const double end = i == steps.count ? begin + kPlatform : steps.edge + i * steps.tread;
+    const double top = steps.height * i;
+    elements.push_back(TerrainBox{.position = {(begin + end) / 2.0, 0.0, (bottom + top) / 2.0},
+                                  .size = {end - begin, kPlatform, top - bottom},
+                                  .rpy = Vec3::Zero(),
+                                  .friction = steps.friction});
+  }
+}
+
+void read_steps(Section& section, Elements& elements) {
+  Steps steps;
+  section.number("edge", steps.edge);
+  section.number("height", steps.height);
+  section.integer("count", steps.count, 1);
+  section.number("tread", steps.tread, kPositive);
+  read_friction(section, steps.friction);
+  add_steps(steps, elements);
+}
+
+void read_element(Section& section, Elements& elements) {
+  using Reader = void (*)(Section&, Elements&);
+  section.require("shape");
+  Reader reader = [](Section&, Elements&) {};
+  section.choice<Reader>("shape", reader,
+                         {{"plane", read_plane},
+                          {"box", read_box},
+                          {"height_field", read_field},
+                          {"random_boxes", read_random_boxes},
+                          {"steps", read_steps}});
+  reader(section, elements);
+}
+
+}  // namespace
+
+void read_terrain(Section& section, TerrainOptions& terrain) {
+  section.number("friction", terrain.friction, kNotNegative);
+  section.section("elements", [&](Section& elements) {
+    for (const std::string& name : elements.keys()) {
+      // An element of the base file is taken away by `name:` with nothing behind it.
+      if (elements.node(name.c_str())->kind == ConfigNode::Kind::null) continue;
+      elements.section(name.c_str(), [&](Section& s) { read_element(s, terrain.elements); });
+    }
+  });
+  if (terrain.elements.empty()) terrain.elements.emplace_back(TerrainPlane{});
+}
+
+}  // namespace surefoot

@@ -1,0 +1,191 @@
+#include "surefoot/evaluation/evaluator.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+constexpr double kMinBaseHeight = 0.12;  // [m] above the mean stance foot; a crouch is legal
+constexpr double kMaxTilt = 60.0 * kPi / 180.0;
+constexpr double kLoaded = 5.0;  // [N] normal force that counts
+
+// Extremes that begin as NaN; a NaN value changes nothing.
+void raise(double& maximum, double value) {
+  if (std::isnan(maximum) || value > maximum) maximum = value;
+}
+void lower(double& minimum, double value) {
+  if (std::isnan(minimum) || value < minimum) minimum = value;
+}
+
+double tilt(const Quat& q_WB) {
+  return std::acos(std::clamp(q_WB.toRotationMatrix()(2, 2), -1.0, 1.0));
+}
+
+Quantiles quantiles(std::vector<double> times) {
+  if (times.empty()) return {};
+  std::sort(times.begin(), times.end());
+  // The smallest time that at least a share p of all ticks keep to.
+  const auto rank = [&](double p) {
+    const auto position =
+        static_cast<std::size_t>(std::ceil(p * static_cast<double>(times.size())));
+    return times[std::max<std::size_t>(position, 1) - 1];
+  };
+  return {rank(0.5), rank(0.99), times.back()};
+}
+
+}  // namespace
+
+void Evaluator::Squares::add(double value) {
+  sum += value * value;
+  ++count;
+}
+
+double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
+
+void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
+  add_progress(truth, tick);
+  add_com(truth, tick);
+  add_torso(truth, tick);
+  add_torques(truth, tick);
+  for (const Leg leg : kLegs) add_foot(leg, truth, tick.plan.feet[index(leg)]);
+  add_body_contacts(truth);
+  check_fall(truth);
+  ++ticks_;
+}
+
+void Evaluator::add(const TickTiming& timing) {
+  tick_times_.push_back(timing.total);
+  solve_times_.push_back(timing.solve);
+}
+
+void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
+  if (ticks_ == 0) start_ = truth.p_WB;
+  end_ = truth.p_WB;
+  if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
+  if (!tick.user.walk) return;
+  if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
+  walk_end_ = truth.p_WB;
+  ++walk_ticks_;
+}
+
+void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
+  const double error = (truth.p_WCom.head<2>() - tick.plan.com.p).norm();
+  raise(metrics_.com_error_max_m, error);
+  com_error_.add(error);
+  raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
+  if (!tick.user.walk) return;
+  Vec3 centre = Vec3::Zero();
+  for (const FootPlan& foot : tick.plan.feet) centre += foot.p_WF / kNumLegs;
+  const double lateral = tick.plan.R_WC.col(1).dot(truth.p_WCom - centre);
+  const bool first = walk_ticks_ == 1;
+  sway_min_ = first ? lateral : std::min(sway_min_, lateral);
+  sway_max_ = first ? lateral : std::max(sway_max_, lateral);
+}
+
+void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
+  height_error_.add(truth.p_WB.z() - tick.plan.torso.height);
+  orientation_error_.add(truth.q_WB.angularDistance(tick.plan.torso.q_WB));
+  raise(metrics_.max_tilt_rad, tilt(truth.q_WB));
+}
+
+void Evaluator::add_torques(const GroundTruth& truth, const TickRecord& tick) {
+  const JointVector& torque = tick.command.torque;
+  raise(metrics_.torque_max_nm, truth.torque.cwiseAbs().maxCoeff());
+  raise(metrics_.torque_command_max_nm, torque.cwiseAbs().maxCoeff());
+  if (ticks_ > 0)
+    raise(metrics_.torque_step_max_nm, (torque - torque_before_).cwiseAbs().maxCoeff());
+  torque_before_ = torque;
+}
+
+void Evaluator::add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan) {
+  Foot& foot = feet_[index(leg)];
+  const TrueContact& contact = truth.feet[index(leg)];
+  const bool in_stance = in_contact(plan.phase);
+  if (in_stance && !foot.was_contact) {
+    ++metrics_.steps_taken;
+    foot = {.was_contact = true, .landing_seen = false};
+  }
+  foot.was_contact = in_stance;
+  foot.search = plan.phase == LegPhase::search ? foot.search + options_.control_period : 0.0;
+  raise(metrics_.search_max_s, foot.search);
+  raise(metrics_.penetration_max_m, contact.penetration);
+  if (in_stance && contact.touching) add_stance(foot, contact);
+  if (!options_.hip_in_base) return;
+  const Vec3 p_BH = options_.hip_in_base(leg, truth.q.segment<kJointsPerLeg>(first_joint(leg)));
+  raise(metrics_.limb_extension_max_m,
+        (truth.p_WB + truth.q_WB * p_BH - truth.p_WF[index(leg)]).norm());
+}
+
+void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
+  foot.slip += contact.slip_velocity.norm() * options_.control_period;
+  raise(metrics_.foot_slip_max_m, foot.slip);
+  const double normal_force = contact.normal.dot(contact.force);
+  if (normal_force < kLoaded) return;
+  const double tangential_force = (contact.force - normal_force * contact.normal).norm();
+  lower(metrics_.friction_margin_min, 1.0 - tangential_force / (contact.friction * normal_force));
+  if (foot.landing_seen || !options_.terrain_height) return;
+  foot.landing_seen = true;
+  if (is_edge_landing(options_.terrain_height, contact.point, contact.normal))
+    ++metrics_.edge_landings;
+}
+
+void Evaluator::add_body_contacts(const GroundTruth& truth) {
+  const auto bits = [](int mask) { return static_cast<unsigned>(mask); };
+  metrics_.shank_contacts += std::popcount(bits(truth.shank_contacts) & ~bits(shanks_touched_));
+  metrics_.torso_contacts += truth.torso_contact && !torso_touched_ ? 1 : 0;
+  shanks_touched_ = truth.shank_contacts;
+  torso_touched_ = truth.torso_contact;
+}
+
+void Evaluator::check_fall(const GroundTruth& truth) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Leg leg : kLegs) {
+    if (!truth.feet[index(leg)].touching) continue;
+    sum += truth.p_WF[index(leg)].z();
+    ++count;
+  }
+  if (count > 0) footprint_height_ = sum / count;
+  if (metrics_.fell) return;
+  const double height = truth.p_WB.z() - footprint_height_;
+  std::array<char, 96> text{};
+  if (truth.torso_contact) {
+    std::snprintf(text.data(), text.size(), "fell at %.2f s: the torso touched the ground",
+                  truth.time);
+  } else if (height < kMinBaseHeight) {
+    std::snprintf(text.data(), text.size(),
+                  "fell at %.2f s: the base came down to %.2f m above the feet", truth.time,
+                  height);
+  } else if (!(tilt(truth.q_WB) <= kMaxTilt)) {
+    std::snprintf(text.data(), text.size(), "fell at %.2f s: tilted by more than 60°", truth.time);
+  } else {
+    return;
+  }
+  metrics_.fell = true;
+  fall_ = text.data();
+}
+
+Metrics Evaluator::metrics(const RunEnd& end) const {
+  Metrics result = metrics_;
+  result.reason = metrics_.fell ? fall_ : end.reason;
+  result.goal_reached = end.goal_reached;
+  result.duration_s = ticks_ * options_.control_period;
+  result.distance_m = (end_ - start_).head<2>().norm();
+  const double walked_s = walk_ticks_ * options_.control_period;
+  if (walk_ticks_ > 0) result.speed_mps = (walk_end_ - walk_start_).head<2>().norm() / walked_s;
+  if (walk_ticks_ > 0) result.com_lateral_sway_m = (sway_max_ - sway_min_) / 2.0;
+  result.com_error_rms_m = com_error_.root_mean();
+  result.base_height_error_rms_m = height_error_.root_mean();
+  result.orientation_error_rms_rad = orientation_error_.root_mean();
+  result.tick_us = quantiles(tick_times_);
+  result.solve_us = quantiles(solve_times_);
+  result.realtime_factor = result.duration_s / end.wall_seconds;
+  result.seed = end.seed;
+  result.version = end.version;
+  return result;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "surefoot/evaluation/landing.hpp"
+#include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/signals/tick_record.hpp"
+#include "surefoot/simulation/ground_truth.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+struct EvaluatorOptions {
+  double control_period = 0.0025;  ///< [s]
+  TerrainHeight terrain_height;    ///< empty: no edge landings are counted
+  /// Hip H in B at joint angles (HAA, HFE, KFE) of a leg; empty: no limb extension.
+  std::function<Vec3(Leg, const Vec3&)> hip_in_base;
+};
+
+/// What the program knows of a run's end.
+struct RunEnd {
+  std::string reason;  ///< a fall has its own
+  double wall_seconds = kNaN;
+  std::uint64_t seed = 0;
+  std::string version;
+  bool goal_reached = true;  ///< also where there is no goal
+};
+
+/// Judges a run tick by tick.
+class Evaluator {
+ public:
+  explicit Evaluator(EvaluatorOptions options) : options_(std::move(options)) {}
+
+  /// Truth and tick belong to the same time: the truth from which the readings were made.
+  void add(const GroundTruth& truth, const TickRecord& tick);
+  void add(const TickTiming& timing);
+
+  /// True from the tick on at which the robot fell.
+  [[nodiscard]] bool fell() const { return metrics_.fell; }
+  /// "fell at 3.20 s: …", empty if it did not.
+  [[nodiscard]] const std::string& fall() const { return fall_; }
+
+  /// `succeeded` is left false: it depends on the criteria.
+  [[nodiscard]] Metrics metrics(const RunEnd& end) const;
+
+ private:
+  struct Foot {
+    bool was_contact = true;
+    bool landing_seen = true;  // this stance's landing was judged, or it began before the run
+    double slip = 0.0;         // in this stance [m]
+    double search = 0.0;       // in this swing [s]
+  };
+  struct Squares {
+    double sum = 0.0;
+    int count = 0;
+    void add(double value);
+    [[nodiscard]] double root_mean() const;
+  };
+
+  void add_progress(const GroundTruth& truth, const TickRecord& tick);
+  void add_com(const GroundTruth& truth, const TickRecord& tick);
+  void add_torso(const GroundTruth& truth, const TickRecord& tick);
+  void add_torques(const GroundTruth& truth, const TickRecord& tick);
+  void add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan);
+  void add_stance(Foot& foot, const TrueContact& contact);
+  void add_body_contacts(const GroundTruth& truth);
+  void check_fall(const GroundTruth& truth);
+
+  EvaluatorOptions options_;
+  Metrics metrics_;  // what is final at every tick
+  std::string fall_;
+  int ticks_ = 0;
+  Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base
+  Vec3 walk_start_ = Vec3::Zero(), walk_end_ = Vec3::Zero();  // base, while walking is commanded
+  int walk_ticks_ = 0;
+  Squares com_error_, height_error_, orientation_error_;
+  double sway_min_ = 0.0, sway_max_ = 0.0;
+  JointVector torque_before_ = JointVector::Zero();
+  PerLeg<Foot> feet_{};
+  double footprint_height_ = kNaN;
+  bool torso_touched_ = false;
+  int shanks_touched_ = 0;                        // bits
+  std::vector<double> tick_times_, solve_times_;  // [µs]
+};
+
+}  // namespace surefoot

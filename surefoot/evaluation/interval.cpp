@@ -1,0 +1,19 @@
+#include "surefoot/evaluation/interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+Interval wilson_interval(int successes, int trials) {
+  if (trials <= 0) return {};
+  constexpr double z = 1.959963984540054;
+  const double n = trials;
+  const double p = successes / n;
+  const double centre = p + z * z / (2.0 * n);
+  const double spread = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+  const double scale = 1.0 + z * z / n;
+  return {std::max(0.0, (centre - spread) / scale), std::min(1.0, (centre + spread) / scale)};
+}
+
+}  // namespace surefoot

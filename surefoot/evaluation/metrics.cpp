@@ -1,0 +1,75 @@
+#include "surefoot/evaluation/metrics.hpp"
+
+#include "surefoot/logging/json_text.hpp"
+
+namespace surefoot {
+namespace {
+
+void write(JsonText& json, const MetricValue& value) {
+  std::visit(
+      [&json](const auto& content) {
+        using T = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<T, Quantiles>) {
+          json.object().member("median", content.median).member("p99", content.p99);
+          json.member("max", content.max).end_object();
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          json.value(std::string_view(content));
+        } else {
+          json.value(content);
+        }
+      },
+      value);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metrics) {
+  return {
+      {"succeeded", metrics.succeeded},
+      {"reason", metrics.reason},
+      {"goal_reached", metrics.goal_reached},
+      {"fell", metrics.fell},
+      {"duration_s", metrics.duration_s},
+      {"distance_m", metrics.distance_m},
+      {"speed_mps", metrics.speed_mps},
+      {"com_error_max_m", metrics.com_error_max_m},
+      {"com_error_rms_m", metrics.com_error_rms_m},
+      {"com_lateral_sway_m", metrics.com_lateral_sway_m},
+      {"com_zmp_slack_max_m", metrics.com_zmp_slack_max_m},
+      {"base_height_error_rms_m", metrics.base_height_error_rms_m},
+      {"orientation_error_rms_rad", metrics.orientation_error_rms_rad},
+      {"max_tilt_rad", metrics.max_tilt_rad},
+      {"steps_taken", metrics.steps_taken},
+      {"edge_landings", metrics.edge_landings},
+      {"search_max_s", metrics.search_max_s},
+      {"foot_slip_max_m", metrics.foot_slip_max_m},
+      {"friction_margin_min", metrics.friction_margin_min},
+      {"limb_extension_max_m", metrics.limb_extension_max_m},
+      {"penetration_max_m", metrics.penetration_max_m},
+      {"shank_contacts", metrics.shank_contacts},
+      {"torso_contacts", metrics.torso_contacts},
+      {"torque_max_nm", metrics.torque_max_nm},
+      {"torque_command_max_nm", metrics.torque_command_max_nm},
+      {"torque_step_max_nm", metrics.torque_step_max_nm},
+      {"fallback_ticks", metrics.fallback_ticks},
+      {"tick_us", metrics.tick_us},
+      {"solve_us", metrics.solve_us},
+      {"realtime_factor", metrics.realtime_factor},
+      {"seed", metrics.seed},
+      {"version", metrics.version},
+  };
+}
+
+std::string to_json(const Metrics& metrics) {
+  std::string out;
+  JsonText json(out);
+  json.object();
+  for (const auto& [name, value] : values(metrics)) {
+    json.key(name);
+    write(json, value);
+  }
+  json.end_object();
+  return out;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "surefoot/signals/sensor_reading.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace surefoot {
+
+/// Distribution of a time per tick [µs].
+struct Quantiles {
+  double median = kNaN, p99 = kNaN, max = kNaN;
+};
+
+/// What a run is judged by. The names are those of the program's output and of a scenario's
+/// criteria; each carries its unit. All of it is measured on the simulator's truth, except what is
+/// called commanded or planned. What could not be measured is NaN.
+struct Metrics {
+  bool succeeded = false;  ///< all criteria hold
+  std::string reason;      ///< why the run ended
+  bool goal_reached = false;  ///< what the scenario is for was done; true if it names no goal
+  bool fell =
+      false;  ///< torso on the ground, base < 0.12 m above the mean stance foot, or tilt > 60°
+  double duration_s = 0.0;
+  double distance_m = 0.0;  ///< of the base, in the plane, from start to end
+  double speed_mps = 0.0;   ///< the same over the time in which walking was commanded
+
+  double com_error_max_m = kNaN;  ///< centre of mass against the desired one, in the plane
+  double com_error_rms_m = kNaN;
+  double com_lateral_sway_m =
+      kNaN;  ///< half the range of the COM across the heading, seen from the feet's centre
+  double com_zmp_slack_max_m = 0.0;  ///< how far the planned ZMP had to leave the support polygon
+  double base_height_error_rms_m = kNaN;
+  double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference
+  double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
+
+  int steps_taken = 0;        ///< swings that ended on the ground
+  int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)
+  double search_max_s = 0.0;  ///< longest time in which a foot looked for ground
+  double foot_slip_max_m =
+      0.0;  ///< longest tangential path of a stance foot's contact point in one stance
+  double friction_margin_min =
+      kNaN;  ///< min (μ f_n − |f_t|) / (μ f_n) over stance feet with f_n > 5 N
+  double limb_extension_max_m = kNaN;  ///< hip to foot sphere's centre
+  double penetration_max_m = 0.0;      ///< of a foot into the ground
+  int shank_contacts = 0;  ///< times that a thigh, knee or shank came to touch the ground
+  int torso_contacts = 0;  ///< times that the torso did
+
+  double torque_max_nm = 0.0;          ///< applied at a joint
+  double torque_command_max_nm = 0.0;  ///< commanded
+  double torque_step_max_nm = 0.0;     ///< largest change of a commanded torque between two ticks
+  int fallback_ticks = 0;              ///< ticks whose command is not the hierarchy's optimum
+  Quantiles tick_us;                   ///< wall-clock time of a whole tick
+  Quantiles solve_us;                  ///< of the solver in it
+  double realtime_factor = kNaN;
+
+  std::uint64_t seed = 0;
+  std::string version;
+};
+
+using MetricValue = std::variant<bool, int, double, std::uint64_t, std::string, Quantiles>;
+
+/// All metrics under their names, in the order above.
+[[nodiscard]] std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metrics);
+
+/// One JSON object, {"succeeded":true, …, "tick_us":{"median":…,"p99":…,"max":…}, …}; NaN becomes
+/// null.
+[[nodiscard]] std::string to_json(const Metrics& metrics);
+
+}  // namespace surefoot

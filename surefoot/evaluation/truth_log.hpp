@@ -1,0 +1,22 @@
+#pragma once
+
+#include "surefoot/logging/recorder.hpp"
+#include "surefoot/simulation/ground_truth.hpp"
+
+namespace surefoot {
+
+/// The log's channel `/truth`: what the simulator knows and the controller does not, with MuJoCo's
+/// qpos, qvel and ctrl, so that stock MuJoCo can show and check the run.
+class TruthLog {
+ public:
+  /// Adds the channel; before the recorder's first tick.
+  explicit TruthLog(Recorder& recorder);
+
+  void record(const GroundTruth& truth);
+
+ private:
+  Recorder& recorder_;
+  Recorder::Channel channel_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace surefoot {
+
+/// What is not JSON, or not of the kind that was asked for.
+struct JsonError {
+  std::string what;
+};
+
+/// Reads JSON from front to back without building a tree: fast enough for each message of a log.
+/// Every read throws JsonError where the text is something else.
+class JsonCursor {
+ public:
+  explicit JsonCursor(std::string_view text) : text_(text) {}
+
+  /// The next byte that is not white space; '\0' at the end.
+  [[nodiscard]] char peek();
+  /// Takes this byte.
+  void expect(char c);
+  /// Takes this byte if it is the next.
+  [[nodiscard]] bool accept(char c);
+
+  /// A number; null is NaN.
+  [[nodiscard]] double number();
+  [[nodiscard]] bool truth();
+  [[nodiscard]] std::string string();
+  /// A member's name with its colon, as it stands between the quotes.
+  [[nodiscard]] std::string_view key();
+  /// Passes over any value.
+  void skip();
+
+  [[nodiscard]] std::size_t position() const { return position_; }
+  void go_to(std::size_t position) { position_ = position; }
+
+ private:
+  [[nodiscard]] bool accept_word(std::string_view word);
+  [[nodiscard]] std::string_view quoted();
+  [[noreturn]] void fail(const char* expected) const;
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace surefoot {
+
+/// Version of the log's topics and fields: the first number changes when a reader must change.
+inline constexpr std::string_view kLogVersion = "1.0";
+
+/// What the report needs to know of the robot and its limits.
+struct LogRobot {
+  std::string name;
+  std::array<std::string, kNumJoints> joint_names;  ///< of the URDF, joint j of leg k at 3 k + j
+  JointVector torque_limit = JointVector::Constant(kNaN);  ///< [N·m]
+  double mass = kNaN;                                      ///< [kg]
+  double max_leg_length = kNaN;                            ///< [m]
+  double foot_radius = kNaN;                               ///< [m]
+};
+
+/// Limits of the distance between hip and foot (Eq. 35), as the stack has them; NaN: no such level.
+struct LogLimbLimits {
+  int level = -1;                 ///< of the hierarchy, counted from 0
+  std::string form;               ///< "radial" or "vertical"
+  double min = kNaN, max = kNaN;  ///< [m]
+};
+
+/// A file that the run was made from, kept in the log as an attachment.
+struct LogAttachment {
+  std::string name, media_type, data;
+};
+
+/// What a log says of its run before the first tick. Nothing in it may depend on when or where it
+/// ran.
+struct LogHeader {
+  std::string version;          ///< of the program
+  std::string scenario, stack;  ///< names
+  std::string estimation;       ///< e.g. "truth"
+  std::string options;          ///< everything that was set, as JSON; empty: none
+  std::uint64_t seed = 0;
+  double control_period = 0.0025;        ///< [s]
+  std::vector<std::string> level_names;  ///< of the hierarchy, highest first
+  std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
+  LogRobot robot;
+  LogLimbLimits limb;
+  std::vector<std::string> notes;  ///< e.g. what was changed in the robot's model
+  /// The physics model as MJCF, stack, scenario and robot as they were read.
+  std::vector<LogAttachment> attachments;
+
+  /// Name of an inequality row by its level and its id in that level; called on the recorder's
+  /// thread. Not part of the file: the rows' names stand in the hierarchy messages.
+  std::function<std::string(int level, std::int32_t id)> row_name;
+};
+
+/// The header as JSON, without the attachments.
+[[nodiscard]] std::string to_json(const LogHeader& header);
+
+}  // namespace surefoot

@@ -1,0 +1,144 @@
+#include "surefoot/logging/log_reader.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/message_decoder.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kHeaderName = "header.json";
+constexpr std::string_view kSummaryName = "summary.json";
+
+double number(const json& value) { return value.is_null() ? kNaN : value.get<double>(); }
+
+LogRobot parse_robot(const json& robot) {
+  LogRobot result;
+  result.name = robot.at("name").get<std::string>();
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    result.joint_names[i] = robot.at("joint_names").at(i).get<std::string>();
+    result.torque_limit[static_cast<Eigen::Index>(i)] = number(robot.at("torque_limit").at(i));
+  }
+  result.mass = number(robot.at("mass"));
+  result.max_leg_length = number(robot.at("max_leg_length"));
+  result.foot_radius = number(robot.at("foot_radius"));
+  return result;
+}
+
+LogHeader parse_header(const json& header) {
+  LogHeader result;
+  result.version = header.at("version").get<std::string>();
+  result.scenario = header.at("scenario").get<std::string>();
+  result.stack = header.at("stack").get<std::string>();
+  result.estimation = header.at("estimation").get<std::string>();
+  if (!header.at("options").is_null()) result.options = header.at("options").dump();
+  result.seed = header.at("seed").get<std::uint64_t>();
+  result.control_period = number(header.at("control_period"));
+  result.level_names = header.at("level_names").get<std::vector<std::string>>();
+  result.event_names = header.at("event_names").get<std::vector<std::string>>();
+  result.robot = parse_robot(header.at("robot"));
+  const json& limb = header.at("limb");
+  result.limb = {limb.at("level").get<int>(), limb.at("form").get<std::string>(), number(limb.at("min")),
+                 number(limb.at("max"))};
+  result.notes = header.at("notes").get<std::vector<std::string>>();
+  return result;
+}
+
+HierarchyReport without_names(const logged::Hierarchy& named) {
+  HierarchyReport report;
+  report.status = named.status;
+  report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
+  report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
+    report.levels[i] = named.levels[i].report;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
+    const logged::Row& row = named.active[i];
+    const auto level =
+        std::find_if(named.levels.begin(), named.levels.end(),
+                     [&](const logged::Level& one) { return one.name == row.level; });
+    report.active[i] = {.level = static_cast<std::int16_t>(level - named.levels.begin()),
+                        .state = static_cast<std::int16_t>(row.state),
+                        .id = row.id};
+  }
+  return report;
+}
+
+}  // namespace
+
+LogReader::LogReader(const std::string& path, Other other)
+    : path_(path), file_(path), other_(std::move(other)) {
+  const auto header = file_.attachments().find(std::string(kHeaderName));
+  if (header == file_.attachments().end()) {
+    throw FileError(path + ": an MCAP file, but it does not begin with a header of surefoot");
+  }
+  try {
+    const json parsed = json::parse(header->second);
+    const auto version = parsed.at("log_version").get<std::string>();
+    if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
+      throw FileError(path + ": log version " + version + "; this program reads " +
+                      std::string(kLogVersion));
+    }
+    header_ = parse_header(parsed);
+  } catch (const json::exception& error) {
+    throw FileError(path + ": its header.json is not what it should be: " + error.what());
+  }
+  for (const auto& [name, data] : file_.attachments()) {
+    if (name != kHeaderName && name != kSummaryName)
+      header_.attachments.push_back({name, "", data});
+  }
+}
+
+bool LogReader::next(TickRecord& tick) {
+  McapMessage message;
+  try {
+    while (file_.next(message)) {
+      if (take(message, tick)) return true;
+    }
+  } catch (const JsonError& error) {
+    throw FileError(path_ + ": a message on " + message.channel->topic +
+                    " is not what it should be: " + error.what);
+  }
+  return false;
+}
+
+// True when the message completes a tick.
+bool LogReader::take(const McapMessage& message, TickRecord& tick) {
+  const std::string& topic = message.channel->topic;
+  const auto decode = [&](auto& signal) { logged::Decoder::decode(message.data, signal); };
+  if (topic == "/readings") {
+    decode(tick.reading);
+  } else if (topic == "/user") {
+    decode(tick.user);
+  } else if (topic == "/state") {
+    decode(tick.state);
+  } else if (topic == "/plan") {
+    decode(tick.plan);
+  } else if (topic == "/model") {
+    decode(tick.model);
+  } else if (topic == "/hierarchy") {
+    logged::Hierarchy named;
+    decode(named);
+    tick.hierarchy = without_names(named);
+    for (const logged::Row& row : named.active) row_names_.try_emplace(row.id, row.row);
+  } else if (topic == "/command") {
+    decode(tick.command);
+  } else if (topic == "/timings") {
+    decode(timings_.emplace_back());
+  } else if (other_) {
+    other_(message);
+  }
+  return topic == "/command";
+}
+
+std::string LogReader::summary() const {
+  const auto summary = file_.attachments().find(std::string(kSummaryName));
+  return summary == file_.attachments().end() ? "" : summary->second;
+}
+
+}  // namespace surefoot

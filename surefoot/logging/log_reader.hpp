@@ -1,0 +1,53 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/logging/mcap_reader.hpp"
+#include "surefoot/signals/tick_record.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Reads a recorder's log tick by tick, also one that was cut off.
+class LogReader {
+ public:
+  using Other = std::function<void(const McapMessage&)>;
+
+  /// Throws FileError if the file is missing, empty, not MCAP, not a log of ours or of another
+  /// version.
+  /// `other` gets the messages on channels that are not the recorder's own, such as /truth, as they
+  /// come.
+  explicit LogReader(const std::string& path, Other other = {});
+
+  /// What the recorder was given, without `row_name`.
+  [[nodiscard]] const LogHeader& header() const { return header_; }
+
+  /// The next tick; false after the last whole one. Throws FileError if a message is not what its
+  /// schema says.
+  [[nodiscard]] bool next(TickRecord& tick);
+
+  /// After the last tick.
+  [[nodiscard]] const std::vector<TickTiming>& timings() const { return timings_; }
+  /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
+  /// one.
+  [[nodiscard]] std::string summary() const;
+  /// Names of the inequality rows that were active in the ticks read so far, by id.
+  [[nodiscard]] const std::map<std::int32_t, std::string>& row_names() const { return row_names_; }
+  [[nodiscard]] bool complete() const { return file_.complete(); }
+  [[nodiscard]] const std::string& problem() const { return file_.problem(); }
+
+ private:
+  bool take(const McapMessage& message, TickRecord& tick);
+
+  std::string path_;
+  McapReader file_;
+  Other other_;
+  LogHeader header_;
+  std::vector<TickTiming> timings_;
+  std::map<std::int32_t, std::string> row_names_;
+};
+
+}  // namespace surefoot

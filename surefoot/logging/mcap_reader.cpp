@@ -1,0 +1,241 @@
+#include "surefoot/logging/mcap_reader.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/crc32.hpp"
+#include "surefoot/logging/mcap_format.hpp"
+
+#include <zstd.h>
+
+#include <concepts>
+#include <filesystem>
+
+namespace surefoot {
+namespace {
+
+using mcap::Opcode;
+
+// What a record claims does not fit into its bytes.
+struct Malformed {
+  const char* what;
+};
+
+constexpr std::uint64_t kLargestChunk = 1ull << 30;
+constexpr std::size_t kRecordHead = 9;  // opcode and length
+
+// Takes values from the front of some bytes.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view bytes) : rest_(bytes) {}
+
+  std::string_view bytes(std::uint64_t count) {
+    if (count > rest_.size()) throw Malformed{"a record is shorter than it says"};
+    const std::string_view taken = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+    return taken;
+  }
+
+  template <std::unsigned_integral Integer>
+  Integer number() {
+    Integer result = 0;
+    unsigned shift = 0;
+    for (const char byte : bytes(sizeof(Integer))) {
+      result = static_cast<Integer>(result | static_cast<Integer>(static_cast<unsigned char>(byte))
+                                                 << shift);
+      shift += 8;
+    }
+    return result;
+  }
+
+  std::string text() { return std::string(bytes(number<std::uint32_t>())); }
+
+  std::map<std::string, std::string> map() {
+    Cursor entries(bytes(number<std::uint32_t>()));
+    std::map<std::string, std::string> result;
+    while (!entries.rest_.empty()) {
+      const std::string key = entries.text();
+      result[key] = entries.text();
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+};
+
+std::string decompress(std::string_view compressed, const std::string& compression,
+                       std::uint64_t size) {
+  if (size > kLargestChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
+  if (compression.empty()) return std::string(compressed);
+  if (compression != "zstd") throw Malformed{"a chunk is not compressed with zstd"};
+  std::string out(size, '\0');
+  const std::size_t written =
+      ZSTD_decompress(out.data(), out.size(), compressed.data(), compressed.size());
+  if (ZSTD_isError(written) != 0u || written != size)
+    throw Malformed{"a chunk can't be decompressed"};
+  return out;
+}
+
+}  // namespace
+
+McapReader::McapReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || !file_) {
+    throw FileError(path + ": no such file, or it can't be read; a log (.mcap) would be valid");
+  }
+  size_ = std::filesystem::file_size(path);
+  if (size_ == 0) throw FileError(path + ": the file is empty; a log (.mcap) would be valid");
+  std::string magic(mcap::kMagic.size(), '\0');
+  file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  offset_ = magic.size();
+  const auto got = static_cast<std::size_t>(file_.gcount());
+  if (magic.substr(0, got) != mcap::kMagic.substr(0, got)) {
+    throw FileError(path + ": not an MCAP file; a log made by surefoot (.mcap) would be valid");
+  }
+  if (got < magic.size()) stop("cut off in its first bytes");
+  while (rest_.empty() && read_record()) {
+  }
+}
+
+bool McapReader::next(McapMessage& message) {
+  try {
+    do {
+      while (!rest_.empty()) {
+        if (take_from_chunk(message)) return true;
+      }
+    } while (read_record());
+  } catch (const Malformed& malformed) {
+    stop(malformed.what);
+  }
+  return false;
+}
+
+// Reads one record outside of chunks; false at the end.
+bool McapReader::read_record() {
+  if (ended_) return false;
+  std::string head(kRecordHead, '\0');
+  if (size_ - offset_ < kRecordHead || !file_.read(head.data(), kRecordHead)) {
+    stop("cut off");
+    return false;
+  }
+  Cursor cursor(head);
+  const auto opcode = cursor.number<std::uint8_t>();
+  const auto length = cursor.number<std::uint64_t>();
+  if (length > size_ - offset_ - kRecordHead) {
+    stop("cut off");
+    return false;
+  }
+  record_.resize(length);
+  if (!file_.read(record_.data(), static_cast<std::streamsize>(length))) {
+    stop("can't be read further");
+    return false;
+  }
+  try {
+    chunk_offset_ = offset_;
+    take(opcode, record_);
+  } catch (const Malformed& malformed) {
+    stop(malformed.what);
+    return false;
+  }
+  offset_ += kRecordHead + length;
+  return !ended_;
+}
+
+void McapReader::take(std::uint8_t opcode, std::string_view content) {
+  Cursor cursor(content);
+  switch (static_cast<Opcode>(opcode)) {
+    case Opcode::schema: {
+      const auto id = cursor.number<std::uint16_t>();
+      schemas_[id] = cursor.text();
+      break;
+    }
+    case Opcode::channel: {
+      const auto id = cursor.number<std::uint16_t>();
+      const auto schema = cursor.number<std::uint16_t>();
+      const std::string topic = cursor.text();
+      const std::string encoding = cursor.text();
+      channels_[id] = {topic, schemas_[schema], encoding, cursor.map()};
+      break;
+    }
+    case Opcode::message: {  // outside of a chunk: a chunk of its own
+      const auto length = static_cast<std::uint64_t>(content.size());
+      chunk_.assign(1, static_cast<char>(opcode));
+      for (unsigned shift = 0; shift < 64; shift += 8)
+        chunk_ += static_cast<char>((length >> shift) & 0xFF);
+      chunk_ += content;
+      rest_ = chunk_;
+      break;
+    }
+    case Opcode::chunk:
+      open_chunk(content);
+      break;
+    case Opcode::attachment: {
+      cursor.bytes(16);  // dates
+      const std::string name = cursor.text();
+      cursor.text();
+      const std::string_view data = cursor.bytes(cursor.number<std::uint64_t>());
+      const auto crc = cursor.number<std::uint32_t>();
+      if (crc != 0 && crc != crc32(content.substr(0, content.size() - sizeof(crc)))) {
+        throw Malformed{"the checksum of an attachment is wrong"};
+      }
+      attachments_[name] = data;
+      break;
+    }
+    case Opcode::metadata: {
+      const std::string name = cursor.text();
+      metadata_[name] = cursor.map();
+      break;
+    }
+    case Opcode::footer: {
+      std::string magic(mcap::kMagic.size(), '\0');
+      file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+      if (!file_ || magic != mcap::kMagic) throw Malformed{"cut off"};
+      complete_ = ended_ = true;
+      break;
+    }
+    default:  // indices, which are not needed here, and records of later versions
+      break;
+  }
+}
+
+void McapReader::open_chunk(std::string_view content) {
+  Cursor cursor(content);
+  cursor.bytes(16);  // times
+  const auto size = cursor.number<std::uint64_t>();
+  const auto crc = cursor.number<std::uint32_t>();
+  const std::string compression = cursor.text();
+  chunk_ = decompress(cursor.bytes(cursor.number<std::uint64_t>()), compression, size);
+  if (crc != 0 && crc != crc32(chunk_)) throw Malformed{"the checksum of a chunk is wrong"};
+  rest_ = chunk_;
+}
+
+// Takes one record from the open chunk; true if it is a message.
+bool McapReader::take_from_chunk(McapMessage& message) {
+  Cursor cursor(rest_);
+  const auto opcode = cursor.number<std::uint8_t>();
+  const std::string_view content = cursor.bytes(cursor.number<std::uint64_t>());
+  rest_ = cursor.rest();
+  if (static_cast<Opcode>(opcode) != Opcode::message) {
+    take(opcode, content);
+    return false;
+  }
+  Cursor fields(content);
+  const auto channel = channels_.find(fields.number<std::uint16_t>());
+  if (channel == channels_.end()) throw Malformed{"a message's channel is unknown"};
+  fields.bytes(4);  // sequence
+  message.channel = &channel->second;
+  message.log_time = fields.number<std::uint64_t>();
+  fields.bytes(8);  // publish time
+  message.data = fields.rest();
+  return true;
+}
+
+void McapReader::stop(const std::string& why) {
+  ended_ = true;
+  rest_ = {};
+  problem_ = path_ + ": " + why + " at byte " + std::to_string(offset_) + " of " +
+             std::to_string(size_) + "; everything before it was read";
+}
+
+}  // namespace surefoot

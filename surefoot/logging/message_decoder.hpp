@@ -1,0 +1,145 @@
+#pragma once
+
+#include "surefoot/logging/json_cursor.hpp"
+#include "surefoot/logging/message_codec.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace surefoot::logged {
+
+/// Reads a signal from its JSON message, by `fields`. Members that the message has not keep their
+/// value and those that the signal has not are passed over, so that logs of other minor versions
+/// can be read. Throws JsonError where the message is something else.
+class Decoder {
+ public:
+  template <typename T>
+  static void decode(std::string_view message, T& signal) {
+    JsonCursor json(message);
+    value(json, signal);
+  }
+
+  /// Called by `fields` for each member.
+  template <typename T>
+  void operator()(std::string_view name, T& content, std::string_view) {
+    if (find(name)) {
+      value(json_, content);
+      next_ = json_.position();
+    }
+  }
+
+ private:
+  // `json` stands behind the opening brace.
+  explicit Decoder(JsonCursor& json)
+      : json_(json), first_(json.position()), next_(json.position()) {}
+
+  // Goes to the value of a member. It is most likely the one behind the member that was read last.
+  bool find(std::string_view name) {
+    json_.go_to(next_);
+    if (find_before_end(name)) return true;
+    json_.go_to(first_);
+    return find_before_end(name);
+  }
+
+  bool find_before_end(std::string_view name) {
+    while (true) {
+      static_cast<void>(json_.accept(','));
+      if (json_.peek() == '}') return false;
+      if (json_.key() == name) return true;
+      json_.skip();
+    }
+  }
+
+  void leave() {
+    json_.go_to(next_);
+    while (!json_.accept('}')) {
+      static_cast<void>(json_.accept(','));
+      if (json_.peek() == '}') continue;
+      static_cast<void>(json_.key());
+      json_.skip();
+    }
+  }
+
+  template <typename T>
+  static void value(JsonCursor& json, T& content) {
+    if constexpr (std::same_as<T, bool>) {
+      content = json.truth();
+    } else if constexpr (std::integral<T>) {
+      content = integer<T>(json.number());
+    } else if constexpr (Number<T>) {
+      content = json.number();
+    } else if constexpr (std::same_as<T, std::string>) {
+      content = json.string();
+    } else if constexpr (Name<T>) {
+      content = enumerator(json.string(), content);
+    } else if constexpr (std::same_as<T, Quat>) {
+      Eigen::Vector4d wxyz;
+      value(json, wxyz);
+      content = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    } else if constexpr (Matrix<T>) {
+      matrix(json, content);
+    } else if constexpr (kIsPerLeg<T>) {
+      json.expect('{');
+      Decoder decoder(json);
+      for (const Leg leg : kLegs) decoder(kLegNames[index(leg)], content[index(leg)], "");
+      decoder.leave();
+    } else if constexpr (kIsList<T>) {
+      list(json, content);
+    } else {
+      json.expect('{');
+      Decoder decoder(json);
+      fields(decoder, content);
+      decoder.leave();
+    }
+  }
+
+  template <typename T>
+  static void matrix(JsonCursor& json, T& content) {
+    json.expect('[');
+    for (Eigen::Index i = 0; i < content.rows(); ++i) {
+      if (i > 0) json.expect(',');
+      if constexpr (T::ColsAtCompileTime == 1) {
+        content[i] = json.number();
+      } else {
+        Eigen::Vector<double, T::ColsAtCompileTime> row;
+        matrix(json, row);
+        content.row(i) = row;
+      }
+    }
+    json.expect(']');
+  }
+
+  template <typename T>
+  static void list(JsonCursor& json, T& content) {
+    content.clear();
+    json.expect('[');
+    if (json.accept(']')) return;
+    do {
+      value(json, content.emplace_back());
+    } while (json.accept(','));
+    json.expect(']');
+  }
+
+  template <typename T>
+  static T integer(double number) {
+    const bool fits = number >= static_cast<double>(std::numeric_limits<T>::min()) &&
+                      number <= static_cast<double>(std::numeric_limits<T>::max());
+    if (!fits) throw JsonError{"expected an integer"};
+    return static_cast<T>(number);
+  }
+
+  template <typename T>
+  static T enumerator(const std::string& name, T any) {
+    const auto& all = names(any);
+    const auto found = std::find(all.begin(), all.end(), name);
+    if (found == all.end()) throw JsonError{"unknown value \"" + name + "\""};
+    return static_cast<T>(found - all.begin());
+  }
+
+  JsonCursor& json_;
+  std::size_t first_, next_;  // behind the opening brace, and behind the last member that was read
+};
+
+}  // namespace surefoot::logged

@@ -1,0 +1,174 @@
+#pragma once
+
+#include "surefoot/signals/tick_record.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+/// What the log's messages hold. Each signal is described here once, field by field with unit and
+/// frame; encoder, schema and decoder (message_codec.hpp) all follow these functions.
+namespace surefoot::logged {
+
+/// One level of the hierarchy, under its name.
+struct Level {
+  std::string name;
+  LevelReport report;
+};
+
+/// An inequality row at or beyond a bound, under its name.
+struct Row {
+  std::string level, row;
+  std::int32_t id = 0;
+  std::int32_t state = 0;
+};
+
+/// HierarchyReport, with names.
+struct Hierarchy {
+  std::int32_t status = 0;
+  std::vector<Level> levels;
+  std::vector<Row> active;
+};
+
+inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloading", "swing",
+                                                             "search"};
+inline constexpr std::array<std::string_view, 4> kModeNames{"optimal", "degraded", "hold",
+                                                            "damping"};
+
+/// `T` or `const T`: the encoder reads what the decoder writes.
+template <typename T, typename Described>
+concept Is = std::same_as<std::remove_const_t<T>, Described>;
+
+template <typename Archive, Is<SensorReading> T>
+void fields(Archive& field, T& reading) {
+  field("time", reading.time, "since the start of the run [s]");
+  field("q", reading.q, "joint positions, encoders [rad]");
+  field("torque", reading.torque, "measured joint torques [N·m]");
+  field("gyro", reading.gyro, "angular velocity of the base, in B [rad/s]");
+  field("accelerometer", reading.accelerometer, "specific force of the base, in B [m/s²]");
+  field("foot_force", reading.foot_force, "normal force of a foot sensor [N]; null without one");
+}
+
+template <typename Archive, Is<UserCommand> T>
+void fields(Archive& field, T& user) {
+  field("walk", user.walk, "false: stand on four feet");
+  field("velocity", user.velocity, "forward and lateral, in C [m/s]");
+  field("yaw_rate", user.yaw_rate, "[rad/s]");
+  field("height", user.height, "offset to the nominal torso height [m]");
+}
+
+template <typename Archive, Is<RobotState> T>
+void fields(Archive& field, T& state) {
+  field("time", state.time, "[s]");
+  field("p_WB", state.p_WB, "base position in W [m]");
+  field("q_WB", state.q_WB, "base orientation as quaternion w, x, y, z; takes B coordinates to W");
+  field("v_WB", state.v_WB, "base velocity in W [m/s]");
+  field("w_WB_B", state.w_WB_B, "base angular velocity in B [rad/s]");
+  field("q", state.q, "joint positions [rad]");
+  field("qd", state.qd, "joint velocities [rad/s]");
+  field("torque", state.torque, "measured joint torques [N·m]");
+  field("foot_force", state.foot_force, "estimated ground force on each foot, in W [N]");
+}
+
+template <typename Archive, Is<FootPlan> T>
+void fields(Archive& field, T& foot) {
+  field("phase", foot.phase, "what the leg is doing; stance and unloading carry force");
+  field("p_WF", foot.p_WF,
+        "reference of the foot sphere's centre in W; of a stance foot its foothold [m]");
+  field("v_WF", foot.v_WF, "[m/s]");
+  field("a_WF", foot.a_WF, "[m/s²]");
+  field("force_min", foot.force_min, "lower limit of the normal force, Eq. (30) [N]");
+  field("force_max", foot.force_max, "upper limit of the normal force, Eq. (30) [N]");
+}
+
+template <typename Archive, Is<TorsoPlan> T>
+void fields(Archive& field, T& torso) {
+  field("q_WB", torso.q_WB, "desired orientation as quaternion w, x, y, z");
+  field("w_WB", torso.w_WB, "desired angular velocity, in W [rad/s]");
+  field("wdot_WB", torso.wdot_WB, "desired angular acceleration, in W [rad/s²]");
+  field("height", torso.height, "desired z of the base in W [m]");
+  field("height_rate", torso.height_rate, "[m/s]");
+  field("height_acceleration", torso.height_acceleration, "[m/s²]");
+}
+
+template <typename Archive, Is<ComPlan> T>
+void fields(Archive& field, T& com) {
+  field("p", com.p, "desired x and y of the centre of mass in W [m]");
+  field("v", com.v, "[m/s]");
+  field("a", com.a, "[m/s²]");
+  field("zmp", com.zmp, "zero-moment point that goes with it, in W [m]");
+}
+
+template <typename Archive, Is<MotionPlan> T>
+void fields(Archive& field, T& plan) {
+  field("time", plan.time, "[s]");
+  field("feet", plan.feet, "reference of each foot");
+  field("torso", plan.torso, "reference of the torso");
+  field("com", plan.com, "reference of the centre of mass");
+  field("R_WC", plan.R_WC,
+        "control frame C in W, row by row: z along the terrain normal, x the heading");
+  field("terrain_point", plan.terrain_point,
+        "a point of the terrain plane, at sphere-centre height, in W [m]");
+  field("friction", plan.friction, "coefficient that the contact forces may use");
+  field("com_zmp_slack", plan.com_zmp_slack, "how far the plan's ZMP had to leave the polygon [m]");
+  field("event", plan.event, "what the planner did at this tick, 0 nothing");
+}
+
+template <typename Archive, Is<ModelRecord> T>
+void fields(Archive& field, T& model) {
+  field("p_WCom", model.p_WCom, "centre of mass in W, of the believed state [m]");
+  field("v_WCom", model.v_WCom, "[m/s]");
+  field("p_WF", model.p_WF, "centres of the foot spheres in W [m]");
+  field("p_WH", model.p_WH, "hips in W [m]");
+  field("force", model.force, "contact forces of the solution, on each foot in W [N]");
+}
+
+template <typename Archive, Is<Level> T>
+void fields(Archive& field, T& level) {
+  field("name", level.name, "of the level, highest priority first");
+  field("residual", level.report.residual,
+        "root of the summed squared violations, in the rows' unit");
+  field("degrees_of_freedom_left", level.report.degrees_of_freedom_left,
+        "of the null space below this level");
+  field("iterations", level.report.iterations, "of the active-set method");
+  field("num_rows", level.report.num_rows, "");
+  field("num_active", level.report.num_active, "inequality rows at or beyond a bound");
+}
+
+template <typename Archive, Is<Row> T>
+void fields(Archive& field, T& row) {
+  field("level", row.level, "name of its level");
+  field("row", row.row, "name of the row");
+  field("id", row.id, "identifies the row across ticks");
+  field("state", row.state, "-1 and 1: held at its lower or upper bound; -3 and 3: beyond it");
+}
+
+template <typename Archive, Is<Hierarchy> T>
+void fields(Archive& field, T& hierarchy) {
+  field("status", hierarchy.status, "0 optimal, 1 ended at the iteration cap, 2 invalid input");
+  field("levels", hierarchy.levels, "how each level came out");
+  field("active", hierarchy.active, "inequality rows at or beyond a bound");
+}
+
+template <typename Archive, Is<JointCommand> T>
+void fields(Archive& field, T& command) {
+  field("time", command.time, "[s]");
+  field("torque", command.torque, "joint torques [N·m]");
+  field("mode", command.mode, "rung of the safety ladder that made the command");
+}
+
+template <typename Archive, Is<TickTiming> T>
+void fields(Archive& field, T& timing) {
+  field("time", timing.time, "of the tick [s]");
+  field("estimate", timing.estimate, "wall-clock time of the stage [µs]");
+  field("plan", timing.plan, "[µs]");
+  field("model", timing.model, "[µs]");
+  field("stack", timing.stack, "[µs]");
+  field("solve", timing.solve, "[µs]");
+  field("total", timing.total, "[µs]");
+}
+
+}  // namespace surefoot::logged

@@ -1,0 +1,180 @@
+#include "surefoot/simulation/check_options.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/simulation/text.hpp"
+
+#include <cmath>
+
+namespace surefoot::simulation {
+
+namespace {
+
+// Heavier grids than this take minutes to compile and gigabytes to hold.
+constexpr int kMaxGridPoints = 4'000'000;
+constexpr double kMaxRandomBoxes = 20'000.0;
+
+void require(bool valid, const std::string& name, double given, const std::string& expected) {
+  if (!valid) throw Error(text(name, " is ", given, "; it must be ", expected));
+}
+
+void require_finite(const std::string& name, double value) {
+  require(std::isfinite(value), name, value, "a finite number");
+}
+
+template <typename Vector>
+void require_all_finite(const std::string& name, const Vector& value) {
+  for (Eigen::Index i = 0; i < value.size(); ++i) require_finite(text(name, "[", i, "]"), value[i]);
+}
+
+void require_positive(const std::string& name, double value) {
+  require(std::isfinite(value) && value > 0.0, name, value, "a finite number above 0");
+}
+
+void require_not_negative(const std::string& name, double value) {
+  require(std::isfinite(value) && value >= 0.0, name, value, "0 or a finite number above");
+}
+
+void check(const std::string& name, const TerrainBox& box) {
+  require_all_finite(name + ".position", box.position);
+  for (Eigen::Index i = 0; i < 3; ++i) require_positive(text(name, ".size[", i, "]"), box.size[i]);
+  require_all_finite(name + ".rpy", box.rpy);
+  require_finite(name + ".friction", box.friction);
+}
+
+void check(const std::string& name, const TerrainPlane& plane) {
+  require_all_finite(name + ".position", plane.position);
+  require_all_finite(name + ".rpy", plane.rpy);
+  require_finite(name + ".friction", plane.friction);
+}
+
+void check_grid(const std::string& name, const TerrainHeightField& field) {
+  const bool automatic = field.heights.empty() && field.columns == 0 && field.rows == 0;
+  if (automatic) return;
+  require(field.columns >= 2, name + ".columns", field.columns, "at least 2");
+  require(field.rows >= 2, name + ".rows", field.rows, "at least 2");
+  require(field.columns <= kMaxGridPoints / field.rows, name + ".columns", field.columns,
+          text("at most ", kMaxGridPoints, " points with rows"));
+  const std::size_t points =
+      static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  if (!field.heights.empty() && field.heights.size() != points) {
+    throw Error(text(name, ".heights has ", field.heights.size(), " numbers; rows × columns is ",
+                     field.rows, " × ", field.columns, " = ", points));
+  }
+}
+
+void check(const std::string& name, const TerrainHeightField& field) {
+  require_all_finite(name + ".position", field.position);
+  require_positive(name + ".size_x", field.size_x);
+  require_positive(name + ".size_y", field.size_y);
+  require_not_negative(name + ".amplitude", field.amplitude);
+  require_positive(name + ".wavelength", field.wavelength);
+  require_finite(name + ".friction", field.friction);
+  check_grid(name, field);
+  for (std::size_t i = 0; i < field.heights.size(); ++i) {
+    require_finite(text(name, ".heights[", i, "]"), field.heights[i]);
+  }
+}
+
+void check(const std::string& name, const TerrainRandomBoxes& boxes) {
+  require_all_finite(name + ".position", boxes.position);
+  require_positive(name + ".size_x", boxes.size_x);
+  require_positive(name + ".size_y", boxes.size_y);
+  require_positive(name + ".cell", boxes.cell);
+  const double count = (boxes.size_x / boxes.cell) * (boxes.size_y / boxes.cell);
+  require(count <= kMaxRandomBoxes, name + ".cell", boxes.cell,
+          text("large enough for at most ", kMaxRandomBoxes, " boxes"));
+  require_not_negative(name + ".max_height", boxes.max_height);
+  require_finite(name + ".friction", boxes.friction);
+}
+
+void check(const TerrainOptions& terrain) {
+  require_not_negative("terrain.friction", terrain.friction);
+  for (std::size_t i = 0; i < terrain.elements.size(); ++i) {
+    const std::string name = text("terrain.elements[", i, "]");
+    std::visit([&name](const auto& element) { check(name, element); }, terrain.elements[i]);
+  }
+}
+
+void check(const ContactOptions& contact, double timestep) {
+  require(std::isfinite(contact.solref_time) && contact.solref_time >= 2.0 * timestep,
+          "contact.solref_time", contact.solref_time,
+          text("at least two timesteps, ", 2.0 * timestep, " s"));
+  require_positive("contact.solref_damping", contact.solref_damping);
+  require(contact.solimp_min > 0.0 && contact.solimp_min < 1.0, "contact.solimp_min",
+          contact.solimp_min, "between 0 and 1");
+  require(contact.solimp_max >= contact.solimp_min && contact.solimp_max < 1.0,
+          "contact.solimp_max", contact.solimp_max, "between solimp_min and 1");
+  require_positive("contact.solimp_width", contact.solimp_width);
+  require_positive("contact.impratio", contact.impratio);
+}
+
+void check(const ActuatorOptions& actuators) {
+  require(actuators.delay_ticks >= 0 && actuators.delay_ticks <= 1000, "actuators.delay_ticks",
+          actuators.delay_ticks, "between 0 and 1000");
+  require_positive("actuators.bandwidth_hz", actuators.bandwidth_hz);
+  require_positive("actuators.stall_torque", actuators.stall_torque);
+  require_positive("actuators.no_load_speed", actuators.no_load_speed);
+  require_not_negative("actuators.quantisation", actuators.quantisation);
+  require_positive("actuators.torque_gain", actuators.torque_gain);
+}
+
+void check(const SensorOptions& sensors) {
+  require_not_negative("sensors.encoder_resolution", sensors.encoder_resolution);
+  require_not_negative("sensors.torque_noise", sensors.torque_noise);
+  require_not_negative("sensors.gyro_noise", sensors.gyro_noise);
+  require_not_negative("sensors.gyro_bias", sensors.gyro_bias);
+  require_not_negative("sensors.accelerometer_noise", sensors.accelerometer_noise);
+  require_not_negative("sensors.accelerometer_bias", sensors.accelerometer_bias);
+  require_positive("sensors.rate_hz", sensors.rate_hz);
+  require_not_negative("sensors.foot_force_noise", sensors.foot_force_noise);
+}
+
+void check(const DisturbanceOptions& disturbances) {
+  for (std::size_t i = 0; i < disturbances.pushes.size(); ++i) {
+    const Push& push = disturbances.pushes[i];
+    const std::string name = text("disturbances.pushes[", i, "]");
+    require_not_negative(name + ".time", push.time);
+    require_positive(name + ".duration", push.duration);
+    require_all_finite(name + ".force", push.force);
+  }
+  require_not_negative("disturbances.payload.mass", disturbances.payload.mass);
+  require_all_finite("disturbances.payload.position", disturbances.payload.position);
+  require_positive("disturbances.base_mass_scale", disturbances.base_mass_scale);
+  require_positive("disturbances.leg_mass_scale", disturbances.leg_mass_scale);
+  require_all_finite("disturbances.base_com_offset", disturbances.base_com_offset);
+}
+
+void check(const InitialState& initial) {
+  require_finite("initial.position[0]", initial.position.x());
+  require_finite("initial.position[1]", initial.position.y());
+  require(!std::isinf(initial.position.z()), "initial.position[2]", initial.position.z(),
+          "finite, or NaN for feet on the terrain");
+  require_finite("initial.yaw", initial.yaw);
+  require_all_finite("initial.q", initial.q);
+}
+
+}  // namespace
+
+int steps_per_period(const PlantOptions& options) {
+  const double steps = std::round(options.control_period / options.timestep);
+  const bool whole = steps >= 1.0 && steps <= 1e6 &&
+                     std::abs(steps * options.timestep - options.control_period) <=
+                         1e-6 * options.timestep;
+  require(whole, "control_period", options.control_period,
+          text("a whole multiple of the timestep, ", options.timestep, " s"));
+  return static_cast<int>(steps);
+}
+
+void check_options(const PlantOptions& options) {
+  require_positive("timestep", options.timestep);
+  require_positive("control_period", options.control_period);
+  static_cast<void>(steps_per_period(options));
+  check(options.terrain);
+  check(options.contact, options.timestep);
+  check(options.actuators);
+  check(options.sensors);
+  check(options.disturbances);
+  check(options.initial);
+}
+
+}  // namespace surefoot::simulation

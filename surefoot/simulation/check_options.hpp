@@ -1,0 +1,13 @@
+#pragma once
+
+#include "surefoot/simulation/plant_options.hpp"
+
+namespace surefoot::simulation {
+
+/// Throws Error on the first option that makes no sense: its name, what was given, what would be valid.
+void check_options(const PlantOptions& options);
+
+/// Physics steps in a control period; throws Error if it is not a whole number.
+[[nodiscard]] int steps_per_period(const PlantOptions& options);
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,95 @@
+#include "surefoot/simulation/disturbances.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/simulation/text.hpp"
+
+#include <algorithm>
+
+namespace surefoot::simulation {
+
+namespace {
+
+// MuJoCo wants an inertia above zero; this one is that of a millimetre-sized lump.
+constexpr double kPointInertia = 1e-9;
+
+bool has_joint(mjsBody& body) { return mjs_firstChild(&body, mjOBJ_JOINT, 0) != nullptr; }
+
+void scale_mass(mjsBody& body, double scale) {
+  body.mass *= scale;
+  for (double& value : body.inertia) value *= scale;
+  for (double& value : body.fullinertia) value *= scale;
+}
+
+void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
+  for (int i = 0; i < 3; ++i) body.ipos[i] += offset[i];
+}
+
+/// Goes through the tree; `q_Xbase` turns base coordinates into the body's, while they are fixed.
+void disturb_tree(mjsBody& body, bool fixed_to_base, const Quat& q_Xbase,
+                  const DisturbanceOptions& options) {
+  scale_mass(body, fixed_to_base ? options.base_mass_scale : options.leg_mass_scale);
+  if (fixed_to_base && body.mass > 0.0) {
+    shift_center_of_mass(body, q_Xbase * options.base_com_offset);
+  }
+  for (mjsElement* element = mjs_firstChild(&body, mjOBJ_BODY, 0); element != nullptr;
+       element = mjs_nextChild(&body, element, 0)) {
+    mjsBody& child = *mjs_asBody(element);
+    const Quat q_BX(child.quat[0], child.quat[1], child.quat[2], child.quat[3]);
+    disturb_tree(child, fixed_to_base && !has_joint(child), q_BX.conjugate() * q_Xbase, options);
+  }
+}
+
+void add_payload(mjsBody& base, const Payload& payload) {
+  mjsBody* body = mjs_addBody(&base, nullptr);
+  mjs_setName(body->element, "payload");
+  for (int i = 0; i < 3; ++i) body->pos[i] = payload.position[i];
+  body->explicitinertial = 1;
+  body->mass = payload.mass;
+  for (double& value : body->ipos) value = 0.0;  // undefined by default, and then the mass is ignored
+  for (double& value : body->inertia) value = kPointInertia;
+}
+
+std::vector<std::string> body_names(const mjModel& model) {
+  std::vector<std::string> names;
+  for (int body = 1; body < model.nbody; ++body) {
+    names.emplace_back(mj_id2name(&model, mjOBJ_BODY, body));
+  }
+  return names;
+}
+
+/// Share of [time, time + timestep] that the push covers.
+double share(const Push& push, double time, double timestep) {
+  const double start = std::max(time, push.time);
+  const double end = std::min(time + timestep, push.time + push.duration);
+  return std::max(0.0, end - start) / timestep;
+}
+
+}  // namespace
+
+void disturb_masses(mjSpec&, mjsBody& base, const DisturbanceOptions& options) {
+  disturb_tree(base, true, Quat::Identity(), options);
+  if (options.payload.mass > 0.0) add_payload(base, options.payload);
+}
+
+Pushes::Pushes(const std::vector<Push>& pushes, const mjModel& model,
+               const std::string& base_link) {
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    const std::string name = pushes[i].body.empty() ? base_link : pushes[i].body;
+    const int body = name == "world" ? -1 : id_of(model, mjOBJ_BODY, name);
+    if (body < 0) {
+      throw UnknownNameError(text("disturbances.pushes[", i, "].body is \"", name,
+                                  "\"; the robot has: ", listed(body_names(model))));
+    }
+    forces_.push_back({pushes[i], body});
+  }
+}
+
+void Pushes::apply(double time, double timestep, mjData& data) const noexcept {
+  for (const Force& force : forces_) std::fill_n(data.xfrc_applied + 6 * force.body, 6, 0.0);
+  for (const Force& force : forces_) {
+    const double part = share(force.push, time, timestep);
+    for (int i = 0; i < 3; ++i) data.xfrc_applied[6 * force.body + i] += part * force.push.force[i];
+  }
+}
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,195 @@
+#include "surefoot/simulation/model_builder.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/simulation/disturbances.hpp"
+#include "surefoot/simulation/robot_parts.hpp"
+#include "surefoot/simulation/terrain.hpp"
+#include "surefoot/simulation/text.hpp"
+#include "surefoot/simulation/urdf_spec.hpp"
+
+#include <array>
+#include <cmath>
+#include <mutex>
+
+// MuJoCo writes six digits by default, too few to recompute contact forces from; its own Python
+// bindings set the precision by these functions.
+extern "C" {
+MJAPI int _mjPRIVATE__get_xml_precision();
+MJAPI void _mjPRIVATE__set_xml_precision(int digits);
+}
+
+namespace surefoot::simulation {
+
+namespace {
+
+constexpr int kFullPrecision = 17;
+constexpr double kSameSphere = 1e-4;    // sphere of the URDF and of the description agree [m]
+constexpr double kNearbySphere = 5e-3;  // a sphere this near is meant to be the foot's [m]
+
+void set_physics(mjSpec& spec, const PlantOptions& options) {
+  spec.option.timestep = options.timestep;
+  spec.option.gravity[2] = -kGravity;
+  spec.option.integrator = mjINT_IMPLICITFAST;
+  spec.option.cone = mjCONE_ELLIPTIC;
+  spec.option.impratio = options.contact.impratio;
+  // A state that went wrong is reported, not silently replaced by the initial one.
+  spec.option.disableflags |= mjDSBL_AUTORESET;
+  // One robot is one island: looking for more costs 4 % of a step.
+  spec.option.disableflags |= mjDSBL_ISLAND;
+}
+
+bool is_sphere_of_foot(const mjsGeom& geom, const RobotDescription& description) {
+  if (geom.type != mjGEOM_SPHERE) return false;
+  const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
+  return (center - description.foot_center).norm() < kNearbySphere;
+}
+
+void check_sphere(const mjsGeom& geom, const RobotDescription& description, Leg leg) {
+  const Vec3 center(geom.pos[0], geom.pos[1], geom.pos[2]);
+  const bool same = std::abs(geom.size[0] - description.foot_radius) < kSameSphere &&
+                    (center - description.foot_center).norm() < kSameSphere;
+  if (same) return;
+  throw Error(text("the foot sphere of ", kLegNames[index(leg)], " has radius ", geom.size[0],
+                   " m and centre (", center.transpose(), ") in ", description.urdf_path,
+                   ", but the robot's description says ", description.foot_radius, " m and (",
+                   description.foot_center.transpose(), ")"));
+}
+
+mjsGeom& new_sphere(mjsBody& foot, const RobotDescription& description) {
+  mjsGeom* sphere = mjs_addGeom(&foot, nullptr);
+  sphere->type = mjGEOM_SPHERE;
+  sphere->size[0] = description.foot_radius;
+  for (int i = 0; i < 3; ++i) sphere->pos[i] = description.foot_center[i];
+  sphere->density = 0.0;
+  return *sphere;
+}
+
+/// The URDF's sphere at the foot, or a massless one where it has none.
+mjsGeom& foot_sphere(mjSpec& spec, const RobotDescription& description, Leg leg,
+                     std::vector<std::string>& notes) {
+  const std::string& frame = description.legs[index(leg)].foot_frame;
+  mjsBody& foot = find_body(spec, frame, "foot frame");
+  for (mjsElement* element = mjs_firstChild(&foot, mjOBJ_GEOM, 0); element != nullptr;
+       element = mjs_nextChild(&foot, element, 0)) {
+    mjsGeom& geom = *mjs_asGeom(element);
+    if (!is_sphere_of_foot(geom, description)) continue;
+    check_sphere(geom, description, leg);
+    return geom;
+  }
+  notes.push_back(text("a massless foot sphere was added to \"", frame, "\""));
+  return new_sphere(foot, description);
+}
+
+void set_collision(mjsBody& base, const ContactOptions& contact) {
+  for (mjsBody* body : subtree(base)) {
+    for (mjsElement* element = mjs_firstChild(body, mjOBJ_GEOM, 0); element != nullptr;
+         element = mjs_nextChild(body, element, 0)) {
+      mjsGeom& geom = *mjs_asGeom(element);
+      geom.group = kRobotGroup;
+      geom.condim = 3;
+      geom.friction[0] = 0.5;  // of the robot against itself
+      geom.solref[0] = contact.solref_time;
+      geom.solref[1] = contact.solref_damping;
+      geom.contype = 2;      // seen by the robot's other shapes …
+      geom.conaffinity = 3;  // … and sees both those and the terrain
+    }
+  }
+}
+
+void exclude(mjSpec& spec, const std::string& first, const std::string& second) {
+  mjsExclude* pair = mjs_addExclude(&spec);
+  mjs_setString(pair->bodyname1, first.c_str());
+  mjs_setString(pair->bodyname2, second.c_str());
+}
+
+/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap at the
+/// hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
+void exclude_neighbours(mjSpec& spec, const RobotDescription& description) {
+  for (const LegDescription& leg : description.legs) {
+    mjsBody& thigh = find_body(spec, leg.thigh_link, "thigh link");
+    mjsBody& shank = find_body(spec, leg.shank_link, "shank link");
+    const std::string hip = name_of(mjs_getParent(thigh.element)->element);
+    exclude(spec, description.base_link, leg.thigh_link);
+    exclude(spec, hip, name_of(shank.element));
+  }
+}
+
+bool is_hinge(mjsElement* element) { return mjs_asJoint(element)->type == mjJNT_HINGE; }
+
+std::vector<std::string> hinge_names(mjSpec& spec) {
+  std::vector<std::string> names;
+  for (mjsElement* element = mjs_firstElement(&spec, mjOBJ_JOINT); element != nullptr;
+       element = mjs_nextElement(&spec, element)) {
+    if (is_hinge(element)) names.push_back(name_of(element));
+  }
+  return names;
+}
+
+void add_motor(mjSpec& spec, const std::string& joint) {
+  mjsElement* element = mjs_findElement(&spec, mjOBJ_JOINT, joint.c_str());
+  if (element == nullptr || !is_hinge(element)) {
+    throw UnknownNameError(
+        text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
+  }
+  mjsActuator* motor = mjs_addActuator(&spec, nullptr);
+  mjs_setName(motor->element, joint.c_str());
+  mjs_setToMotor(motor);
+  motor->trntype = mjTRN_JOINT;
+  mjs_setString(motor->target, joint.c_str());
+}
+
+ModelHandle compile(mjSpec& spec) {
+  ModelHandle model(mj_compile(&spec, nullptr));
+  if (!model) throw Error(text("the physics model can't be compiled: ", mjs_getError(&spec)));
+  return model;
+}
+
+std::string saved_with_full_precision(const mjSpec& spec) {
+  static std::mutex precision_is_global;
+  const std::lock_guard lock(precision_is_global);
+  const int usual = _mjPRIVATE__get_xml_precision();
+  _mjPRIVATE__set_xml_precision(kFullPrecision);
+  std::string xml(1 << 16, '\0');
+  std::array<char, 1024> error{};
+  int needed = 1;
+  while (needed > 0) {
+    needed = mj_saveXMLString(&spec, xml.data(), static_cast<int>(xml.size()), error.data(),
+                              static_cast<int>(error.size()));
+    if (needed > 0) xml.resize(static_cast<std::size_t>(needed) + 1);
+  }
+  _mjPRIVATE__set_xml_precision(usual);
+  if (needed < 0) throw Error(text("the physics model can't be written: ", error.data()));
+  xml.resize(xml.find('\0'));
+  return xml;
+}
+
+}  // namespace
+
+BuiltModel build_model(const RobotDescription& description, const PlantOptions& options,
+                       std::vector<std::string>& notes) {
+  const SpecHandle spec = read_urdf(description, notes);
+  mjsBody& base = find_body(*spec, description.base_link, "base link");
+  set_physics(*spec, options);
+  for (const Leg leg : kLegs) {
+    mjsGeom& sphere = foot_sphere(*spec, description, leg, notes);
+    mjs_setName(sphere.element, foot_geom_name(leg).c_str());
+  }
+  set_collision(base, options.contact);
+  exclude_neighbours(*spec, description);
+  for (const LegDescription& leg : description.legs) {
+    for (const std::string& joint : leg.joints) add_motor(*spec, joint);
+  }
+  disturb_masses(*spec, base, options.disturbances);
+  add_terrain(*spec, options.terrain, options.contact);
+  static_cast<void>(compile(*spec));
+
+  // The model that runs is the one that is logged: compiled from the same text.
+  std::string xml = saved_with_full_precision(*spec);
+  std::array<char, 1024> error{};
+  const SpecHandle saved(
+      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!saved) throw Error(text("the physics model can't be read back: ", error.data()));
+  return {compile(*saved), std::move(xml)};
+}
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot::simulation {
+
+/// Owners of MuJoCo's objects.
+struct MujocoDeleter {
+  void operator()(mjSpec* spec) const { mj_deleteSpec(spec); }
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using SpecHandle = std::unique_ptr<mjSpec, MujocoDeleter>;
+using ModelHandle = std::unique_ptr<mjModel, MujocoDeleter>;
+using DataHandle = std::unique_ptr<mjData, MujocoDeleter>;
+
+/// While it lives, MuJoCo's warnings of this thread go to `notes` (each text once), not to the screen or
+/// a file, and its fatal errors are thrown as Error instead of ending the program.
+class MessageCatcher {
+ public:
+  explicit MessageCatcher(std::vector<std::string>& notes);
+  MessageCatcher(const MessageCatcher&) = delete;
+  MessageCatcher& operator=(const MessageCatcher&) = delete;
+  ~MessageCatcher();
+
+ private:
+  std::vector<std::string>* outer_;
+};
+
+/// Name of an element of a spec.
+[[nodiscard]] std::string name_of(mjsElement* element);
+
+/// Id of a named element of the compiled model; −1 if there is none.
+[[nodiscard]] int id_of(const mjModel& model, mjtObj type, const std::string& name);
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,204 @@
+#include "surefoot/simulation/plant.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/simulation/actuators.hpp"
+#include "surefoot/simulation/check_options.hpp"
+#include "surefoot/simulation/disturbances.hpp"
+#include "surefoot/simulation/model_builder.hpp"
+#include "surefoot/simulation/robot_parts.hpp"
+#include "surefoot/simulation/sensors.hpp"
+#include "surefoot/simulation/terrain.hpp"
+#include "surefoot/simulation/text.hpp"
+#include "surefoot/simulation/truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+using simulation::Actuators;
+using simulation::BuiltModel;
+using simulation::DataHandle;
+using simulation::MessageCatcher;
+using simulation::ModelHandle;
+using simulation::Pushes;
+using simulation::RobotParts;
+using simulation::Sensors;
+using simulation::text;
+
+namespace {
+
+constexpr std::size_t kMaxNotes = 100;  // a fault that stays must not fill the memory
+
+}  // namespace
+
+struct Plant::Implementation {
+  Implementation(const RobotDescription& description, const PlantOptions& given)
+      : options(checked(given)),
+        steps(simulation::steps_per_period(options)),
+        catcher(std::make_unique<MessageCatcher>(notes)),
+        built(simulation::build_model(description, options, notes)),
+        model(*built.model),
+        data_handle(mj_makeData(built.model.get())),
+        data(*data_handle),
+        parts(simulation::find_parts(model, description)),
+        pushes(options.disturbances.pushes, model, description.base_link),
+        actuators(options.actuators, description.torque_limit, options.timestep),
+        sensors(options.sensors, options.control_period, options.seed) {
+    place(description);
+    mj_step1(&model, &data);
+    observe();
+    catcher.reset();
+  }
+
+  static const PlantOptions& checked(const PlantOptions& given) {
+    simulation::check_options(given);
+    return given;
+  }
+
+  void place(const RobotDescription& description);
+  void set_joints(const JointVector& q);
+  double touching_height(const RobotDescription& description) const;
+  JointVector finite(JointVector torque);
+  void write(const JointVector& torque);
+  void physics_step();
+  void set_torques();
+  void observe();
+  void check_state() const;
+
+  PlantOptions options;
+  int steps;
+  std::vector<std::string> notes;
+  std::unique_ptr<MessageCatcher> catcher;
+  BuiltModel built;
+  const mjModel& model;
+  DataHandle data_handle;
+  mjData& data;
+  RobotParts parts;
+  Pushes pushes;
+  Actuators actuators;
+  Sensors sensors;
+  GroundTruth truth;
+  SensorReading reading;
+  std::int64_t tick = 0;
+};
+
+void Plant::Implementation::set_joints(const JointVector& q) {
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    data.qpos[parts.qpos[i]] = q[static_cast<Eigen::Index>(i)];
+  }
+}
+
+void Plant::Implementation::place(const RobotDescription& description) {
+  const InitialState& initial = options.initial;
+  mjtNum* base = data.qpos + parts.base_qpos;
+  base[0] = initial.position.x();
+  base[1] = initial.position.y();
+  base[2] = 0.0;
+  base[3] = std::cos(0.5 * initial.yaw);
+  base[4] = base[5] = 0.0;
+  base[6] = std::sin(0.5 * initial.yaw);
+  set_joints(initial.q);
+  mj_kinematics(&model, &data);
+  base[2] = std::isnan(initial.position.z()) ? touching_height(description) : initial.position.z();
+}
+
+/// Base height at which the first foot sphere touches the terrain, with the base now at z = 0.
+double Plant::Implementation::touching_height(const RobotDescription& description) const {
+  double height = -std::numeric_limits<double>::infinity();
+  for (const int geom : parts.foot_geom) {
+    const mjtNum* center = data.geom_xpos + 3 * geom;
+    const double resting = simulation::resting_height(model, data, center[0], center[1],
+                                                      description.foot_radius);
+    if (!std::isnan(resting)) height = std::max(height, resting - center[2]);
+  }
+  if (std::isinf(height)) {
+    throw Error(text("initial.position (", options.initial.position.x(), ", ",
+                     options.initial.position.y(),
+                     "): no foot is above terrain; give a z, or a place on the terrain"));
+  }
+  return height;
+}
+
+void Plant::Implementation::set_torques() {
+  const JointVector torque = actuators.torque(simulation::joint_velocities(data, parts));
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
+  }
+}
+
+void Plant::Implementation::physics_step() {
+  set_torques();
+  pushes.apply(data.time, options.timestep, data);
+  const Quat q_WB = simulation::base_orientation(data, parts);
+  const Vec3 v_before = simulation::base_velocity(data, parts);
+  mj_step2(&model, &data);
+  const Vec3 acceleration =
+      (simulation::base_velocity(data, parts) - v_before) / options.timestep;
+  sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
+  actuators.advance();
+  mj_step1(&model, &data);
+}
+
+/// Contact forces of the state that was reached, under the torques that act there; then what is to be seen.
+void Plant::Implementation::observe() {
+  set_torques();
+  mj_forwardSkip(&model, &data, mjSTAGE_VEL, 1);
+  check_state();
+  truth.time = static_cast<double>(tick) * options.control_period;
+  simulation::extract_truth(model, data, parts, truth);
+  sensors.read(truth, reading);
+}
+
+void Plant::Implementation::check_state() const {
+  const bool good = data.warning[mjWARN_BADQPOS].number == 0 &&
+                    data.warning[mjWARN_BADQVEL].number == 0 &&
+                    data.warning[mjWARN_BADQACC].number == 0;
+  if (!good) {
+    throw Error(text("the physics diverged before t = ", data.time,
+                     " s; a smaller timestep or softer contacts (contact.solref_time) may help"));
+  }
+}
+
+/// Drives refuse a torque that is not a number: nothing is applied instead.
+JointVector Plant::Implementation::finite(JointVector torque) {
+  for (Eigen::Index i = 0; i < torque.size(); ++i) {
+    if (std::isfinite(torque[i])) continue;
+    torque[i] = 0.0;
+    if (notes.size() >= kMaxNotes) continue;
+    notes.push_back(text("t = ", data.time, " s: the torque commanded to joint ", i,
+                         " was not finite; 0 was applied"));
+  }
+  return torque;
+}
+
+void Plant::Implementation::write(const JointVector& torque) {
+  const MessageCatcher messages(notes);
+  actuators.command(finite(torque));
+  for (int i = 0; i < steps; ++i) physics_step();
+  ++tick;
+  observe();
+}
+
+Plant::Plant(const RobotDescription& description, const PlantOptions& options)
+    : implementation_(std::make_unique<Implementation>(description, options)) {}
+
+Plant::~Plant() = default;
+
+const SensorReading& Plant::read() { return implementation_->reading; }
+
+void Plant::write(const JointCommand& command) { implementation_->write(command.torque); }
+
+const GroundTruth& Plant::truth() const { return implementation_->truth; }
+
+double Plant::time() const { return implementation_->truth.time; }
+
+std::string Plant::model_xml() const { return implementation_->built.xml; }
+
+const std::vector<std::string>& Plant::notes() const { return implementation_->notes; }
+
+double Plant::terrain_height(double x, double y) const {
+  return simulation::terrain_height(implementation_->model, implementation_->data, x, y);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,73 @@
+#include "surefoot/simulation/robot_parts.hpp"
+
+#include "surefoot/simulation/terrain.hpp"
+
+namespace surefoot::simulation {
+
+namespace {
+
+bool is_below(const mjModel& model, int body, int ancestor) {
+  while (body > ancestor) body = model.body_parentid[body];
+  return body == ancestor;
+}
+
+/// The leg whose thigh or shank a body belongs to; −1 for the torso.
+int leg_of(const mjModel& model, const PerLeg<int>& thigh_body, int body) {
+  for (const Leg leg : kLegs) {
+    if (is_below(model, body, thigh_body[index(leg)])) return static_cast<int>(leg);
+  }
+  return -1;
+}
+
+void find_joints(const mjModel& model, const RobotDescription& description, RobotParts& parts) {
+  for (const Leg leg : kLegs) {
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      const std::string& name = description.legs[index(leg)].joints[j];
+      const std::size_t i = static_cast<std::size_t>(first_joint(leg)) + j;
+      const int joint = id_of(model, mjOBJ_JOINT, name);
+      parts.qpos[i] = model.jnt_qposadr[joint];
+      parts.dof[i] = model.jnt_dofadr[joint];
+      parts.actuator[i] = id_of(model, mjOBJ_ACTUATOR, name);
+    }
+  }
+}
+
+void find_owners(const mjModel& model, const RobotDescription& description, RobotParts& parts) {
+  PerLeg<int> thigh_body{};
+  for (const Leg leg : kLegs) {
+    const std::string& hfe = description.legs[index(leg)].joints[1];
+    thigh_body[index(leg)] = model.jnt_bodyid[id_of(model, mjOBJ_JOINT, hfe)];
+  }
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    GeomOwner owner;
+    if (model.geom_group[geom] != kTerrainGroup) {
+      owner.leg = leg_of(model, thigh_body, model.geom_bodyid[geom]);
+      owner.part = owner.leg < 0 ? Part::torso : Part::leg;
+    }
+    parts.owner.push_back(owner);
+  }
+  for (const Leg leg : kLegs) {
+    parts.owner[static_cast<std::size_t>(parts.foot_geom[index(leg)])].part = Part::foot;
+  }
+}
+
+}  // namespace
+
+std::string foot_geom_name(Leg leg) { return std::string(kLegNames[index(leg)]) + "_foot_sphere"; }
+
+RobotParts find_parts(const mjModel& model, const RobotDescription& description) {
+  RobotParts parts;
+  parts.base_body = id_of(model, mjOBJ_BODY, description.base_link);
+  parts.base_qpos = model.jnt_qposadr[model.body_jntadr[parts.base_body]];
+  parts.base_dof = model.jnt_dofadr[model.body_jntadr[parts.base_body]];
+  for (const Leg leg : kLegs) {
+    const int geom = id_of(model, mjOBJ_GEOM, foot_geom_name(leg));
+    parts.foot_geom[index(leg)] = geom;
+    parts.foot_body[index(leg)] = model.geom_bodyid[geom];
+  }
+  find_joints(model, description, parts);
+  find_owners(model, description, parts);
+  return parts;
+}
+
+}  // namespace surefoot::simulation

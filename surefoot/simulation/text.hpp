@@ -1,0 +1,24 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace surefoot::simulation {
+
+/// The arguments written one after the other, as `<<` writes them.
+template <typename... Parts>
+[[nodiscard]] std::string text(const Parts&... parts) {
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
+}
+
+/// Names with a space between, for messages that say what would be valid.
+[[nodiscard]] inline std::string listed(const std::vector<std::string>& names) {
+  std::string line;
+  for (const std::string& name : names) line += line.empty() ? name : " " + name;
+  return line;
+}
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,166 @@
+#include "surefoot/simulation/truth.hpp"
+
+#include <algorithm>
+
+namespace surefoot::simulation {
+
+namespace {
+
+using ConstVec3 = Eigen::Map<const Vec3>;
+
+Vec3 vec3(const mjtNum* values) { return ConstVec3(values); }
+
+/// Sums over the contacts of one foot, weighted by force where there is some.
+struct FootSum {
+  Vec3 normal = Vec3::Zero();
+  Vec3 point = Vec3::Zero();
+  double weight = 0.0;
+  double largest = -1.0;
+};
+
+struct ContactSide {
+  int robot_geom;
+  int other_geom;
+  double sign;  ///< of MuJoCo's force and normal for the robot's side: they act on the second geom
+};
+
+ContactSide side(const mjContact& contact, const GeomOwner& first) {
+  const bool robot_is_first = first.part != Part::terrain;
+  return robot_is_first ? ContactSide{contact.geom[0], contact.geom[1], -1.0}
+                        : ContactSide{contact.geom[1], contact.geom[0], 1.0};
+}
+
+/// Force on the second geom, in W.
+Vec3 contact_force(const mjModel& model, const mjData& data, int id) {
+  mjtNum force[6];
+  mj_contactForce(&model, &data, id, force);
+  const mjtNum* frame = data.contact[id].frame;
+  return force[0] * vec3(frame) + force[1] * vec3(frame + 3) + force[2] * vec3(frame + 6);
+}
+
+void add_foot_contact(const mjContact& contact, const Vec3& force, double sign, TrueContact& foot,
+                      FootSum& sum) {
+  const Vec3 normal = sign * vec3(contact.frame);
+  const double size = std::max(force.dot(normal), 1e-12);
+  foot.touching = foot.touching || force.dot(normal) > 0.0;
+  foot.force += force;
+  foot.penetration = std::max(foot.penetration, -contact.dist);
+  sum.normal += size * normal;
+  sum.point += size * vec3(contact.pos);
+  sum.weight += size;
+  if (size > sum.largest) {
+    sum.largest = size;
+    foot.friction = contact.friction[0];
+  }
+}
+
+void add_body_contact(const GeomOwner& owner, bool with_terrain, double force, GroundTruth& truth) {
+  if (owner.part == Part::terrain || owner.part == Part::foot) return;
+  truth.body_contact_force = std::max(truth.body_contact_force, force);
+  if (!with_terrain) return;
+  if (owner.part == Part::torso) truth.torso_contact = true;
+  if (owner.part == Part::leg) truth.shank_contacts |= 1 << owner.leg;
+}
+
+Vec3 point_velocity(const mjModel& model, const mjData& data, int body, const Vec3& point) {
+  mjtNum velocity[6];
+  mj_objectVelocity(&model, &data, mjOBJ_XBODY, body, velocity, 0);
+  const Vec3 arm = point - vec3(data.xpos + 3 * body);
+  return vec3(velocity + 3) + vec3(velocity).cross(arm);
+}
+
+void finish_foot(const mjModel& model, const mjData& data, int body, const FootSum& sum,
+                 TrueContact& foot) {
+  if (sum.weight <= 0.0) return;
+  foot.normal = sum.normal.normalized();
+  foot.point = sum.point / sum.weight;
+  const Vec3 velocity = point_velocity(model, data, body, foot.point);
+  foot.slip_velocity = velocity - foot.normal.dot(velocity) * foot.normal;
+}
+
+void extract_contacts(const mjModel& model, const mjData& data, const RobotParts& parts,
+                      GroundTruth& truth) {
+  truth.feet = {};
+  truth.body_contact_force = 0.0;
+  truth.torso_contact = false;
+  truth.shank_contacts = 0;
+  PerLeg<FootSum> sums{};
+  for (int id = 0; id < data.ncon; ++id) {
+    const mjContact& contact = data.contact[id];
+    if (contact.efc_address < 0) continue;
+    const GeomOwner& first = parts.owner[static_cast<std::size_t>(contact.geom[0])];
+    const GeomOwner& second = parts.owner[static_cast<std::size_t>(contact.geom[1])];
+    const bool with_terrain = first.part == Part::terrain || second.part == Part::terrain;
+    const Vec3 force = contact_force(model, data, id);
+    add_body_contact(first, with_terrain, force.norm(), truth);
+    add_body_contact(second, with_terrain, force.norm(), truth);
+
+    const ContactSide robot = side(contact, first);
+    const GeomOwner& owner = parts.owner[static_cast<std::size_t>(robot.robot_geom)];
+    if (!with_terrain || owner.part != Part::foot) continue;
+    const auto leg = static_cast<std::size_t>(owner.leg);
+    add_foot_contact(contact, robot.sign * force, robot.sign, truth.feet[leg], sums[leg]);
+  }
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    finish_foot(model, data, parts.foot_body[leg], sums[leg], truth.feet[leg]);
+  }
+}
+
+void extract_feet(const mjModel& model, const mjData& data, const RobotParts& parts,
+                  GroundTruth& truth) {
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    truth.p_WF[leg] = vec3(data.geom_xpos + 3 * parts.foot_geom[leg]);
+    truth.v_WF[leg] = point_velocity(model, data, parts.foot_body[leg], truth.p_WF[leg]);
+  }
+}
+
+}  // namespace
+
+JointVector joint_positions(const mjData& data, const RobotParts& parts) noexcept {
+  JointVector q;
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    q[static_cast<Eigen::Index>(i)] = data.qpos[parts.qpos[i]];
+  }
+  return q;
+}
+
+JointVector joint_velocities(const mjData& data, const RobotParts& parts) noexcept {
+  JointVector qd;
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    qd[static_cast<Eigen::Index>(i)] = data.qvel[parts.dof[i]];
+  }
+  return qd;
+}
+
+Quat base_orientation(const mjData& data, const RobotParts& parts) noexcept {
+  const mjtNum* q = data.qpos + parts.base_qpos + 3;
+  return {q[0], q[1], q[2], q[3]};
+}
+
+Vec3 base_velocity(const mjData& data, const RobotParts& parts) noexcept {
+  return vec3(data.qvel + parts.base_dof);
+}
+
+void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
+                   GroundTruth& truth) noexcept {
+  truth.p_WB = vec3(data.qpos + parts.base_qpos);
+  truth.q_WB = base_orientation(data, parts);
+  truth.v_WB = base_velocity(data, parts);
+  truth.w_WB_B = vec3(data.qvel + parts.base_dof + 3);
+  truth.q = joint_positions(data, parts);
+  truth.qd = joint_velocities(data, parts);
+  for (std::size_t i = 0; i < kNumJoints; ++i) {
+    truth.torque[static_cast<Eigen::Index>(i)] = data.qfrc_actuator[parts.dof[i]];
+  }
+  mj_subtreeVel(&model, &data);
+  truth.p_WCom = vec3(data.subtree_com + 3 * parts.base_body);
+  truth.v_WCom = vec3(data.subtree_linvel + 3 * parts.base_body);
+  extract_feet(model, data, parts, truth);
+  extract_contacts(model, data, parts, truth);
+  truth.qpos.assign(data.qpos, data.qpos + model.nq);
+  truth.qvel.assign(data.qvel, data.qvel + model.nv);
+  truth.ctrl.assign(data.ctrl, data.ctrl + model.nu);
+  truth.xfrc_applied.assign(data.xfrc_applied, data.xfrc_applied + 6 * model.nbody);
+}
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "surefoot/simulation/ground_truth.hpp"
+#include "surefoot/simulation/robot_parts.hpp"
+
+namespace surefoot::simulation {
+
+/// The truth at the state of `data`, whose positions, velocities and accelerations must be up to date.
+/// Does not allocate when `truth` has been filled once.
+void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
+                   GroundTruth& truth) noexcept;
+
+/// Joint positions and velocities in our order.
+[[nodiscard]] JointVector joint_positions(const mjData& data, const RobotParts& parts) noexcept;
+[[nodiscard]] JointVector joint_velocities(const mjData& data, const RobotParts& parts) noexcept;
+
+/// Base orientation and velocity.
+[[nodiscard]] Quat base_orientation(const mjData& data, const RobotParts& parts) noexcept;
+[[nodiscard]] Vec3 base_velocity(const mjData& data, const RobotParts& parts) noexcept;
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,131 @@
+#include "surefoot/view/report_page.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/view/svg.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace surefoot::report {
+namespace {
+
+// Colours c0 … c3 (legs LF, RF, LH, RH) are those of Okabe and Ito, lighter on dark ground.
+constexpr std::string_view kStyle = R"css(
+:root { color-scheme: light dark;
+  --ground: #ffffff; --ink: #1c1f23; --soft: #5c636b; --rule: #d9dde1; --grid: #e8ebee; --card: #f6f7f8;
+  --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #aa4499; --bound: #7a1f1f;
+  --good: #00704f; --bad: #b3261e; --stance: #5c636b1f; --search: #d55e0033;
+  --h0: #f1f3f5; --h1: #d6e2ee; --h2: #aecbe3; --h3: #7fabd3; --h4: #4f86bd; --h5: #8a4f9e; --h6: #c0392b; }
+@media (prefers-color-scheme: dark) { :root {
+  --ground: #14171a; --ink: #e8eaed; --soft: #a3abb3; --rule: #363c42; --grid: #262b30; --card: #1c2024;
+  --c0: #56b4e9; --c1: #f5934e; --c2: #3fc99c; --c3: #e29bd3; --bound: #ff9b94;
+  --good: #59d2a5; --bad: #ff8a80; --stance: #a3abb32b; --search: #f5934e47;
+  --h0: #1f2429; --h1: #22384c; --h2: #28506f; --h3: #356f98; --h4: #5596c4; --h5: #b07cc4; --h6: #ff7b6b; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2.5rem 1.25rem 4rem; max-width: 60rem; background: var(--ground);
+  color: var(--ink); font: 16px/1.5 system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
+h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; font-weight: 650; letter-spacing: -.01em; }
+h2 { font-size: 1.15rem; margin: 2.75rem 0 .75rem; font-weight: 650; }
+p { margin: .5rem 0; max-width: 46rem; }
+.facts { color: var(--soft); }
+.verdict { display: inline-block; margin: .75rem 0 .25rem; padding: .3rem .75rem; border: 1.5px solid currentColor;
+  border-radius: .4rem; font-weight: 600; }
+.good { color: var(--good); } .bad { color: var(--bad); } .soft { color: var(--soft); }
+.warning { border-left: 4px solid var(--bad); background: var(--card); padding: .6rem .9rem; }
+table { border-collapse: collapse; width: 100%; margin: .75rem 0; font-size: .92rem;
+  font-variant-numeric: tabular-nums; border-top: 2px solid var(--ink); border-bottom: 2px solid var(--ink); }
+th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); padding: .35rem .6rem; }
+td { padding: .3rem .6rem; border-bottom: 1px solid var(--grid); vertical-align: top; }
+td.number, th.number { text-align: right; white-space: nowrap; }
+.scroll { overflow-x: auto; }
+figure { margin: 1.75rem 0 2.5rem; }
+figcaption { font-size: .9rem; color: var(--soft); margin-top: .4rem; max-width: 50rem; }
+figcaption b { color: var(--ink); }
+details { margin: 1rem 0; } summary { cursor: pointer; color: var(--soft); }
+a { color: var(--c0); }
+svg.plot { display: block; width: 100%; height: auto; font: 12px system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
+svg text { fill: var(--ink); font-variant-numeric: tabular-nums; }
+svg text.tick, svg text.note { font-size: 11px; fill: var(--soft); }
+svg text.note { font-style: italic; }
+svg text.panel-title { font-weight: 600; }
+.frame { fill: none; stroke: var(--ink); stroke-width: 1; }
+.grid { fill: none; stroke: var(--grid); stroke-width: 1; }
+.line { fill: none; stroke-width: 1.4; stroke-linejoin: round; stroke-linecap: butt; }
+.thick { stroke-width: 5; }
+.dashed { stroke-dasharray: 6 3.5; }
+.dotted { stroke-dasharray: 2 3; }
+.c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); } .c3 { stroke: var(--c3); }
+.ink { stroke: var(--ink); }
+.bound { fill: none; stroke: var(--bound); stroke-width: 1.1; stroke-dasharray: 8 3 2 3; }
+.stance { fill: var(--stance); } .search { fill: var(--search); }
+.support { fill: var(--soft); fill-opacity: .035; stroke: var(--soft); stroke-opacity: .35; stroke-width: .8; }
+.faint { stroke: var(--soft); stroke-width: 2.6; stroke-opacity: .55; }
+.dot { stroke: var(--ground); stroke-width: 1.2; }
+.f0 { fill: var(--c0); } .f1 { fill: var(--c1); } .f2 { fill: var(--c2); } .f3 { fill: var(--c3); }
+.column { fill: var(--c0); fill-opacity: .75; }
+.bar { fill: none; stroke-width: 9; } .b0 { stroke: var(--c0); } .b1 { stroke: var(--c1); }
+.whisker { fill: none; stroke-width: 1.6; }
+.h0 { fill: var(--h0); } .h1 { fill: var(--h1); } .h2 { fill: var(--h2); } .h3 { fill: var(--h3); }
+.h4 { fill: var(--h4); } .h5 { fill: var(--h5); } .h6 { fill: var(--h6); }
+@media print { body { max-width: none; padding: 0; font-size: 11pt; } figure { break-inside: avoid; } }
+)css";
+
+}  // namespace
+
+std::string page(std::string_view title, std::string_view body) {
+  return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         plot::escape(title) + "</title>\n<style>" + std::string(kStyle) +
+         "</style>\n</head>\n<body>\n" + std::string(body) + "</body>\n</html>\n";
+}
+
+std::string figure(int& number, const std::string& image, std::string_view caption) {
+  if (image.empty()) return "";
+  return "<figure>\n" + image + "<figcaption><b>Figure " + std::to_string(++number) + ".</b> " +
+         plot::escape(caption) + "</figcaption>\n</figure>\n";
+}
+
+std::string table(const std::vector<std::string>& head,
+                  const std::vector<std::vector<Cell>>& rows) {
+  std::string out = "<div class=\"scroll\"><table>\n<tr>";
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    // A column's head stands where its cells do.
+    const std::string style = rows.empty() || i >= rows[0].size() ? "" : rows[0][i].style;
+    const bool right = style.find("number") != std::string::npos;
+    out += std::string(right ? "<th class=\"number\">" : "<th>") + plot::escape(head[i]) + "</th>";
+  }
+  out += "</tr>\n";
+  for (const auto& row : rows) {
+    out += "<tr>";
+    for (const Cell& cell : row) {
+      out += cell.style.empty() ? "<td>" : "<td class=\"" + cell.style + "\">";
+      out += (cell.is_html ? cell.text : plot::escape(cell.text)) + "</td>";
+    }
+    out += "</tr>\n";
+  }
+  return out + "</table></div>\n";
+}
+
+void write_page(const std::string& path, std::string_view html) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) fs::create_directory(folder, error);
+  if (!folder.empty() && !fs::is_directory(folder)) {
+    throw FileError(
+        folder.string() +
+        ": can't be made; a folder whose parent exists and may be written would be valid");
+  }
+  const std::string partial = path + ".partial";
+  std::ofstream file(partial, std::ios::binary);
+  file << html;
+  file.close();
+  if (file) fs::rename(partial, path, error);
+  if (file && !error) return;
+  std::error_code ignored;
+  fs::remove(partial, ignored);
+  throw FileError(path +
+                  ": can't be written; a folder that may be written and has room would be valid");
+}
+
+}  // namespace surefoot::report

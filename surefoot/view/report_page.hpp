@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The HTML around the report's figures: one file, no scripts, no network, light and dark.
+namespace surefoot::report {
+
+/// A whole page; title and text are escaped, `body` is HTML.
+[[nodiscard]] std::string page(std::string_view title, std::string_view body);
+
+/// A numbered figure with its caption; empty if the image is empty. Counts `number` up.
+[[nodiscard]] std::string figure(int& number, const std::string& image, std::string_view caption);
+
+/// A table cell as text, or as HTML.
+struct Cell {
+  std::string text;
+  std::string style = {};  ///< CSS classes
+  bool is_html = false;
+};
+[[nodiscard]] std::string table(const std::vector<std::string>& head,
+                                const std::vector<std::vector<Cell>>& rows);
+
+/// Writes a file whole or not at all: under another name first. Makes the folder if its parent
+/// exists. Throws FileError.
+void write_page(const std::string& path, std::string_view html);
+
+}  // namespace surefoot::report

@@ -1,0 +1,126 @@
+#include "surefoot/view/run_data.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/message_decoder.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace logged {
+
+// What the report takes from a message on /truth.
+struct TruthContact {
+  Vec3 force = Vec3::Constant(kNaN), normal = Vec3::Constant(kNaN);
+};
+struct Truth {
+  TruthSample sample;
+  PerLeg<TruthContact> feet;
+};
+
+void fields(Decoder& field, TruthContact& contact) {
+  field("force", contact.force, "");
+  field("normal", contact.normal, "");
+}
+
+void fields(Decoder& field, Truth& truth) {
+  field("time", truth.sample.time, "");
+  field("p_WB", truth.sample.p_WB, "");
+  field("q_WB", truth.sample.q_WB, "");
+  field("torque", truth.sample.torque, "");
+  field("p_WCom", truth.sample.p_WCom, "");
+  field("p_WF", truth.sample.p_WF, "");
+  field("feet", truth.feet, "");
+}
+
+}  // namespace logged
+
+namespace {
+
+TruthSample truth_sample(const McapMessage& message) {
+  logged::Truth truth;
+  logged::Decoder::decode(message.data, truth);
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    truth.sample.normal_force[leg] = truth.feet[leg].normal.dot(truth.feet[leg].force);
+  }
+  return truth.sample;
+}
+
+TickSample sample(const TickRecord& tick) {
+  TickSample result{.time = tick.reading.time,
+                    .plan = tick.plan,
+                    .model = tick.model,
+                    .torque = tick.command.torque,
+                    .mode = tick.command.mode,
+                    .residuals = {},
+                    .num_levels = tick.hierarchy.num_levels,
+                    .truth = {}};
+  for (std::size_t i = 0; i < kMaxLevels; ++i)
+    result.residuals[i] = tick.hierarchy.levels[i].residual;
+  return result;
+}
+
+// Joins the ticks at which a row is active to stretches of time.
+class ActiveTimes {
+ public:
+  explicit ActiveTimes(double period) : period_(period) {}
+
+  void add(double time, const HierarchyReport& report) {
+    for (int i = 0; i < report.num_active; ++i) {
+      const ActiveRow& row = report.active[static_cast<std::size_t>(i)];
+      const auto [entry, is_new] = last_.try_emplace({row.level, row.id}, times.size());
+      const bool goes_on = !is_new && time - times[entry->second].to < 0.5 * period_;
+      if (!goes_on) {
+        entry->second = times.size();
+        times.push_back({row.level, row.id, time, time, false});
+      }
+      times[entry->second].to = time + period_;
+      times[entry->second].beyond |= std::abs(row.state) > 1;
+    }
+  }
+
+  std::vector<ActiveTime> times;
+
+ private:
+  double period_;
+  std::map<std::pair<std::int16_t, std::int32_t>, std::size_t>
+      last_;  // index of a row's latest stretch
+};
+
+// Both are in the order of time; a tick without a truth keeps its NaN.
+bool merge(const std::vector<TruthSample>& truths, std::vector<TickSample>& ticks) {
+  std::size_t next = 0;
+  for (TickSample& tick : ticks) {
+    while (next < truths.size() && truths[next].time < tick.time - 1e-9) ++next;
+    if (next < truths.size() && truths[next].time < tick.time + 1e-9) tick.truth = truths[next];
+  }
+  return !truths.empty();
+}
+
+}  // namespace
+
+RunData read_run(const std::string& log_path) {
+  std::vector<TruthSample> truths;
+  LogReader log(log_path, [&truths](const McapMessage& message) {
+    if (message.channel->topic == "/truth") truths.push_back(truth_sample(message));
+  });
+  RunData run;
+  run.header = log.header();
+  ActiveTimes active(run.header.control_period);
+  TickRecord tick;
+  while (log.next(tick)) {
+    run.ticks.push_back(sample(tick));
+    active.add(tick.reading.time, tick.hierarchy);
+  }
+  if (run.ticks.empty())
+    throw FileError(log_path + ": the log holds no tick, so there is nothing to report");
+  run.timings = log.timings();
+  run.active = std::move(active.times);
+  run.row_names = log.row_names();
+  run.summary = log.summary();
+  run.problem = log.problem();
+  run.has_truth = merge(truths, run.ticks);
+  return run;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/signals/tick_record.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// The simulator's truth at a tick, as far as the report shows it; NaN in a log without it.
+struct TruthSample {
+  double time = kNaN;
+  Vec3 p_WB = Vec3::Constant(kNaN);
+  Quat q_WB{kNaN, kNaN, kNaN, kNaN};
+  Vec3 p_WCom = Vec3::Constant(kNaN);
+  PerLeg<Vec3> p_WF{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
+                    Vec3::Constant(kNaN)};
+  PerLeg<double> normal_force{kNaN, kNaN, kNaN, kNaN};
+  JointVector torque = JointVector::Constant(kNaN);
+};
+
+/// What the report shows of a tick.
+struct TickSample {
+  double time = 0.0;
+  MotionPlan plan;
+  ModelRecord model;
+  JointVector torque = JointVector::Zero();  ///< commanded [N·m]
+  CommandMode mode = CommandMode::optimal;
+  std::array<double, kMaxLevels> residuals{};
+  std::int32_t num_levels = 0;
+  TruthSample truth;
+};
+
+/// Time in which an inequality row was active without a break.
+struct ActiveTime {
+  std::int16_t level = 0;
+  std::int32_t id = 0;
+  double from = 0.0, to = 0.0;
+  bool beyond = false;  ///< its bound was exceeded at some tick of it
+};
+
+/// A whole log in memory.
+struct RunData {
+  LogHeader header;
+  std::vector<TickSample> ticks;
+  std::vector<TickTiming> timings;
+  std::vector<ActiveTime> active;
+  std::map<std::int32_t, std::string> row_names;
+  std::string summary;  ///< JSON; empty without one
+  std::string problem;  ///< why the log could not be read to its end; empty if it is whole
+  bool has_truth = false;
+};
+
+/// Throws FileError as LogReader does, and if the log holds no tick.
+[[nodiscard]] RunData read_run(const std::string& log_path);
+
+}  // namespace surefoot
