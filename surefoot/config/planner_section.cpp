@@ -105,6 +105,7 @@ void read_torso(Section& section, TorsoOptions& torso) {
 void read_foothold(Section& section, FootholdOptions& foothold) {
   section.flag("hind_use_front_prints", foothold.hind_use_front_prints);
   section.number("print_radius", foothold.print_radius, kNotNegative);
+  section.number("same_height", foothold.same_height, kPositive);
   section.number("max_step", foothold.max_step, kPositive);
 }
 

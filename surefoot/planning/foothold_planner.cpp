@@ -3,6 +3,7 @@
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -33,8 +34,8 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   nominal << from.head<2>() + step, 0.0;
   nominal.z() = plane.height(nominal.head<2>());
   if (is_front(leg) || !options_.hind_use_front_prints) return nominal;
-  return nearest_print(prints_[is_left(leg) ? 0 : 1], nominal, from,
-                       R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0));
+  return on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from,
+                   R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0));
 }
 
 void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
@@ -43,18 +44,32 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
   prints.points[prints.count++ % kPrintsKept] = p_WF;
 }
 
-Vec3 FootholdPlanner::nearest_print(const Prints& prints, const Vec3& nominal, const Vec3& from,
-                                    const Vec2& heading) const {
-  Vec3 best = nominal;
-  double smallest = options_.print_radius;
+// The front foot's prints tell what lies under the hind foot's way. Where the prints before and
+// behind the nominal foothold have one height, the ground between them is taken to be the same;
+// where they differ there is an edge between, and only the prints themselves are known to be good.
+Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
+                                const Vec2& heading) const {
+  const Vec3* before = nullptr;
+  const Vec3* beyond = nullptr;
+  const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
   for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
     const Vec3& print = prints.points[i];
-    const double distance = (print - nominal).head<2>().norm();
-    if (distance >= smallest || heading.dot((print - from).head<2>()) < kLeastProgress) continue;
-    smallest = distance;
-    best = print;
+    const double distance = ahead(print);
+    if (distance <= 0.0 && (before == nullptr || distance > ahead(*before))) before = &print;
+    if (distance > 0.0 && (beyond == nullptr || distance < ahead(*beyond))) beyond = &print;
   }
-  return best;
+  if (beyond == nullptr) return nominal;
+  const bool reachable = (*beyond - from).head<2>().norm() < options_.max_step;
+  const bool edge = before != nullptr && std::abs(before->z() - beyond->z()) > options_.same_height;
+  if (edge && !reachable) return *before;
+  const Vec3& nearest =
+      edge || before == nullptr || ahead(*beyond) < -ahead(*before) ? *beyond : *before;
+  const bool near = (nearest - nominal).head<2>().norm() < options_.print_radius;
+  const bool progress = heading.dot((nearest - from).head<2>()) > kLeastProgress;
+  if (edge || (near && progress && reachable)) return nearest;
+  Vec3 between = nominal;
+  between.z() = nearest.z();
+  return between;
 }
 
 }  // namespace surefoot

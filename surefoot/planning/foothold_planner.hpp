@@ -34,8 +34,8 @@ class FootholdPlanner {
     std::array<Vec3, kPrintsKept> points{};
     std::size_t count = 0;  // ever added; the newest kPrintsKept are kept
   };
-  [[nodiscard]] Vec3 nearest_print(const Prints& prints, const Vec3& nominal, const Vec3& from,
-                                   const Vec2& heading) const;
+  [[nodiscard]] Vec3 on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
+                               const Vec2& heading) const;
 
   StanceOptions stance_;
   FootholdOptions options_;

@@ -44,7 +44,9 @@ void LegMotion::search(double time, const Vec3& p_WF, const Vec3& normal) {
 
 LegEvent LegMotion::observe(double time, const Vec3& p_WF, const Vec3& force, const Vec3& normal) {
   normal_force_ = normal.dot(force);
-  return down() ? observe_stance() : observe_swing(time, p_WF);
+  if (!down()) return observe_swing(time, p_WF);
+  foothold_ = p_WF;  // the sphere rolls with its shank: the foothold wanders by a centimetre
+  return observe_stance();
 }
 
 LegEvent LegMotion::observe_stance() {

@@ -91,7 +91,8 @@ struct TorsoOptions {
 
 struct FootholdOptions {
   bool hind_use_front_prints = true;  ///< hind feet step where the front feet found ground
-  double print_radius = 0.10;  ///< a footprint is used within this of the nominal foothold [m]
+  double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
+  double same_height = 0.03;   ///< footprints further apart in height have an edge between [m]
   double max_step = 0.30;      ///< [m]
 };
 

@@ -62,14 +62,14 @@ class Entry {
   Entry(std::string_view name, std::string_view summary, std::string_view equation)
       : info_{name, summary, equation, {}, {}} {}
 
-  Entry&& number(std::string_view name, double Options::*member, std::string_view unit,
+  Entry&& number(std::string_view name, double Options::* member, std::string_view unit,
                  std::string_view help, double minimum = 0.0) && {
     return std::move(*this).number_at(
         name, [member](Options& options) -> double& { return options.*member; }, unit, help,
         minimum);
   }
 
-  Entry&& number_per_leg(std::string_view first_name, PerLeg<double> Options::*member,
+  Entry&& number_per_leg(std::string_view first_name, PerLeg<double> Options::* member,
                          const PerLeg<std::string_view>& names, std::string_view unit) && {
     for (std::size_t i = 0; i < names.size(); ++i) {
       (void)std::move(*this).number_at(
@@ -81,9 +81,10 @@ class Entry {
 
   /// `values` in the order of the enumerators.
   template <typename Enum>
-  Entry&& choice(std::string_view name, Enum Options::*member, std::vector<std::string_view> values,
-                 std::string_view help) && {
-    info_.choices.push_back({name, values, values[static_cast<std::size_t>(defaults_.*member)], help});
+  Entry&& choice(std::string_view name, Enum Options::* member,
+                 std::vector<std::string_view> values, std::string_view help) && {
+    info_.choices.push_back(
+        {name, values, values[static_cast<std::size_t>(defaults_.*member)], help});
     set_choice_.emplace(name, [=, task = info_.name](Options& options, const std::string& word) {
       const auto found = std::ranges::find(values, word);
       if (found == values.end()) {
@@ -99,8 +100,8 @@ class Entry {
     catalog.infos.push_back(std::move(info_));
     catalog.factories.push_back(
         [task = catalog.infos.back().name, set_number = std::move(set_number_),
-         set_choice = std::move(set_choice_)](
-            const TaskParameters& parameters) -> std::unique_ptr<Task> {
+         set_choice =
+             std::move(set_choice_)](const TaskParameters& parameters) -> std::unique_ptr<Task> {
           Options options;
           for (const auto& [name, value] : parameters.numbers) {
             setter(set_number, task, "number", name)(options, value);
@@ -118,7 +119,8 @@ class Entry {
 
  private:
   template <typename Value>
-  using Setters = std::map<std::string_view, std::function<void(Options&, const Value&)>, std::less<>>;
+  using Setters =
+      std::map<std::string_view, std::function<void(Options&, const Value&)>, std::less<>>;
 
   template <typename Access>
   Entry&& number_at(std::string_view name, Access access, std::string_view unit,
@@ -160,7 +162,8 @@ template <typename T>
 void add_bound(Entry<T>&& entry, Catalog& catalog) {
   using Options = typename T::Options;
   std::move(entry)
-      .number("dt", &Options::dt, "s", "time δt in which a bound is reached: longer is softer", 1e-4)
+      .number("dt", &Options::dt, "s", "time δt in which a bound is reached: longer is softer",
+              1e-4)
       .choice("response", &Options::response, {"paper", "no_overshoot"},
               "how a coordinate stops at its bound")
       .add_to(catalog);
@@ -177,16 +180,21 @@ void add_dynamics(Catalog& catalog) {
 
 void add_limits(Catalog& catalog) {
   Entry<TorqueLimits>("torque_limits", "torques stay within what the actuators give", "(28)")
-      .number("fraction", &TorqueLimits::Options::fraction, kNoUnit, "of the torque limit, at most 1")
+      .number("fraction", &TorqueLimits::Options::fraction, kNoUnit,
+              "of the torque limit, at most 1")
       .choice("speed_line", &TorqueLimits::Options::speed_line, {"none", "linear"},
               "whether the limit falls with the joint's speed")
       .number("corner_speed", &TorqueLimits::Options::corner_speed, kNoUnit,
               "where the line begins, as a fraction of the velocity limit")
       .add_to(catalog);
-  Entry<FrictionCone>("friction_cone", "contact forces stay in the friction pyramid and the plan's "
-                                       "normal-force limits", "(29)–(31)")
+  Entry<FrictionCone>("friction_cone",
+                      "contact forces stay in the friction pyramid and the plan's "
+                      "normal-force limits",
+                      "(29)–(31)")
       .choice("pyramid", &FrictionCone::Options::pyramid, {"inner", "outer"},
               "inside the friction cone (μ/√2) or around it (μ)")
+      .choice("axes", &FrictionCone::Options::axes, {"control", "gravity"},
+              "about the normal of the control frame or about the vertical")
       .add_to(catalog);
 }
 
@@ -234,26 +242,27 @@ void add_torso(Catalog& catalog) {
 }
 
 void add_motion_bounds(Catalog& catalog) {
-  add_bound(Entry<LimbExtensionLimits>("limb_extension_limits",
-                                       "distance from hip to foot stays in bounds", "(35)")
-                .choice("form", &LimbExtensionLimits::Options::form,
-                        {"paper", "relative", "radial"},
-                        "vertical with a still foot, vertical, or along the leg")
-                .number("min", &LimbExtensionLimits::Options::min, "m", "shortest distance")
-                .number("max", &LimbExtensionLimits::Options::max, "m", "longest distance"),
-            catalog);
-  add_bound(Entry<BodyHeightLimits>("body_height_limits",
-                                    "height of the base above its feet stays in bounds", "(32)–(34)")
-                .number("min", &BodyHeightLimits::Options::min, "m", "lowest height")
-                .number("max", &BodyHeightLimits::Options::max, "m", "greatest height"),
-            catalog);
-  add_bound(Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges",
-                                       "by (27)")
-                .number("margin", &JointPositionLimits::Options::margin, "rad",
-                        "distance kept from the ends of the range"),
-            catalog);
-  add_bound(Entry<TorsoTiltLimits>("torso_tilt_limits", "roll and pitch of the torso stay in bounds",
-                                   "by (27)")
+  add_bound(
+      Entry<LimbExtensionLimits>("limb_extension_limits",
+                                 "distance from hip to foot stays in bounds", "(35)")
+          .choice("form", &LimbExtensionLimits::Options::form, {"paper", "relative", "radial"},
+                  "vertical with a still foot, vertical, or along the leg")
+          .number("min", &LimbExtensionLimits::Options::min, "m", "shortest distance")
+          .number("max", &LimbExtensionLimits::Options::max, "m", "longest distance"),
+      catalog);
+  add_bound(
+      Entry<BodyHeightLimits>("body_height_limits",
+                              "height of the base above its feet stays in bounds", "(32)–(34)")
+          .number("min", &BodyHeightLimits::Options::min, "m", "lowest height")
+          .number("max", &BodyHeightLimits::Options::max, "m", "greatest height"),
+      catalog);
+  add_bound(
+      Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges", "by (27)")
+          .number("margin", &JointPositionLimits::Options::margin, "rad",
+                  "distance kept from the ends of the range"),
+      catalog);
+  add_bound(Entry<TorsoTiltLimits>("torso_tilt_limits",
+                                   "roll and pitch of the torso stay in bounds", "by (27)")
                 .number("max_roll", &TorsoTiltLimits::Options::max_roll, "rad", "below π/2")
                 .number("max_pitch", &TorsoTiltLimits::Options::max_pitch, "rad", "below π/2"),
             catalog);

@@ -1,5 +1,7 @@
 #include "surefoot/tasks/friction_cone.hpp"
 
+#include "surefoot/math/rotation.hpp"
+
 #include <algorithm>
 #include <numbers>
 
@@ -9,10 +11,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// B of Eq. 31 for one foot: four faces, each ≤ 0, and the normal force, for forces in W.
-Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& R_WC, double mu) {
-  const Vec3 heading = R_WC.col(0);
-  const Vec3 lateral = R_WC.col(1);
-  const Vec3 normal = R_WC.col(2);
+Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& axes, double mu) {
+  const Vec3 heading = axes.col(0);
+  const Vec3 lateral = axes.col(1);
+  const Vec3 normal = axes.col(2);
   Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> B;
   B.row(0) = heading - mu * normal;
   B.row(1) = -heading - mu * normal;
@@ -26,7 +28,9 @@ Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& R_W
 
 void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
   const double inner = options_.pyramid == Pyramid::inner ? 1.0 / std::numbers::sqrt2 : 1.0;
-  const auto B = pyramid_rows(input.plan.R_WC, inner * input.plan.friction);
+  const Mat3 axes =
+      options_.axes == Axes::control ? input.plan.R_WC : rotation_about_z(yaw(input.plan.R_WC));
+  const auto B = pyramid_rows(axes, inner * input.plan.friction);
   for (const Leg leg : kLegs) {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];

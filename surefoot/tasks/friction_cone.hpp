@@ -10,15 +10,17 @@ namespace surefoot {
 ///     min(f_min, f_max(t)) ≤ n̂ᵀλ_i ≤ f_max(t)               (Eq. 30)
 ///     λ = Λ x + λ₀                                           (Eq. 31)
 ///
-/// ĥ, l̂, n̂ are the axes of the control frame C. The pyramid with μ' = μ touches the cone from outside
-/// and exceeds it on the diagonals by √2; with μ' = μ/√2 it lies inside. Writes 5 rows for each leg in
-/// contact [N].
+/// ĥ, l̂, n̂ are the axes of the control frame C. The pyramid with μ' = μ touches the cone from
+/// outside and exceeds it on the diagonals by √2; with μ' = μ/√2 it lies inside. Writes 5 rows for
+/// each leg in contact [N].
 class FrictionCone final : public Task {
  public:
   enum class Pyramid { inner, outer };
+  enum class Axes { control, gravity };
 
   struct Options {
     Pyramid pyramid = Pyramid::inner;
+    Axes axes = Axes::control;
   };
 
   static constexpr int kRowsPerLeg = 5;
