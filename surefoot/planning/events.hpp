@@ -14,8 +14,8 @@ enum class PlanEvent : int {
   late = 5,               ///< no ground at the expected time: the gait waits, the foot searches
   no_ground = 6,          ///< none within reach: the foot is taken back
   lost_contact = 7,       ///< a stance foot lost its ground
-  lift_off_aborted =
-      8,  ///< the leg did not unload or the balance was not over the others: shift again
+  lift_off_aborted = 8,   ///< the leg did not unload or the balance was not over the others
+  collision = 9,          ///< a hind leg met something above the ground that it steps onto
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -36,6 +36,8 @@ enum class PlanEvent : int {
       return "no ground within reach: foot taken back";
     case PlanEvent::lost_contact:
       return "stance foot lost contact: searching";
+    case PlanEvent::collision:
+      return "leg met the edge: up and further on";
     case PlanEvent::lift_off_aborted:
       return "lift-off aborted: shifting again";
   }

@@ -15,6 +15,7 @@ constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
+constexpr int kMostCollisions = 2;           // of one swing with an edge, before the touch is believed
 constexpr double kGroundlessTravel =
     0.10;  // a foot taken back drops its goal no further than this [m]
 
@@ -46,7 +47,10 @@ const MotionPlan& Planner::update(const UserCommand& user, const RobotState& sta
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = true;
   yaw_ = surefoot::yaw(state.R_WB());
-  for (const Leg k : kLegs) leg(k).plant(time_, dynamics.foot[index(k)].p, true);
+  for (const Leg k : kLegs) {
+    leg(k).plant(time_, dynamics.foot[index(k)].p, true);
+    foothold_planner_.remember(k, dynamics.foot[index(k)].p);
+  }
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
   torso_.restart(state);
   replan_com(UserCommand{}, dynamics);
@@ -77,6 +81,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
   if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
+  if (was_swinging && hit_above_known_ground(k, p_WF)) return;
   event_ = PlanEvent::touchdown;
   leg(k).plant(time_, p_WF);
   foothold_planner_.remember(k, p_WF);
@@ -103,6 +108,22 @@ bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
   }
   event_ = same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.probe.duration, options_.probe.lift});
+  return true;
+}
+
+// A hind foot that steps onto a footprint knows how high the ground is. A touch well above it is a shin or knee
+// against the edge: up again, and down further on. Found there once more, the ground really is higher.
+bool Planner::hit_above_known_ground(Leg k, const Vec3& p_WF) {
+  const SwingTarget& target = leg(k).target();
+  const bool above = p_WF.z() > target.goal.z() + options_.probe.lift + options_.probe.tolerance;
+  if (is_front(k) || !above || collisions_ >= kMostCollisions) return false;
+  ++collisions_;
+  event_ = PlanEvent::collision;
+  const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
+  Vec3 goal = target.goal;
+  if (step.norm() > 0.02) goal.head<2>() += options_.probe.beyond * step.normalized();
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex});
+  deadline_ = time_ + options_.gait.swing_duration;
   return true;
 }
 
@@ -183,6 +204,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
 void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::lift_off;
   mode_ = Mode::swing;
+  collisions_ = 0;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   probe_target_ = foothold_planner_.foothold(k, footholds(), plane_, yaw_, user, cycle_duration());
   Vec3 goal = probe_target_;

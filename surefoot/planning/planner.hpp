@@ -40,6 +40,7 @@ class Planner {
                     const Dynamics& dynamics);
   /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
   bool continue_probe(Leg leg, const Vec3& p_WF);
+  bool hit_above_known_ground(Leg leg, const Vec3& p_WF);
   void on_unreachable(Leg leg, const Vec3& p_WF);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void advance(const UserCommand& user, const Dynamics& dynamics);
@@ -77,6 +78,7 @@ class Planner {
   double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
   double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
   bool probing_ = false;    // the swinging foot makes its first touch
+  int collisions_ = 0;         // of this swing with something above the ground that it knows
   Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch
   Vec2 probe_direction_{1.0, 0.0};
   int steps_taken_ = 0;
