@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLongAgo = 1e3;         // [s]
+constexpr double kCertain = 2.0;  // times the touchdown force: an impact, needs no second look
 constexpr int kFirmTicks = 2;            // debounce of a touchdown
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kUnreachableAfter = 0.3;  // [s]
@@ -64,8 +65,9 @@ LegEvent LegMotion::observe_swing(double time, const Vec3& p_WF) {
   const double behind = target.normal.dot(p_WF - curve_.at(t).p);
   const bool pressed = normal_force_ > touchdown_.touchdown_force;
   const bool stalled = behind > touchdown_.stall_error && normal_force_ > touchdown_.stall_force;
+  const bool certain = normal_force_ > kCertain * touchdown_.touchdown_force;
   firm_ticks_ = pressed || stalled ? firm_ticks_ + 1 : 0;
-  if (firm_ticks_ >= kFirmTicks) return LegEvent::touchdown;
+  if (certain || firm_ticks_ >= kFirmTicks) return LegEvent::touchdown;
   if (phase_ != LegPhase::search) return LegEvent::none;
   if (behind > kReferenceLead) {
     begin_ += period_;

@@ -15,6 +15,7 @@ constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
+constexpr double kLevel = 1e-3;              // apex of a move that does not rise [m]
 constexpr int kMostCollisions = 2;           // of one swing with an edge, before the touch is believed
 constexpr double kGroundlessTravel =
     0.10;  // a foot taken back drops its goal no further than this [m]
@@ -67,7 +68,7 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
         on_touchdown(k, user, state, dynamics);
         break;
       case LegEvent::unreachable:
-        on_unreachable(k, p_WF);
+        on_unreachable(k, user, dynamics);
         break;
       case LegEvent::lost:
         on_lost(k, user, dynamics);
@@ -81,7 +82,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
   if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
-  if (was_swinging && hit_above_known_ground(k, p_WF)) return;
+  if (was_swinging && hit_above_known_ground(k, user, dynamics)) return;
   event_ = PlanEvent::touchdown;
   leg(k).plant(time_, p_WF);
   foothold_planner_.remember(k, p_WF);
@@ -111,9 +112,31 @@ bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
   return true;
 }
 
+// The foot stays in the air longer than the COM plan knows: a new plan, or the balance goes on without it.
+void Planner::swing_again(Leg k, const SwingTarget& target, const UserCommand& user, const Dynamics& dynamics) {
+  leg(k).lift(time_, target);
+  deadline_ = time_ + target.duration;
+  replan_com(user, dynamics);
+}
+
+// No ground at the first touch: the foot hangs over an edge that lies behind it. It moves on before it goes down, so
+// that the leg, stretched, passes clear of the edge, and its first touch can be the foothold.
+void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
+  const SwingTarget& target = leg(k).target();
+  const double depth = target.normal.dot(target.goal - p_WF);
+  if (leg(k).phase() != LegPhase::search || depth < options_.probe.tolerance) return;
+  probing_ = false;
+  event_ = PlanEvent::probe_edge;
+  Vec3 goal = p_WF - options_.probe.lift * target.normal;
+  goal.head<2>() += options_.probe.beyond * probe_direction_;
+  swing_again(k, {p_WF, goal, target.normal, options_.probe.duration, kLevel}, user, dynamics);
+}
+
 // A hind foot that steps onto a footprint knows how high the ground is. A touch well above it is a shin or knee
 // against the edge: up again, and down further on. Found there once more, the ground really is higher.
-bool Planner::hit_above_known_ground(Leg k, const Vec3& p_WF) {
+bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
   const SwingTarget& target = leg(k).target();
   const bool above = p_WF.z() > target.goal.z() + options_.probe.lift + options_.probe.tolerance;
   if (is_front(k) || !above || collisions_ >= kMostCollisions) return false;
@@ -122,12 +145,12 @@ bool Planner::hit_above_known_ground(Leg k, const Vec3& p_WF) {
   const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
   Vec3 goal = target.goal;
   if (step.norm() > 0.02) goal.head<2>() += options_.probe.beyond * step.normalized();
-  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex});
-  deadline_ = time_ + options_.gait.swing_duration;
+  swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex}, user, dynamics);
   return true;
 }
 
-void Planner::on_unreachable(Leg k, const Vec3& p_WF) {
+void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
   event_ = PlanEvent::no_ground;
   probing_ = false;
   const Vec3& last = leg(k).foothold();
@@ -137,8 +160,7 @@ void Planner::on_unreachable(Leg k, const Vec3& p_WF) {
     goal.head<2>() = p_WF.head<2>() - options_.swing.retract_distance * travelled.normalized();
     goal.z() = std::max(p_WF.z(), last.z() - kGroundlessTravel);
   }
-  leg(k).lift(time_, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex});
-  deadline_ = time_ + swing_duration(k);
+  swing_again(k, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex}, user, dynamics);
 }
 
 void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
@@ -166,6 +188,7 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
       advance_support(user, dynamics);
       break;
     case Mode::swing:
+      if (probing_) reach_beyond_edge(next_leg(), user, dynamics);
       if (time_ >= deadline_ + kGrace) {
         event_ = PlanEvent::late;
         deadline_ = time_ + kWaitDuration;

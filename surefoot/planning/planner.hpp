@@ -40,8 +40,11 @@ class Planner {
                     const Dynamics& dynamics);
   /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
   bool continue_probe(Leg leg, const Vec3& p_WF);
-  bool hit_above_known_ground(Leg leg, const Vec3& p_WF);
-  void on_unreachable(Leg leg, const Vec3& p_WF);
+  void reach_beyond_edge(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void swing_again(Leg leg, const SwingTarget& target, const UserCommand& user,
+                   const Dynamics& dynamics);
+  bool hit_above_known_ground(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
