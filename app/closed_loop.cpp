@@ -21,11 +21,16 @@ constexpr double kAfterSafetyStop = 1.0;   // how long a robot that was stopped 
 
 std::string reason(Ending ending) {
   switch (ending) {
-    case Ending::finished: return "the whole duration";
-    case Ending::goal_reached: return "goal reached";
-    case Ending::fell: return "fell";
-    case Ending::safety: return "the controller stopped for safety";
-    case Ending::interrupted: return "interrupted";
+    case Ending::finished:
+      return "the whole duration";
+    case Ending::goal_reached:
+      return "goal reached";
+    case Ending::fell:
+      return "fell";
+    case Ending::safety:
+      return "the controller stopped for safety";
+    case Ending::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -50,7 +55,8 @@ class ClosedLoop {
 
   RunResult run() {
     const auto start = std::chrono::steady_clock::now();
-    const auto ticks = static_cast<long>(std::ceil(scenario_.duration / scenario_.controller.period));
+    const auto ticks =
+        static_cast<long>(std::ceil(scenario_.duration / scenario_.controller.period));
     std::optional<Ending> ending;
     for (long tick = 0; tick < ticks && !ending; ++tick) ending = step();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -113,8 +119,8 @@ class ClosedLoop {
                                          .version = std::string(build_info().version),
                                          .goal_reached = goal_.reached()});
     result.criteria = evaluate(scenario_.criteria, result.metrics);
-    result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop &&
-                               ending != Ending::interrupted;
+    result.metrics.succeeded =
+        all_passed(result.criteria) && !result.safety_stop && ending != Ending::interrupted;
     result.drawn = scenario_.drawn;
     result.notes = run_notes(controller_, plant_);
     if (recorder_) recorder_->close(summary_json(result.metrics, result.criteria));
@@ -131,8 +137,8 @@ class ClosedLoop {
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;
-  double stopped_at_ = kNaN;     // time of the safety stop [s]
-  double next_progress_ = 0.0;   // [s]
+  double stopped_at_ = kNaN;    // time of the safety stop [s]
+  double next_progress_ = 0.0;  // [s]
 };
 
 }  // namespace

@@ -12,34 +12,35 @@ namespace surefoot {
 
 /// Why a run ended.
 enum class Ending {
-  finished,      ///< the whole duration
+  finished,  ///< the whole duration
   goal_reached,
   fell,
-  safety,        ///< the controller stopped, and did not come back
-  interrupted,   ///< from outside
+  safety,       ///< the controller stopped, and did not come back
+  interrupted,  ///< from outside
 };
 
 struct ClosedLoopOptions {
-  std::string record_path;                        ///< log to write; empty: none
-  std::function<void(double time)> progress;      ///< called about every 0.1 s of simulated time
-  std::function<bool()> interrupted;              ///< asked at every tick
+  std::string record_path;                    ///< log to write; empty: none
+  std::function<void(double time)> progress;  ///< called about every 0.1 s of simulated time
+  std::function<bool()> interrupted;          ///< asked at every tick
 };
 
 struct RunResult {
   Ending ending = Ending::finished;
-  bool safety_stop = false;                  ///< the controller damped all joints at some time
+  bool safety_stop = false;  ///< the controller damped all joints at some time
   Metrics metrics;
   std::vector<CriterionResult> criteria;
   std::vector<RandomDraw> drawn;
-  std::vector<std::string> notes;            ///< of model, plant and controller
+  std::vector<std::string> notes;  ///< of model, plant and controller
 };
 
-/// Runs a scenario: plant and controller against each other, judged on the truth and logged, until its duration is
-/// over, its goal is reached, the robot fell, or the controller stopped. Throws Error on options that make no sense,
-/// and if the log can't be written.
+/// Runs a scenario: plant and controller against each other, judged on the truth and logged, until
+/// its duration is over, its goal is reached, the robot fell, or the controller stopped. Throws
+/// Error on options that make no sense, and if the log can't be written.
 [[nodiscard]] RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options);
 
-/// Throws Error, as a run would at its start, if plant or controller can't be made from the scenario.
+/// Throws Error, as a run would at its start, if plant or controller can't be made from the
+/// scenario.
 void check_setup(const Scenario& scenario);
 
 }  // namespace surefoot

@@ -21,7 +21,8 @@ class GoalWatch {
   [[nodiscard]] bool all_feet_beyond(const GroundTruth& truth) const;
 
   Goal goal_;
-  double passed_at_x_ = std::numeric_limits<double>::quiet_NaN();  // base, when all feet were beyond [m]
+  double passed_at_x_ =
+      std::numeric_limits<double>::quiet_NaN();  // base, when all feet were beyond [m]
   bool reached_ = false;
 };
 

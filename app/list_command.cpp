@@ -34,10 +34,10 @@ Table robots() {
 Table stacks() {
   Table table;
   for (const std::string& name : list_data("stacks")) {
+    const StackOptions stack = load_stack(name);
     std::string levels;
-    for (const LevelSpec& level : load_stack(name).levels) {
+    for (const LevelSpec& level : stack.levels)
       levels += (levels.empty() ? "" : " > ") + level.name;
-    }
     table.push_back({name, levels});
   }
   return table;
@@ -45,21 +45,24 @@ Table stacks() {
 
 Table scenarios() {
   Table table;
-  for (const ScenarioTitle& title : list_scenarios()) table.push_back({title.name, title.description});
+  for (const ScenarioTitle& title : list_scenarios())
+    table.push_back({title.name, title.description});
   return table;
 }
 
 Table tasks() {
   Table table;
   for (const TaskInfo& task : task_catalog()) {
-    table.push_back({std::string(task.name), std::string(task.equation), std::string(task.summary)});
+    table.push_back(
+        {std::string(task.name), std::string(task.equation), std::string(task.summary)});
     for (const TaskParameter& parameter : task.parameters) {
       table.push_back({"  " + std::string(parameter.name), number(parameter.default_value),
                        std::string(parameter.unit) + "  " + std::string(parameter.help)});
     }
     for (const TaskChoice& choice : task.choices) {
       std::string values;
-      for (const std::string_view value : choice.values) values += (values.empty() ? "" : " | ") + std::string(value);
+      for (const std::string_view value : choice.values)
+        values += (values.empty() ? "" : " | ") + std::string(value);
       table.push_back({"  " + std::string(choice.name), std::string(choice.default_value),
                        values + "  " + std::string(choice.help)});
     }

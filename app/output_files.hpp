@@ -6,16 +6,20 @@
 
 namespace surefoot {
 
-/// Throws FileError, with the reason, if a file could not be written at this path. Leaves nothing behind.
+/// Throws FileError, with the reason, if a file could not be written at this path. Leaves nothing
+/// behind.
 void check_writable_file(const std::filesystem::path& file);
 
-/// Makes the folder if there is none. Throws FileError, with the reason, if files could not be written into it.
+/// Makes the folder if there is none. Throws FileError, with the reason, if files could not be
+/// written into it.
 void prepare_folder(const std::filesystem::path& folder);
 
 /// "run.mcap" → "run-seed7.mcap"
-[[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file, std::uint64_t seed);
+[[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file,
+                                              std::uint64_t seed);
 
-/// Writes a file whole: under another name first, so that nothing partial ever has its name. Throws FileError.
+/// Writes a file whole: under another name first, so that nothing partial ever has its name. Throws
+/// FileError.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace surefoot

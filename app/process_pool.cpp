@@ -53,7 +53,8 @@ void write_all(int file, const std::string& text) {
 
 Child start(std::size_t number, const Job& job) {
   std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw Error(std::string("no pipe to a new process: ") + std::strerror(errno));
+  if (pipe(ends.data()) != 0)
+    throw Error(std::string("no pipe to a new process: ") + std::strerror(errno));
   std::fflush(nullptr);
   const pid_t pid = fork();
   if (pid < 0) throw Error(std::string("no new process: ") + std::strerror(errno));
@@ -91,7 +92,8 @@ JobOutcome collect(Child& child) {
 /// Waits until some children wrote something; moves those that ended out of `running`.
 std::vector<Child> wait_for_some(std::vector<Child>& running) {
   std::vector<pollfd> waiting;
-  for (const Child& child : running) waiting.push_back({.fd = child.pipe, .events = POLLIN, .revents = 0});
+  for (const Child& child : running)
+    waiting.push_back({.fd = child.pipe, .events = POLLIN, .revents = 0});
   std::vector<Child> ended;
   if (poll(waiting.data(), waiting.size(), kPollMilliseconds) <= 0) return ended;
   for (std::size_t i = running.size(); i-- > 0;) {
@@ -109,7 +111,8 @@ void run_in_processes(const std::vector<Job>& jobs, int at_once,
   std::vector<Child> running;
   bool told_to_end = false;
   for (std::size_t next = 0; next < jobs.size() || !running.empty();) {
-    while (!interrupted() && next < jobs.size() && running.size() < static_cast<std::size_t>(at_once)) {
+    while (!interrupted() && next < jobs.size() &&
+           running.size() < static_cast<std::size_t>(at_once)) {
       running.push_back(start(next, jobs[next]));
       ++next;
     }

@@ -16,8 +16,9 @@ struct JobOutcome {
 /// Makes text; what it throws becomes the outcome's failure.
 using Job = std::function<std::string()>;
 
-/// Runs every job in a process of its own, `at_once` at a time: one that crashes takes nobody along. `finished` is
-/// called in this process as each ends. After an interrupt no more are started, and those that run are told to end.
+/// Runs every job in a process of its own, `at_once` at a time: one that crashes takes nobody
+/// along. `finished` is called in this process as each ends. After an interrupt no more are
+/// started, and those that run are told to end.
 void run_in_processes(const std::vector<Job>& jobs, int at_once,
                       const std::function<void(std::size_t job, const JobOutcome&)>& finished);
 

@@ -1,5 +1,6 @@
 #include "app/program.hpp"
 
+#include "app/demo.hpp"
 #include "app/exit_code.hpp"
 #include "app/list_command.hpp"
 #include "app/output_files.hpp"
@@ -34,9 +35,11 @@ using Command = std::function<int()>;
 void add_run(CLI::App& app, Command& chosen) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
   const auto arguments = std::make_shared<RunArguments>();
-  run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")->required();
-  run->add_option("--seed", arguments->seed,
-                  "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing");
+  run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")
+      ->required();
+  run->add_option(
+      "--seed", arguments->seed,
+      "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing");
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
       ->check(CLI::Range(1, 1000000));
   run->add_option("--jobs", arguments->jobs, "Processes at once")->check(CLI::Range(1, 1024));
@@ -51,7 +54,8 @@ void add_run(CLI::App& app, Command& chosen) {
 }
 
 void add_list(CLI::App& app, Command& chosen) {
-  CLI::App* list = app.add_subcommand("list", "Show what there is: robots, stacks, scenarios or tasks");
+  CLI::App* list =
+      app.add_subcommand("list", "Show what there is: robots, stacks, scenarios or tasks");
   const auto what = std::make_shared<std::string>();
   list->add_option("what", *what, "robots, stacks, scenarios or tasks")
       ->required()
@@ -79,7 +83,23 @@ void add_solve(CLI::App& app, Command& chosen) {
   const auto file = std::make_shared<std::string>();
   solve->add_option("file", *file, "JSON lines: {\"levels\":[{\"A\":…,\"b\":…,\"D\":…,\"f\":…},…]}")
       ->required();
-  solve->callback([&chosen, file] { chosen = [file] { return run_solve(*file, std::cout, std::cerr); }; });
+  solve->callback(
+      [&chosen, file] { chosen = [file] { return run_solve(*file, std::cout, std::cerr); }; });
+}
+
+void add_demo(CLI::App& app, Command& chosen) {
+  CLI::App* demo =
+      app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
+  const auto arguments = std::make_shared<DemoArguments>();
+  demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default");
+  demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  demo->add_option("--jobs", arguments->jobs, "Processes at once")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  demo->callback(
+      [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });
 }
 
 int tell(const char* message) {
@@ -106,6 +126,7 @@ int run_program(int argc, char** argv) {
   add_list(app, chosen);
   add_report(app, chosen);
   add_solve(app, chosen);
+  add_demo(app, chosen);
   try {
     app.parse(argc, argv);
     return chosen();

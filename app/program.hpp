@@ -2,7 +2,8 @@
 
 namespace surefoot {
 
-/// The whole program: reads its arguments, runs the command, tells errors in one line on stderr. Returns an ExitCode.
+/// The whole program: reads its arguments, runs the command, tells errors in one line on stderr.
+/// Returns an ExitCode.
 int run_program(int argc, char** argv);
 
 }  // namespace surefoot

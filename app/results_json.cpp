@@ -14,11 +14,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Counted over several seeds.
-constexpr std::array<const char*, 5> kRates{"succeeded", "fell", "goal_reached", "safety_stop", "crashed"};
+constexpr std::array<const char*, 5> kRates{"succeeded", "fell", "goal_reached", "safety_stop",
+                                            "crashed"};
 
 /// Of these the smallest value is the worst.
-constexpr std::array<std::string_view, 4> kMoreIsBetter{"distance_m", "speed_mps", "friction_margin_min",
-                                                        "realtime_factor"};
+constexpr std::array<std::string_view, 4> kMoreIsBetter{"distance_m", "speed_mps",
+                                                        "friction_margin_min", "realtime_factor"};
 
 Json criteria_json(const std::vector<CriterionResult>& results) {
   Json list = Json::array();
@@ -35,16 +36,19 @@ Json criteria_json(const std::vector<CriterionResult>& results) {
 }
 
 Json rate_json(const std::vector<Json>& runs, const char* name) {
-  const auto successes = std::ranges::count_if(runs, [&](const Json& run) { return run.value(name, false); });
+  const auto successes =
+      std::ranges::count_if(runs, [&](const Json& run) { return run.value(name, false); });
   const auto trials = static_cast<int>(runs.size());
   const Interval interval = wilson_interval(static_cast<int>(successes), trials);
-  return {{"successes", successes}, {"trials", trials}, {"interval", {interval.low, interval.high}}};
+  return {
+      {"successes", successes}, {"trials", trials}, {"interval", {interval.low, interval.high}}};
 }
 
 Json summary_json(std::vector<double> values, bool more_is_better) {
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
-  const double median = values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+  const double median =
+      values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
   return {{"median", median}, {"worst", more_is_better ? values.front() : values.back()}};
 }
 
@@ -88,6 +92,12 @@ Json seeds_json(const Scenario& scenario, std::vector<Json> runs) {
   json["metrics"] = metrics_json(runs);
   json["runs"] = std::move(runs);
   return json;
+}
+
+bool enough_succeeded(const Scenario& scenario, const Json& seeds) {
+  const Json& rate = seeds.at("rates").at("succeeded");
+  return rate.at("successes").get<double>() >=
+         scenario.success_rate * rate.at("trials").get<double>();
 }
 
 }  // namespace surefoot

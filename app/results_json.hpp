@@ -10,15 +10,19 @@
 
 namespace surefoot {
 
-/// One run: every metric under its name, and beside them `scenario`, `stack`, `criteria`, `drawn` and `notes`.
+/// One run: every metric under its name, and beside them `scenario`, `stack`, `criteria`, `drawn`
+/// and `notes`.
 [[nodiscard]] nlohmann::ordered_json run_json(const Scenario& scenario, const RunResult& result);
 
 /// The row of a run that gave no result: `seed`, `crashed` and the reason.
 [[nodiscard]] nlohmann::ordered_json crash_json(std::uint64_t seed, const std::string& reason);
 
-/// Several seeds: `runs`; `rates`, each with successes, trials and Wilson's 95 % `interval`; `metrics`, each with
-/// its median and the worst of all runs.
+/// Several seeds: `runs`; `rates`, each with successes, trials and Wilson's 95 % `interval`;
+/// `metrics`, each with its median and the worst of all runs.
 [[nodiscard]] nlohmann::ordered_json seeds_json(const Scenario& scenario,
                                                 std::vector<nlohmann::ordered_json> runs);
+
+/// Did as large a share of the seeds succeed as the scenario asks for?
+[[nodiscard]] bool enough_succeeded(const Scenario& scenario, const nlohmann::ordered_json& seeds);
 
 }  // namespace surefoot

@@ -37,8 +37,10 @@ std::string number(double value, const char* format = "%.3g") {
 }
 
 std::string with_unit(double value, const std::string& unit) {
+  if (std::abs(value) < 1e-12) value = 0.0;
   if (unit == "m" && std::abs(value) < 0.1) return number(1e3 * value) + " mm";
-  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g") + (unit.empty() ? "" : " " + unit);
+  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g") +
+         (unit.empty() ? "" : " " + unit);
 }
 
 std::size_t letters(const std::string& text) {
@@ -57,16 +59,6 @@ std::string asked(const Json& criterion) {
   return text + (criterion.at("passed").get<bool>() ? " ✓" : " ✗");
 }
 
-/// What a criterion on this metric, or on a member of its distribution, asks for.
-std::string asked_of(const Json& run, const std::string& metric) {
-  for (const Json& criterion : run.at("criteria")) {
-    const auto name = criterion.at("metric").get<std::string>();
-    if (name == metric) return asked(criterion);
-    if (name.starts_with(metric + ".")) return name.substr(metric.size() + 1) + " " + asked(criterion);
-  }
-  return "";
-}
-
 std::string paper_of(const Scenario& scenario, const std::string& metric) {
   const auto found = std::ranges::find(scenario.paper, metric, &PaperFigure::metric);
   return found == scenario.paper.end() ? "" : found->text;
@@ -74,14 +66,28 @@ std::string paper_of(const Scenario& scenario, const std::string& metric) {
 
 std::string title(const Scenario& scenario, const Json& json) {
   return json.at("scenario").get<std::string>() + ", stack " + json.at("stack").get<std::string>() +
-         (scenario.description.empty() ? "" : "\n" + scenario.description) + "\n\n";
+         (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
+}
+
+std::string drawn_values(const Json& run) {
+  std::string text;
+  for (const auto& [path, value] : run.at("drawn").items()) {
+    text += (text.empty() ? ": " : ", ") + path + " " + number(value.get<double>());
+  }
+  return text;
+}
+
+std::string verdict(const Json& run) {
+  return (run.at("succeeded").get<bool>() ? "succeeded: " : "did not succeed: ") +
+         run.at("reason").get<std::string>() + "\n";
 }
 
 std::string rate_text(const Json& rate) {
   const Json& interval = rate.at("interval");
   return std::to_string(rate.at("successes").get<int>()) + " of " +
-         std::to_string(rate.at("trials").get<int>()) + "  (95 %: " +
-         number(100.0 * interval[0].get<double>()) + " … " + number(100.0 * interval[1].get<double>()) + " %)";
+         std::to_string(rate.at("trials").get<int>()) +
+         " (95 %: " + number(100.0 * interval[0].get<double>(), "%.0f") + " … " +
+         number(100.0 * interval[1].get<double>(), "%.0f") + " %)";
 }
 
 std::string failures(const Json& runs) {
@@ -93,8 +99,9 @@ std::string failures(const Json& runs) {
       if (criterion.at("passed").get<bool>()) continue;
       const auto metric = criterion.at("metric").get<std::string>();
       const Json value = criterion.at("value");
-      why += "; " + metric + " " + (criterion.contains("equals") ? "" : pretty(metric, value) + ", ") +
-             "must be " + asked(criterion);
+      why += "; " + metric + " " +
+             (criterion.contains("equals") ? "" : pretty(metric, value) + ", ") + "must be " +
+             asked(criterion);
     }
     table.push_back({"seed " + std::to_string(run.value("seed", std::uint64_t{0})), why});
   }
@@ -125,34 +132,59 @@ std::string pretty(const std::string& metric, const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
+  if (value.is_number_integer() && unit_of(metric).empty())
+    return std::to_string(value.get<std::int64_t>());
   if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
-  return "median " + with_unit(value.value("median", kNaN), "") + ", 99 % " +
-         with_unit(value.value("p99", kNaN), "") + ", max " +
-         with_unit(value.value("max", kNaN), unit_of(metric));
+  if (value.at("median").is_null()) return "–";
+  const auto member = [&](const char* name) { return value.at(name).get<double>(); };
+  return "median " + with_unit(member("median"), "") + ", 99 % " + with_unit(member("p99"), "") + ", max " +
+         with_unit(member("max"), unit_of(metric));
+}
+
+std::string asked_of(const Json& run, const std::string& metric) {
+  for (const Json& criterion : run.at("criteria")) {
+    const auto name = criterion.at("metric").get<std::string>();
+    if (name == metric) return asked(criterion);
+    if (name.starts_with(metric + "."))
+      return name.substr(metric.size() + 1) + " " + asked(criterion);
+  }
+  return "";
 }
 
 std::string run_table(const Scenario& scenario, const Json& run) {
+  constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
   Table table{{"", "measured", "must be", "paper"}};
   for (const auto& [name, value] : values(Metrics())) {
     const std::string metric(name);
     const auto found = run.find(metric);
-    if (found == run.end()) continue;
-    table.push_back({metric, pretty(metric, *found), asked_of(run, metric), paper_of(scenario, metric)});
+    if (found == run.end() || std::ranges::find(kInTitle, name) != kInTitle.end()) continue;
+    table.push_back(
+        {metric, pretty(metric, *found), asked_of(run, metric), paper_of(scenario, metric)});
   }
-  return title(scenario, run) + aligned(table);
+  return title(scenario, run) + "seed " + std::to_string(run.at("seed").get<std::uint64_t>()) +
+         drawn_values(run) + "\n" + verdict(run) + "\n" + aligned(table);
+}
+
+std::string seeds_line(const Scenario& scenario, const Json& seeds) {
+  const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
+  const Json& rates = seeds.at("rates");
+  return (has_goal ? "goal reached " : "succeeded ") +
+         rate_text(rates.at(has_goal ? "goal_reached" : "succeeded")) + ", fell " +
+         std::to_string(rates.at("fell").at("successes").get<int>());
 }
 
 std::string seeds_table(const Scenario& scenario, const Json& seeds) {
   Table rates;
-  for (const auto& [name, rate] : seeds.at("rates").items()) rates.push_back({name, rate_text(rate)});
+  for (const auto& [name, rate] : seeds.at("rates").items())
+    rates.push_back({name, rate_text(rate)});
   Table table{{"", "median", "worst", "paper"}};
   for (const auto& [metric, summary] : seeds.at("metrics").items()) {
     table.push_back({metric, with_unit(summary.at("median").get<double>(), unit_of(metric)),
                      with_unit(summary.at("worst").get<double>(), unit_of(metric)),
                      paper_of(scenario, metric)});
   }
-  return title(scenario, seeds) + failures(seeds.at("runs")) + aligned(rates) + "\n" + aligned(table);
+  return title(scenario, seeds) + "\n" + failures(seeds.at("runs")) + aligned(rates) + "\n" +
+         aligned(table);
 }
 
 }  // namespace surefoot

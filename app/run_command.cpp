@@ -33,7 +33,8 @@ void check_outputs(const RunArguments& arguments) {
 }
 
 [[noreturn]] void report_interrupt(const std::string& log) {
-  throw Error("interrupted: no results" + (log.empty() ? "" : "; the log " + log + " holds the run so far"));
+  throw Error("interrupted: no results" +
+              (log.empty() ? "" : "; the log " + log + " holds the run so far"));
 }
 
 void print(const RunArguments& arguments, const Json& json, const std::string& table) {
@@ -67,7 +68,8 @@ std::vector<PlannedRun> plan_runs(const RunArguments& arguments) {
   for (int i = 0; i < arguments.seeds; ++i) {
     PlannedRun run;
     const std::uint64_t seed = arguments.seed.value_or(1) + static_cast<std::uint64_t>(i);
-    run.request = {.name_or_path = arguments.scenario, .seed = seed, .assignments = arguments.assignments};
+    run.request = {
+        .name_or_path = arguments.scenario, .seed = seed, .assignments = arguments.assignments};
     const std::filesystem::path log = log_path(arguments);
     if (!log.empty()) run.log = with_seed(log, seed);
     if (!arguments.report.empty()) {
@@ -94,15 +96,13 @@ int run_seeds(const RunArguments& arguments) {
     double done = 0.0;
     rows = run_all(runs, arguments.jobs, [&](std::size_t, const Json& row) {
       progress.update(++done);
-      progress.say(outcome(row));
+      if (!interrupted()) progress.say(outcome(row));
     });
   }
   if (interrupted()) report_interrupt("");
   const Json json = seeds_json(scenario, std::move(rows));
   print(arguments, json, seeds_table(scenario, json));
-  const Json& rate = json["rates"]["succeeded"];
-  return rate["successes"].get<double>() >= scenario.success_rate * rate["trials"].get<double>() ? kPassed
-                                                                                               : kFailed;
+  return enough_succeeded(scenario, json) ? kPassed : kFailed;
 }
 
 }  // namespace

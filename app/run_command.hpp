@@ -19,7 +19,8 @@ struct RunArguments {
   bool json = false;
 };
 
-/// Runs a scenario once, or once for each of several seeds. Returns an ExitCode; throws Error on wrong input.
+/// Runs a scenario once, or once for each of several seeds. Returns an ExitCode; throws Error on
+/// wrong input.
 int run_command(const RunArguments& arguments);
 
 }  // namespace surefoot

@@ -92,7 +92,9 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.limb = limb_limits(scenario.controller.stack);
   header.notes = run_notes(controller, plant);
   header.attachments = attachments(scenario, plant);
-  header.row_name = [&controller](int level, std::int32_t id) { return controller.row_name(level, id); };
+  header.row_name = [&controller](int level, std::int32_t id) {
+    return controller.row_name(level, id);
+  };
   return header;
 }
 

@@ -22,8 +22,12 @@ void write(JsonText& json, const std::string& text) {
 
 void write(JsonText& json, const ConfigNode& node) {
   switch (node.kind) {
-    case ConfigNode::Kind::null: json.null(); break;
-    case ConfigNode::Kind::scalar: write(json, node.text); break;
+    case ConfigNode::Kind::null:
+      json.null();
+      break;
+    case ConfigNode::Kind::scalar:
+      write(json, node.text);
+      break;
     case ConfigNode::Kind::list:
       json.array();
       for (const ConfigNode& item : node.items) write(json, item);

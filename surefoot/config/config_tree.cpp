@@ -43,7 +43,8 @@ class Converter {
   }
 
  private:
-  void add_member(ConfigNode& map, const YAML::Node& key, const YAML::Node& value, int depth) const {
+  void add_member(ConfigNode& map, const YAML::Node& key, const YAML::Node& value,
+                  int depth) const {
     if (!key.IsScalar()) throw FileError(place(key.Mark()) + ": a key must be a plain word");
     if (map.find(key.Scalar()) != nullptr) {
       throw FileError(place(key.Mark()) + ": the key \"" + key.Scalar() + "\" is given twice");
@@ -61,7 +62,8 @@ std::vector<std::string> split(const std::string& path) {
   std::istringstream stream(path);
   for (std::string key; std::getline(stream, key, '.');) keys.push_back(key);
   if (keys.empty() || path.back() == '.' || std::ranges::count(keys, "") > 0) {
-    throw Error("the path \"" + path + "\" must be keys with a dot between them, as in terrain.friction");
+    throw Error("the path \"" + path +
+                "\" must be keys with a dot between them, as in terrain.friction");
   }
   return keys;
 }
@@ -74,8 +76,9 @@ ConfigNode& item(ConfigNode& list, const std::string& key, const std::string& pa
     (void)std::from_chars(key.data(), key.data() + key.size(), number);
   }
   if (number >= list.items.size()) {
-    throw Error("the path \"" + path + "\": \"" + key + "\" is no entry of the list at " + list.where +
-                ", which has " + std::to_string(list.items.size()) + ", counted from 0");
+    throw Error("the path \"" + path + "\": \"" + key + "\" is no entry of the list at " +
+                list.where + ", which has " + std::to_string(list.items.size()) +
+                ", counted from 0");
   }
   return list.items[number];
 }
@@ -124,7 +127,8 @@ ConfigNode parse_yaml(const std::string& text, const std::string& name) {
   const Converter converter(name);
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) throw FileError(name + ": holds several YAML documents; one is valid");
+    if (documents.size() > 1)
+      throw FileError(name + ": holds several YAML documents; one is valid");
     if (documents.empty()) return ConfigNode{.where = name};
     return converter.convert(documents.front());
   } catch (const YAML::Exception& error) {

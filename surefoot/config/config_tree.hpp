@@ -16,10 +16,10 @@ struct ConfigNode {
   using Member = std::pair<std::string, ConfigNode>;
 
   Kind kind = Kind::null;
-  std::string text{};              ///< of a scalar
-  std::vector<ConfigNode> items{}; ///< of a list
-  std::vector<Member> members{};   ///< of a map, in the order written; keys are unique
-  std::string where{};             ///< "file:line", or the option of the command line
+  std::string text{};               ///< of a scalar
+  std::vector<ConfigNode> items{};  ///< of a list
+  std::vector<Member> members{};    ///< of a map, in the order written; keys are unique
+  std::string where{};              ///< "file:line", or the option of the command line
 
   /// The member with this key, or null.
   [[nodiscard]] const ConfigNode* find(std::string_view key) const;
@@ -36,9 +36,9 @@ struct ConfigNode {
 /// Lays `overlay` over `tree`: maps are merged key by key, everything else is replaced.
 void merge(ConfigNode& tree, ConfigNode overlay);
 
-/// Replaces the node at a dotted path ("terrain.friction"; entries of a list by number, or by x, y, z). Maps on
-/// the way that are missing are made. Throws Error, naming the path, if it leads through a scalar or
-/// beyond the end of a list.
+/// Replaces the node at a dotted path ("terrain.friction"; entries of a list by number, or by x, y,
+/// z). Maps on the way that are missing are made. Throws Error, naming the path, if it leads
+/// through a scalar or beyond the end of a list.
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
 /// An overlay from the command line, "path.to.key=value": the value is read as YAML.

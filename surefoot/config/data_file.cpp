@@ -24,14 +24,16 @@ std::string singular(const std::string& folder) { return folder.substr(0, folder
 std::vector<std::string> list_data(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(data_directory() / folder, ignored)) {
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(data_directory() / folder, ignored)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
   return names;
 }
 
-fs::path find_data_file(const std::string& folder, const std::string& name, const fs::path& beside) {
+fs::path find_data_file(const std::string& folder, const std::string& name,
+                        const fs::path& beside) {
   const std::string extension = fs::path(name).extension().string();
   if (extension == ".yaml" || extension == ".yml") {
     if (is_file(name)) return name;

@@ -39,8 +39,7 @@ std::string valid_names(std::string_view given, const std::vector<std::string>& 
     smallest = distance;
     nearest = name;
   }
-  const std::string hint =
-      nearest.empty() ? "" : "did you mean \"" + std::string(nearest) + "\"? ";
+  const std::string hint = nearest.empty() ? "" : "did you mean \"" + std::string(nearest) + "\"? ";
   return hint + (list.empty() ? "none are valid here" : "valid are: " + list);
 }
 

@@ -10,6 +10,7 @@ namespace surefoot {
 /// if one is close, and all that would be valid.
 ///
 ///     did you mean "apex"? Valid are: apex, armed_after, …
-[[nodiscard]] std::string valid_names(std::string_view given, const std::vector<std::string>& valid);
+[[nodiscard]] std::string valid_names(std::string_view given,
+                                      const std::vector<std::string>& valid);
 
 }  // namespace surefoot

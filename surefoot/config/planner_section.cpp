@@ -1,6 +1,5 @@
 #include "surefoot/config/planner_section.hpp"
 
-
 #include <algorithm>
 
 namespace surefoot {

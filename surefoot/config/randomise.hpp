@@ -14,9 +14,9 @@ struct RandomDraw {
   double value = 0.0;
 };
 
-/// Draws the scenario's `randomise:` section, a map from paths to [min, max], uniformly. A value depends on seed and
-/// path alone, so that scenarios which share a path and a seed share the value too. Seed 0 draws nothing.
-/// Throws Error on ranges that make no sense.
+/// Draws the scenario's `randomise:` section, a map from paths to [min, max], uniformly. A value
+/// depends on seed and path alone, so that scenarios which share a path and a seed share the value
+/// too. Seed 0 draws nothing. Throws Error on ranges that make no sense.
 [[nodiscard]] std::vector<RandomDraw> draw_random(const ConfigNode& scenario, std::uint64_t seed);
 
 /// A uniform number in [0, 1) from a seed and a name, the same on every machine.

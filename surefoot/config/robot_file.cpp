@@ -29,7 +29,8 @@ void read_per_joint(Section& section, const char* key, JointVector& value) {
 }
 
 void read_limits(Section& limits, RobotDescription& robot) {
-  for (const char* key : {"torque", "velocity", "position_min", "position_max"}) limits.require(key);
+  for (const char* key : {"torque", "velocity", "position_min", "position_max"})
+    limits.require(key);
   double torque = 0.0, velocity = 0.0;
   limits.number("torque", torque, kPositive);
   limits.number("velocity", velocity, kPositive);
@@ -77,11 +78,13 @@ class NameReader {
     if (section.node(key) != nullptr) check(section, key, "frame", value, links_);
   }
 
-  void joints(Section& section, const char* key, std::array<std::string, kJointsPerLeg>& names) const {
+  void joints(Section& section, const char* key,
+              std::array<std::string, kJointsPerLeg>& names) const {
     section.require(key);
     const ConfigNode* given = section.node(key);
     if (given == nullptr) return;
-    if (given->items.size() != names.size()) section.fail(key, "is not a list of 3 joints: HAA, HFE, KFE");
+    if (given->items.size() != names.size())
+      section.fail(key, "is not a list of 3 joints: HAA, HFE, KFE");
     for (std::size_t i = 0; i < names.size(); ++i) {
       names[i] = read_text(given->items[i], section.path_of(key));
       check(section, key, "joint", names[i], joints_);
@@ -130,7 +133,8 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
   RobotDescription robot;
-  for (const char* key : {"name", "urdf", "base", "legs", "foot", "limits", "posture", "max_leg_length"}) {
+  for (const char* key :
+       {"name", "urdf", "base", "legs", "foot", "limits", "posture", "max_leg_length"}) {
     top.require(key);
     (void)top.node(key);
   }
@@ -149,7 +153,8 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
     for (const Leg leg : kLegs) {
       const char* name = kLegNames[index(leg)].data();
       legs.require(name);
-      legs.section(name, [&](Section& section) { read_leg(section, robot.legs[index(leg)], names); });
+      legs.section(name,
+                   [&](Section& section) { read_leg(section, robot.legs[index(leg)], names); });
     }
   });
   top.section("foot", [&](Section& foot) { read_foot(foot, robot); });

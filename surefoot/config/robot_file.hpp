@@ -8,8 +8,8 @@
 
 namespace surefoot {
 
-/// Reads robots/*.yaml by name or path. Frames, links and joints that the URDF does not have are errors, with
-/// the line that names them. Throws Error.
+/// Reads robots/*.yaml by name or path. Frames, links and joints that the URDF does not have are
+/// errors, with the line that names them. Throws Error.
 [[nodiscard]] RobotDescription load_robot(const std::string& name_or_path,
                                           const std::filesystem::path& beside = {});
 

@@ -49,21 +49,21 @@ struct SourceFile {
 struct Scenario {
   std::string name;
   std::string description;
-  std::string file;            ///< that it was read from
+  std::string file;  ///< that it was read from
   std::uint64_t seed = 0;
-  double duration = 20.0;      ///< longest [s]
+  double duration = 20.0;  ///< longest [s]
   Estimation estimation = Estimation::truth;
   RobotDescription robot;
   ControllerOptions controller;
   PlantOptions plant;
-  std::vector<TimedCommand> commands;   ///< by time, the first at 0
+  std::vector<TimedCommand> commands;  ///< by time, the first at 0
   Goal goal;
-  std::vector<RandomDraw> drawn;        ///< what the seed chose
-  std::vector<Criterion> criteria;      ///< that the metrics must meet
-  double success_rate = 1.0;            ///< share of several seeds that must succeed
+  std::vector<RandomDraw> drawn;    ///< what the seed chose
+  std::vector<Criterion> criteria;  ///< that the metrics must meet
+  double success_rate = 1.0;        ///< share of several seeds that must succeed
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
-  std::string options_json;             ///< the whole scenario as it was read, assignments and draws included
+  std::string options_json;  ///< the whole scenario as it was read, assignments and draws included
 
   /// The operator's command at a time.
   [[nodiscard]] const UserCommand& user(double time) const;

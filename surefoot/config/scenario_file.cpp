@@ -31,7 +31,8 @@ ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
   files.push_back(file);
   const ConfigNode* base = tree.find("base");
   if (base == nullptr) return tree;
-  if (files.size() > kMaxFiles) fail_at(*base, "base", "the files lead to each other, or through too many");
+  if (files.size() > kMaxFiles)
+    fail_at(*base, "base", "the files lead to each other, or through too many");
   try {
     ConfigNode below = read_with_base(
         find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), files);
@@ -88,7 +89,8 @@ void read_user(Section& top, std::vector<TimedCommand>& commands) {
   commands = {TimedCommand{}};
   const ConfigNode* list = top.node("user");
   if (list == nullptr) return;
-  if (list->kind != ConfigNode::Kind::list) top.fail("user", "must be a list of commands, each with its time");
+  if (list->kind != ConfigNode::Kind::list)
+    top.fail("user", "must be a list of commands, each with its time");
   for (const ConfigNode& item : list->items) {
     TimedCommand command;
     Section section(item, "user");
@@ -99,7 +101,8 @@ void read_user(Section& top, std::vector<TimedCommand>& commands) {
     section.number("yaw_rate", command.user.yaw_rate);
     section.number("height", command.user.height);
     section.finish();
-    if (command.time < commands.back().time) section.fail("time", "must not be before the command above");
+    if (command.time < commands.back().time)
+      section.fail("time", "must not be before the command above");
     commands.push_back(command);
   }
 }
@@ -132,14 +135,18 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
     if (std::ranges::find(names, metric) == names.end()) {
       section.fail(metric, "unknown metric; " + valid_names(metric, names));
     }
-    paper.push_back({.metric = metric, .text = read_text(*section.node(metric.c_str()), section.path_of(metric))});
+    const ConfigNode& text = *section.node(metric.c_str());
+    // A figure of the base file is taken away by `metric:` with nothing behind it.
+    if (text.kind == ConfigNode::Kind::null) continue;
+    paper.push_back({.metric = metric, .text = read_text(text, section.path_of(metric))});
   }
 }
 
 void read_controller(Section& top, ControllerOptions& controller) {
   top.number("period", controller.period, kPositive);
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
-  top.section("contact_force", [&](Section& s) { read_contact_force(s, controller.contact_force); });
+  top.section("contact_force",
+              [&](Section& s) { read_contact_force(s, controller.contact_force); });
   top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
 }
 
@@ -158,6 +165,15 @@ void read_body(Section& top, Scenario& scenario) {
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
   for (const char* key : {"base", "robot", "stack", "tasks", "randomise"}) (void)top.node(key);
   top.finish();
+}
+
+/// The nominal run draws nothing; paths that could not be drawn are told all the same.
+void check_random_paths(ConfigNode tree, ScenarioRequest request) {
+  request.seed = 1;
+  (void)randomise(tree, request);
+  Section top(tree, "");
+  Scenario unused;
+  read_body(top, unused);
 }
 
 void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario) {
@@ -192,10 +208,12 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.file = file.string();
   scenario.name = file.stem().string();
   scenario.seed = request.seed;
+  if (request.seed == 0) check_random_paths(tree, request);
   scenario.drawn = randomise(tree, request);
   scenario.options_json = to_json(tree);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    keep_source(scenario, i == 0 ? "scenario.yaml" : "base" + std::to_string(i) + ".yaml", files[i]);
+    keep_source(scenario, i == 0 ? "scenario.yaml" : "base" + std::to_string(i) + ".yaml",
+                files[i]);
   }
   Section top(tree, "");
   read_body(top, scenario);
@@ -214,7 +232,8 @@ std::vector<ScenarioTitle> list_scenarios() {
     std::vector<fs::path> files;
     const ConfigNode tree = read_with_base(find_data_file("scenarios", name), files);
     const ConfigNode* description = tree.find("description");
-    titles.push_back({.name = name, .description = description == nullptr ? "" : description->text});
+    titles.push_back(
+        {.name = name, .description = description == nullptr ? "" : description->text});
   }
   return titles;
 }

@@ -11,13 +11,14 @@ namespace surefoot {
 /// Which experiment, and what to change in it.
 struct ScenarioRequest {
   std::string name_or_path;
-  std::uint64_t seed = 0;                ///< 0: the nominal run, nothing is drawn from `randomise:`
-  std::vector<std::string> assignments;  ///< "path.to.key=value", laid over the file; they also win over what is drawn
+  std::uint64_t seed = 0;  ///< 0: the nominal run, nothing is drawn from `randomise:`
+  std::vector<std::string>
+      assignments;  ///< "path.to.key=value", laid over the file; they also win over what is drawn
 };
 
-/// Reads scenarios/*.yaml with its robot and stack. `base:` names a file that this one is laid over.
-/// Throws Error, naming file, line and key, on everything that is unknown, misspelt, of the wrong type or
-/// out of range.
+/// Reads scenarios/*.yaml with its robot and stack. `base:` names a file that this one is laid
+/// over. Throws Error, naming file, line and key, on everything that is unknown, misspelt, of the
+/// wrong type or out of range.
 [[nodiscard]] Scenario load_scenario(const ScenarioRequest& request);
 
 /// Name, and what it shows: the file's `description`.

@@ -12,10 +12,14 @@ namespace {
 
 std::string describe(const ConfigNode& node) {
   switch (node.kind) {
-    case ConfigNode::Kind::null: return "nothing";
-    case ConfigNode::Kind::scalar: return "\"" + node.text + "\"";
-    case ConfigNode::Kind::list: return "a list of " + std::to_string(node.items.size());
-    case ConfigNode::Kind::map: return "a map";
+    case ConfigNode::Kind::null:
+      return "nothing";
+    case ConfigNode::Kind::scalar:
+      return "\"" + node.text + "\"";
+    case ConfigNode::Kind::list:
+      return "a list of " + std::to_string(node.items.size());
+    case ConfigNode::Kind::map:
+      return "a map";
   }
   return "";
 }
@@ -138,7 +142,8 @@ void Section::fill(const char* key, double* values, std::size_t count) {
 void Section::numbers(const char* key, std::vector<double>& values) {
   const ConfigNode* given = present(key);
   if (given == nullptr) return;
-  if (given->kind != ConfigNode::Kind::list) fail(key, describe(*given) + " is not a list of numbers");
+  if (given->kind != ConfigNode::Kind::list)
+    fail(key, describe(*given) + " is not a list of numbers");
   values.clear();
   for (const ConfigNode& entry : given->items) values.push_back(read_number(entry, path_of(key)));
 }
@@ -146,7 +151,8 @@ void Section::numbers(const char* key, std::vector<double>& values) {
 std::size_t Section::choose(const char* key, const std::string& given,
                             const std::vector<std::string>& names) const {
   const auto found = std::ranges::find(names, given);
-  if (found == names.end()) fail(key, "unknown choice \"" + given + "\"; " + valid_names(given, names));
+  if (found == names.end())
+    fail(key, "unknown choice \"" + given + "\"; " + valid_names(given, names));
   return static_cast<std::size_t>(found - names.begin());
 }
 

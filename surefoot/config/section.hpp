@@ -20,7 +20,8 @@ struct NumberRange {
 };
 
 inline constexpr NumberRange kAnyNumber{};
-inline constexpr NumberRange kPositive{.min = 0.0, .min_included = false, .words = "a number above 0"};
+inline constexpr NumberRange kPositive{
+    .min = 0.0, .min_included = false, .words = "a number above 0"};
 inline constexpr NumberRange kNotNegative{.min = 0.0, .words = "a number of at least 0"};
 inline constexpr NumberRange kShare{.min = 0.0, .max = 1.0, .words = "a number from 0 to 1"};
 
@@ -33,7 +34,8 @@ inline constexpr NumberRange kShare{.min = 0.0, .max = 1.0, .words = "a number f
 ///     section.finish();
 class Section {
  public:
-  /// `path` is the map's own place in the file, "" at the top. An empty node counts as an empty map.
+  /// `path` is the map's own place in the file, "" at the top. An empty node counts as an empty
+  /// map.
   Section(const ConfigNode& node, std::string path);
 
   void number(const char* key, double& value, NumberRange range = kAnyNumber);
@@ -60,7 +62,8 @@ class Section {
   /// Says at `finish()` that this key must be there.
   void require(const char* key);
 
-  /// Call last: throws Error on the first key that nobody asked for, then on required ones that are absent.
+  /// Call last: throws Error on the first key that nobody asked for, then on required ones that are
+  /// absent.
   void finish() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -71,7 +74,8 @@ class Section {
 
  private:
   const ConfigNode* present(const char* key);
-  std::size_t choose(const char* key, const std::string& given, const std::vector<std::string>& names) const;
+  std::size_t choose(const char* key, const std::string& given,
+                     const std::vector<std::string>& names) const;
   void fill(const char* key, double* values, std::size_t count);
 
   const ConfigNode& node_;
@@ -85,10 +89,12 @@ class Section {
                                  NumberRange range = kAnyNumber);
 /// A word or a line of text.
 [[nodiscard]] const std::string& read_text(const ConfigNode& node, const std::string& path);
-[[noreturn]] void fail_at(const ConfigNode& node, const std::string& path, const std::string& message);
+[[noreturn]] void fail_at(const ConfigNode& node, const std::string& path,
+                          const std::string& message);
 
 template <typename T>
-void Section::choice(const char* key, T& value, const std::vector<std::pair<std::string, T>>& choices) {
+void Section::choice(const char* key, T& value,
+                     const std::vector<std::pair<std::string, T>>& choices) {
   const ConfigNode* given = present(key);
   if (given == nullptr) return;
   std::vector<std::string> names;

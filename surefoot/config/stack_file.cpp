@@ -23,9 +23,11 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// A parameter is a number, or a choice by name; the catalog says which.
-void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path, TaskSpec& task) {
+void read_parameter(const ConfigNode& node, const std::string& key, const std::string& path,
+                    TaskSpec& task) {
   const TaskInfo& info = task_info(task.task);
-  const std::vector<std::string> numbers = names_of(info.parameters), choices = names_of(info.choices);
+  const std::vector<std::string> numbers = names_of(info.parameters),
+                                 choices = names_of(info.choices);
   TaskParameters parameter;
   if (contains(numbers, key)) {
     parameter.numbers[key] = task.numbers[key] = read_number(node, path);
@@ -34,7 +36,8 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
   } else {
     std::vector<std::string> valid = numbers;
     valid.insert(valid.end(), choices.begin(), choices.end());
-    fail_at(node, path, "the task " + task.task + " has no such parameter; " + valid_names(key, valid));
+    fail_at(node, path,
+            "the task " + task.task + " has no such parameter; " + valid_names(key, valid));
   }
   try {
     (void)make_task(task.task, parameter);
@@ -107,6 +110,36 @@ void override_task(StackOptions& stack, const std::string& name, const ConfigNod
 
 }  // namespace
 
+namespace {
+
+void read_levels(const ConfigNode& levels, StackOptions& stack) {
+  if (levels.items.empty()) fail_at(levels, "levels", "must be a list of at least one level");
+  for (std::size_t i = 0; i < levels.items.size(); ++i) {
+    stack.levels.push_back(read_level(levels.items[i], "levels." + std::to_string(i)));
+  }
+}
+
+/// The levels of another stack, without some of them.
+void read_base(const Section& top, const ConfigNode& base, const ConfigNode* without,
+               const std::filesystem::path& folder, StackOptions& stack) {
+  try {
+    stack.levels = load_stack(read_text(base, "base"), folder).levels;
+  } catch (const UnknownNameError& error) {
+    top.fail("base", error.what());
+  }
+  if (without == nullptr) return;
+  for (const ConfigNode& name : without->items) {
+    const std::vector<std::string> names = names_of(stack.levels);
+    if (!contains(names, read_text(name, "without"))) {
+      fail_at(name, "without",
+              "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
+    }
+    std::erase_if(stack.levels, [&](const LevelSpec& level) { return level.name == name.text; });
+  }
+}
+
+}  // namespace
+
 StackOptions load_stack(const std::string& name_or_path, const std::filesystem::path& beside) {
   const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
   const ConfigNode tree = parse_yaml_file(file);
@@ -114,14 +147,19 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   StackOptions stack;
   std::string description;
   top.require("name");
-  top.require("levels");
   top.text("name", stack.name);
   top.text("description", description);
+  const ConfigNode* base = top.node("base");
+  const ConfigNode* without = top.node("without");
   const ConfigNode* levels = top.node("levels");
+  if (base == nullptr) top.require("levels");
   top.finish();
-  if (levels->items.empty()) fail_at(*levels, "levels", "must be a list of at least one level");
-  for (std::size_t i = 0; i < levels->items.size(); ++i) {
-    stack.levels.push_back(read_level(levels->items[i], "levels." + std::to_string(i)));
+  if (base != nullptr && levels != nullptr)
+    top.fail("levels", "a stack has either levels or a base");
+  if (base == nullptr) {
+    read_levels(*levels, stack);
+  } else {
+    read_base(top, *base, without, file.parent_path(), stack);
   }
   return stack;
 }
@@ -131,7 +169,8 @@ void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::str
   const std::vector<std::string> names = task_names(stack);
   for (const std::string& name : section.keys()) {
     if (std::ranges::find(names, name) == names.end()) {
-      section.fail(name, "the stack \"" + stack.name + "\" has no such task; " + valid_names(name, names));
+      section.fail(
+          name, "the stack \"" + stack.name + "\" has no such task; " + valid_names(name, names));
     }
     const ConfigNode& parameters = *section.node(name.c_str());
     (void)Section(parameters, section.path_of(name));  // is a map

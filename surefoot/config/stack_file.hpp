@@ -8,13 +8,19 @@
 
 namespace surefoot {
 
-/// Reads stacks/*.yaml by name or path: levels, highest priority first, each with one task or a list of them.
+/// Reads stacks/*.yaml by name or path: levels, highest priority first, each with one task or a
+/// list of them.
 ///
 ///     levels:
 ///       - task: com_position        # its parameters stand beside it
 ///         kp: 500
 ///       - name: contact forces
 ///         tasks: [{task: friction_pyramid}, {task: normal_force}]
+///
+/// or the levels of another stack, some left out:
+///
+///     base: terrain_adaptation
+///     without: [limb_extension_limits]
 ///
 /// Unknown tasks and parameters are errors. Throws Error.
 [[nodiscard]] StackOptions load_stack(const std::string& name_or_path,

@@ -1,13 +1,12 @@
 #include "surefoot/config/terrain_section.hpp"
 
-
 #include <algorithm>
 
 namespace surefoot {
 namespace {
 
-constexpr double kFloorDepth = 1.0;    // of the boxes that make steps, below the lowest ground [m]
-constexpr double kPlatform = 20.0;     // length of the level ground at both ends, and width [m]
+constexpr double kFloorDepth = 1.0;  // of the boxes that make steps, below the lowest ground [m]
+constexpr double kPlatform = 20.0;   // length of the level ground at both ends, and width [m]
 
 using Elements = std::vector<TerrainElement>;
 
@@ -65,10 +64,10 @@ void read_random_boxes(Section& section, Elements& elements) {
 }
 
 struct Steps {
-  double edge = 0.5;       ///< x of the first edge [m]
-  double height = -0.14;   ///< of one step: below 0 down, above 0 up [m]
+  double edge = 0.5;      ///< x of the first edge [m]
+  double height = -0.14;  ///< of one step: below 0 down, above 0 up [m]
   int count = 1;
-  double tread = 0.35;     ///< length of one step [m]
+  double tread = 0.35;  ///< length of one step [m]
   double friction = -1.0;
 };
 
@@ -96,6 +95,36 @@ void read_steps(Section& section, Elements& elements) {
   add_steps(steps, elements);
 }
 
+struct Slope {
+  double start = 0.5;  ///< x where it begins [m]
+  double pitch = 0.0;  ///< rises ahead where above 0 [rad]
+  double roll = 0.0;   ///< rises to the left where above 0 [rad]
+  double friction = -1.0;
+};
+
+/// Level ground z = 0 up to the start, then a plane through (start, 0, 0), both as boxes.
+void add_slope(const Slope& slope, Elements& elements) {
+  const Vec3 size(kPlatform, kPlatform, kFloorDepth);
+  const Vec3 rpy(slope.roll, -slope.pitch, 0.0);
+  const Quat R =
+      Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) * Eigen::AngleAxisd(rpy.x(), Vec3::UnitX());
+  const Vec3 level(slope.start - kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
+  const Vec3 tilted =
+      Vec3(slope.start, 0.0, 0.0) + R * Vec3(kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
+  elements.push_back(TerrainBox{level, size, Vec3::Zero(), slope.friction});
+  elements.push_back(TerrainBox{tilted, size, rpy, slope.friction});
+}
+
+void read_slope(Section& section, Elements& elements) {
+  constexpr NumberRange kAngle{.min = -1.2, .max = 1.2, .words = "an angle from -1.2 to 1.2 rad"};
+  Slope slope;
+  section.number("start", slope.start);
+  section.number("pitch", slope.pitch, kAngle);
+  section.number("roll", slope.roll, kAngle);
+  read_friction(section, slope.friction);
+  add_slope(slope, elements);
+}
+
 void read_element(Section& section, Elements& elements) {
   using Reader = void (*)(Section&, Elements&);
   section.require("shape");
@@ -105,7 +134,8 @@ void read_element(Section& section, Elements& elements) {
                           {"box", read_box},
                           {"height_field", read_field},
                           {"random_boxes", read_random_boxes},
-                          {"steps", read_steps}});
+                          {"steps", read_steps},
+                          {"slope", read_slope}});
   reader(section, elements);
 }
 

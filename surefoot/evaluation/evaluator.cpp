@@ -149,8 +149,9 @@ void Evaluator::check_fall(const GroundTruth& truth) {
     ++count;
   }
   if (count > 0) footprint_height_ = sum / count;
-  if (metrics_.fell) return;
   const double height = truth.p_WB.z() - footprint_height_;
+  metrics_.base_height_end_m = height;
+  if (metrics_.fell) return;
   std::array<char, 96> text{};
   if (truth.torso_contact) {
     std::snprintf(text.data(), text.size(), "fell at %.2f s: the torso touched the ground",

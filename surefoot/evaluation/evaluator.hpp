@@ -23,7 +23,7 @@ struct RunEnd {
   std::string reason;  ///< a fall has its own
   double wall_seconds = kNaN;
   std::uint64_t seed = 0;
-  std::string version;
+  std::string version = {};
   bool goal_reached = true;  ///< also where there is no goal
 };
 

@@ -13,7 +13,9 @@ Interval wilson_interval(int successes, int trials) {
   const double centre = p + z * z / (2.0 * n);
   const double spread = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   const double scale = 1.0 + z * z / n;
-  return {std::max(0.0, (centre - spread) / scale), std::min(1.0, (centre + spread) / scale)};
+  // Against rounding: the rate itself is inside, and so are 0 and 1 where it is one of them.
+  return {std::clamp((centre - spread) / scale, 0.0, p),
+          std::clamp((centre + spread) / scale, p, 1.0)};
 }
 
 }  // namespace surefoot

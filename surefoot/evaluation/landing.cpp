@@ -11,22 +11,22 @@ constexpr double kMaxLean = 15.0 * kPi / 180.0;
 
 bool jumps(double height, double neighbour) { return !(std::abs(height - neighbour) <= kJump); }
 
-// An edge within the circle's disc crosses the circle, or it surrounds a spike that the inner
-// circle meets.
-bool edge_on_circle(const TerrainHeight& terrain, const Vec3& centre, double radius) {
-  const int count = static_cast<int>(std::ceil(2.0 * kPi * radius / 0.004));
-  const auto height = [&](int i) {
-    const double angle = 2.0 * kPi * i / count;
-    return terrain(centre.x() + radius * std::cos(angle), centre.y() + radius * std::sin(angle));
-  };
-  const double first = height(0);
-  double before = first;
-  for (int i = 1; i < count; ++i) {
-    const double here = height(i);
-    if (jumps(here, before)) return true;
-    before = here;
+// Looks from the point outwards: what lies beyond an edge is seen across it.
+bool edge_in_reach(const TerrainHeight& terrain, const Vec3& point) {
+  constexpr int kDirections = 32, kPlaces = 5;
+  const double height = terrain(point.x(), point.y());
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * kPi * i / kDirections;
+    double before = height;
+    for (int k = 1; k <= kPlaces; ++k) {
+      const double distance = kReach * k / kPlaces;
+      const double here =
+          terrain(point.x() + distance * std::cos(angle), point.y() + distance * std::sin(angle));
+      if (jumps(here, before)) return true;
+      before = here;
+    }
   }
-  return jumps(first, before);
+  return false;
 }
 
 Vec3 terrain_normal(const TerrainHeight& terrain, const Vec3& point) {
@@ -39,9 +39,7 @@ Vec3 terrain_normal(const TerrainHeight& terrain, const Vec3& point) {
 }  // namespace
 
 bool is_edge_landing(const TerrainHeight& terrain, const Vec3& point, const Vec3& normal) {
-  for (const double radius : {kReach, kReach / 2.0, kReach / 4.0}) {
-    if (edge_on_circle(terrain, point, radius)) return true;
-  }
+  if (edge_in_reach(terrain, point)) return true;
   return !(normal.dot(terrain_normal(terrain, point)) >= std::cos(kMaxLean));
 }
 

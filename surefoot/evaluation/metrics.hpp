@@ -20,8 +20,8 @@ struct Quantiles {
 /// criteria; each carries its unit. All of it is measured on the simulator's truth, except what is
 /// called commanded or planned. What could not be measured is NaN.
 struct Metrics {
-  bool succeeded = false;  ///< all criteria hold
-  std::string reason;      ///< why the run ended
+  bool succeeded = false;     ///< all criteria hold
+  std::string reason;         ///< why the run ended
   bool goal_reached = false;  ///< what the scenario is for was done; true if it names no goal
   bool fell =
       false;  ///< torso on the ground, base < 0.12 m above the mean stance foot, or tilt > 60°
@@ -34,6 +34,7 @@ struct Metrics {
   double com_lateral_sway_m =
       kNaN;  ///< half the range of the COM across the heading, seen from the feet's centre
   double com_zmp_slack_max_m = 0.0;  ///< how far the planned ZMP had to leave the support polygon
+  double base_height_end_m = kNaN;  ///< base above the mean stance foot sphere's centre, at the end
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference
   double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical

@@ -41,10 +41,12 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
       const auto found = std::find_if(urdf.joints.begin(), urdf.joints.end(),
                                       [&](const UrdfJoint& joint) { return joint.name == name; });
       if (found == urdf.joints.end()) {
-        throw UnknownNameError("unknown joint \"" + name + "\"; the robot has:" + known_joints(urdf));
+        throw UnknownNameError("unknown joint \"" + name +
+                               "\"; the robot has:" + known_joints(urdf));
       }
       if (found->type != "revolute" && found->type != "continuous") {
-        throw Error("joint \"" + name + "\" is " + found->type + "; a leg's joint must be revolute");
+        throw Error("joint \"" + name + "\" is " + found->type +
+                    "; a leg's joint must be revolute");
       }
       if (!bodies.emplace(name, body_of(leg, j)).second) {
         throw Error("joint \"" + name + "\" is named for two places of the robot");

@@ -9,30 +9,30 @@ namespace surefoot {
 /// Names of one leg's parts in the URDF.
 struct LegDescription {
   std::array<std::string, kJointsPerLeg> joints;  ///< HAA, HFE, KFE
-  std::string hip_frame;    ///< frame at the HFE axis: the hip H of Eq. (35)
+  std::string hip_frame;                          ///< frame at the HFE axis: the hip H of Eq. (35)
   std::string thigh_link;
-  std::string shank_link;   ///< link that carries the foot sphere
-  std::string foot_frame;   ///< frame that the sphere's centre is given in
+  std::string shank_link;  ///< link that carries the foot sphere
+  std::string foot_frame;  ///< frame that the sphere's centre is given in
 };
 
 /// All that is specific to a robot, by name; read from robots/*.yaml.
 struct RobotDescription {
   std::string name;
   std::string urdf_path;
-  std::string mesh_root;              ///< folder that package:// names are resolved in
+  std::string mesh_root;  ///< folder that package:// names are resolved in
   std::string base_link;
   PerLeg<LegDescription> legs;
-  double foot_radius = 0.0;           ///< [m]
-  Vec3 foot_center = Vec3::Zero();    ///< centre of the foot sphere in the foot frame [m]
+  double foot_radius = 0.0;         ///< [m]
+  Vec3 foot_center = Vec3::Zero();  ///< centre of the foot sphere in the foot frame [m]
   JointVector torque_limit = JointVector::Zero();    ///< |τ| ≤ limit [N·m]
   JointVector velocity_limit = JointVector::Zero();  ///< [rad/s]
   JointVector q_min = JointVector::Zero();           ///< [rad]
   JointVector q_max = JointVector::Zero();           ///< [rad]
-  JointVector q_nominal = JointVector::Zero();       ///< nominal standing posture, X-configuration [rad]
-  double max_leg_length = 0.0;        ///< HFE axis to foot frame, knee straight [m]
-  double hold_kp = 0.0;               ///< joint hold of the safety ladder [N·m/rad]
-  double hold_kd = 0.0;               ///< [N·m·s/rad]
-  double damping_kd = 0.0;            ///< damping mode [N·m·s/rad]
+  JointVector q_nominal = JointVector::Zero();  ///< nominal standing posture, X-configuration [rad]
+  double max_leg_length = 0.0;                  ///< HFE axis to foot frame, knee straight [m]
+  double hold_kp = 0.0;                         ///< joint hold of the safety ladder [N·m/rad]
+  double hold_kd = 0.0;                         ///< [N·m·s/rad]
+  double damping_kd = 0.0;                      ///< damping mode [N·m·s/rad]
 };
 
 }  // namespace surefoot

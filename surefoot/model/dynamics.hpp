@@ -7,7 +7,8 @@ namespace surefoot {
 using Jacobian3 = Eigen::Matrix<double, 3, kNumVelocities>;
 using MassMatrix = Eigen::Matrix<double, kNumVelocities, kNumVelocities>;
 
-/// Position, velocity and Jacobian of a point P: v_WP = J u, a_WP = J u̇ + Jdot_u (classical), all in W.
+/// Position, velocity and Jacobian of a point P: v_WP = J u, a_WP = J u̇ + Jdot_u (classical), all
+/// in W.
 struct PointKinematics {
   Vec3 p = Vec3::Zero();
   Vec3 v = Vec3::Zero();
@@ -30,13 +31,13 @@ struct Dynamics {
   GeneralizedVector h = GeneralizedVector::Zero();
   GeneralizedVector u = GeneralizedVector::Zero();
   JointVector q = JointVector::Zero();
-  RotationKinematics base_rotation;   ///< of B
-  PointKinematics base;               ///< origin of B
-  PointKinematics com;                ///< whole-body centre of mass
-  double mass = 0.0;                  ///< [kg]
-  PerLeg<PointKinematics> hip;        ///< hip H, on the HFE axis
-  PerLeg<PointKinematics> foot;       ///< centre of the foot sphere F
-  PerLeg<RotationKinematics> shank;   ///< the body that carries the foot sphere
+  RotationKinematics base_rotation;  ///< of B
+  PointKinematics base;              ///< origin of B
+  PointKinematics com;               ///< whole-body centre of mass
+  double mass = 0.0;                 ///< [kg]
+  PerLeg<PointKinematics> hip;       ///< hip H, on the HFE axis
+  PerLeg<PointKinematics> foot;      ///< centre of the foot sphere F
+  PerLeg<RotationKinematics> shank;  ///< the body that carries the foot sphere
   /// Lowest point of the foot sphere along the terrain normal n: p_F − r n. With rolling without
   /// slip its material velocity is zero and J u̇ + Jdot_u = 0 where Jdot_u leaves out the
   /// centripetal part ω × (ω × (−r n)) (the centre of a rolling sphere does not fall).

@@ -22,9 +22,11 @@ struct LegChain {
   [[nodiscard]] Vec3 foot_in_base(const Vec3& q, Mat3* jacobian = nullptr) const noexcept;
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
 
-  /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns false,
-  /// with the angles of the closest foot position found, if p_BF can't be reached within 0.1 µm.
-  [[nodiscard]] bool inverse_kinematics(const Vec3& p_BF, const Vec3& guess, Vec3& q) const noexcept;
+  /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns
+  /// false, with the angles of the closest foot position found, if p_BF can't be reached within 0.1
+  /// µm.
+  [[nodiscard]] bool inverse_kinematics(const Vec3& p_BF, const Vec3& guess,
+                                        Vec3& q) const noexcept;
 };
 
 }  // namespace surefoot

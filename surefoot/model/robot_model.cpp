@@ -13,12 +13,13 @@
 namespace surefoot {
 namespace {
 
-/// The only argument type that Pinocchio's precompiled algorithms match; any other is compiled here,
-/// which takes a minute.
+/// The only argument type that Pinocchio's precompiled algorithms match; any other is compiled
+/// here, which takes a minute.
 using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
 
 // A translation (rate: v_WB in W) and then a ball joint (rate: w_WB_B in B) at the root make
-// Pinocchio's velocity our u of Eq. (1), and the legs are added in our order: nothing is transformed.
+// Pinocchio's velocity our u of Eq. (1), and the legs are added in our order: nothing is
+// transformed.
 constexpr pinocchio::JointIndex kTranslationJoint = 1;
 constexpr pinocchio::JointIndex kBaseJoint = 2;
 
@@ -138,8 +139,7 @@ struct RobotModel::Implementation {
     // Classical acceleration: the spatial one, moved to the point, plus ω × v.
     point.Jdot_u = R * (data.a[body].linear() + data.a[body].angular().cross(offset) +
                         data.v[body].angular().cross(v));
-    point.J.middleCols<3>(3) =
-        -skew(point.p - dynamics.base.p) * data.oMi[kBaseJoint].rotation();
+    point.J.middleCols<3>(3) = -skew(point.p - dynamics.base.p) * data.oMi[kBaseJoint].rotation();
     for (int j = 0; j <= joint; ++j) {
       const auto twist = data.J.col(6 + first_joint(leg) + j);  // linear part: at W's origin
       point.J.col(6 + first_joint(leg) + j) =
@@ -154,8 +154,7 @@ struct RobotModel::Implementation {
     shank.w = R * data.v[body].angular();
     shank.Jdot_u = R * data.a[body].angular();
     shank.J.middleCols<3>(3) = data.oMi[kBaseJoint].rotation();
-    shank.J.middleCols<3>(6 + first_joint(leg)) =
-        data.J.block<3, 3>(3, 6 + first_joint(leg));
+    shank.J.middleCols<3>(6 + first_joint(leg)) = data.J.block<3, 3>(3, 6 + first_joint(leg));
   }
 
   /// Moves from the sphere's centre to its lowest point, a lever −r n that stays along n: without

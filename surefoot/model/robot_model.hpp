@@ -14,9 +14,10 @@ namespace surefoot {
 /// Allocates at construction only.
 class RobotModel {
  public:
-  /// Reads the URDF. Throws Error if a frame, joint or link of the description is not in it (the message
-  /// lists what is), if a mass is negative, or if the file is missing or broken. A massless or
-  /// not positive definite inertia of the root link is dropped, with a line in `notes()`.
+  /// Reads the URDF. Throws Error if a frame, joint or link of the description is not in it (the
+  /// message lists what is), if a mass is negative, or if the file is missing or broken. A placeholder
+  /// inertia of the root link (at most 1 g, and massless or not positive definite) is dropped, with a
+  /// line in `notes()`.
   explicit RobotModel(RobotDescription description);
   ~RobotModel();
   RobotModel(RobotModel&&) noexcept;
@@ -28,7 +29,7 @@ class RobotModel {
 
   [[nodiscard]] const Dynamics& dynamics() const;
   [[nodiscard]] const RobotDescription& description() const;
-  [[nodiscard]] double mass() const;                        ///< [kg]
+  [[nodiscard]] double mass() const;  ///< [kg]
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
   /// Centre of the foot sphere in B for joint angles q of that leg (HAA, HFE, KFE) [m].
@@ -37,9 +38,10 @@ class RobotModel {
   [[nodiscard]] Vec3 hip_in_base(Leg leg, const Vec3& q_leg) const noexcept;
   /// Translational Jacobian of foot_in_base, 3×3.
   [[nodiscard]] Mat3 foot_jacobian_in_base(Leg leg, const Vec3& q_leg) const noexcept;
-  /// Joint angles that put the sphere centre at p_BF, starting from `guess`, which chooses the knee's
-  /// side (damped Newton). Returns false, with the closest angles, if it can't be reached.
-  [[nodiscard]] bool inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess, Vec3& q_leg) const noexcept;
+  /// Joint angles that put the sphere centre at p_BF, starting from `guess`, which chooses the
+  /// knee's side (damped Newton). Returns false, with the closest angles, if it can't be reached.
+  [[nodiscard]] bool inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess,
+                                        Vec3& q_leg) const noexcept;
 
  private:
   struct Implementation;

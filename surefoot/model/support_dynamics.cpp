@@ -38,8 +38,8 @@ void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan
   }
 }
 
-/// With full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r rows of R that are left are wide: R_rᵀ = Z L
-/// gives the solution of least norm, Π Z L⁻ᵀ Q_cᵀ.
+/// With full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r rows of R that are left are wide: R_rᵀ = Z
+/// L gives the solution of least norm, Π Z L⁻ᵀ Q_cᵀ.
 void SupportDynamics::invert() {
   const int n = 3 * num_contacts_;
   Inverse solution = Inverse::Zero(n, kNumVelocities);
@@ -54,11 +54,8 @@ void SupportDynamics::invert() {
     Wide wide = Wide::Zero(n, rank_);
     wide = R.topRows(rank_).triangularView<Eigen::Upper>().toDenseMatrix().transpose();
     const Eigen::HouseholderQR<Wide> second(wide);
-    second.matrixQR()
-        .topRows(rank_)
-        .triangularView<Eigen::Upper>()
-        .transpose()
-        .solveInPlace(solved);
+    second.matrixQR().topRows(rank_).triangularView<Eigen::Upper>().transpose().solveInPlace(
+        solved);
     solution.applyOnTheLeft(second.householderQ());
   }
   inverse_.noalias() = qr_.colsPermutation() * solution;

@@ -4,7 +4,6 @@
 #include "surefoot/math/rotation.hpp"
 
 #include <Eigen/Eigenvalues>
-
 #include <tinyxml2.h>
 
 #include <algorithm>
@@ -75,8 +74,8 @@ class Reader {
     for (double& value : values) stream >> value;  // reads neither "nan" nor "inf"
     std::string rest;
     if (stream.fail() || (stream >> rest)) {
-      fail(element.GetLineNum(), std::string("<") + element.Name() + "> needs " + attribute + "=\"" +
-                                     (N == 1 ? "a finite number" : "three finite numbers") +
+      fail(element.GetLineNum(), std::string("<") + element.Name() + "> needs " + attribute +
+                                     "=\"" + (N == 1 ? "a finite number" : "three finite numbers") +
                                      "\", not \"" + (text == nullptr ? "" : text) + "\"");
     }
     return values;
@@ -100,7 +99,8 @@ class Reader {
     }
   }
 
-  const XMLElement& child(const XMLElement& parent, const char* tag, const std::string& link) const {
+  const XMLElement& child(const XMLElement& parent, const char* tag,
+                          const std::string& link) const {
     const XMLElement* element = parent.FirstChildElement(tag);
     if (element == nullptr) {
       fail(parent.GetLineNum(), "link \"" + link + "\": <inertial> has no <" + tag + ">");
@@ -146,7 +146,8 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
   for (const UrdfJoint& joint : urdf.joints) {
     for (const std::string& link : {joint.parent, joint.child}) {
       if (urdf.find_link(link) == nullptr) {
-        reader.fail(joint.line, "joint \"" + joint.name + "\": link \"" + link + "\" does not exist");
+        reader.fail(joint.line,
+                    "joint \"" + joint.name + "\": link \"" + link + "\" does not exist");
       }
     }
     if (roots.erase(joint.child) == 0) {
@@ -206,7 +207,8 @@ const UrdfLink* Urdf::find_link(const std::string& name) const {
 }
 
 Urdf read_urdf(const std::string& path) {
-  if (!std::ifstream(path)) throw FileError(path + ": the URDF can't be read; does the file exist?");
+  if (!std::ifstream(path))
+    throw FileError(path + ": the URDF can't be read; does the file exist?");
   const Reader reader(path);
   tinyxml2::XMLDocument xml;
   if (xml.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) {

@@ -30,7 +30,7 @@ struct UrdfJoint {
   std::string parent;
   std::string child;
   Mat3 R = Mat3::Identity();  ///< orientation and
-  Vec3 p = Vec3::Zero();      ///< position of the child's frame in the parent's, at joint position 0
+  Vec3 p = Vec3::Zero();  ///< position of the child's frame in the parent's, at joint position 0
   Vec3 axis = Vec3::UnitX();  ///< unit vector in the child's frame
   int line = 0;               ///< where it stands in the file
 };
@@ -38,8 +38,8 @@ struct UrdfJoint {
 /// The kinematic and inertial content of a URDF file, as written there.
 struct Urdf {
   std::string path;
-  std::string root;               ///< the link that no joint moves
-  std::vector<UrdfLink> links;    ///< in the order of the file
+  std::string root;             ///< the link that no joint moves
+  std::vector<UrdfLink> links;  ///< in the order of the file
   std::vector<UrdfJoint> joints;
   std::vector<std::string> notes;  ///< what was left out, a line each
 
@@ -47,10 +47,10 @@ struct Urdf {
   [[nodiscard]] const UrdfLink* find_link(const std::string& name) const;
 };
 
-/// Reads a URDF. An inertia of the root link that is a placeholder (at most 1 g, and massless or not
-/// positive definite) is left out, with a note. Throws FileError, with file and line, if the file is
-/// missing, is not XML or not a robot, if its links do not form one tree, a mass is negative, an
-/// inertia has a negative eigenvalue or a number is not finite.
+/// Reads a URDF. An inertia of the root link that is a placeholder (at most 1 g, and massless or
+/// not positive definite) is left out, with a note. Throws FileError, with file and line, if the
+/// file is missing, is not XML or not a robot, if its links do not form one tree, a mass is
+/// negative, an inertia has a negative eigenvalue or a number is not finite.
 [[nodiscard]] Urdf read_urdf(const std::string& path);
 
 }  // namespace surefoot

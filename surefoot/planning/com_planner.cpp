@@ -10,6 +10,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
 constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kMaxRegionEdges = 6;       // counted for the capacity of the levels
@@ -96,23 +97,25 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
-    write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, 0.0,
-                      -height_ / kGravity);
+    write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, Point::zmp);
     if (support.must_rest) {
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
-                        std::sqrt(height_ / kGravity), 0.0);
+                        Point::capture_point);
     }
   }
 }
 
 void ComPlanner::write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
-                                   double margin, double k_v, double k_a) const noexcept {
+                                   double margin, Point point) const noexcept {
   const double T = phases_[static_cast<std::size_t>(phase)].duration;
-  const HermiteWeights w =
-      hermite_position(t, T) + k_v * hermite_velocity(t, T) + k_a * hermite_acceleration(t, T);
   for (int e = 0; e < region.num_edges() && level.num_rows() < level.max_rows(); ++e) {
     Rows rows = level.add(1, 0);
     const HalfPlane& edge = region.edge(e);
+    const double h = std::max(kLeastHeight, height_ - edge.height) / kGravity;
+    const HermiteWeights w =
+        point == Point::zmp
+            ? HermiteWeights(hermite_position(t, T) - h * hermite_acceleration(t, T))
+            : HermiteWeights(hermite_position(t, T) + std::sqrt(h) * hermite_velocity(t, T));
     double known = 0.0;
     for (int axis = 0; axis < 2; ++axis)
       known += add_terms(rows, 0, phase, axis, w, edge.normal[axis]);
@@ -170,7 +173,7 @@ double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) c
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {
   PerLeg<double> shares{};
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) shares[leg] = share(phase, leg, t);
-  return SupportRegion(phase.feet, shares);
+  return SupportRegion(phase.feet, shares, phase.heights);
 }
 
 Motion<Vec2> ComPlanner::evaluate(int phase, double t) const noexcept {

@@ -18,6 +18,7 @@ struct SupportPhase {
   double duration = 0.0;  ///< [s]
   PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
                     Vec2::Zero()};  ///< footholds, x and y in W
+  PerLeg<double> heights{};         ///< of the footholds over where `height` counts from [m]
   PerLeg<bool> down{};              ///< carries force for (part of) this phase
   PerLeg<double> loaded_for{};  ///< time since touchdown at the phase's begin; ramps f_max up [s]
   PerLeg<double> lifts_in{};  ///< time to lift-off at the phase's begin; ramps down; ∞ if none [s]
@@ -27,7 +28,8 @@ struct SupportPhase {
 /// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline a phase, whose knots
 /// (position, velocity, acceleration in x and y) come from one strict hierarchy:
 ///
-///   1. the ZMP  p − (h/g) p̈  inside the shrinking and switching support region, by a margin
+///   1. the ZMP  p − (h/g) p̈  inside the shrinking and switching support region, by a margin; h is
+///      the height over the edge in question: what tips the robot is the moment about that line
 ///   2. the capture point  p + √(h/g) ṗ  inside the triangle of a swing, by a margin
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
@@ -68,9 +70,10 @@ class ComPlanner {
 
   void guess_knots(double time, const Motion<Vec2>& begin) noexcept;
   void write_region_rows(Hierarchy& hierarchy, int phase) const noexcept;
-  /// Rows  n·(p + k_v ṗ + k_a p̈) ≤ offset − margin  for every edge of the region, at t in a phase.
+  enum class Point { zmp, capture_point };
+  /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.
   void write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
-                         double margin, double k_v, double k_a) const noexcept;
+                         double margin, Point point) const noexcept;
   void write_smoothness_rows(Level& level, int phase) const noexcept;
   void write_terminal_rows(Level& level, const Vec2& end_velocity) const noexcept;
   /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the

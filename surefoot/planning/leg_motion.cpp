@@ -7,9 +7,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLongAgo = 1e3;         // [s]
+constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kCertain = 2.0;  // times the touchdown force: an impact, needs no second look
-constexpr int kFirmTicks = 2;            // debounce of a touchdown
+constexpr int kFirmTicks = 2;     // debounce of a touchdown
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kUnreachableAfter = 0.3;  // [s]
 

@@ -15,8 +15,8 @@ constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
-constexpr double kLevel = 1e-3;              // apex of a move that does not rise [m]
-constexpr int kMostCollisions = 2;           // of one swing with an edge, before the touch is believed
+constexpr double kLevel = 1e-3;           // apex of a move that does not rise [m]
+constexpr int kMostCollisions = 2;        // of one swing with an edge, before the touch is believed
 constexpr double kGroundlessTravel =
     0.10;  // a foot taken back drops its goal no further than this [m]
 
@@ -112,20 +112,24 @@ bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
   return true;
 }
 
-// The foot stays in the air longer than the COM plan knows: a new plan, or the balance goes on without it.
-void Planner::swing_again(Leg k, const SwingTarget& target, const UserCommand& user, const Dynamics& dynamics) {
+// The foot stays in the air longer than the COM plan knows: a new plan, or the balance goes on
+// without it.
+void Planner::swing_again(Leg k, const SwingTarget& target, const UserCommand& user,
+                          const Dynamics& dynamics) {
   leg(k).lift(time_, target);
   deadline_ = time_ + target.duration;
   replan_com(user, dynamics);
 }
 
-// No ground at the first touch: the foot hangs over an edge that lies behind it. It moves on before it goes down, so
-// that the leg, stretched, passes clear of the edge, and its first touch can be the foothold.
+// No ground at the first touch: the foot hangs over an edge that lies behind it. It moves on before
+// it goes down, so that the leg, stretched, passes clear of the edge, and its first touch can be
+// the foothold.
 void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const SwingTarget& target = leg(k).target();
-  const double depth = target.normal.dot(target.goal - p_WF);
-  if (leg(k).phase() != LegPhase::search || depth < options_.probe.tolerance) return;
+  const double expected = std::min(target.goal.z(), leg(k).foothold().z());
+  const bool below = p_WF.z() < expected - options_.probe.tolerance;
+  if (leg(k).phase() != LegPhase::search || !below) return;
   probing_ = false;
   event_ = PlanEvent::probe_edge;
   Vec3 goal = p_WF - options_.probe.lift * target.normal;
@@ -133,8 +137,9 @@ void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& 
   swing_again(k, {p_WF, goal, target.normal, options_.probe.duration, kLevel}, user, dynamics);
 }
 
-// A hind foot that steps onto a footprint knows how high the ground is. A touch well above it is a shin or knee
-// against the edge: up again, and down further on. Found there once more, the ground really is higher.
+// A hind foot that steps onto a footprint knows how high the ground is. A touch well above it is a
+// shin or knee against the edge: up again, and down further on. Found there once more, the ground
+// really is higher.
 bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const SwingTarget& target = leg(k).target();
@@ -145,7 +150,8 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
   const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
   Vec3 goal = target.goal;
   if (step.norm() > 0.02) goal.head<2>() += options_.probe.beyond * step.normalized();
-  swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex}, user, dynamics);
+  swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex},
+              user, dynamics);
   return true;
 }
 
@@ -160,7 +166,8 @@ void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dyn
     goal.head<2>() = p_WF.head<2>() - options_.swing.retract_distance * travelled.normalized();
     goal.z() = std::max(p_WF.z(), last.z() - kGroundlessTravel);
   }
-  swing_again(k, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex}, user, dynamics);
+  swing_again(k, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex}, user,
+              dynamics);
 }
 
 void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
@@ -267,12 +274,14 @@ void Planner::begin_support(double duration) {
 void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   const Vec2 com = dynamics.com.p.head<2>();
   const Motion<Vec2> begin{com, dynamics.com.v.head<2>(), plan_.com.a};
-  const double height = std::max(0.1, dynamics.com.p.z() - plane_.height(com));
+  const double ground = plane_.height(com);
+  const double height = std::max(0.1, dynamics.com.p.z() - ground);
   PerLeg<Vec3> feet = footholds();
   SupportPhase phase;
   phase.lifts_in.fill(kInfinity);
   for (const Leg k : kLegs) {
     phase.feet[index(k)] = feet[index(k)].head<2>();
+    phase.heights[index(k)] = feet[index(k)].z() - ground;
     phase.down[index(k)] = leg(k).down();
     phase.loaded_for[index(k)] = leg(k).down() ? leg(k).since(time_) : 0.0;
   }
@@ -286,6 +295,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   const auto land = [&](Leg k, const Vec3& foothold) {
     feet[index(k)] = foothold;
     phase.feet[index(k)] = foothold.head<2>();
+    phase.heights[index(k)] = foothold.z() - ground;
     phase.down[index(k)] = true;
     phase.loaded_for[index(k)] = 0.0;
     phase.lifts_in[index(k)] = kInfinity;

@@ -81,7 +81,7 @@ class Planner {
   double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
   double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
   bool probing_ = false;    // the swinging foot makes its first touch
-  int collisions_ = 0;         // of this swing with something above the ground that it knows
+  int collisions_ = 0;      // of this swing with something above the ground that it knows
   Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch
   Vec2 probe_direction_{1.0, 0.0};
   int steps_taken_ = 0;

@@ -13,8 +13,9 @@ constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges t
 
 }  // namespace
 
-SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share)
-    : feet_(feet), share_(share) {
+SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
+                             const PerLeg<double>& heights)
+    : feet_(feet), share_(share), heights_(heights) {
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   if (total <= kSmallShare) return;
   for (double& a : share_) a *= std::max(1.0, kSmallestTotal / total);
@@ -27,8 +28,8 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
     }
   }
   if (num_edges_ <= 2 && line.norm() > kCoincident) {  // two feet: close the segment at its ends
-    add_edge(line.normalized());
-    add_edge(-line.normalized());
+    add_edge(line.normalized(), 0.0);
+    add_edge(-line.normalized(), 0.0);
   }
 }
 
@@ -51,13 +52,15 @@ void SupportRegion::add_edges_between(std::size_t i, std::size_t j) {
         tied += share_[k];
     }
     const double left = 1.0 - before;
-    if (left > kSmallShare && left < tied - kSmallShare) add_edge(normal);
+    if (left > kSmallShare && left < tied - kSmallShare) {
+      add_edge(normal, 0.5 * (heights_[i] + heights_[j]));
+    }
   }
 }
 
-void SupportRegion::add_edge(const Vec2& normal) {
+void SupportRegion::add_edge(const Vec2& normal, double height) {
   if (num_edges_ == kMaxEdges) return;
-  edges_[static_cast<std::size_t>(num_edges_++)] = {normal, support(normal)};
+  edges_[static_cast<std::size_t>(num_edges_++)] = {normal, support(normal), height};
 }
 
 double SupportRegion::support(const Vec2& normal) const {

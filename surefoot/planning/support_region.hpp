@@ -10,6 +10,7 @@ namespace surefoot {
 struct HalfPlane {
   Vec2 normal{1.0, 0.0};
   double offset = 0.0;
+  double height = 0.0;  ///< mean height of the two feet that the edge runs between [m]
 };
 
 /// Where the zero-moment point can be while each foot carries at most a share α_i of the weight:
@@ -25,7 +26,9 @@ class SupportRegion {
 
   SupportRegion() = default;
   /// `share[i]` = α_i ≥ 0, zero for a foot in the air. If Σ α_i < 1 the shares are scaled up.
-  SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share);
+  /// `heights` of the feet are only handed on to the edges between them.
+  SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
+                const PerLeg<double>& heights = {});
 
   [[nodiscard]] int num_edges() const { return num_edges_; }
   [[nodiscard]] const HalfPlane& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
@@ -34,11 +37,12 @@ class SupportRegion {
 
  private:
   void add_edges_between(std::size_t i, std::size_t j);
-  void add_edge(const Vec2& normal);
+  void add_edge(const Vec2& normal, double height);
   [[nodiscard]] double support(const Vec2& normal) const;
 
   PerLeg<Vec2> feet_{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   PerLeg<double> share_{};
+  PerLeg<double> heights_{};
   std::array<HalfPlane, kMaxEdges> edges_{};
   int num_edges_ = 0;
 };

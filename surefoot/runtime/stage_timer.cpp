@@ -18,12 +18,23 @@ void StageTimer::stage_ends(Stage stage) noexcept {
   const Clock::time_point now = Clock::now();
   const double duration = microseconds(now - last_);
   switch (stage) {
-    case Stage::estimate: timing_.estimate = duration; break;
-    case Stage::model: timing_.model = duration; break;
-    case Stage::plan: timing_.plan = duration; break;
-    case Stage::stack: timing_.stack = duration; break;
-    case Stage::solve: timing_.solve = duration; break;
-    case Stage::command: break;  // a share of the total
+    case Stage::estimate:
+      timing_.estimate = duration;
+      break;
+    case Stage::model:
+      timing_.model = duration;
+      break;
+    case Stage::plan:
+      timing_.plan = duration;
+      break;
+    case Stage::stack:
+      timing_.stack = duration;
+      break;
+    case Stage::solve:
+      timing_.solve = duration;
+      break;
+    case Stage::command:
+      break;  // a share of the total
   }
   timing_.total = microseconds(now - begin_);
   last_ = now;

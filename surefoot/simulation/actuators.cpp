@@ -14,9 +14,12 @@ double limited_by_speed(double torque, double qd, const ActuatorOptions& options
   return std::clamp(torque, lowest, highest);
 }
 
-/// The nearest multiple of the quantum.
-double quantised(double torque, double quantum) {
-  return quantum > 0.0 ? quantum * std::round(torque / quantum) : torque;
+/// The nearest multiple of the quantum inside ± limit.
+double quantised(double torque, double quantum, double limit) {
+  constexpr double kRounding = 1e-9;  // 40 / 0.2 may come out just below 200
+  if (quantum <= 0.0) return std::clamp(torque, -limit, limit);
+  const double most = std::floor(limit / quantum + kRounding);
+  return quantum * std::clamp(std::round(torque / quantum), -most, most);
 }
 
 }  // namespace
@@ -44,7 +47,7 @@ JointVector Actuators::torque(const JointVector& qd) const noexcept {
   JointVector result;
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const double limited = limited_by_speed(motor_[i], qd[i], options_);
-    result[i] = quantised(std::clamp(limited, -limit_[i], limit_[i]), options_.quantisation);
+    result[i] = quantised(limited, options_.quantisation, limit_[i]);
   }
   return result;
 }

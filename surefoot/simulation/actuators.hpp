@@ -11,8 +11,8 @@ namespace surefoot::simulation {
 /// `ideal`: the command, clipped to the robot's torque limits.
 ///
 /// `sea`: the clipped command times the gain arrives `delay_ticks` control ticks later, passes a
-/// first-order lag τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is limited by the
-/// torque–speed line
+/// first-order lag τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is limited
+/// by the torque–speed line
 ///
 ///     τ ≤ stall · clip(1 − q̇/no_load, 0, 1),   τ ≥ −stall · clip(1 + q̇/no_load, 0, 1)
 ///

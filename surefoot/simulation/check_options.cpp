@@ -157,9 +157,9 @@ void check(const InitialState& initial) {
 
 int steps_per_period(const PlantOptions& options) {
   const double steps = std::round(options.control_period / options.timestep);
-  const bool whole = steps >= 1.0 && steps <= 1e6 &&
-                     std::abs(steps * options.timestep - options.control_period) <=
-                         1e-6 * options.timestep;
+  const bool whole =
+      steps >= 1.0 && steps <= 1e6 &&
+      std::abs(steps * options.timestep - options.control_period) <= 1e-6 * options.timestep;
   require(whole, "control_period", options.control_period,
           text("a whole multiple of the timestep, ", options.timestep, " s"));
   return static_cast<int>(steps);

@@ -4,7 +4,8 @@
 
 namespace surefoot::simulation {
 
-/// Throws Error on the first option that makes no sense: its name, what was given, what would be valid.
+/// Throws Error on the first option that makes no sense: its name, what was given, what would be
+/// valid.
 void check_options(const PlantOptions& options);
 
 /// Physics steps in a control period; throws Error if it is not a whole number.

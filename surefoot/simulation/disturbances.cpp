@@ -45,7 +45,8 @@ void add_payload(mjsBody& base, const Payload& payload) {
   for (int i = 0; i < 3; ++i) body->pos[i] = payload.position[i];
   body->explicitinertial = 1;
   body->mass = payload.mass;
-  for (double& value : body->ipos) value = 0.0;  // undefined by default, and then the mass is ignored
+  for (double& value : body->ipos)
+    value = 0.0;  // undefined by default, and then the mass is ignored
   for (double& value : body->inertia) value = kPointInertia;
 }
 

@@ -8,8 +8,9 @@
 
 namespace surefoot::simulation {
 
-/// Gives the robot in the spec masses that the controller's model does not know: scales, an offset of the
-/// base's centre of mass, a payload. What is fixed to the base link counts as base, the rest as legs.
+/// Gives the robot in the spec masses that the controller's model does not know: scales, an offset
+/// of the base's centre of mass, a payload. What is fixed to the base link counts as base, the rest
+/// as legs.
 void disturb_masses(mjSpec& spec, mjsBody& base, const DisturbanceOptions& options);
 
 /// Pushes by their time. A force acts at the centre of mass of the link it is given for; at the
@@ -19,8 +20,8 @@ class Pushes {
   /// Throws UnknownNameError, with the robot's links, for a body that does not exist.
   Pushes(const std::vector<Push>& pushes, const mjModel& model, const std::string& base_link);
 
-  /// Sets the external forces of the physics step from `time` on: a push that covers only a part of the
-  /// step acts with that share, so that its impulse is exact.
+  /// Sets the external forces of the physics step from `time` on: a push that covers only a part of
+  /// the step acts with that share, so that its impulse is exact.
   void apply(double time, double timestep, mjData& data) const noexcept;
 
  private:

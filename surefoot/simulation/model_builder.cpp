@@ -102,8 +102,8 @@ void exclude(mjSpec& spec, const std::string& first, const std::string& second) 
   mjs_setString(pair->bodyname2, second.c_str());
 }
 
-/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap at the
-/// hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
+/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap
+/// at the hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
 void exclude_neighbours(mjSpec& spec, const RobotDescription& description) {
   for (const LegDescription& leg : description.legs) {
     mjsBody& thigh = find_body(spec, leg.thigh_link, "thigh link");

@@ -18,8 +18,8 @@ using SpecHandle = std::unique_ptr<mjSpec, MujocoDeleter>;
 using ModelHandle = std::unique_ptr<mjModel, MujocoDeleter>;
 using DataHandle = std::unique_ptr<mjData, MujocoDeleter>;
 
-/// While it lives, MuJoCo's warnings of this thread go to `notes` (each text once), not to the screen or
-/// a file, and its fatal errors are thrown as Error instead of ending the program.
+/// While it lives, MuJoCo's warnings of this thread go to `notes` (each text once), not to the
+/// screen or a file, and its fatal errors are thrown as Error instead of ending the program.
 class MessageCatcher {
  public:
   explicit MessageCatcher(std::vector<std::string>& notes);

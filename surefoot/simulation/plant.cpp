@@ -108,8 +108,8 @@ double Plant::Implementation::touching_height(const RobotDescription& descriptio
   double height = -std::numeric_limits<double>::infinity();
   for (const int geom : parts.foot_geom) {
     const mjtNum* center = data.geom_xpos + 3 * geom;
-    const double resting = simulation::resting_height(model, data, center[0], center[1],
-                                                      description.foot_radius);
+    const double resting =
+        simulation::resting_height(model, data, center[0], center[1], description.foot_radius);
     if (!std::isnan(resting)) height = std::max(height, resting - center[2]);
   }
   if (std::isinf(height)) {
@@ -133,14 +133,14 @@ void Plant::Implementation::physics_step() {
   const Quat q_WB = simulation::base_orientation(data, parts);
   const Vec3 v_before = simulation::base_velocity(data, parts);
   mj_step2(&model, &data);
-  const Vec3 acceleration =
-      (simulation::base_velocity(data, parts) - v_before) / options.timestep;
+  const Vec3 acceleration = (simulation::base_velocity(data, parts) - v_before) / options.timestep;
   sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
   actuators.advance();
   mj_step1(&model, &data);
 }
 
-/// Contact forces of the state that was reached, under the torques that act there; then what is to be seen.
+/// Contact forces of the state that was reached, under the torques that act there; then what is to
+/// be seen.
 void Plant::Implementation::observe() {
   set_torques();
   mj_forwardSkip(&model, &data, mjSTAGE_VEL, 1);

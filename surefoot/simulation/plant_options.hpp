@@ -12,10 +12,10 @@ namespace surefoot {
 
 /// A box of terrain; `position` is its centre.
 struct TerrainBox {
-  Vec3 position = Vec3::Zero();   ///< [m]
-  Vec3 size = Vec3::Ones();       ///< full edge lengths [m]
-  Vec3 rpy = Vec3::Zero();        ///< roll, pitch, yaw [rad]
-  double friction = -1.0;         ///< < 0: the terrain's default
+  Vec3 position = Vec3::Zero();  ///< [m]
+  Vec3 size = Vec3::Ones();      ///< full edge lengths [m]
+  Vec3 rpy = Vec3::Zero();       ///< roll, pitch, yaw [rad]
+  double friction = -1.0;        ///< < 0: the terrain's default
 };
 
 /// An endless plane through `position` with the orientation `rpy`.
@@ -47,10 +47,11 @@ struct TerrainRandomBoxes {
   double friction = -1.0;
 };
 
-using TerrainElement = std::variant<TerrainBox, TerrainPlane, TerrainHeightField, TerrainRandomBoxes>;
+using TerrainElement =
+    std::variant<TerrainBox, TerrainPlane, TerrainHeightField, TerrainRandomBoxes>;
 
 struct TerrainOptions {
-  double friction = 0.8;              ///< default coefficient of all elements
+  double friction = 0.8;  ///< default coefficient of all elements
   std::vector<TerrainElement> elements;
 };
 
@@ -67,43 +68,43 @@ enum class ActuatorModel { ideal, sea };
 struct ActuatorOptions {
   ActuatorModel model = ActuatorModel::ideal;
   // sea:
-  int delay_ticks = 1;               ///< control ticks between command and motor
-  double bandwidth_hz = 70.0;        ///< first-order torque response
-  double stall_torque = 40.0;        ///< torque–speed line: full torque at rest … [N·m]
-  double no_load_speed = 12.0;       ///< … none at this speed [rad/s]
-  double quantisation = 0.2;         ///< of the applied torque [N·m]
-  double torque_gain = 1.0;          ///< true torque per commanded
+  int delay_ticks = 1;          ///< control ticks between command and motor
+  double bandwidth_hz = 70.0;   ///< first-order torque response
+  double stall_torque = 40.0;   ///< torque–speed line: full torque at rest … [N·m]
+  double no_load_speed = 12.0;  ///< … none at this speed [rad/s]
+  double quantisation = 0.2;    ///< of the applied torque [N·m]
+  double torque_gain = 1.0;     ///< true torque per commanded
 };
 
 struct SensorOptions {
-  double encoder_resolution = 4.4e-4;   ///< [rad], 0.025°; 0 = exact
-  double torque_noise = 0.2;            ///< standard deviation [N·m]
-  double gyro_noise = 2.5e-3;           ///< per sample [rad/s]
-  double gyro_bias = 1e-3;              ///< standard deviation of the constant bias [rad/s]
-  double accelerometer_noise = 0.015;   ///< per sample [m/s²]
-  double accelerometer_bias = 0.08;     ///< standard deviation of the constant bias [m/s²]
-  double rate_hz = 400.0;               ///< all sensors; at most the control rate
-  bool foot_force = false;              ///< an optional foot force sensor
-  double foot_force_noise = 1.0;        ///< [N]
+  double encoder_resolution = 4.4e-4;  ///< [rad], 0.025°; 0 = exact
+  double torque_noise = 0.2;           ///< standard deviation [N·m]
+  double gyro_noise = 2.5e-3;          ///< per sample [rad/s]
+  double gyro_bias = 1e-3;             ///< standard deviation of the constant bias [rad/s]
+  double accelerometer_noise = 0.015;  ///< per sample [m/s²]
+  double accelerometer_bias = 0.08;    ///< standard deviation of the constant bias [m/s²]
+  double rate_hz = 400.0;              ///< all sensors; at most the control rate
+  bool foot_force = false;             ///< an optional foot force sensor
+  double foot_force_noise = 1.0;       ///< [N]
 };
 
 /// A push: a force on a body over a time, or an impulse spread over it.
 struct Push {
-  std::string body;                  ///< URDF link; empty: the base
-  double time = 0.0;                 ///< start [s]
-  double duration = 0.1;             ///< [s]
-  Vec3 force = Vec3::Zero();         ///< in W [N]
+  std::string body;           ///< URDF link; empty: the base
+  double time = 0.0;          ///< start [s]
+  double duration = 0.1;      ///< [s]
+  Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
 struct Payload {
-  double mass = 0.0;                 ///< [kg], a point mass fixed to the base
+  double mass = 0.0;                    ///< [kg], a point mass fixed to the base
   Vec3 position = Vec3(0.0, 0.0, 0.2);  ///< in B [m]
 };
 
 struct DisturbanceOptions {
   std::vector<Push> pushes;
   Payload payload;
-  double base_mass_scale = 1.0;      ///< wrong masses: the plant's, not the controller's model
+  double base_mass_scale = 1.0;  ///< wrong masses: the plant's, not the controller's model
   double leg_mass_scale = 1.0;
   Vec3 base_com_offset = Vec3::Zero();  ///< [m]
 };
@@ -111,16 +112,16 @@ struct DisturbanceOptions {
 /// Where the robot stands at the start.
 struct InitialState {
   Vec3 position = Vec3(0.0, 0.0, kNaN0);  ///< base; z NaN: feet on the terrain's z = 0
-  double yaw = 0.0;                        ///< [rad]
-  JointVector q = JointVector::Zero();     ///< joint angles [rad]
+  double yaw = 0.0;                       ///< [rad]
+  JointVector q = JointVector::Zero();    ///< joint angles [rad]
 
   static constexpr double kNaN0 = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct PlantOptions {
-  double timestep = 0.0005;          ///< of the physics [s]
-  double control_period = 0.0025;    ///< [s], a whole multiple of the timestep
-  std::uint64_t seed = 1;            ///< of the sensors' noise
+  double timestep = 0.0005;        ///< of the physics [s]
+  double control_period = 0.0025;  ///< [s], a whole multiple of the timestep
+  std::uint64_t seed = 1;          ///< of the sensors' noise
   TerrainOptions terrain;
   ContactOptions contact;
   ActuatorOptions actuators;

@@ -18,16 +18,17 @@ struct GeomOwner {
   int leg = -1;  ///< index of the leg, of `leg` and `foot`
 };
 
-/// Where our joints, legs and feet are in MuJoCo's arrays; found by name, as its order is the URDF's.
+/// Where our joints, legs and feet are in MuJoCo's arrays; found by name, as its order is the
+/// URDF's.
 struct RobotParts {
   int base_body = -1;
-  int base_qpos = 0, base_dof = 0;           ///< of the free joint
-  std::array<int, kNumJoints> qpos{};        ///< index in qpos of joint j in our order
-  std::array<int, kNumJoints> dof{};         ///< index in qvel
-  std::array<int, kNumJoints> actuator{};    ///< index in ctrl
+  int base_qpos = 0, base_dof = 0;         ///< of the free joint
+  std::array<int, kNumJoints> qpos{};      ///< index in qpos of joint j in our order
+  std::array<int, kNumJoints> dof{};       ///< index in qvel
+  std::array<int, kNumJoints> actuator{};  ///< index in ctrl
   PerLeg<int> foot_geom{};
   PerLeg<int> foot_body{};
-  std::vector<GeomOwner> owner;              ///< of each geom
+  std::vector<GeomOwner> owner;  ///< of each geom
 };
 
 /// Name of the geom that is the sphere of a foot.

@@ -7,13 +7,13 @@
 
 namespace surefoot::simulation {
 
-/// What the robot's sensors make of the truth: quantised encoders, noisy torques, an IMU at the base
-/// frame with constant biases drawn from the seed, optional foot force sensors.
+/// What the robot's sensors make of the truth: quantised encoders, noisy torques, an IMU at the
+/// base frame with constant biases drawn from the seed, optional foot force sensors.
 ///
-/// The gyroscope gives the angular velocity at the moment of the sample. The accelerometer gives the mean
-/// specific force since its last sample, as strapdown IMUs do, so that its integral is the change of
-/// velocity also through impacts; before the first step the robot is held at rest.
-/// With a rate below the control rate a sample is held until the next one is due.
+/// The gyroscope gives the angular velocity at the moment of the sample. The accelerometer gives
+/// the mean specific force since its last sample, as strapdown IMUs do, so that its integral is the
+/// change of velocity also through impacts; before the first step the robot is held at rest. With a
+/// rate below the control rate a sample is held until the next one is due.
 class Sensors {
  public:
   Sensors(const SensorOptions& options, double control_period, std::uint64_t seed);

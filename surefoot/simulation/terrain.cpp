@@ -10,10 +10,10 @@ namespace surefoot::simulation {
 
 namespace {
 
-constexpr double kRayStart = 1000.0;         // above any terrain [m]
-constexpr double kFieldThickness = 0.5;      // of a height field below its lowest point [m]
+constexpr double kRayStart = 1000.0;          // above any terrain [m]
+constexpr double kFieldThickness = 0.5;       // of a height field below its lowest point [m]
 constexpr double kFlatFieldElevation = 1e-3;  // MuJoCo wants a height above 0, even of a flat field
-constexpr int kRings = 24;                   // samples of the terrain under a sphere
+constexpr int kRings = 24;                    // samples of the terrain under a sphere
 constexpr int kRays = 32;
 
 class TerrainWriter {

@@ -12,15 +12,15 @@ inline constexpr int kRobotGroup = 1;
 
 /// Adds the terrain to the world; the plane z = 0 if there is no element.
 ///
-/// Terrain has a higher contact priority than the robot, so that a contact's friction and stiffness are
-/// those of the terrain element alone (MuJoCo otherwise takes the larger friction of the two).
+/// Terrain has a higher contact priority than the robot, so that a contact's friction and stiffness
+/// are those of the terrain element alone (MuJoCo otherwise takes the larger friction of the two).
 void add_terrain(mjSpec& spec, const TerrainOptions& terrain, const ContactOptions& contact);
 
 /// Height of the terrain at (x, y) by a ray from above [m]; NaN where there is none.
 [[nodiscard]] double terrain_height(const mjModel& model, const mjData& data, double x, double y);
 
-/// Lowest z of the centre of a sphere over (x, y) that touches the terrain without entering it [m]; NaN
-/// where there is none.
+/// Lowest z of the centre of a sphere over (x, y) that touches the terrain without entering it [m];
+/// NaN where there is none.
 [[nodiscard]] double resting_height(const mjModel& model, const mjData& data, double x, double y,
                                     double radius);
 

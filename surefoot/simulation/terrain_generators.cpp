@@ -59,9 +59,9 @@ std::vector<TerrainBox> random_boxes(const TerrainRandomBoxes& field) {
       const double top = field.max_height * random.uniform();
       const double thickness = top + kDepthBelowLowestTop;
       TerrainBox box;
-      box.position = field.position + Vec3((column - 0.5 * (columns - 1)) * field.cell,
-                                           (row - 0.5 * (rows - 1)) * field.cell,
-                                           top - 0.5 * thickness);
+      box.position =
+          field.position + Vec3((column - 0.5 * (columns - 1)) * field.cell,
+                                (row - 0.5 * (rows - 1)) * field.cell, top - 0.5 * thickness);
       box.size = Vec3(field.cell, field.cell, thickness);
       box.friction = field.friction;
       boxes.push_back(box);

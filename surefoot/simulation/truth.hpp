@@ -5,8 +5,8 @@
 
 namespace surefoot::simulation {
 
-/// The truth at the state of `data`, whose positions, velocities and accelerations must be up to date.
-/// Does not allocate when `truth` has been filled once.
+/// The truth at the state of `data`, whose positions, velocities and accelerations must be up to
+/// date. Does not allocate when `truth` has been filled once.
 void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
                    GroundTruth& truth) noexcept;
 

@@ -34,8 +34,7 @@ std::string with_compiler_settings(const std::string& urdf, const RobotDescripti
 }
 
 SpecHandle parse(const RobotDescription& description) {
-  const std::string urdf =
-      with_compiler_settings(file_content(description.urdf_path), description);
+  const std::string urdf = with_compiler_settings(file_content(description.urdf_path), description);
   std::array<char, 1024> error{};
   SpecHandle spec(
       mj_parseXMLString(urdf.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
@@ -107,8 +106,8 @@ std::vector<mjsBody*> subtree(mjsBody& body) {
 mjsBody& find_body(mjSpec& spec, const std::string& name, const std::string& role) {
   mjsBody* body = mjs_findBody(&spec, name.c_str());
   if (body == nullptr || name == "world") {
-    throw UnknownNameError(text("unknown ", role, " \"", name,
-                                "\"; the robot has: ", listed(body_names(spec))));
+    throw UnknownNameError(
+        text("unknown ", role, " \"", name, "\"; the robot has: ", listed(body_names(spec))));
   }
   return *body;
 }
@@ -123,7 +122,8 @@ SpecHandle read_urdf(const RobotDescription& description, std::vector<std::strin
   check_masses(base, description.urdf_path);
   drop_dummy_inertia(base, description.urdf_path, notes);
   free_the_base(base);
-  if (mjs_firstElement(spec.get(), mjOBJ_MESH) == nullptr) mjs_setString(spec->compiler.meshdir, "");
+  if (mjs_firstElement(spec.get(), mjOBJ_MESH) == nullptr)
+    mjs_setString(spec->compiler.meshdir, "");
   return spec;
 }
 

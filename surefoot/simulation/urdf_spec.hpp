@@ -8,15 +8,16 @@
 
 namespace surefoot::simulation {
 
-/// The robot's URDF as an editable MuJoCo spec: masses checked, without visual shapes, with fixed links
-/// kept as bodies of their own, the base free. Throws FileError or Error as build_model does.
+/// The robot's URDF as an editable MuJoCo spec: masses checked, without visual shapes, with fixed
+/// links kept as bodies of their own, the base free. Throws FileError or Error as build_model does.
 [[nodiscard]] SpecHandle read_urdf(const RobotDescription& description,
                                    std::vector<std::string>& notes);
 
 /// The spec's bodies below and with `body`, in depth-first order.
 [[nodiscard]] std::vector<mjsBody*> subtree(mjsBody& body);
 
-/// A body by its name; throws UnknownNameError that names what the description calls it and what exists.
+/// A body by its name; throws UnknownNameError that names what the description calls it and what
+/// exists.
 [[nodiscard]] mjsBody& find_body(mjSpec& spec, const std::string& name, const std::string& role);
 
 }  // namespace surefoot::simulation

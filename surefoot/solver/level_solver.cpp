@@ -74,7 +74,9 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
     num_factorized_ = -1;
     return Move::blocked;
   }
-  return rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
+  // φ is smooth: only rounding can keep a direction of descent from descending.
+  const bool is_stuck = zero_steps_ > 0;
+  return is_stuck || rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
 }
 
 // Factorizes the first `num_rows` selected rows in the columns from `first`, unless they are

@@ -47,6 +47,10 @@ void Tableau::append(const Level& level) {
     scale[level_begin + i] = level.A().row(i).norm();
     value[level_begin + i] = level.A().row(i).dot(value.head(unknowns));
   }
+  if (first_free == 0 && level_begin == unknowns) {  // still Q = I
+    T.middleRows(level_begin, count) = level.A();
+    return;
+  }
   for (Index j = first_free; j < unknowns; ++j) {
     T.col(j).segment(level_begin, count).noalias() = level.A() * T.col(j).head(unknowns);
   }

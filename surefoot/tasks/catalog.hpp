@@ -49,8 +49,8 @@ struct TaskParameters {
 /// The catalog's entry. Throws UnknownNameError that lists the tasks.
 [[nodiscard]] const TaskInfo& task_info(std::string_view name);
 
-/// Makes a task by name. Throws UnknownNameError for an unknown task, parameter or choice, and Error
-/// for a number that is not finite or out of range; the message says what would be valid.
+/// Makes a task by name. Throws UnknownNameError for an unknown task, parameter or choice, and
+/// Error for a number that is not finite or out of range; the message says what would be valid.
 [[nodiscard]] std::unique_ptr<Task> make_task(std::string_view name,
                                               const TaskParameters& parameters = {});
 

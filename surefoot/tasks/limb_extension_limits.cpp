@@ -62,8 +62,8 @@ LimbExtensionLimits::LimbExtensionLimits(const Options& options)
 void LimbExtensionLimits::write(const TaskInput& input, Level& level) const noexcept {
   Rows rows = level.add(kNumLegs, first_id());
   for (const Leg leg : kLegs) {
-    const Extension limb = extension(options_.form, input.dynamics.hip[index(leg)],
-                                     input.dynamics.foot[index(leg)]);
+    const Extension limb =
+        extension(options_.form, input.dynamics.hip[index(leg)], input.dynamics.foot[index(leg)]);
     const auto row = static_cast<Eigen::Index>(leg);
     rows.A.row(row).head<kNumVelocities>() = limb.J;
     bound_.write(rows, row, options_.min, options_.max, limb.r, limb.rdot, limb.drift);

@@ -7,9 +7,9 @@ namespace surefoot {
 /// Manipulability of a leg, m = |det J| with J = [j_HAA j_HFE j_KFE] its 3×3 translational Jacobian
 /// (Bellicoso 2016, Eq. 22), and what follows from it.
 struct LegManipulability {
-  double m = 0.0;               ///< [m³]
-  Vec3 gradient = Vec3::Zero(); ///< ∂m/∂q for HAA, HFE, KFE [m³/rad]
-  double height_gradient = 0.0; ///< ∂m/∂z_B with the foot held in place [m²]
+  double m = 0.0;                ///< [m³]
+  Vec3 gradient = Vec3::Zero();  ///< ∂m/∂q for HAA, HFE, KFE [m³/rad]
+  double height_gradient = 0.0;  ///< ∂m/∂z_B with the foot held in place [m²]
 };
 
 /// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and with the foot in place
@@ -22,18 +22,18 @@ struct LegManipulability {
 ///     paper:    z̈_ref = k0 Σ_k w_k ∂m_k/∂q_KFE − kd ż        (Bellicoso 2016, Eqs. 22–24)
 ///     chained:  z̈_ref = k0 Σ_k w_k ∂m_k/∂z_B − kd ż
 ///
-/// The printed form adds gradients of knee angles to an acceleration in height: where front and hind
-/// knees bend against each other (X-configuration) they cancel. `chained` takes them through the
-/// kinematics with the feet in place. Writes 1 row [m/s²].
+/// The printed form adds gradients of knee angles to an acceleration in height: where front and
+/// hind knees bend against each other (X-configuration) they cancel. `chained` takes them through
+/// the kinematics with the feet in place. Writes 1 row [m/s²].
 class Manipulability final : public Task {
  public:
   enum class Form { chained, paper };
 
   struct Options {
     Form form = Form::chained;
-    double k0 = 30.0;              ///< `chained`: [1/(m s²)]; `paper`: [rad/(m² s²)]
-    double kd = 20.0;              ///< damping of the height [1/s]
-    double max_acceleration = 2.0; ///< bound on the first term of z̈_ref [m/s²]
+    double k0 = 30.0;                            ///< `chained`: [1/(m s²)]; `paper`: [rad/(m² s²)]
+    double kd = 28.0;                            ///< damping of the height [1/s]
+    double max_acceleration = 2.0;               ///< bound on the first term of z̈_ref [m/s²]
     PerLeg<double> weights{1.0, 1.0, 1.0, 1.0};  ///< w_k [–]
   };
 

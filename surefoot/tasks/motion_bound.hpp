@@ -14,8 +14,8 @@ enum class BoundResponse {
 ///
 ///     k (r_min − r) − d ṙ  ≤  r̈  ≤  k (r_max − r) − d ṙ
 ///
-/// Eq. 27 divided by δt²/2 is k = 2/δt², d = 2/δt, so a violation is an acceleration and weighs like
-/// those of the tracking tasks. `no_overshoot` has the same k and d = 3/δt.
+/// Eq. 27 divided by δt²/2 is k = 2/δt², d = 2/δt, so a violation is an acceleration and weighs
+/// like those of the tracking tasks. `no_overshoot` has the same k and d = 3/δt.
 class MotionBound {
  public:
   /// δt [s] must be positive.

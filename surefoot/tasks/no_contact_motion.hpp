@@ -9,8 +9,8 @@ namespace surefoot {
 ///     J_C u̇ = −J̇_C u − kd J_C u     (Bellicoso 2016, Eq. 16; the damping is ours)
 ///
 /// C is the lowest point of the foot sphere and its drift that of rolling without slip. The damping
-/// takes away what velocity an impact or an error of integration left. Writes 3 rows for each leg in
-/// contact, in W [m/s²].
+/// takes away what velocity an impact or an error of integration left. Writes 3 rows for each leg
+/// in contact, in W [m/s²].
 class NoContactMotion final : public Task {
  public:
   struct Options {

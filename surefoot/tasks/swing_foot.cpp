@@ -13,8 +13,8 @@ void SwingFoot::write(const TaskInput& input, Level& level) const noexcept {
     const Vec3 velocity_error = reference.v_WF - foot.v;
     Rows rows = level.add(3, first_id() + 3 * static_cast<int>(leg));
     rows.A.leftCols<kNumVelocities>() = foot.J;
-    rows.lower = reference.a_WF + options_.kd * velocity_error + options_.kp * position_error -
-                 foot.Jdot_u;
+    rows.lower =
+        reference.a_WF + options_.kd * velocity_error + options_.kp * position_error - foot.Jdot_u;
     rows.upper = rows.lower;
   }
 }

@@ -4,7 +4,8 @@
 
 namespace surefoot {
 
-/// Makes the feet that are not in contact follow their references like a mass on a spring and damper.
+/// Makes the feet that are not in contact follow their references like a mass on a spring and
+/// damper.
 ///
 ///     J_F u̇ = a_ref + kd (v_ref − v_F) + kp (p_ref − p_F) − J̇_F u     (Bellicoso 2016, Eq. 19)
 ///

@@ -40,7 +40,8 @@ class Task {
   /// What the row of an id is: "LF normal force".
   [[nodiscard]] virtual std::string row_name(int id) const = 0;
 
-  /// Where several tasks share a level: added to every id that this task writes, set once at set-up.
+  /// Where several tasks share a level: added to every id that this task writes, set once at
+  /// set-up.
   void set_first_id(int id) { first_id_ = id; }
   [[nodiscard]] int first_id() const { return first_id_; }
 

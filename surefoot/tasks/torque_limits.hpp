@@ -16,9 +16,9 @@ class TorqueLimits final : public Task {
   enum class SpeedLine { none, linear };
 
   struct Options {
-    double fraction = 1.0;         ///< of the robot's torque limit that may be used [–]
+    double fraction = 1.0;  ///< of the robot's torque limit that may be used [–]
     SpeedLine speed_line = SpeedLine::none;
-    double corner_speed = 0.5;     ///< where the line begins, as a fraction of the velocity limit [–]
+    double corner_speed = 0.5;  ///< where the line begins, as a fraction of the velocity limit [–]
   };
 
   /// Throws Error unless 0 < fraction ≤ 1 and 0 ≤ corner_speed < 1.

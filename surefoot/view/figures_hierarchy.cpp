@@ -31,7 +31,9 @@ std::string superscript(int number) {
 
 std::string level_name(const RunData& run, std::size_t level) {
   const auto& names = run.header.level_names;
-  return std::to_string(level + 1) + "  " + (level < names.size() ? names[level] : "");
+  std::string name = level < names.size() ? names[level] : "";
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return std::to_string(level + 1) + "  " + name;
 }
 
 Frame rows_frame(const RunData& run, std::size_t rows) {

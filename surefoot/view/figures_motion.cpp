@@ -147,7 +147,7 @@ std::string adaptation_figure(const RunData& run) {
         {.title = "(a) orientation error",
          .y_label = "error [°]",
          .curves = {{"roll", "line c0", angle(0)}, {"pitch", "line c1 dashed", angle(1)}},
-         .spans = {},
+         .spans = limit_spans(run),
          .bounds = {}});
     panels.push_back({.title = "(b) height error",
                       .y_label = "error [mm]",

@@ -14,55 +14,69 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 void mark(plot::Svg& svg, const plot::Frame& frame, double value, const std::string& name,
           int row) {
-  if (value > frame.x.high) return;
-  svg.line({frame.px_x(value), frame.corner.y}, {frame.px_x(value), frame.corner.y + frame.height},
-           "bound");
-  svg.text({frame.px_x(value) + 5.0, frame.corner.y + 15.0 + 15.0 * row},
-           name + " " + plot::decimal(value, value < 10.0 ? 1 : 0) + " µs", "note");
+  const double x = frame.px_x(std::log10(value));
+  svg.line({x, frame.corner.y}, {x, frame.corner.y + frame.height}, "bound");
+  const bool at_right_end = x > frame.corner.x + 0.8 * frame.width;
+  svg.text({x + (at_right_end ? -5.0 : 5.0), frame.corner.y + 15.0 + 15.0 * row},
+           name + " " + plot::decimal(value, value < 10.0 ? 1 : 0) + " µs", "note",
+           at_right_end ? plot::Anchor::end : plot::Anchor::start);
+}
+
+// Ticks at 1, 2 and 5 times the powers of ten; `frame.x` is in decades.
+void draw_logarithmic_axis(plot::Svg& svg, const plot::Frame& frame, const std::string& label) {
+  const double bottom = frame.corner.y + frame.height;
+  for (int power = static_cast<int>(std::floor(frame.x.low)); power <= frame.x.high; ++power) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double decades = power + std::log10(factor);
+      if (decades < frame.x.low || decades > frame.x.high) continue;
+      const double x = frame.px_x(decades);
+      svg.line({x, frame.corner.y}, {x, bottom}, "grid");
+      svg.text({x, bottom + 15.0}, plot::decimal(std::pow(10.0, decades), std::max(0, -power)),
+               "tick", plot::Anchor::middle);
+    }
+  }
+  svg.text({frame.corner.x + frame.width / 2.0, bottom + 32.0}, label, "label",
+           plot::Anchor::middle);
 }
 
 }  // namespace
 
 std::string timing_figure(const RunData& run) {
-  if (run.timings.empty()) return "";
   std::vector<double> totals;
-  for (const TickTiming& timing : run.timings) totals.push_back(timing.total);
-  std::sort(totals.begin(), totals.end());
-  constexpr int kBins = 80;
-  // The few slowest ticks are named, not drawn: they would squeeze all others.
-  const double high = 1.15 * quantile(totals, 0.998), width = high / kBins;
-  std::vector<double> shares(kBins, 0.0);
-  double drawn = 0.0;
-  for (const double total : totals) {
-    if (total >= high) continue;
-    shares[static_cast<std::size_t>(total / width)] += 100.0 / static_cast<double>(totals.size());
-    ++drawn;
+  for (const TickTiming& timing : run.timings) {
+    if (timing.total > 0.0) totals.push_back(timing.total);
   }
-  plot::Range y;
-  y.add(0.0);
-  y.add(shares);
+  if (totals.empty()) return "";
+  std::sort(totals.begin(), totals.end());
+  constexpr int kBins = 90;
+  const plot::Range x{std::log10(totals.front()) - 0.1, std::log10(totals.back()) + 0.1};
+  std::vector<double> shares(kBins, 0.0);
+  for (const double total : totals) {
+    const auto bin = static_cast<std::size_t>((std::log10(total) - x.low) / x.span() * kBins);
+    shares[std::min<std::size_t>(bin, kBins - 1)] += 100.0 / static_cast<double>(totals.size());
+  }
+  const double highest = *std::max_element(shares.begin(), shares.end());
   const plot::Frame frame{.corner = {plot::kLeftMargin, 24.0},
                           .width = plot::kFigureWidth - plot::kLeftMargin - plot::kRightMargin,
                           .height = 170.0,
-                          .x = {0.0, high},
-                          .y = {0.0, 1.08 * y.high}};
+                          .x = x,
+                          .y = {0.0, 1.08 * highest}};
   plot::Svg svg(plot::kFigureWidth, frame.corner.y + frame.height + 42.0);
-  plot::draw_x_axis(svg, frame, "time per tick [µs]");
+  draw_logarithmic_axis(svg, frame, "time per tick [µs]");
   plot::draw_y_axis(svg, frame, "share of ticks [%]");
   for (int i = 0; i < kBins; ++i) {
     const double share = shares[static_cast<std::size_t>(i)];
     if (share == 0.0) continue;
-    svg.rectangle(frame.at(i * width, share), frame.width / kBins - 1.0,
-                  frame.corner.y + frame.height - frame.px_y(share), "column");
+    // A single tick is still seen.
+    const double height = std::max(frame.corner.y + frame.height - frame.px_y(share), 1.0);
+    svg.rectangle(
+        {frame.px_x(x.low + i * x.span() / kBins), frame.corner.y + frame.height - height},
+        frame.width / kBins - 1.0, height, "column");
   }
   mark(svg, frame, quantile(totals, 0.5), "median", 0);
   mark(svg, frame, quantile(totals, 0.99), "99 %", 1);
+  mark(svg, frame, totals.back(), "slowest", 2);
   plot::outline(svg, frame);
-  const double beyond = static_cast<double>(totals.size()) - drawn;
-  svg.text({frame.corner.x + frame.width, 16.0},
-           "slowest tick " + plot::decimal(totals.back(), 0) + " µs; " + plot::decimal(beyond, 0) +
-               " ticks lie beyond the axis",
-           "note", plot::Anchor::end);
   return svg.image("Histogram of the time per tick");
 }
 

@@ -134,7 +134,7 @@ std::string verdict(const std::string& summary) {
   const std::string reason = metrics.value("reason", std::string());
   return std::string("<div class=\"verdict ") +
          (succeeded ? "good\">✓ all criteria hold" : "bad\">✗ not all criteria hold") +
-         "</div>\n<p>" + (reason.empty() ? "" : "The run ended: " + plot::escape(reason) + ".") +
+         "</div>\n<p>" + (reason.empty() ? "" : "How it ended: " + plot::escape(reason) + ".") +
          "</p>\n";
 }
 
