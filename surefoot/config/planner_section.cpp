@@ -64,6 +64,7 @@ void read_com(Section& section, ComPlannerOptions& com) {
 
 void read_swing(Section& section, SwingOptions& swing) {
   section.number("apex", swing.apex, kPositive);
+  section.number("apex_known", swing.apex_known, kPositive);
   section.number("horizontal_start", swing.horizontal_start, kShare);
   section.number("horizontal_end", swing.horizontal_end, kShare);
   section.number("touchdown_speed", swing.touchdown_speed, kPositive);

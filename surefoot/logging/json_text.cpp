@@ -1,10 +1,16 @@
 #include "surefoot/logging/json_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
 namespace surefoot {
+namespace {
+
+bool needs_escape(char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }
+
+}  // namespace
 
 JsonText& JsonText::key(std::string_view name) {
   separate();
@@ -55,22 +61,27 @@ void JsonText::separate() {
 }
 
 void JsonText::quote(std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
   out_ += '"';
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out_ += '\\';
-      out_ += c;
-    } else if (code >= 0x20) {
-      out_ += c;
-    } else {
-      out_ += "\\u00";
-      out_ += kHex[code >> 4];
-      out_ += kHex[code & 15];
-    }
+  if (std::none_of(text.begin(), text.end(), needs_escape)) {
+    out_ += text;
+  } else {
+    for (const char c : text) escape(c);
   }
   out_ += '"';
+}
+
+void JsonText::escape(char c) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  if (!needs_escape(c)) {
+    out_ += c;
+  } else if (c == '"' || c == '\\') {
+    out_ += '\\';
+    out_ += c;
+  } else {
+    out_ += "\\u00";
+    out_ += kHex[static_cast<std::size_t>(c >> 4)];
+    out_ += kHex[static_cast<std::size_t>(c & 15)];
+  }
 }
 
 }  // namespace surefoot

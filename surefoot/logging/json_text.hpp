@@ -45,6 +45,7 @@ class JsonText {
   JsonText& plain(std::string_view text);
   void separate();
   void quote(std::string_view text);
+  void escape(char c);
 
   std::string& out_;
   bool comma_ = false;  // the next element needs a comma before it

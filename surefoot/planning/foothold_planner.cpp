@@ -44,9 +44,10 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
   prints.points[prints.count++ % kPrintsKept] = p_WF;
 }
 
-// The front foot's prints tell what lies under the hind foot's way. Where the prints before and
-// behind the nominal foothold have one height, the ground between them is taken to be the same;
-// where they differ there is an edge between, and only the prints themselves are known to be good.
+// The front foot's prints tell what lies under the hind foot's way. Where the ground goes down from
+// the print before the nominal foothold to the one beyond it, there is an edge between to slip
+// from, and only the prints are known to be good. Elsewhere the foot goes where it likes, over the
+// higher of the two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
   const Vec3* before = nullptr;
@@ -60,7 +61,7 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   }
   if (beyond == nullptr) return nominal;
   const bool reachable = (*beyond - from).head<2>().norm() < options_.max_step;
-  const bool edge = before != nullptr && std::abs(before->z() - beyond->z()) > options_.same_height;
+  const bool edge = before != nullptr && before->z() - beyond->z() > options_.same_height;
   if (edge && !reachable) return *before;
   const Vec3& nearest =
       edge || before == nullptr || ahead(*beyond) < -ahead(*before) ? *beyond : *before;
@@ -68,7 +69,7 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   const bool progress = heading.dot((nearest - from).head<2>()) > kLeastProgress;
   if (edge || (near && progress && reachable)) return nearest;
   Vec3 between = nominal;
-  between.z() = nearest.z();
+  between.z() = before == nullptr ? beyond->z() : std::max(before->z(), beyond->z());
   return between;
 }
 

@@ -246,8 +246,9 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     goal.head<2>() += options_.probe.ahead * probe_direction_;
     goal.z() = plane_.height(goal.head<2>());
   }
-  leg(k).lift(time_,
-              {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex});
+  const bool known = !is_front(k) && options_.foothold.hind_use_front_prints;
+  const double apex = known ? options_.swing.apex_known : options_.swing.apex;
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
   deadline_ = time_ + swing_duration(k);
   if (!on_time) replan_com(user, dynamics);

@@ -51,6 +51,7 @@ struct ComPlannerOptions {
 
 struct SwingOptions {
   double apex = 0.08;              ///< height over the higher of start and goal [m]
+  double apex_known = 0.08;        ///< the same for a hind foot that steps onto a footprint [m]
   double horizontal_start = 0.15;  ///< horizontal motion from this share of the swing …
   double horizontal_end = 0.85;    ///< … to this
   double touchdown_speed = 0.1;    ///< downward, at the end of the swing and in the search [m/s]
@@ -92,7 +93,7 @@ struct TorsoOptions {
 struct FootholdOptions {
   bool hind_use_front_prints = true;  ///< hind feet step where the front feet found ground
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
-  double same_height = 0.03;   ///< footprints further apart in height have an edge between [m]
+  double same_height = 0.03;   ///< a drop between footprints of more than this is an edge [m]
   double max_step = 0.30;      ///< [m]
 };
 
