@@ -4,7 +4,6 @@
 #include "app/results_table.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
-#include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
@@ -31,22 +30,26 @@ Table robots() {
   return table;
 }
 
+std::string levels_of(const StackOptions& stack) {
+  std::string levels;
+  for (const LevelSpec& level : stack.levels) levels += (levels.empty() ? "" : " > ") + level.name;
+  return levels;
+}
+
 Table stacks() {
   Table table;
   for (const std::string& name : list_data("stacks")) {
-    const StackOptions stack = load_stack(name);
-    std::string levels;
-    for (const LevelSpec& level : stack.levels)
-      levels += (levels.empty() ? "" : " > ") + level.name;
-    table.push_back({name, levels});
+    table.push_back({name, describe_data("stacks", name)});
+    table.push_back({"", levels_of(load_stack(name))});
   }
   return table;
 }
 
 Table scenarios() {
   Table table;
-  for (const ScenarioTitle& title : list_scenarios())
-    table.push_back({title.name, title.description});
+  for (const std::string& name : list_data("scenarios")) {
+    table.push_back({name, describe_data("scenarios", name)});
+  }
   return table;
 }
 

@@ -7,11 +7,12 @@
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
-#include "surefoot/base/error.hpp"
+#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/view/report.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -32,17 +33,30 @@ Examples:
 /// A command: fills its arguments while parsing, then runs.
 using Command = std::function<int()>;
 
+/// Digits only, and not too many of them; CLI11 would take -1 for a large number.
+CLI::Validator whole_number(int min) {
+  const auto check = [min](std::string& text) -> std::string {
+    const bool digits =
+        !text.empty() && text.size() < 10 &&
+        std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
+    if (digits && std::stoi(text) >= min) return "";
+    return "\"" + text + "\" is not a whole number of at least " + std::to_string(min);
+  };
+  return CLI::Validator(check, "");
+}
+
 void add_run(CLI::App& app, Command& chosen) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
   const auto arguments = std::make_shared<RunArguments>();
   run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")
       ->required();
   run->add_option(
-      "--seed", arguments->seed,
-      "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing");
+         "--seed", arguments->seed,
+         "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing")
+      ->check(whole_number(0));
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
-      ->check(CLI::Range(1, 1000000));
-  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(CLI::Range(1, 1024));
+      ->check(whole_number(1));
+  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
   run->add_option("--set", arguments->assignments,
                   "path.to.key=value: change a key of the scenario; may be repeated")
       ->take_all()
@@ -93,24 +107,50 @@ void add_demo(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<DemoArguments>();
   demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default");
   demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
-      ->check(CLI::Range(1, 1000000))
+      ->check(whole_number(1))
       ->capture_default_str();
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1))
       ->capture_default_str();
   demo->callback(
       [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });
 }
 
-int tell(const char* message) {
+int tell(const std::string& message) {
   std::cerr << "surefoot: " << message << "\n";
   return kWrongInput;
 }
 
-/// Help and version go through CLI11; everything else that it says about the arguments is one line.
-int tell_parsing(const CLI::App& app, const CLI::ParseError& error) {
+/// The argument that a command does not know, with those that it does.
+std::string unknown_option(const CLI::App& command) {
+  std::vector<std::string> valid;
+  for (const CLI::Option* option : command.get_options()) valid.push_back(option->get_name());
+  const std::vector<std::string> unknown = command.remaining();
+  const auto found =
+      std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
+  const std::string name = found == unknown.end() ? unknown.front() : *found;
+  return "unknown argument \"" + name + "\" of " + command.get_name() + "; " +
+         valid_names(name, valid);
+}
+
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> valid;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    valid.push_back(command->get_name());
+  }
+  const std::string given = argc > 1 ? argv[1] : "";
+  return (given.empty() ? "no command is given" : "unknown command \"" + given + "\"") + "; " +
+         valid_names(given, valid);
+}
+
+/// Help and version go through CLI11; everything else that is wrong with the arguments is one line.
+int tell_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
-  return tell((std::string(error.what()) + "; see surefoot --help").c_str());
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (commands.empty()) return tell(unknown_command(app, argc, argv));
+  if (!commands.front()->remaining().empty()) return tell(unknown_option(*commands.front()));
+  return tell(std::string(error.what()) + "; see surefoot " + commands.front()->get_name() +
+              " --help");
 }
 
 }  // namespace
@@ -131,7 +171,7 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
     return chosen();
   } catch (const CLI::ParseError& error) {
-    return tell_parsing(app, error);
+    return tell_parsing(app, error, argc, argv);
   } catch (const std::exception& error) {
     return tell(error.what());
   }

@@ -137,8 +137,8 @@ std::string pretty(const std::string& metric, const Json& value) {
   if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
   if (value.at("median").is_null()) return "–";
   const auto member = [&](const char* name) { return value.at(name).get<double>(); };
-  return "median " + with_unit(member("median"), "") + ", 99 % " + with_unit(member("p99"), "") + ", max " +
-         with_unit(member("max"), unit_of(metric));
+  return "median " + with_unit(member("median"), "") + ", 99 % " + with_unit(member("p99"), "") +
+         ", max " + with_unit(member("max"), unit_of(metric));
 }
 
 std::string asked_of(const Json& run, const std::string& metric) {

@@ -1,6 +1,7 @@
 #include "surefoot/config/data_file.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/nearest_name.hpp"
 
@@ -30,6 +31,12 @@ std::vector<std::string> list_data(const std::string& folder) {
   }
   std::ranges::sort(names);
   return names;
+}
+
+std::string describe_data(const std::string& folder, const std::string& name) {
+  const ConfigNode tree = parse_yaml_file(find_data_file(folder, name));
+  const ConfigNode* description = tree.find("description");
+  return description == nullptr ? "" : description->text;
 }
 
 fs::path find_data_file(const std::string& folder, const std::string& name,

@@ -226,16 +226,4 @@ Scenario load_scenario(const ScenarioRequest& request) {
   return scenario;
 }
 
-std::vector<ScenarioTitle> list_scenarios() {
-  std::vector<ScenarioTitle> titles;
-  for (const std::string& name : list_data("scenarios")) {
-    std::vector<fs::path> files;
-    const ConfigNode tree = read_with_base(find_data_file("scenarios", name), files);
-    const ConfigNode* description = tree.find("description");
-    titles.push_back(
-        {.name = name, .description = description == nullptr ? "" : description->text});
-  }
-  return titles;
-}
-
 }  // namespace surefoot

@@ -21,12 +21,4 @@ struct ScenarioRequest {
 /// wrong type or out of range.
 [[nodiscard]] Scenario load_scenario(const ScenarioRequest& request);
 
-/// Name, and what it shows: the file's `description`.
-struct ScenarioTitle {
-  std::string name, description;
-};
-
-/// The scenarios that there are, without reading all of them.
-[[nodiscard]] std::vector<ScenarioTitle> list_scenarios();
-
 }  // namespace surefoot

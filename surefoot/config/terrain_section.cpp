@@ -15,7 +15,7 @@ void read_friction(Section& section, double& friction) {
 }
 
 void read_plane(Section& section, Elements& elements) {
-  TerrainPlane plane;
+  TerrainLevel plane;
   section.vector("position", plane.position);
   section.vector("rpy", plane.rpy);
   read_friction(section, plane.friction);
@@ -150,7 +150,7 @@ void read_terrain(Section& section, TerrainOptions& terrain) {
       elements.section(name.c_str(), [&](Section& s) { read_element(s, terrain.elements); });
     }
   });
-  if (terrain.elements.empty()) terrain.elements.emplace_back(TerrainPlane{});
+  if (terrain.elements.empty()) terrain.elements.emplace_back(TerrainLevel{});
 }
 
 }  // namespace surefoot

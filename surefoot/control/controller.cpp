@@ -35,9 +35,19 @@ UserCommand sane(const UserCommand& user) {
   return result;
 }
 
-bool is_finite(const RobotState& state) {
-  return std::isfinite(state.time) && state.p_WB.allFinite() && state.q_WB.coeffs().allFinite() &&
-         state.u().allFinite() && state.q.allFinite() && state.torque.allFinite();
+/// No robot comes near these; a single such number would stay in the filters for long.
+constexpr double kFurthest = 1e6;    // [m]
+constexpr double kFastest = 1e3;     // [m/s] and [rad/s]
+constexpr double kMostTurned = 1e3;  // [rad]
+constexpr double kStrongest = 1e4;   // [N·m]
+constexpr double kLongestGap = 1.0;  // between two ticks [s]
+
+/// Can the robot be so? Not where a number is NaN.
+bool is_plausible(const RobotState& state) {
+  const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
+  return std::isfinite(state.time) && within(state.p_WB, kFurthest) &&
+         std::abs(state.q_WB.norm() - 1.0) < 0.01 && within(state.u(), kFastest) &&
+         within(state.q, kMostTurned) && within(state.torque, kStrongest);
 }
 
 }  // namespace
@@ -69,6 +79,7 @@ struct Controller::Implementation {
   Safety safety;
   TickRecord record;
   StageObserver* observer = nullptr;
+  double last_time = kNaN;  // of the last state that was believed [s]
 };
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -78,7 +89,10 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   record.user = sane(user);
   record.state = estimator->update(reading);
   ended(Stage::estimate);
-  const Solution* solution = is_finite(record.state) ? optimise(record.user) : nullptr;
+  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestGap;
+  const bool believed = is_plausible(record.state) && !clock_jumps;
+  if (believed) last_time = record.state.time;
+  const Solution* solution = believed ? optimise(record.user) : nullptr;
   record.command = safety.command(record.state, solution);
   ended(Stage::command);
   return record.command;

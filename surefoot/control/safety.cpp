@@ -38,6 +38,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   } else if (good) {
     command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
     command_.torque = solution->x.tail<kNumJoints>();
+    limit();
     good_q_ = state.q;
     good_torque_ = command_.torque;
   } else {

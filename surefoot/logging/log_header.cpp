@@ -40,7 +40,10 @@ std::string to_json(const LogHeader& header) {
   list(json, "level_names", header.level_names);
   list(json, "event_names", header.event_names);
   robot_member(json, header.robot);
-  json.key("limb").object().member("level", header.limb.level).member("form", std::string_view(header.limb.form));
+  json.key("limb")
+      .object()
+      .member("level", header.limb.level)
+      .member("form", std::string_view(header.limb.form));
   json.member("min", header.limb.min).member("max", header.limb.max).end_object();
   list(json, "notes", header.notes);
   json.key("options");

@@ -43,8 +43,8 @@ LogHeader parse_header(const json& header) {
   result.event_names = header.at("event_names").get<std::vector<std::string>>();
   result.robot = parse_robot(header.at("robot"));
   const json& limb = header.at("limb");
-  result.limb = {limb.at("level").get<int>(), limb.at("form").get<std::string>(), number(limb.at("min")),
-                 number(limb.at("max"))};
+  result.limb = {limb.at("level").get<int>(), limb.at("form").get<std::string>(),
+                 number(limb.at("min")), number(limb.at("max"))};
   result.notes = header.at("notes").get<std::vector<std::string>>();
   return result;
 }

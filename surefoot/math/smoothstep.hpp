@@ -8,4 +8,10 @@ namespace surefoot {
   return c * c * (3.0 - 2.0 * c);
 }
 
+/// Rises smoothly from 0 at t = 0 to 1 at the duration; without duration it is a step behind t = 0.
+[[nodiscard]] constexpr double smooth_ramp(double t, double duration) {
+  if (duration > 0.0) return smoothstep(t / duration);
+  return t > 0.0 ? 1.0 : 0.0;
+}
+
 }  // namespace surefoot

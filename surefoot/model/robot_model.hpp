@@ -15,9 +15,9 @@ namespace surefoot {
 class RobotModel {
  public:
   /// Reads the URDF. Throws Error if a frame, joint or link of the description is not in it (the
-  /// message lists what is), if a mass is negative, or if the file is missing or broken. A placeholder
-  /// inertia of the root link (at most 1 g, and massless or not positive definite) is dropped, with a
-  /// line in `notes()`.
+  /// message lists what is), if a mass is negative, or if the file is missing or broken. A
+  /// placeholder inertia of the root link (at most 1 g, and massless or not positive definite) is
+  /// dropped, with a line in `notes()`.
   explicit RobotModel(RobotDescription description);
   ~RobotModel();
   RobotModel(RobotModel&&) noexcept;

@@ -165,8 +165,8 @@ double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
 double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
   if (!phase.down[leg]) return 0.0;
   if (!force_.ramps) return force_.max / weight_;
-  const double up = smoothstep((phase.loaded_for[leg] + t) / force_.ramp_up);
-  const double down = smoothstep((phase.lifts_in[leg] - t) / force_.ramp_down);
+  const double up = smooth_ramp(phase.loaded_for[leg] + t, force_.ramp_up);
+  const double down = smooth_ramp(phase.lifts_in[leg] - t, force_.ramp_down);
   return std::min(up, down) * force_.max / weight_;
 }
 
@@ -208,7 +208,9 @@ void ComPlanner::measure_slack() noexcept {
     for (int i = 1; i <= 4; ++i) {
       const double t = support.duration * i / 4.0;
       const Motion<Vec2> m = evaluate(phase, t);
-      const double margin = region_at(support, t).margin(m.p - height_ / kGravity * m.a);
+      const SupportRegion region = region_at(support, t);
+      if (region.num_edges() == 0) continue;  // no foot down: nothing to leave
+      const double margin = region.margin(m.p - height_ / kGravity * m.a);
       zmp_slack_ = std::max(zmp_slack_, -margin);
     }
   }

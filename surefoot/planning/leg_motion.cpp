@@ -3,6 +3,7 @@
 #include "surefoot/math/smoothstep.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -28,7 +29,12 @@ void LegMotion::unload(double lift_off_time) {
   lift_off_time_ = lift_off_time;
 }
 
-void LegMotion::reload(double time) { plant(time, foothold_); }
+// The ramp up goes on from where the ramp down has come to: f_max does not jump.
+void LegMotion::reload(double time) {
+  const double share = force_max(time) / force_.max;
+  const double along_ramp = 0.5 - std::sin(std::asin(1.0 - 2.0 * share) / 3.0);  // of smoothstep
+  plant(time - along_ramp * force_.ramp_up, foothold_);
+}
 
 void LegMotion::lift(double time, const SwingTarget& target) {
   phase_ = LegPhase::swing;
@@ -83,8 +89,8 @@ LegEvent LegMotion::observe_swing(double time, const Vec3& p_WF) {
 double LegMotion::force_max(double time) const {
   if (!down()) return 0.0;
   if (!force_.ramps) return force_.max;
-  const double up = smoothstep(since(time) / force_.ramp_up);
-  const double down_again = smoothstep((lift_off_time_ - time) / force_.ramp_down);
+  const double up = smooth_ramp(since(time), force_.ramp_up);
+  const double down_again = smooth_ramp(lift_off_time_ - time, force_.ramp_down);
   return force_.max * std::min(up, down_again);
 }
 

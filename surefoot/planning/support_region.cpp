@@ -1,6 +1,7 @@
 #include "surefoot/planning/support_region.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kSmallShare = 1e-9;
 constexpr double kCoincident = 1e-6;     // [m]
+constexpr double kParallel = 1e-6;       // sine of the angle between two edges
 constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges to hold on to
 
 }  // namespace
@@ -19,17 +21,31 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   if (total <= kSmallShare) return;
   for (double& a : share_) a *= std::max(1.0, kSmallestTotal / total);
-  Vec2 line = Vec2::Zero();
   for (std::size_t i = 0; i < feet.size(); ++i) {
     for (std::size_t j = i + 1; j < feet.size(); ++j) {
       if (share_[i] <= kSmallShare || share_[j] <= kSmallShare) continue;
       add_edges_between(i, j);
-      line = feet[j] - feet[i];
     }
   }
-  if (num_edges_ <= 2 && line.norm() > kCoincident) {  // two feet: close the segment at its ends
-    add_edge(line.normalized(), 0.0);
-    add_edge(-line.normalized(), 0.0);
+  close();
+}
+
+// Feet in a line have edges along it only, and one foot has none: the ends are added.
+void SupportRegion::close() {
+  const bool point = num_edges_ == 0;
+  const Vec2 normal = point ? Vec2::UnitX() : edge(0).normal;
+  const Vec2 along(-normal.y(), normal.x());
+  for (int i = 0; i < num_edges_; ++i) {
+    if (std::abs(along.dot(edge(i).normal)) > kParallel) return;
+  }
+  double height = 0.0, total = 0.0;
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    height += share_[i] * heights_[i];
+    total += share_[i];
+  }
+  for (const double sign : {1.0, -1.0}) {
+    add_edge(sign * along, height / total);
+    if (point) add_edge(sign * normal, height / total);
   }
 }
 

@@ -38,6 +38,7 @@ class SupportRegion {
  private:
   void add_edges_between(std::size_t i, std::size_t j);
   void add_edge(const Vec2& normal, double height);
+  void close();
   [[nodiscard]] double support(const Vec2& normal) const;
 
   PerLeg<Vec2> feet_{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};

@@ -9,6 +9,7 @@ constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a s
 constexpr double kUpstairsStart =
     0.35;  // horizontal motion begins once the foot is above the edge …
 constexpr double kDownstairsEnd = 0.60;  // … and ends before it goes down behind it
+constexpr double kShortestWindow = 0.2;  // left of the options by these
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
 
@@ -24,10 +25,14 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
   horizontal_end_ = options.horizontal_end;
   apex_share_ = kApexShare;
   if (rise_ > kStepHeight) {
-    horizontal_start_ = std::max(horizontal_start_, kUpstairsStart);
+    const double start = std::min(kUpstairsStart, horizontal_end_ - kShortestWindow);
+    horizontal_start_ = std::max(horizontal_start_, start);
     apex_share_ = kUpstairsApexShare;
   }
-  if (rise_ < -kStepHeight) horizontal_end_ = std::min(horizontal_end_, kDownstairsEnd);
+  if (rise_ < -kStepHeight) {
+    const double end = std::max(kDownstairsEnd, horizontal_start_ + kShortestWindow);
+    horizontal_end_ = std::min(horizontal_end_, end);
+  }
 }
 
 Motion<Vec3> SwingCurve::at(double t) const {

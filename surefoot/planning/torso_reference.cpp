@@ -57,7 +57,12 @@ void TorsoReference::update(const TerrainPlane& plane, double yaw, double yaw_ra
   };
   plan_.q_WB = from_roll_pitch_yaw(Vec3(tilt_.x(), tilt_.y(), yaw));
   plan_.w_WB = angular(tilt_rate_) + yaw_rate * Vec3::UnitZ();
-  plan_.wdot_WB = angular(tilt_acceleration);
+  // The axes of pitch and roll turn too: ẇ = axes · r̈ + their own rates.
+  const Vec3 w_heading = yaw_rate * Vec3::UnitZ();
+  const Vec3 w_pitch = tilt_rate_.y() * R_heading.col(1);
+  const Vec3 w_roll = tilt_rate_.x() * (R_heading * R_pitch.col(0));
+  plan_.wdot_WB =
+      angular(tilt_acceleration) + w_heading.cross(w_pitch + w_roll) + w_pitch.cross(w_roll);
   plan_.height = height_;
   plan_.height_rate = height_rate_;
   plan_.height_acceleration = height_acceleration;

@@ -41,7 +41,7 @@ void check(const std::string& name, const TerrainBox& box) {
   require_finite(name + ".friction", box.friction);
 }
 
-void check(const std::string& name, const TerrainPlane& plane) {
+void check(const std::string& name, const TerrainLevel& plane) {
   require_all_finite(name + ".position", plane.position);
   require_all_finite(name + ".rpy", plane.rpy);
   require_finite(name + ".friction", plane.friction);

@@ -19,7 +19,7 @@ struct TerrainBox {
 };
 
 /// An endless plane through `position` with the orientation `rpy`.
-struct TerrainPlane {
+struct TerrainLevel {
   Vec3 position = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
   double friction = -1.0;
@@ -48,7 +48,7 @@ struct TerrainRandomBoxes {
 };
 
 using TerrainElement =
-    std::variant<TerrainBox, TerrainPlane, TerrainHeightField, TerrainRandomBoxes>;
+    std::variant<TerrainBox, TerrainLevel, TerrainHeightField, TerrainRandomBoxes>;
 
 struct TerrainOptions {
   double friction = 0.8;  ///< default coefficient of all elements

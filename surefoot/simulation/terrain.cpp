@@ -24,7 +24,7 @@ class TerrainWriter {
         friction_(terrain.friction),
         contact_(contact) {}
 
-  void operator()(const TerrainPlane& plane) {
+  void operator()(const TerrainLevel& plane) {
     mjsGeom* geom = add_geom(mjGEOM_PLANE, plane.position, plane.rpy, plane.friction);
     geom->size[0] = geom->size[1] = 0.0;  // endless
     geom->size[2] = 1.0;
@@ -108,7 +108,7 @@ class TerrainWriter {
 
 void add_terrain(mjSpec& spec, const TerrainOptions& terrain, const ContactOptions& contact) {
   TerrainWriter writer(spec, terrain, contact);
-  if (terrain.elements.empty()) writer(TerrainPlane{});
+  if (terrain.elements.empty()) writer(TerrainLevel{});
   for (const TerrainElement& element : terrain.elements) std::visit(writer, element);
 }
 

@@ -1,5 +1,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 
+#include "surefoot/solver/denormals.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,6 +56,7 @@ CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& op
 }
 
 const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
+  const FlushDenormals flush_denormals;
   if (!is_valid(hierarchy)) {
     reject(hierarchy);
     return solution_;

@@ -43,18 +43,24 @@ void reflect_columns(const Vector& v, double beta, Columns&& T, Scratch&& scratc
   T.noalias() -= scratch * v.transpose();
 }
 
-/// Rotates two columns so that the second element of the pair (x, y) becomes zero.
+/// The rotation (a, b) → (c a + s b, c b − s a) that makes b zero.
+struct Rotation {
+  double c = 1.0;
+  double s = 0.0;
+};
+
+[[nodiscard]] inline Rotation make_rotation(double a, double b) {
+  const double radius = std::hypot(a, b);
+  return radius == 0.0 ? Rotation{} : Rotation{a / radius, b / radius};
+}
+
 template <typename First, typename Second>
-void rotate_columns(double x, double y, First&& first, Second&& second) {
-  const double radius = std::hypot(x, y);
-  if (radius == 0.0) return;
-  const double c = x / radius;
-  const double s = y / radius;
+void rotate_columns(const Rotation& rotation, First&& first, Second&& second) {
   for (Eigen::Index i = 0; i < first.size(); ++i) {
     const double a = first[i];
     const double b = second[i];
-    first[i] = c * a + s * b;
-    second[i] = c * b - s * a;
+    first[i] = rotation.c * a + rotation.s * b;
+    second[i] = rotation.c * b - rotation.s * a;
   }
 }
 

@@ -31,6 +31,8 @@ class LevelRows {
   }
   [[nodiscard]] auto counting_residuals() const { return counting_residual_.head(num_counting_); }
 
+  [[nodiscard]] bool has_inequalities() const { return has_inequalities_; }
+
   /// Residuals of all rows of the level; zero where a row does not count.
   [[nodiscard]] auto residuals() const { return residual_.head(num_rows_); }
 

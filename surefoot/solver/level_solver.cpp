@@ -25,6 +25,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 LevelSolver::LevelSolver(Index unknowns, Index max_rows)
     : factorization_(max_rows, unknowns),
+      turning_(max_rows, unknowns),
       working_set_(unknowns),
       rows_(max_rows),
       selected_(at(max_rows), 0),
@@ -39,6 +40,8 @@ void LevelSolver::reset(const RankTolerance& tolerance) {
 
 bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
   working_set_.clear(tableau);
+  turning_.stop();
+  may_turn_ = true;
   num_factorized_ = -1;
   zero_steps_ = 0;
   force_scale_ = force_noise_ = 0.0;
@@ -47,36 +50,66 @@ bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
     const Move move = descend(tableau);
     if (move == Move::blocked || move == Move::piece_changed) continue;
     rows_.update(tableau);
-    if (!drop_constraint(tableau)) return true;
+    if (drop_constraint(tableau)) continue;
+    if (!turning_.is_running()) return true;
+    turning_.stop();  // a fresh factorization has the last word
+    may_turn_ = false;
   }
   return false;
 }
 
 LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
-  const Index first = tableau.first_free + working_set_.size();
-  const Index free = tableau.unknowns - first;
+  const Index free = tableau.num_free() - working_set_.size();
   if (free == 0 || rows_.num_counting() == 0) return Move::negligible;
-  for (Index i = 0; i < rows_.num_counting(); ++i) selected_[at(i)] = rows_.counting(i);
-  factorize(tableau, first, rows_.num_counting());
-  auto direction = direction_.head(free);
-  factorization_.least_squares_step(rows_.counting_residuals(), direction);
-  const double size = direction.norm();
-  tableau.set_direction(first, direction, tolerance_.keep * size);
+  choose_direction(tableau);
   if (is_negligible(tableau)) return Move::negligible;
 
   const Block block = first_block(tableau);
   const double length = rows_.minimum_along(tableau, block.length);
   tableau.move(length);
-  zero_steps_ = length * size > kEpsilon * tableau.x_size ? 0 : zero_steps_ + 1;
+  if (turning_.is_running()) turning_.advance(free, length);
+  const bool has_moved = length * direction_.head(free).norm() > kEpsilon * tableau.x_size;
+  zero_steps_ = has_moved ? 0 : zero_steps_ + 1;
   if (block.row >= 0 && length >= block.length) {
-    tableau.value[block.row] = block.side > 0 ? tableau.upper[block.row] : tableau.lower[block.row];
-    working_set_.add(tableau, block.row, block.side);
-    num_factorized_ = -1;
+    hold(tableau, block);
     return Move::blocked;
   }
   // φ is smooth: only rounding can keep a direction of descent from descending.
-  const bool is_stuck = zero_steps_ > 0;
-  return is_stuck || rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
+  if (!has_moved) return Move::stationary;
+  return rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
+}
+
+// The minimum of the present piece over the free columns.
+void LevelSolver::choose_direction(Tableau& tableau) {
+  const Index first = tableau.first_free + working_set_.size();
+  auto direction = direction_.head(tableau.unknowns - first);
+  if (turning_.is_running()) {
+    turning_.step(direction);
+  } else {
+    for (Index i = 0; i < rows_.num_counting(); ++i) selected_[at(i)] = rows_.counting(i);
+    factorize(tableau, first, rows_.num_counting());
+    factorization_.least_squares_step(rows_.counting_residuals(), direction);
+  }
+  tableau.set_direction(first, direction, tolerance_.keep * direction.norm());
+}
+
+void LevelSolver::hold(Tableau& tableau, const Block& block) {
+  const bool is_upper = block.side > 0;
+  tableau.value[block.row] = is_upper ? tableau.upper[block.row] : tableau.lower[block.row];
+  if (may_turn_ && !turning_.is_running()) start_turning(tableau);
+  working_set_.add(tableau, block.row, block.side, turning_);
+  num_factorized_ = -1;
+}
+
+// From the first constraint on, a large level of equalities is updated.
+void LevelSolver::start_turning(const Tableau& tableau) {
+  may_turn_ = false;
+  if (rows_.has_inequalities() || tableau.num_free() < kWorthTurning) return;
+  rows_.update(tableau);
+  const Index count = tableau.num_rows - tableau.level_begin;
+  (void)turning_.start(
+      tableau.T.block(tableau.level_begin, tableau.first_free, count, tableau.num_free()),
+      rows_.residuals());
 }
 
 // Factorizes the first `num_rows` selected rows in the columns from `first`, unless they are
@@ -139,7 +172,7 @@ bool LevelSolver::drop_constraint(Tableau& tableau) {
     if (better) worst = i;
   }
   if (worst < 0) return false;
-  working_set_.remove(tableau, worst);
+  working_set_.remove(tableau, worst, turning_);
   num_factorized_ = -1;
   return true;
 }
@@ -183,7 +216,7 @@ void LevelSolver::release_idle_constraints(Tableau& tableau) {
   const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
   for (Index i = working_set_.size() - 1; i >= 0; --i) {
     if (working_set_[i].force > strict) continue;
-    working_set_.remove(tableau, i);
+    working_set_.remove(tableau, i, turning_);
     num_factorized_ = -1;
   }
 }

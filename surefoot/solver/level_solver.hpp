@@ -3,6 +3,7 @@
 #include "surefoot/solver/level_rows.hpp"
 #include "surefoot/solver/row_factorization.hpp"
 #include "surefoot/solver/tableau.hpp"
+#include "surefoot/solver/turning_least_squares.hpp"
 #include "surefoot/solver/working_set.hpp"
 
 #include <Eigen/Core>
@@ -19,7 +20,8 @@ namespace surefoot {
 /// minimum of the present quadratic piece over the directions that no held constraint forbids,
 /// from orthogonal factorizations (H of Eq. 11 is never formed), followed by an exact line search.
 /// Every iterate is feasible for all constraints. Where a level leaves directions open, z changes
-/// as little as possible.
+/// as little as possible. A large level of equalities that meets constraints is updated rather than
+/// factorized anew (TurningLeastSquares); a fresh factorization has the last word.
 class LevelSolver {
  public:
   LevelSolver(Eigen::Index unknowns, Eigen::Index max_rows);
@@ -50,6 +52,9 @@ class LevelSolver {
   enum class Move { negligible, blocked, piece_changed, stationary };
 
   [[nodiscard]] Move descend(Tableau& tableau);
+  void choose_direction(Tableau& tableau);
+  void hold(Tableau& tableau, const Block& block);
+  void start_turning(const Tableau& tableau);
   void factorize(const Tableau& tableau, Eigen::Index first, Eigen::Index num_rows);
   [[nodiscard]] bool is_negligible(const Tableau& tableau) const;
   [[nodiscard]] Block first_block(const Tableau& tableau) const;
@@ -61,11 +66,13 @@ class LevelSolver {
   void note_pivot(double relative);
   [[nodiscard]] bool is_cycling() const { return zero_steps_ > kPatience; }
 
-  static constexpr int kPatience = 8;  ///< steps of zero length before Bland's rule
+  static constexpr Eigen::Index kWorthTurning = 10;  ///< free columns from which updates pay
+  static constexpr int kPatience = 8;                ///< steps of zero length before Bland's rule
 
   RankTolerance tolerance_;
   double smallest_pivot_ = 1.0;
   RowFactorization factorization_;
+  TurningLeastSquares turning_;
   WorkingSet working_set_;
   LevelRows rows_;
   std::vector<Eigen::Index> selected_;    // rows to factorize
@@ -74,6 +81,7 @@ class LevelSolver {
   Eigen::VectorXd direction_, gradient_;
   double force_scale_ = 0.0, force_noise_ = 0.0;
   int iterations_ = 0, zero_steps_ = 0;
+  bool may_turn_ = false;
 };
 
 }  // namespace surefoot

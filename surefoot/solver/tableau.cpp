@@ -13,6 +13,21 @@ using Index = Eigen::Index;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+template <typename Piece>
+void turn_rows(Tableau& tableau, Index row, Index first, const std::vector<Rotation>& rotations) {
+  const auto piece = [&](Index column) {
+    return Eigen::Map<Piece>(tableau.T.col(column).data() + row);
+  };
+  Piece carried = piece(tableau.unknowns - 1);
+  for (Index column = tableau.unknowns - 2; column >= first; --column) {
+    const Rotation& rotation = rotations[at(column - first)];
+    const Piece here = piece(column);
+    piece(column + 1) = rotation.c * carried - rotation.s * here;
+    carried = rotation.c * here + rotation.s * carried;
+  }
+  piece(first) = carried;
+}
+
 }  // namespace
 
 Tableau::Tableau(Index num_unknowns, Index max_rows)
@@ -60,9 +75,28 @@ void Tableau::reflect(Index first, const Eigen::Ref<const Eigen::VectorXd>& v, d
   reflect_columns(v, beta, rows(first, v.size()), scratch.head(num_rows));
 }
 
-void Tableau::rotate(Index row, Index first) {
-  rotate_columns(T(row, first), T(row, first + 1), T.col(first).head(num_rows),
-                 T.col(first + 1).head(num_rows));
+Rotation Tableau::rotate(Index row, Index first) {
+  const Rotation rotation = make_rotation(T(row, first), T(row, first + 1));
+  rotate_columns(rotation, T.col(first).head(num_rows), T.col(first + 1).head(num_rows));
+  T(row, first + 1) = 0.0;
+  return rotation;
+}
+
+void Tableau::gather(Index row, Index first, std::vector<Rotation>& rotations) {
+  const Index pairs = unknowns - first - 1;
+  double carried = T(row, unknowns - 1);
+  for (Index k = pairs - 1; k >= 0; --k) {
+    const double here = T(row, first + k);
+    rotations[at(k)] = make_rotation(here, carried);
+    carried = std::hypot(here, carried);
+  }
+  // A few rows at a time through all rotations, each element is read and written once.
+  constexpr Index kRows = 4;
+  using Piece = Eigen::Array<double, kRows, 1>;
+  Index i = 0;
+  for (; i + kRows <= num_rows; i += kRows) turn_rows<Piece>(*this, i, first, rotations);
+  for (; i < num_rows; ++i) turn_rows<Eigen::Array<double, 1, 1>>(*this, i, first, rotations);
+  T.row(row).tail(pairs).setZero();
 }
 
 void Tableau::set_direction(Index first, const Eigen::Ref<const Eigen::VectorXd>& p,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/householder.hpp"
 
 #include <Eigen/Core>
 
@@ -33,7 +34,11 @@ class Tableau {
   void reflect(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& v, double beta);
 
   /// Rotates the columns `first` and `first` + 1 so that T(row, first + 1) becomes zero.
-  void rotate(Eigen::Index row, Eigen::Index first);
+  Rotation rotate(Eigen::Index row, Eigen::Index first);
+
+  /// Rotates pairs of neighbouring columns, the last pair first, until T(row, :) is zero after
+  /// column `first`; rotations[k] is that of the columns `first` + k and `first` + k + 1.
+  void gather(Eigen::Index row, Eigen::Index first, std::vector<Rotation>& rotations);
 
   /// x and the values of all rows move by `step` · T(:, first …) p; see `motion`.
   void move(double step);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/solver/tableau.hpp"
+#include "surefoot/solver/turning_least_squares.hpp"
 
 #include <Eigen/Core>
 
@@ -23,8 +24,9 @@ class WorkingSet {
   };
 
   void clear(Tableau& tableau);
-  void add(Tableau& tableau, Eigen::Index row, int side);
-  void remove(Tableau& tableau, Eigen::Index position);
+  /// `least_squares` follows the turns of the basis if it is running.
+  void add(Tableau& tableau, Eigen::Index row, int side, TurningLeastSquares& least_squares);
+  void remove(Tableau& tableau, Eigen::Index position, TurningLeastSquares& least_squares);
 
   /// Forces μ that balance the gradient: Lᵀ μ = −gradient, gradient of size `size()`. Overwrites
   /// `gradient`.
@@ -39,11 +41,14 @@ class WorkingSet {
   }
 
  private:
+  void reflect_into_place(Tableau& tableau, Eigen::Index row);
+  void rotate_into_place(Tableau& tableau, Eigen::Index row, TurningLeastSquares& least_squares);
   [[nodiscard]] Held& at(Eigen::Index i) { return held_[static_cast<std::size_t>(i)]; }
 
   std::vector<Held> held_;
   Eigen::Index size_ = 0;
   Eigen::VectorXd v_;
+  std::vector<Rotation> rotations_;
 };
 
 }  // namespace surefoot

@@ -1,0 +1,162 @@
+#pragma once
+
+#include "surefoot/logging/message_codec.hpp"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot::python {
+
+namespace nb = nanobind;
+
+/// A NumPy array that looks into a struct; it keeps the struct's Python object alive.
+template <long... kSizes>
+using View = nb::ndarray<nb::numpy, double, nb::shape<kSizes...>>;
+
+/// "joint positions [rad]" → "joint positions [rad], shape (12,)"
+inline std::string with_shape(std::string_view description, const std::string& shape) {
+  return std::string(description) + ", shape (" + shape + ")";
+}
+
+/// Gives a class one property for each field of its struct, by the functions `fields` that also
+/// define the log: the same names, units and frames, written down once.
+///
+/// Vectors and matrices become arrays that look into the struct, without a copy; what belongs to
+/// legs has a first axis, or is a dict, over LF, RF, LH, RH.
+template <typename T>
+class FieldProperties {
+ public:
+  FieldProperties(nb::class_<T>& type, const T& example) : type_(type), example_(example) {}
+
+  template <typename Member>
+  void operator()(std::string_view name, const Member& member, std::string_view description) {
+    const auto offset =
+        reinterpret_cast<const char*>(&member) - reinterpret_cast<const char*>(&example_);
+    add(name.data(), Place<Member>{offset}, std::string(description));
+  }
+
+ private:
+  using Self = nb::handle_t<T>;
+
+  /// Where a member lies in the struct.
+  template <typename Member>
+  struct Place {
+    std::ptrdiff_t offset;
+    Member& in(nb::handle self) const {
+      return *reinterpret_cast<Member*>(reinterpret_cast<char*>(nb::inst_ptr<T>(self)) + offset);
+    }
+  };
+
+  template <typename Member>
+    requires logged::Number<Member>
+  void add(const char* name, Place<Member> place, const std::string& doc) {
+    type_.def_prop_rw(
+        name, [place](Self self) { return place.in(self); },
+        [place](Self self, Member value) { place.in(self) = value; }, doc.c_str());
+  }
+
+  template <typename Member>
+    requires logged::Name<Member>
+  void add(const char* name, Place<Member> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      const Member value = place.in(self);
+      return logged::names(value)[static_cast<std::size_t>(value)];
+    };
+    std::string valid;
+    for (const std::string_view text : logged::names(Member())) {
+      valid += (valid.empty() ? "" : ", ") + std::string(text);
+    }
+    type_.def_prop_ro(name, get, (doc + (doc.empty() ? "" : ": ") + valid).c_str());
+  }
+
+  /// A copy: in memory the order is x, y, z, w.
+  void add(const char* name, Place<Quat> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      const Quat& q = place.in(self);
+      auto* copy = new double[4]{q.w(), q.x(), q.y(), q.z()};
+      const nb::capsule owner(copy,
+                              [](void* data) noexcept { delete[] static_cast<double*>(data); });
+      return View<4>(copy, {4}, owner);
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, "4,").c_str());
+  }
+
+  template <int kRows>
+  void add(const char* name, Place<Eigen::Matrix<double, kRows, 1>> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      return View<kRows>(place.in(self).data(), {kRows}, self);
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, std::to_string(kRows) + ",").c_str());
+  }
+
+  void add(const char* name, Place<Mat3> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      return View<3, 3>(place.in(self).data(), {3, 3}, self, {1, 3});
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, "3, 3").c_str());
+  }
+
+  void add(const char* name, Place<PerLeg<double>> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      return View<kNumLegs>(place.in(self).data(), {kNumLegs}, self);
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, "4,").c_str());
+  }
+
+  void add(const char* name, Place<PerLeg<Vec3>> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      return View<kNumLegs, 3>(place.in(self)[0].data(), {kNumLegs, 3}, self);
+    };
+    type_.def_prop_ro(name, get, with_shape(doc, "4, 3").c_str());
+  }
+
+  void add(const char* name, Place<std::vector<double>> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      std::vector<double>& values = place.in(self);
+      return View<-1>(values.data(), {values.size()}, self);
+    };
+    type_.def_prop_ro(name, get, doc.c_str());
+  }
+
+  template <typename Struct>
+  void add(const char* name, Place<PerLeg<Struct>> place, const std::string& doc) {
+    const auto get = [place](Self self) {
+      nb::typed<nb::dict, std::string, Struct> legs;
+      for (const Leg leg : kLegs) {
+        legs[nb::cast(kLegNames[index(leg)])] =
+            nb::cast(&place.in(self)[index(leg)], nb::rv_policy::reference_internal, self);
+      }
+      return legs;
+    };
+    type_.def_prop_ro(name, get, doc.c_str());
+  }
+
+  template <typename Struct>
+    requires std::is_class_v<Struct>
+  void add(const char* name, Place<Struct> place, const std::string& doc) {
+    const auto get = [place](Self self) -> Struct& { return place.in(self); };
+    type_.def_prop_ro(name, get, nb::rv_policy::reference_internal, doc.c_str());
+  }
+
+  nb::class_<T>& type_;
+  const T& example_;
+};
+
+/// A class for a signal, with all its fields.
+template <typename T>
+nb::class_<T> signal(nb::module_& module, const char* name, const char* doc) {
+  nb::class_<T> type(module, name, doc);
+  const T example{};
+  FieldProperties<T> properties(type, example);
+  logged::fields(properties, example);
+  return type;
+}
+
+}  // namespace surefoot::python

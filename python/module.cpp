@@ -1,0 +1,38 @@
+// The Python module `surefoot`: scenario, plant, controller and solver under the names that they
+// have in C++. One translation unit.
+
+#include "python/signals.hpp"
+#include "python/solving.hpp"
+#include "python/walking.hpp"
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/base/error.hpp"
+
+#include <string>
+
+namespace surefoot::python {
+namespace {
+
+/// The same hierarchy, with the same messages. What was raised last is caught first.
+void bind_errors(nb::module_& module) {
+  const nb::exception<Error> error(module, "Error", PyExc_ValueError);
+  const nb::exception<FileError> file_error(module, "FileError", error.ptr());
+  const nb::exception<UnknownNameError> name_error(module, "UnknownNameError", error.ptr());
+}
+
+}  // namespace
+
+NB_MODULE(surefoot, module) {
+  module.doc() =
+      "Whole-body control of legged robots by strict task hierarchies.\n\n"
+      "Units are SI. Frames stand in the names: p_WB is the position of the base B in the world "
+      "W.\n"
+      "Arrays look into the object that they come from; objects are snapshots and don't change.";
+  module.attr("__version__") = build_info().version;
+  bind_errors(module);
+  bind_signals(module);
+  bind_level(module);
+  bind_walking(module);
+  bind_solving(module);
+}
+
+}  // namespace surefoot::python

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "python/field_properties.hpp"
+#include "python/level_dict.hpp"
+#include "python/level_outcome.hpp"
+#include "surefoot/solver/cascade_solver.hpp"
+
+#include <string>
+#include <vector>
+
+namespace surefoot::python {
+
+/// `Solution` in Python.
+struct NamedSolution {
+  std::string status;
+  Eigen::VectorXd x;
+  std::vector<LevelOutcome> levels;
+};
+
+/// A hierarchy with the names of its rows, by level.
+struct NamedHierarchy {
+  Hierarchy hierarchy;
+  std::vector<std::vector<std::string>> row_names;
+};
+
+inline void append(const Block& block, Level& level, std::vector<std::string>& row_names) {
+  Rows rows = level.add(block.A.rows(), static_cast<int>(level.num_rows()));
+  rows.A = block.A;
+  rows.lower = block.lower;
+  rows.upper = block.upper;
+  for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
+    row_names.push_back(block.key + "[" + std::to_string(i) + "]");
+  }
+}
+
+/// Every row has one element for each unknown; returns how many there are.
+inline Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
+                                   const std::vector<std::vector<Block>>& blocks) {
+  Eigen::Index unknowns = 0;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    for (const Block& block : blocks[k]) {
+      if (block.A.rows() == 0) continue;
+      if (unknowns == 0) unknowns = block.A.cols();
+      if (block.A.cols() == unknowns) continue;
+      levels[k].fail(block.key + " has " + std::to_string(block.A.cols()) +
+                     " columns; the rows before it have " + std::to_string(unknowns) +
+                     ", one for each unknown");
+    }
+  }
+  if (unknowns == 0) throw Error("no unknowns; expected at least one row in A or D of a level");
+  return unknowns;
+}
+
+inline NamedHierarchy read_hierarchy(const nb::list& given) {
+  std::vector<LevelDict> levels;
+  std::vector<std::vector<Block>> blocks;
+  for (const nb::handle level : given) {
+    levels.emplace_back(level, levels.size());
+    blocks.push_back(levels.back().blocks());
+  }
+  NamedHierarchy result{Hierarchy(check_unknowns(levels, blocks)), {}};
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    Eigen::Index rows = 0;
+    for (const Block& block : blocks[k]) rows += block.A.rows();
+    const std::size_t index = result.hierarchy.add_level(levels[k].name(), rows);
+    result.row_names.emplace_back();
+    for (const Block& block : blocks[k])
+      append(block, result.hierarchy.level(index), result.row_names.back());
+  }
+  return result;
+}
+
+inline NamedSolution solve(const nb::list& levels) {
+  const auto [hierarchy, row_names] = read_hierarchy(levels);
+  const nb::gil_scoped_release others_may_run;
+  CascadeSolver solver(hierarchy);
+  const Solution& solution = solver.solve(hierarchy);
+  if (solution.status == SolveStatus::invalid_input) {
+    throw Error("numbers too large to compute with; expected at most about 1e100");
+  }
+  NamedSolution result;
+  result.status = solution.status == SolveStatus::optimal ? "optimal" : "iteration_cap";
+  result.x = solution.x;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    result.levels.push_back(outcome(hierarchy.level(k).name(), solution.levels[k], row_names[k]));
+  }
+  return result;
+}
+
+inline void bind_solving(nb::module_& module) {
+  nb::class_<NamedSolution>(module, "Solution", "The lexicographic optimum of a hierarchy.")
+      .def_prop_ro(
+          "x",
+          [](nb::handle_t<NamedSolution> self) {
+            Eigen::VectorXd& x = nb::inst_ptr<NamedSolution>(self)->x;
+            return View<-1>(x.data(), {static_cast<std::size_t>(x.size())}, self);
+          },
+          "shape (unknowns,)")
+      .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
+      .def_ro("status", &NamedSolution::status,
+              "optimal, or iteration_cap: ended early, x is feasible");
+
+  module.def(
+      "solve", &solve, nb::arg("levels"), nb::sig("def solve(levels: list[dict]) -> Solution"),
+      "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
+      "A level is a dict of arrays or nested lists:\n"
+      "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
+      "  A, lower, upper   lower ≤ A x ≤ upper; one of the bounds may be missing or infinite\n"
+      "  D, f          D x ≤ f\n"
+      "  name          a text, for the result\n"
+      "Each level is met as well as possible, in least squares of its violation, without\n"
+      "disturbing any before it. What all of them leave open stays at the least norm.");
+}
+
+}  // namespace surefoot::python

@@ -1,0 +1,169 @@
+#pragma once
+
+#include "app/truth_estimator.hpp"
+#include "python/level_outcome.hpp"
+#include "python/signals.hpp"
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/simulation/plant.hpp"
+
+#include <nanobind/stl/vector.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace surefoot::python {
+
+/// A controller that sees the plant's truth, and the time that its stages take.
+class TimedController {
+ public:
+  TimedController(const Scenario& scenario, const Plant& plant)
+      : controller(scenario.robot, scenario.controller,
+                   std::make_unique<TruthEstimator>(plant.truth())) {
+    controller.set_stage_observer(&timer);
+  }
+
+  StageTimer timer;
+  Controller controller;
+};
+
+inline std::vector<std::string> joint_names(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const LegDescription& leg : scenario.robot.legs) {
+    names.insert(names.end(), leg.joints.begin(), leg.joints.end());
+  }
+  return names;
+}
+
+inline nb::typed<nb::dict, std::string, double> drawn(const Scenario& scenario) {
+  nb::typed<nb::dict, std::string, double> values;
+  for (const RandomDraw& draw : scenario.drawn) values[nb::cast(draw.path)] = draw.value;
+  return values;
+}
+
+inline Scenario load(const std::string& name, std::uint64_t seed,
+                     const std::vector<std::string>& assignments) {
+  return load_scenario({.name_or_path = name, .seed = seed, .assignments = assignments});
+}
+
+inline nb::typed<nb::dict, std::string, std::string> scenarios() {
+  nb::typed<nb::dict, std::string, std::string> titles;
+  for (const std::string& name : list_data("scenarios")) {
+    titles[nb::cast(name)] = nb::cast(describe_data("scenarios", name));
+  }
+  return titles;
+}
+
+inline void bind_scenario(nb::module_& module) {
+  nb::class_<Scenario>(module, "Scenario",
+                       "An experiment, complete: everything that a run is made from.")
+      .def_ro("name", &Scenario::name)
+      .def_ro("description", &Scenario::description, "what it shows")
+      .def_ro("file", &Scenario::file, "that it was read from")
+      .def_ro("seed", &Scenario::seed)
+      .def_ro("duration", &Scenario::duration, "longest [s]")
+      .def_prop_ro(
+          "period", [](const Scenario& self) { return self.controller.period; },
+          "of the control loop [s]")
+      .def_prop_ro("robot", [](const Scenario& self) { return self.robot.name; })
+      .def_prop_ro("joint_names", &joint_names,
+                   "in the order of every array of 12: HAA, HFE, KFE of LF, RF, LH, RH")
+      .def_prop_ro(
+          "torque_limit",
+          [](nb::handle_t<Scenario> self) {
+            return View<kNumJoints>(nb::inst_ptr<Scenario>(self)->robot.torque_limit.data(),
+                                    {kNumJoints}, self);
+          },
+          "|torque| ≤ limit [N·m], shape (12,)")
+      .def_prop_ro("drawn", &drawn, "what the seed chose: path → value")
+      .def_ro("options_json", &Scenario::options_json,
+              "the whole scenario as it was read, assignments and draws included")
+      .def("user", &Scenario::user, nb::arg("time"), nb::rv_policy::copy,
+           "The operator's command at a time [s].");
+
+  module.def(
+      "load_scenario", &load, nb::arg("name"), nb::arg("seed") = 0,
+      nb::arg("set") = std::vector<std::string>(),
+      "Reads a scenario, by its name or as a path that ends in .yaml.\n\n"
+      "seed: 0 is the nominal run; any other draws what `randomise:` lists.\n"
+      "set: \"path.to.key=value\", laid over the file.\n"
+      "Raises Error, naming file, line and key, on everything that is unknown or out of range.");
+  module.def("scenarios", &scenarios, "The scenarios that there are: name → what it shows.");
+}
+
+inline void bind_plant(nb::module_& module) {
+  nb::class_<Plant>(
+      module, "Plant",
+      "The robot's stand-in: MuJoCo with actuators, sensors, terrain and disturbances.")
+      .def(
+          "__init__",
+          [](Plant* self, const Scenario& scenario) {
+            new (self) Plant(scenario.robot, scenario.plant);
+          },
+          nb::arg("scenario"), nb::call_guard<nb::gil_scoped_release>())
+      .def("read", &Plant::read, nb::rv_policy::copy,
+           "Readings at the current time; the first is there before the first write().")
+      .def("write", &Plant::write, nb::arg("command"), nb::call_guard<nb::gil_scoped_release>(),
+           "Applies a command and advances the physics by one control period.")
+      .def(
+          "write", [](Plant& self, const Twelve& torque) { self.write(joint_command(torque)); },
+          nb::arg("torque"), nb::call_guard<nb::gil_scoped_release>(),
+          "The same for 12 torques [N·m].")
+      .def_prop_ro("time", &Plant::time, "since the start of the run [s]")
+      .def_prop_ro("truth", &Plant::truth, nb::rv_policy::copy,
+                   "What really happens, at the current time.")
+      .def_prop_ro("notes", &Plant::notes, nb::rv_policy::copy, "Lines worth telling.")
+      .def("terrain_height", &Plant::terrain_height, nb::arg("x"), nb::arg("y"),
+           "Height of the terrain under a point [m]; NaN where there is none.")
+      .def("model_xml", &Plant::model_xml,
+           "The physics model as MJCF text, for MuJoCo's own tools.");
+}
+
+inline void bind_controller(nb::module_& module) {
+  using Self = TimedController;
+  nb::class_<Self>(
+      module, "Controller",
+      "The whole-body controller of a scenario: one step() a tick turns readings into torques.\n\n"
+      "The base's pose and velocity are the plant's truth (`estimation: truth`); the plant must be "
+      "the one that the readings come from.")
+      .def(nb::init<const Scenario&, const Plant&>(), nb::arg("scenario"), nb::arg("plant"),
+           nb::keep_alive<1, 3>())
+      .def(
+          "step",
+          [](Self& self, const SensorReading& reading, const UserCommand& user) {
+            return self.controller.step(reading, user);
+          },
+          nb::arg("reading"), nb::arg("user"), nb::call_guard<nb::gil_scoped_release>(),
+          "One tick. Always gives finite torques inside the limits, and never raises.")
+      .def(
+          "levels", [](const Self& self) { return outcomes(self.controller); },
+          "The hierarchy at the last tick, highest priority first.")
+      .def_prop_ro(
+          "state", [](const Self& self) { return self.controller.record().state; },
+          "as believed at the last tick")
+      .def_prop_ro(
+          "plan", [](const Self& self) { return self.controller.record().plan; },
+          "of the last tick")
+      .def_prop_ro(
+          "model", [](const Self& self) { return self.controller.record().model; },
+          "centre of mass, feet and contact forces at the last tick")
+      .def_prop_ro(
+          "timing", [](const Self& self) { return self.timer.timing(); }, "of the last tick")
+      .def_prop_ro("level_names", [](const Self& self) { return self.controller.level_names(); })
+      .def_prop_ro("steps_taken", [](const Self& self) { return self.controller.steps_taken(); })
+      .def_prop_ro(
+          "notes", [](const Self& self) { return self.controller.notes(); },
+          "Lines worth telling.");
+}
+
+inline void bind_walking(nb::module_& module) {
+  bind_scenario(module);
+  bind_plant(module);
+  bind_controller(module);
+}
+
+}  // namespace surefoot::python

@@ -1,0 +1,126 @@
+#include "app/closed_loop.hpp"
+
+#include "surefoot/config/initial_posture.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+Scenario short_walk(const std::vector<std::string>& assignments = {}) {
+  std::vector<std::string> all{"duration=0.4"};
+  all.insert(all.end(), assignments.begin(), assignments.end());
+  return load_scenario({"walk_flat_sea", 3, all});
+}
+
+/// Height of the nominal stance at which the sum of the legs' manipulabilities |det J| is largest,
+/// by trying all.
+double best_height(const Scenario& scenario) {
+  const RobotModel model(scenario.robot);
+  StanceOptions stance = scenario.controller.planner.stance;
+  double best = 0.0, best_height = 0.0;
+  for (stance.height = 0.30; stance.height < 0.51; stance.height += 1e-4) {
+    const JointVector q = stance_posture(model, stance);
+    double sum = 0.0;
+    for (const Leg leg : kLegs) {
+      sum +=
+          std::abs(model.foot_jacobian_in_base(leg, q.segment<3>(first_joint(leg))).determinant());
+    }
+    if (sum > best) best_height = stance.height;
+    best = std::max(best, sum);
+  }
+  return best_height;
+}
+
+TEST(ClosedLoop, stands_for_the_whole_duration_and_says_so) {
+  const RunResult result = run_closed_loop(short_walk(), {});
+  EXPECT_EQ(result.ending, Ending::finished);
+  EXPECT_NEAR(result.metrics.duration_s, 0.4, 1e-9);
+  EXPECT_EQ(result.metrics.seed, 3u);
+  EXPECT_FALSE(result.metrics.fell);
+  EXPECT_LT(result.metrics.com_error_max_m, 1e-3);
+  EXPECT_GT(result.metrics.tick_us.median, 0.0);
+  EXPECT_GT(result.metrics.tick_us.median, result.metrics.solve_us.median);
+}
+
+TEST(ClosedLoop, the_same_seed_gives_the_same_run) {
+  const Scenario scenario = short_walk({"duration=2.5"});
+  const RunResult first = run_closed_loop(scenario, {});
+  const RunResult again = run_closed_loop(scenario, {});
+  EXPECT_GT(first.metrics.steps_taken, 0);
+  EXPECT_EQ(first.metrics.com_error_max_m, again.metrics.com_error_max_m);
+  EXPECT_EQ(first.metrics.torque_step_max_nm, again.metrics.torque_step_max_nm);
+}
+
+TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_says_so) {
+  const test::TemporaryFolder folder;
+  int ticks = 0;
+  ClosedLoopOptions options;
+  options.record_path = folder / "run.mcap";
+  options.interrupted = [&ticks] { return ++ticks > 40; };
+  const RunResult result = run_closed_loop(short_walk(), options);
+  EXPECT_EQ(result.ending, Ending::interrupted);
+  EXPECT_FALSE(result.metrics.succeeded);
+
+  LogReader log(folder / "run.mcap");
+  TickRecord tick;
+  int read = 0;
+  while (log.next(tick)) ++read;
+  EXPECT_EQ(read, 41);
+  EXPECT_TRUE(log.complete());
+  EXPECT_TRUE(test::holds(log.summary(), "\"reason\":\"interrupted\""));
+}
+
+TEST(ClosedLoop, the_log_names_what_the_run_was_made_from) {
+  const test::TemporaryFolder folder;
+  ClosedLoopOptions options;
+  options.record_path = folder / "run.mcap";
+  (void)run_closed_loop(short_walk({"stack=terrain_adaptation"}), options);
+  const LogHeader header = LogReader(folder / "run.mcap").header();
+  EXPECT_EQ(header.scenario, "walk_flat_sea");
+  EXPECT_EQ(header.stack, "terrain_adaptation");
+  EXPECT_EQ(header.estimation, "truth");
+  EXPECT_EQ(header.seed, 3u);
+  EXPECT_EQ(header.level_names.size(), 11u);
+  EXPECT_EQ(header.robot.joint_names[0], "LF_HAA");
+  EXPECT_EQ(header.limb.form, "radial");
+  EXPECT_EQ(header.limb.max, 0.535);
+  EXPECT_EQ(header.event_names.at(2), "touchdown");
+}
+
+TEST(ClosedLoop, a_robot_that_is_knocked_over_ends_the_run_as_fallen) {
+  const RunResult result = run_closed_loop(
+      short_walk({"duration=6",
+                  "disturbances.pushes.hard={time: 0.1, duration: 0.3, force: [0, 900, 0]}"}),
+      {});
+  EXPECT_TRUE(result.ending == Ending::fell || result.safety_stop);
+  EXPECT_LT(result.metrics.duration_s, 6.0);
+  EXPECT_FALSE(result.metrics.succeeded);
+}
+
+TEST(ClosedLoop, standing_finds_the_height_of_best_manipulability) {
+  const Scenario scenario = load_scenario({"manipulability_standing", 0, {}});
+  const double best = best_height(scenario);
+  const RunResult result = run_closed_loop(scenario, {});
+  EXPECT_NEAR(result.metrics.base_height_end_m, best, 5e-4);
+  // The scenario's own criterion is about this optimum.
+  const auto criterion =
+      std::ranges::find(scenario.criteria, "base_height_end_m", &Criterion::metric);
+  ASSERT_NE(criterion, scenario.criteria.end());
+  EXPECT_NEAR((criterion->min.value() + criterion->max.value()) / 2.0, best, 1e-4);
+}
+
+TEST(ClosedLoop, options_that_make_no_sense_are_told_before_the_run) {
+  Scenario scenario = short_walk();
+  scenario.plant.control_period = 0.0007;
+  EXPECT_TRUE(test::holds(test::message_of([&] { check_setup(scenario); }), "control_period"));
+}
+
+}  // namespace
+}  // namespace surefoot

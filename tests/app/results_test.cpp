@@ -1,0 +1,113 @@
+#include "app/results_json.hpp"
+#include "app/results_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json row(bool succeeded, double com_error, double speed) {
+  return {{"seed", 1},
+          {"succeeded", succeeded},
+          {"fell", !succeeded},
+          {"com_error_max_m", com_error},
+          {"speed_mps", speed},
+          {"reason", "why"},
+          {"criteria", Json::array()}};
+}
+
+Json four_seeds() {
+  return seeds_json(Scenario{},
+                    {row(true, 0.001, 0.2), row(true, 0.004, 0.1), row(true, 0.002, 0.3),
+                     crash_json(7, "the process was ended by: Segmentation fault")});
+}
+
+TEST(SeedsJson, counts_every_rate_with_wilsons_interval) {
+  const Json rate = four_seeds().at("rates").at("succeeded");
+  EXPECT_EQ(rate.at("successes"), 3);
+  EXPECT_EQ(rate.at("trials"), 4);
+  // Wilson, z = 1.96: (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 + z²/n) with p = 3/4, n = 4.
+  EXPECT_NEAR(rate.at("interval")[0].get<double>(), 0.3006, 1e-4);
+  EXPECT_NEAR(rate.at("interval")[1].get<double>(), 0.9544, 1e-4);
+}
+
+TEST(SeedsJson, a_crash_is_a_row_with_its_reason) {
+  const Json json = four_seeds();
+  EXPECT_EQ(json.at("rates").at("crashed").at("successes"), 1);
+  EXPECT_EQ(json.at("runs").size(), 4u);
+  EXPECT_EQ(json.at("runs")[3].at("seed"), 7);
+  EXPECT_EQ(json.at("runs")[3].at("reason"), "the process was ended by: Segmentation fault");
+}
+
+TEST(SeedsJson, the_worst_error_is_the_largest_and_the_worst_speed_the_smallest) {
+  const Json metrics = four_seeds().at("metrics");
+  EXPECT_EQ(metrics.at("com_error_max_m").at("median"), 0.002);
+  EXPECT_EQ(metrics.at("com_error_max_m").at("worst"), 0.004);
+  EXPECT_EQ(metrics.at("speed_mps").at("worst"), 0.1);
+}
+
+TEST(SeedsJson, the_median_of_an_even_number_lies_between) {
+  const Json json = seeds_json(Scenario{}, {row(true, 0.001, 0.2), row(true, 0.002, 0.2)});
+  EXPECT_EQ(json.at("metrics").at("com_error_max_m").at("median"), 0.0015);
+}
+
+TEST(SeedsJson, enough_succeed_or_they_do_not) {
+  Scenario scenario;
+  scenario.success_rate = 0.75;
+  EXPECT_TRUE(enough_succeeded(scenario, four_seeds()));
+  scenario.success_rate = 0.76;
+  EXPECT_FALSE(enough_succeeded(scenario, four_seeds()));
+}
+
+TEST(RunJson, holds_every_metric_the_criteria_and_what_was_drawn) {
+  Scenario scenario;
+  scenario.name = "trial";
+  RunResult result;
+  result.metrics.com_error_max_m = 0.5;
+  result.criteria = {{{"com_error_max_m", {}, 1.0, {}}, 0.5, true}};
+  result.drawn = {{"terrain.friction", 0.7}};
+  const Json json = run_json(scenario, result);
+  EXPECT_EQ(json.at("scenario"), "trial");
+  for (const auto& [name, value] : values(Metrics()))
+    EXPECT_TRUE(json.contains(std::string(name))) << name;
+  EXPECT_EQ(json.at("com_error_max_m"), 0.5);
+  EXPECT_EQ(json.at("criteria")[0].at("max"), 1.0);
+  EXPECT_EQ(json.at("criteria")[0].at("passed"), true);
+  EXPECT_EQ(json.at("drawn").at("terrain.friction"), 0.7);
+  EXPECT_TRUE(json.at("solve_us").contains("p99"));
+}
+
+TEST(Pretty, says_units_after_the_metrics_name) {
+  EXPECT_EQ(pretty("com_error_max_m", 0.00012), "0.12 mm");
+  EXPECT_EQ(pretty("distance_m", 1.85), "1.85 m");
+  EXPECT_EQ(pretty("torque_max_nm", 40), "40 N·m");
+  EXPECT_EQ(pretty("speed_mps", 0.08), "0.08 m/s");
+  EXPECT_EQ(pretty("duration_s", 24), "24 s");
+  EXPECT_EQ(pretty("steps_taken", 30), "30");
+  EXPECT_EQ(pretty("fell", false), "no");
+  EXPECT_EQ(pretty("com_error_max_m", nullptr), "–");
+}
+
+TEST(Aligned, columns_start_together_whatever_the_letters_bytes) {
+  EXPECT_EQ(aligned({{"µ", "x"}, {"abc", "y"}}), "µ     x\nabc   y\n");
+}
+
+TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {
+  Scenario scenario;
+  scenario.name = "trial";
+  scenario.paper = {{"com_error_max_m", "≤ 3.4 mm"}};
+  RunResult result;
+  result.metrics.com_error_max_m = 0.0006;
+  result.criteria = {{{"com_error_max_m", {}, 0.0005, {}}, 0.0006, false}};
+  const std::string table = run_table(scenario, run_json(scenario, result));
+  std::string line = table.substr(table.find("com_error_max_m"));
+  line = line.substr(0, line.find('\n'));
+  EXPECT_NE(line.find("0.6 mm"), std::string::npos) << line;
+  EXPECT_NE(line.find("≤ 0.5 mm ✗"), std::string::npos) << line;
+  EXPECT_NE(line.find("≤ 3.4 mm"), std::string::npos) << line;
+}
+
+}  // namespace
+}  // namespace surefoot

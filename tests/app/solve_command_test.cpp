@@ -1,0 +1,84 @@
+#include "app/solve_command.hpp"
+
+#include "surefoot/base/error.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Runs the command on a file with these lines.
+struct CommandRun {
+  explicit CommandRun(const std::string& text) {
+    file = std::filesystem::path(testing::TempDir()) / "solve_command_test.jsonl";
+    std::ofstream(file) << text;
+    exit_code = run_solve(file.string(), out, err);
+    std::filesystem::remove(file);
+    std::istringstream lines(out.str());
+    for (std::string line; std::getline(lines, line);) results.push_back(Json::parse(line));
+  }
+  std::filesystem::path file;
+  int exit_code = -1;
+  std::ostringstream out, err;
+  std::vector<Json> results;
+};
+
+TEST(SolveCommand, WritesOneLineForEach) {
+  const CommandRun run(
+      "{\"levels\":[{\"A\":[[1,0]],\"b\":[1]},{\"A\":[[1,1]],\"b\":[4]}]}\n"
+      "\n"
+      "{\"levels\":[{\"D\":[[1]],\"f\":[1]},{\"A\":[[1]],\"b\":[3]}]}");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err.str(), "");
+  ASSERT_EQ(run.results.size(), 2u);
+  EXPECT_NEAR(run.results[0]["x"][0].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(run.results[0]["x"][1].get<double>(), 3.0, 1e-12);
+  EXPECT_NEAR(run.results[1]["x"][0].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(run.results[1]["levels"][0]["residual"].get<double>(), 0.0, 1e-12);
+  EXPECT_NEAR(run.results[1]["levels"][1]["residual"].get<double>(), 2.0, 1e-12);
+}
+
+TEST(SolveCommand, TheResidualIsThatOfEqualitiesAndViolatedInequalitiesTogether) {
+  const CommandRun run(
+      R"({"levels":[{"A":[[1]],"b":[0]},{"A":[[1]],"b":[3],"D":[[1],[-1]],"f":[5,-4]}]})");
+  ASSERT_EQ(run.results.size(), 1u);
+  EXPECT_NEAR(run.results[0]["levels"][1]["residual"].get<double>(), std::sqrt(9.0 + 16.0), 1e-12);
+}
+
+TEST(SolveCommand, ABadLineIsNamedAndTheOthersAreSolved) {
+  const CommandRun run(
+      "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"
+      "{\"levels\":[{\"A\":[[1]],\"b\":[1,2]}]}\n"
+      "{\"levels\":[{\"A\":[[1]],\"b\":[3]}]}\n");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.results.size(), 2u);
+  EXPECT_EQ(run.err.str().find(run.file.string() + ":2: level 1: b has 2 elements"), 0u)
+      << run.err.str();
+}
+
+TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
+  const CommandRun run(R"({"levels":[{"A":[[1e200]],"b":[1]}]})");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(run.results.empty());
+  EXPECT_NE(run.err.str().find(":1: numbers too large"), std::string::npos) << run.err.str();
+}
+
+TEST(SolveCommand, AFileThatCannotBeReadIsAnError) {
+  std::ostringstream out, err;
+  EXPECT_THROW((void)run_solve("/no/such/file.jsonl", out, err), FileError);
+  EXPECT_THROW((void)run_solve(testing::TempDir(), out, err), FileError);
+  EXPECT_EQ(out.str(), "");
+}
+
+}  // namespace
+}  // namespace surefoot::test

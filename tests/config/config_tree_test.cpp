@@ -1,0 +1,101 @@
+#include "surefoot/config/config_tree.hpp"
+
+#include "surefoot/config/config_json.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+const char* const kTree = R"(
+terrain:
+  friction: 0.8
+  boxes: [[1, 2, 3], [4, 5, 6]]
+name: a
+)";
+
+ConfigNode tree() { return parse_yaml(kTree, "a.yaml"); }
+
+TEST(ConfigTree, knows_the_line_of_every_key) {
+  EXPECT_EQ(tree().find("terrain")->find("friction")->where, "a.yaml:3");
+  EXPECT_EQ(tree().find("name")->where, "a.yaml:5");
+}
+
+TEST(ConfigTree, what_is_not_yaml_is_told_with_its_line) {
+  const std::string message =
+      message_of([] { (void)parse_yaml("a: 1\nb: [2, 3\nc: }", "bad.yaml"); });
+  EXPECT_TRUE(message.starts_with("bad.yaml:")) << message;
+  EXPECT_TRUE(holds(message, "not YAML"));
+}
+
+TEST(ConfigTree, a_file_that_is_plain_text_is_not_a_configuration) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "text.yaml", "just a sentence");
+  EXPECT_TRUE(
+      holds(message_of([&] { (void)parse_yaml_file(folder / "text.yaml"); }), "key: value"));
+}
+
+TEST(ConfigTree, a_missing_file_and_a_folder_are_named) {
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(holds(message_of([&] { (void)parse_yaml_file(folder / "none.yaml"); }), "none.yaml"));
+  EXPECT_TRUE(holds(message_of([&] { (void)parse_yaml_file(folder.path()); }), folder.path()));
+}
+
+TEST(ConfigTree, a_key_given_twice_is_told_with_its_line) {
+  EXPECT_TRUE(holds(message_of([] { (void)parse_yaml("a: 1\na: 2\n", "twice.yaml"); }),
+                    "twice.yaml:2: the key \"a\" is given twice"));
+}
+
+TEST(ConfigTree, an_anchor_that_holds_itself_ends_in_an_error) {
+  EXPECT_TRUE(holds(message_of([] { (void)parse_yaml("a: &x [*x]", "loop.yaml"); }), "loop.yaml"));
+}
+
+TEST(ConfigTree, a_second_document_is_an_error) {
+  EXPECT_TRUE(
+      holds(message_of([] { (void)parse_yaml("a: 1\n---\nb: 2\n", "two.yaml"); }), "two.yaml"));
+}
+
+TEST(ConfigTree, an_overlay_changes_what_it_names_and_keeps_the_rest) {
+  ConfigNode base = tree();
+  merge(base, parse_yaml("terrain: {friction: 0.4}\nnew: 1\n", "b.yaml"));
+  EXPECT_EQ(to_json(base),
+            R"({"terrain":{"friction":0.4,"boxes":[[1,2,3],[4,5,6]]},"name":"a","new":1})");
+  EXPECT_EQ(base.find("terrain")->find("friction")->where, "b.yaml:1");
+  EXPECT_EQ(base.find("name")->where, "a.yaml:5");
+}
+
+TEST(ConfigTree, an_assignment_sets_a_number_a_list_entry_or_a_whole_map) {
+  ConfigNode changed = tree();
+  apply_assignment(changed, "terrain.friction=0.5");
+  apply_assignment(changed, "terrain.boxes.1.z=9");
+  apply_assignment(changed, "planner.swing={apex: 0.1}");
+  EXPECT_EQ(to_json(changed), R"({"terrain":{"friction":0.5,"boxes":[[1,2,3],[4,5,9]]},"name":"a",)"
+                              R"("planner":{"swing":{"apex":0.1}}})");
+  EXPECT_EQ(changed.find("terrain")->find("friction")->where, "--set terrain.friction=0.5");
+}
+
+TEST(ConfigTree, an_assignment_without_a_path_or_a_value_is_told) {
+  ConfigNode changed = tree();
+  for (const char* wrong : {"terrain.friction", "=3", "a..b=3", ".a=3", "a.=3"}) {
+    EXPECT_TRUE(holds(message_of([&] { apply_assignment(changed, wrong); }), "as")) << wrong;
+  }
+}
+
+TEST(ConfigTree, an_assignment_through_a_number_or_past_a_list_names_its_path) {
+  ConfigNode changed = tree();
+  EXPECT_TRUE(holds(message_of([&] { apply_assignment(changed, "terrain.friction.x=1"); }),
+                    "terrain.friction.x"));
+  EXPECT_TRUE(holds(message_of([&] { apply_assignment(changed, "terrain.boxes.2=1"); }),
+                    "terrain.boxes.2"));
+}
+
+TEST(ConfigTree, words_become_json_texts_and_numbers_numbers) {
+  EXPECT_EQ(to_json(parse_yaml("a: 1e-3\nb: 0.5 m\nc: true\nd:\n", "x")),
+            R"({"a":0.001,"b":"0.5 m","c":true,"d":null})");
+}
+
+}  // namespace
+}  // namespace surefoot

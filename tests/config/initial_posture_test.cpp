@@ -1,0 +1,50 @@
+#include "surefoot/config/initial_posture.hpp"
+
+#include "tests/config/messages.hpp"
+#include "tests/support/anymal_b.hpp"
+
+namespace surefoot {
+namespace {
+
+/// Every knee configuration.
+class InitialPosture : public testing::TestWithParam<KneeConfiguration> {
+ protected:
+  RobotModel model_{test::anymal_b()};
+  StanceOptions stance_{
+      .half_length = 0.35, .half_width = 0.21, .height = 0.44, .knees = GetParam()};
+};
+
+TEST_P(InitialPosture, puts_the_feet_where_the_stance_wants_them) {
+  const JointVector q = stance_posture(model_, stance_);
+  for (const Leg leg : kLegs) {
+    const Vec3 p_BF = model_.foot_in_base(leg, q.segment<3>(first_joint(leg)));
+    const Vec3 expected(is_front(leg) ? 0.35 : -0.35, is_left(leg) ? 0.21 : -0.21, -0.44);
+    EXPECT_TRUE(p_BF.isApprox(expected, 1e-6)) << p_BF.transpose();
+  }
+}
+
+TEST_P(InitialPosture, bends_the_knees_to_their_side) {
+  const JointVector q = stance_posture(model_, stance_);
+  for (const Leg leg : kLegs) {
+    const double hfe = q[first_joint(leg) + 1], kfe = q[first_joint(leg) + 2];
+    const double backward = GetParam() == KneeConfiguration::backward ||
+                                    (GetParam() == KneeConfiguration::x && is_front(leg))
+                                ? 1.0
+                                : -1.0;
+    EXPECT_GT(backward * hfe, 0.0) << kLegNames[index(leg)];
+    EXPECT_LT(backward * kfe, 0.0) << kLegNames[index(leg)];
+  }
+}
+
+TEST_P(InitialPosture, out_of_reach_names_the_foot) {
+  stance_.height = 0.7;
+  EXPECT_TRUE(
+      test::holds(test::message_of([&] { (void)stance_posture(model_, stance_); }), "foot LF"));
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKneeConfiguration, InitialPosture,
+                         testing::Values(KneeConfiguration::x, KneeConfiguration::forward,
+                                         KneeConfiguration::backward));
+
+}  // namespace
+}  // namespace surefoot

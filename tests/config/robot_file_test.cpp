@@ -1,0 +1,114 @@
+// Robot files that are wrong: each gives one message that names file, line and what would be valid.
+#include "surefoot/config/robot_file.hpp"
+
+#include "surefoot/config/data_file.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+/// ANYmal B's files in a folder of their own, to be changed.
+class RobotFile : public testing::Test {
+ protected:
+  RobotFile()
+      : text_(test::contents(find_data_file("robots", "anymal_b").string())),
+        urdf_(test::contents(load_robot("anymal_b").urdf_path)) {}
+
+  static void change(std::string& text, const std::string& from, const std::string& to) {
+    const std::size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+  }
+
+  /// Makes the robot use a URDF of its own, which can be changed.
+  void use_own_urdf() {
+    const std::size_t begin = text_.find("package://");
+    text_.replace(begin, text_.find('\n', begin) - begin, "robot.urdf");
+  }
+
+  std::string complaint() {
+    test::write_file(folder_ / "robot.yaml", text_);
+    test::write_file(folder_ / "robot.urdf", urdf_);
+    return message_of([&] { (void)load_robot(folder_ / "robot.yaml"); });
+  }
+
+  test::TemporaryFolder folder_;
+  std::string text_, urdf_;
+};
+
+TEST_F(RobotFile, of_anymal_b_is_read) {
+  const RobotDescription robot = load_robot("anymal_b");
+  EXPECT_EQ(robot.legs[index(Leg::RH)].foot_frame, "RH_FOOT");
+  EXPECT_EQ(robot.legs[index(Leg::LF)].joints[2], "LF_KFE");
+  EXPECT_EQ(robot.torque_limit, JointVector::Constant(40.0));
+  EXPECT_EQ(robot.q_nominal.segment<3>(first_joint(Leg::LH)), Vec3(0.0, -0.4, 0.8));
+}
+
+TEST_F(RobotFile, with_a_urdf_beside_it_is_read) {
+  use_own_urdf();
+  test::write_file(folder_ / "robot.yaml", text_);
+  test::write_file(folder_ / "robot.urdf", urdf_);
+  EXPECT_EQ(load_robot(folder_ / "robot.yaml").urdf_path, folder_ / "robot.urdf");
+}
+
+TEST_F(RobotFile, with_an_unknown_frame_names_the_line_and_the_nearest) {
+  change(text_, "foot: LF_FOOT", "foot: LF_FOT");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.foot: unknown frame \"LF_FOT\""));
+  EXPECT_TRUE(holds(message, "did you mean \"LF_FOOT\"?"));
+  EXPECT_TRUE(holds(message, "RH_SHANK"));
+}
+
+TEST_F(RobotFile, with_an_unknown_joint_names_it) {
+  change(text_, "RH_KFE", "RH_KNEE");
+  EXPECT_TRUE(holds(complaint(), "unknown joint \"RH_KNEE\""));
+}
+
+TEST_F(RobotFile, with_a_missing_leg_names_it) {
+  text_.erase(text_.find("  RH:"), text_.find("foot:\n") - text_.find("  RH:"));
+  EXPECT_TRUE(holds(complaint(), "legs.RH"));
+}
+
+TEST_F(RobotFile, with_a_missing_urdf_names_both_files) {
+  change(text_, "anymal.urdf", "anymal_x.urdf");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:3: urdf"));
+  EXPECT_TRUE(holds(message, "anymal_x.urdf"));
+}
+
+TEST_F(RobotFile, with_a_broken_urdf_names_its_line) {
+  use_own_urdf();
+  urdf_.resize(urdf_.size() / 2);
+  EXPECT_TRUE(holds(complaint(), "robot.urdf:"));
+}
+
+TEST_F(RobotFile, with_a_negative_mass_names_link_and_line) {
+  use_own_urdf();
+  change(urdf_, "<mass value=\"1.634976467\"", "<mass value=\"-1.634976467\"");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.urdf:"));
+  EXPECT_TRUE(holds(message, "mass"));
+  EXPECT_TRUE(holds(message, "-1.634976467"));
+}
+
+TEST_F(RobotFile, with_a_misspelt_key_says_so) {
+  change(text_, "limits:", "limit:");
+  EXPECT_TRUE(holds(complaint(), "did you mean \"limits\"?"));
+}
+
+TEST_F(RobotFile, with_limits_upside_down_says_so) {
+  change(text_, "position_max: [1.2", "position_max: [-1.3");
+  EXPECT_TRUE(holds(complaint(), "limits.position_max"));
+}
+
+TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
+  EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
+                    "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));
+}
+
+}  // namespace
+}  // namespace surefoot

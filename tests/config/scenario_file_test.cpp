@@ -1,0 +1,211 @@
+#include "surefoot/config/scenario_file.hpp"
+
+#include "surefoot/config/data_file.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+/// walk_flat with some keys laid over it.
+class ScenarioFile : public testing::Test {
+ protected:
+  Scenario read(const std::string& text, std::uint64_t seed = 0,
+                const std::vector<std::string>& assignments = {}) {
+    test::write_file(folder_ / "trial.yaml", "base: walk_flat\n" + text);
+    return load_scenario({folder_ / "trial.yaml", seed, assignments});
+  }
+
+  std::string complaint(const std::string& text, const std::vector<std::string>& assignments = {}) {
+    return message_of([&] { (void)read(text, 0, assignments); });
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+const char* const kRandomFriction = "randomise:\n  terrain.friction: [0.4, 1.0]\n";
+
+TEST_F(ScenarioFile, of_every_experiment_is_read_with_and_without_a_seed) {
+  ASSERT_GE(list_data("scenarios").size(), 12u);
+  for (const std::string& name : list_data("scenarios")) {
+    for (const std::uint64_t seed : {0u, 1u, 2u}) {
+      const Scenario scenario = load_scenario({name, seed, {}});
+      EXPECT_EQ(scenario.name, name);
+      EXPECT_FALSE(scenario.description.empty()) << name;
+      EXPECT_FALSE(scenario.criteria.empty()) << name;
+      EXPECT_EQ(scenario.sources.front().name, "scenario.yaml");
+      EXPECT_EQ(scenario.plant.control_period, scenario.controller.period);
+    }
+  }
+}
+
+TEST_F(ScenarioFile, keeps_what_its_base_says_and_changes_what_it_names) {
+  const Scenario base = load_scenario({"walk_flat", 0, {}});
+  const Scenario scenario = read("duration: 3.5\nplanner: {swing: {apex: 0.12}}\n");
+  EXPECT_EQ(scenario.duration, 3.5);
+  EXPECT_EQ(scenario.controller.planner.swing.apex, 0.12);
+  EXPECT_EQ(scenario.controller.planner.stance.half_length,
+            base.controller.planner.stance.half_length);
+  EXPECT_EQ(scenario.criteria.size(), base.criteria.size());
+}
+
+TEST_F(ScenarioFile, takes_a_criterion_away_by_naming_nothing) {
+  const Scenario scenario = read("criteria:\n  fell:\n");
+  EXPECT_EQ(std::ranges::count(scenario.criteria, "fell", &Criterion::metric), 0);
+}
+
+TEST_F(ScenarioFile, with_a_misspelt_key_names_line_path_and_the_nearest) {
+  EXPECT_TRUE(holds(complaint("planner:\n  swing:\n    apx: 0.1\n"),
+                    "trial.yaml:4: planner.swing.apx: unknown key; did you mean \"apex\"?"));
+  EXPECT_TRUE(holds(complaint("duratoin: 3\n"),
+                    "trial.yaml:2: duratoin: unknown key; did you mean \"duration\"?"));
+}
+
+TEST_F(ScenarioFile, with_a_negative_duration_says_what_would_be_valid) {
+  EXPECT_TRUE(
+      holds(complaint("duration: -1\n"), "trial.yaml:2: duration: \"-1\" is not a number above 0"));
+}
+
+TEST_F(ScenarioFile, with_nan_names_the_key) {
+  EXPECT_TRUE(
+      holds(complaint("terrain:\n  friction: .nan\n"), "trial.yaml:3: terrain.friction: \".nan\""));
+}
+
+TEST_F(ScenarioFile, with_an_unknown_stack_or_robot_lists_those_that_exist) {
+  EXPECT_TRUE(
+      holds(complaint("stack: wallk\n"),
+            "trial.yaml:2: stack: unknown stack \"wallk\"; did you mean \"walk\"? valid are:"));
+  EXPECT_TRUE(
+      holds(complaint("robot: hexapod\n"), "trial.yaml:2: robot: unknown robot \"hexapod\""));
+}
+
+TEST_F(ScenarioFile, that_is_not_yaml_says_so) {
+  test::write_file(folder_ / "trial.yaml", "a: [1, 2\nb: }{");
+  EXPECT_TRUE(
+      holds(message_of([&] { (void)load_scenario({folder_ / "trial.yaml", 0, {}}); }), "not YAML"));
+}
+
+TEST_F(ScenarioFile, that_does_not_exist_lists_those_that_do) {
+  EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"walk_flt", 0, {}}); }),
+                    "unknown scenario \"walk_flt\"; did you mean \"walk_flat\"?"));
+  EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"nowhere/walk.yaml", 0, {}}); }),
+                    "there is no file \"nowhere/walk.yaml\""));
+}
+
+TEST_F(ScenarioFile, whose_bases_lead_to_each_other_ends_in_an_error) {
+  test::write_file(folder_ / "a.yaml", "base: b.yaml\n");
+  test::write_file(folder_ / "b.yaml", "base: a.yaml\n");
+  EXPECT_TRUE(holds(message_of([&] { (void)load_scenario({folder_ / "a.yaml", 0, {}}); }), "base"));
+}
+
+TEST_F(ScenarioFile, with_a_criterion_on_an_unknown_metric_lists_the_metrics) {
+  const std::string message = complaint("criteria:\n  com_eror_max_m: {max: 1}\n");
+  EXPECT_TRUE(holds(message, "trial.yaml:3: criteria.com_eror_max_m: unknown metric"));
+  EXPECT_TRUE(holds(message, "did you mean \"com_error_max_m\"?"));
+  EXPECT_TRUE(holds(complaint("paper: {tick: fast}\n"), "paper.tick: unknown metric"));
+}
+
+TEST_F(ScenarioFile, with_a_criterion_of_the_wrong_kind_says_what_would_be_valid) {
+  EXPECT_TRUE(holds(complaint("criteria: {fell: {max: 1}}\n"), "criteria.fell"));
+  EXPECT_TRUE(holds(complaint("criteria: {com_error_max_m: {mx: 1}}\n"), "did you mean \"max\"?"));
+}
+
+TEST_F(ScenarioFile, gives_the_operators_command_of_the_time) {
+  const Scenario scenario = read(
+      "user:\n  - {time: 1, walk: true, velocity: [0.1, -0.02]}\n  - {time: 2.5, yaw_rate: 0.1}\n");
+  EXPECT_FALSE(scenario.user(0.0).walk);
+  EXPECT_FALSE(scenario.user(0.9999).walk);
+  EXPECT_TRUE(scenario.user(1.0).walk);
+  EXPECT_EQ(scenario.user(2.0).velocity, Vec2(0.1, -0.02));
+  EXPECT_EQ(scenario.user(99.0).yaw_rate, 0.1);
+  EXPECT_FALSE(scenario.user(99.0).walk);
+}
+
+TEST_F(ScenarioFile, whose_commands_go_back_in_time_is_an_error) {
+  EXPECT_TRUE(holds(complaint("user:\n  - {time: 2, walk: true}\n  - {time: 1}\n"),
+                    "trial.yaml:4: user.time"));
+}
+
+TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
+  const Scenario scenario =
+      read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
+  EXPECT_EQ(scenario.duration, 4.0);
+  EXPECT_EQ(scenario.plant.actuators.model, ActuatorModel::sea);
+  EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
+}
+
+TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
+  EXPECT_TRUE(holds(complaint("", {"planner.swing.apx=0.1"}),
+                    "--set planner.swing.apx=0.1: planner.swing.apx: unknown key"));
+  EXPECT_TRUE(holds(complaint("", {"duration=nan"}), "--set duration=nan: duration"));
+}
+
+TEST_F(ScenarioFile, draws_nothing_for_seed_zero) {
+  const Scenario scenario = read(kRandomFriction, 0);
+  EXPECT_TRUE(scenario.drawn.empty());
+  EXPECT_EQ(scenario.plant.terrain.friction, 0.8);
+}
+
+TEST_F(ScenarioFile, draws_the_same_values_for_the_same_seed_and_others_for_another) {
+  const double first = read(kRandomFriction, 1).plant.terrain.friction;
+  EXPECT_EQ(read(kRandomFriction, 1).plant.terrain.friction, first);
+  EXPECT_NE(read(kRandomFriction, 2).plant.terrain.friction, first);
+  EXPECT_EQ(read(kRandomFriction, 1).drawn.at(0).value, first);
+}
+
+TEST_F(ScenarioFile, draws_a_path_independently_of_what_else_is_drawn) {
+  const std::string more = std::string(kRandomFriction) + "  initial.x: [0, 1]\n";
+  EXPECT_EQ(read(more, 3).plant.terrain.friction, read(kRandomFriction, 3).plant.terrain.friction);
+}
+
+TEST_F(ScenarioFile, pairs_the_seeds_of_the_step_down_variants) {
+  const Scenario full = load_scenario({"step_down", 5, {}});
+  const Scenario regular = load_scenario({"step_down_regular_stack", 5, {}});
+  ASSERT_EQ(full.drawn.size(), regular.drawn.size());
+  for (std::size_t i = 0; i < full.drawn.size(); ++i) {
+    EXPECT_EQ(full.drawn[i].path, regular.drawn[i].path);
+    EXPECT_EQ(full.drawn[i].value, regular.drawn[i].value);
+  }
+}
+
+TEST_F(ScenarioFile, lets_an_assignment_win_over_a_draw) {
+  const Scenario scenario = read(kRandomFriction, 1, {"terrain.friction=0.77"});
+  EXPECT_EQ(scenario.plant.terrain.friction, 0.77);
+  EXPECT_TRUE(scenario.drawn.empty());
+}
+
+TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
+  EXPECT_TRUE(
+      holds(complaint("randomise:\n  terrain.fricton: [0, 1]\n"), "terrain.fricton: unknown key"));
+  EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: [1, 0]\n"),
+                    "trial.yaml:3: randomise.terrain.friction"));
+  EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
+}
+
+TEST_F(ScenarioFile, whose_stance_is_out_of_reach_says_so) {
+  EXPECT_TRUE(holds(complaint("planner: {stance: {height: 0.9}}\n"), "planner.stance"));
+}
+
+TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
+  const Scenario scenario = read(
+      "disturbances: {pushes: {a: {time: 1, force: [0, 9, 0]}, b: {time: 2, duration: 0.5, "
+      "impulse: [0, 0, 3]}}}\n");
+  ASSERT_EQ(scenario.plant.disturbances.pushes.size(), 2u);
+  EXPECT_EQ(scenario.plant.disturbances.pushes[0].force, Vec3(0, 9, 0));
+  EXPECT_EQ(scenario.plant.disturbances.pushes[1].force, Vec3(0, 0, 6));
+  EXPECT_TRUE(
+      holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force or an impulse"));
+}
+
+TEST_F(ScenarioFile, with_a_leg_twice_in_the_gait_says_so) {
+  EXPECT_TRUE(
+      holds(complaint("planner: {gait: {order: [LF, LF, RF, RH]}}\n"), "leg LF comes twice"));
+}
+
+}  // namespace
+}  // namespace surefoot

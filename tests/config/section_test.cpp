@@ -1,0 +1,145 @@
+#include "surefoot/config/section.hpp"
+
+#include "surefoot/config/nearest_name.hpp"
+#include "tests/config/messages.hpp"
+
+#include <functional>
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+/// What reading a text with `fields` says that is wrong.
+std::string complaint(const std::string& text, const std::function<void(Section&)>& fields) {
+  const ConfigNode tree = parse_yaml(text, "f.yaml");
+  return message_of([&] {
+    Section section(tree, "part");
+    fields(section);
+    section.finish();
+  });
+}
+
+double number_of(const std::string& text) {
+  const ConfigNode tree = parse_yaml("a: " + text, "f.yaml");
+  double value = 7.0;
+  Section section(tree, "");
+  section.number("a", value);
+  return value;
+}
+
+void read_apex(Section& section) {
+  double apex = 0.0, duration = 0.0;
+  section.number("apex", apex, kPositive);
+  section.number("swing_duration", duration, kNotNegative);
+}
+
+TEST(Section, a_misspelt_key_is_told_with_line_path_the_nearest_and_all_valid_names) {
+  EXPECT_EQ(
+      complaint("\napx: 0.1", read_apex),
+      "f.yaml:2: part.apx: unknown key; did you mean \"apex\"? valid are: apex, swing_duration");
+}
+
+TEST(Section, a_key_unlike_any_other_gets_no_suggestion) {
+  EXPECT_EQ(complaint("something: 0.1", read_apex),
+            "f.yaml:1: part.something: unknown key; valid are: apex, swing_duration");
+}
+
+TEST(Section, a_negative_duration_is_told_with_what_was_given_and_what_would_be_valid) {
+  EXPECT_EQ(complaint("swing_duration: -2", read_apex),
+            "f.yaml:1: part.swing_duration: \"-2\" is not a number of at least 0");
+}
+
+TEST(Section, zero_is_not_above_zero) {
+  EXPECT_TRUE(holds(complaint("apex: 0", read_apex), "above 0"));
+}
+
+TEST(Section, nan_and_infinity_are_no_numbers) {
+  for (const char* text : {".nan", "nan", "NaN", ".inf", "-.inf", "inf", "1e999"}) {
+    EXPECT_TRUE(holds(complaint(std::string("apex: ") + text, read_apex), text));
+  }
+}
+
+TEST(Section, words_lists_maps_and_nothing_are_no_numbers) {
+  for (const char* text : {"high", "[1]", "{a: 1}", "", "0.1 m", "0x10", "'1 2'"}) {
+    EXPECT_TRUE(holds(complaint(std::string("apex: ") + text, read_apex), "part.apex")) << text;
+  }
+}
+
+TEST(Section, numbers_are_read_exactly_in_every_way_to_write_them) {
+  EXPECT_EQ(number_of("0.1"), 0.1);
+  EXPECT_EQ(number_of("+3"), 3.0);
+  EXPECT_EQ(number_of("-1e-3"), -1e-3);
+}
+
+TEST(Section, an_absent_key_leaves_the_value) {
+  const ConfigNode tree = parse_yaml("a: 1", "f.yaml");
+  double value = 7.0;
+  Section section(tree, "");
+  section.number("b", value);
+  EXPECT_EQ(value, 7.0);
+}
+
+TEST(Section, an_unknown_choice_lists_the_choices) {
+  const auto read_choice = [](Section& section) {
+    int value = 0;
+    section.choice<int>("model", value, {{"ideal", 1}, {"sea", 2}});
+  };
+  EXPECT_EQ(
+      complaint("model: see", read_choice),
+      "f.yaml:1: part.model: unknown choice \"see\"; did you mean \"sea\"? valid are: ideal, sea");
+}
+
+TEST(Section, a_flag_is_true_or_false_and_nothing_else) {
+  const auto read_flag = [](Section& section) {
+    bool value = false;
+    section.flag("on", value);
+  };
+  EXPECT_TRUE(holds(complaint("on: yes", read_flag), "true, false"));
+}
+
+TEST(Section, a_vector_needs_its_length) {
+  const auto read_vector = [](Section& section) {
+    Vec3 value = Vec3::Zero();
+    section.vector("size", value);
+  };
+  EXPECT_TRUE(holds(complaint("size: [1, 2]", read_vector), "3 numbers"));
+  EXPECT_TRUE(holds(complaint("size: [1, 2, wide]", read_vector), "wide"));
+}
+
+TEST(Section, a_whole_number_is_whole_and_large_enough) {
+  const auto read_count = [](Section& section) {
+    int value = 0;
+    section.integer("count", value, 1);
+  };
+  EXPECT_TRUE(holds(complaint("count: 1.5", read_count), "whole number"));
+  EXPECT_TRUE(holds(complaint("count: 0", read_count), "less than 1"));
+}
+
+TEST(Section, a_missing_required_key_is_named_after_unknown_ones) {
+  const auto read_required = [](Section& section) {
+    std::string name;
+    section.require("name");
+    section.text("name", name);
+  };
+  EXPECT_EQ(complaint("{}", read_required), "f.yaml:1: part.name: this key is missing");
+  EXPECT_TRUE(holds(complaint("nmae: a", read_required), "did you mean \"name\""));
+}
+
+TEST(Section, a_number_where_a_map_should_be_is_told) {
+  const auto read_below = [](Section& section) {
+    section.section("swing", [](Section& below) { read_apex(below); });
+  };
+  EXPECT_EQ(complaint("swing: 3", read_below),
+            "f.yaml:1: part.swing: \"3\" is not a map of keys and values");
+}
+
+TEST(NearestName, swapped_missing_and_wrong_letters_are_near) {
+  EXPECT_TRUE(holds(valid_names("frcition", {"duration", "friction"}), "\"friction\""));
+  EXPECT_TRUE(holds(valid_names("duratin", {"duration", "friction"}), "\"duration\""));
+  EXPECT_FALSE(holds(valid_names("height", {"duration", "friction"}), "did you mean"));
+}
+
+}  // namespace
+}  // namespace surefoot

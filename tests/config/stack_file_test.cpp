@@ -1,0 +1,113 @@
+#include "surefoot/config/stack_file.hpp"
+
+#include "surefoot/config/data_file.hpp"
+#include "surefoot/tasks/catalog.hpp"
+#include "tests/config/messages.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+namespace surefoot {
+namespace {
+
+using test::holds;
+using test::message_of;
+
+std::vector<std::string> level_names(const StackOptions& stack) {
+  std::vector<std::string> names;
+  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
+  return names;
+}
+
+StackOptions read(const std::string& text) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "s.yaml", text);
+  return load_stack(folder / "s.yaml");
+}
+
+std::string complaint(const std::string& text) {
+  return message_of([&] { (void)read(text); });
+}
+
+TEST(StackFile, terrain_adaptation_is_table_one_with_a_task_a_level) {
+  EXPECT_EQ(level_names(load_stack("terrain_adaptation")),
+            (std::vector<std::string>{"equations_of_motion", "no_contact_motion", "torque_limits",
+                                      "friction_cone", "com_xy", "swing_foot",
+                                      "limb_extension_limits", "torso_yaw", "torso_height",
+                                      "torso_roll_pitch", "contact_force_minimisation"}));
+}
+
+TEST(StackFile, terrain_without_limits_leaves_out_only_level_seven) {
+  StackOptions full = load_stack("terrain_adaptation");
+  full.levels.erase(full.levels.begin() + 6);
+  const StackOptions without = load_stack("terrain_without_limits");
+  EXPECT_EQ(level_names(without), level_names(full));
+  EXPECT_EQ(without.levels[4].tasks[0].numbers, full.levels[4].tasks[0].numbers);
+}
+
+TEST(StackFile, every_task_of_every_shipped_stack_can_be_made) {
+  for (const std::string& name : list_data("stacks")) {
+    for (const LevelSpec& level : load_stack(name).levels) {
+      for (const TaskSpec& task : level.tasks) {
+        EXPECT_NE(make_task(task.task, {task.numbers, task.choices}), nullptr) << name;
+      }
+    }
+  }
+}
+
+TEST(StackFile, a_level_can_hold_several_tasks) {
+  const StackOptions stack = read(
+      "name: s\nlevels:\n"
+      "  - {name: forces, tasks: [{task: torque_limits}, {task: friction_cone, pyramid: outer}]}\n"
+      "  - {task: com_xy, name: balance, kp: 100}\n");
+  EXPECT_EQ(level_names(stack), (std::vector<std::string>{"forces", "balance"}));
+  EXPECT_EQ(stack.levels[0].tasks[1].choices.at("pyramid"), "outer");
+  EXPECT_EQ(stack.levels[1].tasks[0].numbers.at("kp"), 100.0);
+}
+
+TEST(StackFile, an_unknown_task_lists_the_tasks) {
+  const std::string message = complaint("name: s\nlevels:\n  - task: swing_feet\n");
+  EXPECT_TRUE(holds(message, "s.yaml:3: levels.0.task: unknown task \"swing_feet\""));
+  EXPECT_TRUE(holds(message, "did you mean \"swing_foot\"?"));
+}
+
+TEST(StackFile, an_unknown_parameter_lists_those_of_the_task) {
+  const std::string message = complaint("name: s\nlevels:\n  - task: com_xy\n    kpp: 3\n");
+  EXPECT_TRUE(holds(message, "s.yaml:4: levels.0.kpp"));
+  EXPECT_TRUE(holds(message, "kp, kd, max_error"));
+}
+
+TEST(StackFile, a_negative_gain_and_an_unknown_form_are_told_with_their_lines) {
+  EXPECT_TRUE(
+      holds(complaint("name: s\nlevels:\n  - {task: com_xy, kp: -1}\n"), "s.yaml:3: levels.0.kp"));
+  EXPECT_TRUE(holds(complaint("name: s\nlevels:\n  - {task: limb_extension_limits, form: round}\n"),
+                    "s.yaml:3: levels.0.form"));
+}
+
+TEST(StackFile, a_nan_gain_is_told) {
+  EXPECT_TRUE(holds(complaint("name: s\nlevels:\n  - {task: com_xy, kp: .nan}\n"), "\".nan\""));
+}
+
+TEST(StackFile, without_levels_says_so) {
+  EXPECT_TRUE(holds(complaint("name: s\n"), "levels: this key is missing"));
+  EXPECT_TRUE(holds(complaint("name: s\nlevels: []\n"), "at least one level"));
+}
+
+TEST(StackFile, leaving_out_a_level_that_is_not_there_lists_the_levels) {
+  EXPECT_TRUE(holds(complaint("name: s\nbase: terrain_adaptation\nwithout: [limb_limits]\n"),
+                    "s.yaml:3: without: unknown level \"limb_limits\""));
+}
+
+TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
+  StackOptions stack = load_stack("walk");
+  override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");
+  EXPECT_EQ(stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
+}
+
+TEST(StackFile, parameters_for_a_task_that_the_stack_has_not_are_an_error) {
+  StackOptions stack = load_stack("walk");
+  const ConfigNode tasks = parse_yaml("limb_extension_limits: {max: 0.5}", "o.yaml");
+  EXPECT_TRUE(holds(message_of([&] { override_tasks(stack, tasks, "tasks"); }),
+                    "o.yaml:1: tasks.limb_extension_limits"));
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,339 @@
+#include "surefoot/evaluation/evaluator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+
+// A run made by hand: each test changes what it is about and calls `tick`.
+struct HandMadeRun {
+  HandMadeRun() : evaluator({.control_period = kPeriod, .terrain_height = {}, .hip_in_base = {}}) {
+    stand();
+  }
+  explicit HandMadeRun(EvaluatorOptions options) : evaluator(std::move(options)) { stand(); }
+
+  void stand() {
+    truth.p_WB.z() = 0.45;
+    for (TrueContact& contact : truth.feet) {
+      contact = {.touching = true, .force = Vec3(0.0, 0.0, 75.0), .friction = 0.8};
+    }
+    tick.plan.torso.height = 0.45;
+    tick.command.mode = CommandMode::optimal;
+  }
+
+  void step() {
+    evaluator.add(truth, tick);
+    truth.time += kPeriod;
+  }
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) step();
+  }
+
+  [[nodiscard]] Metrics metrics() const {
+    return evaluator.metrics(
+        {.reason = "completed", .wall_seconds = 0.5, .seed = 9, .version = "1.2.3"});
+  }
+
+  void phase(Leg leg, LegPhase phase) { tick.plan.feet[index(leg)].phase = phase; }
+  TrueContact& contact(Leg leg) { return truth.feet[index(leg)]; }
+
+  Evaluator evaluator;
+  GroundTruth truth;
+  TickRecord tick;
+};
+
+TEST(Evaluator, StandingStillIsFaultless) {
+  HandMadeRun run;
+  run.steps(400);
+  const Metrics metrics = run.metrics();
+  EXPECT_FALSE(metrics.fell);
+  EXPECT_FALSE(metrics.succeeded) << "criteria decide";
+  EXPECT_EQ(metrics.reason, "completed");
+  EXPECT_DOUBLE_EQ(metrics.duration_s, 1.0);
+  EXPECT_DOUBLE_EQ(metrics.realtime_factor, 2.0);
+  EXPECT_EQ(metrics.distance_m, 0.0);
+  EXPECT_EQ(metrics.speed_mps, 0.0);
+  EXPECT_EQ(metrics.com_error_max_m, 0.0);
+  EXPECT_EQ(metrics.base_height_error_rms_m, 0.0);
+  EXPECT_EQ(metrics.friction_margin_min, 1.0);
+  EXPECT_EQ(metrics.steps_taken, 0);
+  EXPECT_EQ(metrics.fallback_ticks, 0);
+  EXPECT_EQ(metrics.seed, 9u);
+  EXPECT_EQ(metrics.version, "1.2.3");
+}
+
+TEST(Evaluator, NothingMeasuredIsNaN) {
+  const Metrics metrics = HandMadeRun().metrics();
+  EXPECT_TRUE(std::isnan(metrics.com_error_max_m));
+  EXPECT_TRUE(std::isnan(metrics.com_error_rms_m));
+  EXPECT_TRUE(std::isnan(metrics.friction_margin_min));
+  EXPECT_TRUE(std::isnan(metrics.limb_extension_max_m));
+  EXPECT_TRUE(std::isnan(metrics.tick_us.median));
+}
+
+TEST(Evaluator, SpeedCountsOnlyTheTimeInWhichWalkingIsCommanded) {
+  HandMadeRun run;
+  run.steps(400);
+  run.tick.user.walk = true;
+  for (int i = 0; i < 800; ++i) {
+    run.truth.p_WB.x() = 0.3 * (i / 799.0);
+    run.truth.p_WB.y() = 0.4 * (i / 799.0);
+    run.step();
+  }
+  EXPECT_NEAR(run.metrics().distance_m, 0.5, 1e-12);
+  EXPECT_NEAR(run.metrics().speed_mps, 0.25, 1e-12);
+}
+
+TEST(Evaluator, ComErrorIsThatInThePlane) {
+  HandMadeRun run;
+  run.truth.p_WCom = {0.003, 0.004, 0.4};
+  run.step();
+  run.truth.p_WCom = {0.0, 0.0, 0.4};
+  run.steps(3);
+  EXPECT_NEAR(run.metrics().com_error_max_m, 0.005, 1e-15);
+  EXPECT_NEAR(run.metrics().com_error_rms_m, 0.0025, 1e-15);
+}
+
+TEST(Evaluator, SwayIsHalfTheRangeAcrossTheHeadingSeenFromTheFeet) {
+  HandMadeRun run;
+  run.tick.user.walk = true;
+  run.tick.plan.R_WC =
+      Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()).toRotationMatrix();  // heading along y
+  for (const double lateral : {0.0, 0.04, -0.06, 0.01}) {
+    // Feet and COM drift together along x, across the heading; that is no sway.
+    const double drift = 10.0 * run.truth.time;
+    for (FootPlan& foot : run.tick.plan.feet) foot.p_WF = {drift, 5.0, 0.0};
+    run.truth.p_WCom = {drift + lateral, 3.0, 0.4};
+    run.step();
+  }
+  EXPECT_NEAR(run.metrics().com_lateral_sway_m, 0.05, 1e-12);
+}
+
+TEST(Evaluator, TorsoErrorsAreRootMeanSquares) {
+  HandMadeRun run;
+  run.truth.p_WB.z() = 0.48;
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(0.1, Vec3(1.0, 2.0, 3.0).normalized()));
+  run.step();
+  run.truth.p_WB.z() = 0.41;
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(-0.2, Vec3::UnitX()));
+  run.step();
+  EXPECT_NEAR(run.metrics().base_height_error_rms_m, std::sqrt((0.03 * 0.03 + 0.04 * 0.04) / 2.0),
+              1e-12);
+  EXPECT_NEAR(run.metrics().orientation_error_rms_rad, std::sqrt((0.1 * 0.1 + 0.2 * 0.2) / 2.0),
+              1e-7);
+  EXPECT_NEAR(run.metrics().max_tilt_rad, 0.2, 1e-7);
+}
+
+TEST(Evaluator, TorqueStepIsTheLargestChangeOfACommand) {
+  HandMadeRun run;
+  run.tick.command.torque[4] = -30.0;  // before the first tick there is none
+  run.truth.torque[1] = -35.0;
+  run.step();
+  run.tick.command.torque[4] = -22.0;
+  run.tick.command.torque[5] = 3.0;
+  run.truth.torque[1] = 0.0;
+  run.step();
+  EXPECT_EQ(run.metrics().torque_step_max_nm, 8.0);
+  EXPECT_EQ(run.metrics().torque_command_max_nm, 30.0);
+  EXPECT_EQ(run.metrics().torque_max_nm, 35.0);
+}
+
+TEST(Evaluator, FrictionMarginIsOfTheWorstLoadedStanceFoot) {
+  HandMadeRun run;
+  run.contact(Leg::LF).force = {24.0, -32.0, 100.0};  // 40 of at most 80
+  run.contact(Leg::RF).force = {3.0, 0.0, 4.0};       // too light to count
+  run.contact(Leg::LH).force = {60.0, 0.0, 80.0};
+  run.phase(Leg::LH, LegPhase::swing);  // not a stance
+  run.step();
+  EXPECT_NEAR(run.metrics().friction_margin_min, 0.5, 1e-12);
+}
+
+TEST(Evaluator, FrictionMarginFollowsTheContactsNormal) {
+  HandMadeRun run;
+  const Vec3 normal = Vec3(0.6, 0.0, 0.8);
+  run.contact(Leg::RH).normal = normal;
+  run.contact(Leg::RH).force = 100.0 * normal + 20.0 * Vec3::UnitY();
+  run.step();
+  EXPECT_NEAR(run.metrics().friction_margin_min, 0.75, 1e-12);
+}
+
+TEST(Evaluator, SlipIsThePathWithinOneStance) {
+  HandMadeRun run;
+  const auto stance = [&run](double metres) {
+    run.phase(Leg::RF, LegPhase::stance);
+    run.contact(Leg::RF).slip_velocity = {0.0, metres / (10 * kPeriod), 0.0};
+    run.steps(5);
+    run.contact(Leg::RF).slip_velocity *= -1.0;  // back again: the path counts
+    run.steps(5);
+  };
+  stance(0.003);
+  run.phase(Leg::RF, LegPhase::swing);
+  run.steps(10);  // moves through the air
+  stance(0.004);
+  EXPECT_NEAR(run.metrics().foot_slip_max_m, 0.004, 1e-12);
+}
+
+TEST(Evaluator, StepsAreSwingsThatEndInStance) {
+  HandMadeRun run;
+  for (const LegPhase phase : {LegPhase::unloading, LegPhase::swing, LegPhase::search,
+                               LegPhase::stance, LegPhase::unloading, LegPhase::swing}) {
+    run.phase(Leg::LF, phase);
+    run.steps(3);
+  }
+  EXPECT_EQ(run.metrics().steps_taken, 1);
+}
+
+TEST(Evaluator, SearchIsTheLongestOfAnyFootWithoutABreak) {
+  HandMadeRun run;
+  const auto search = [&run](int ticks) {
+    run.phase(Leg::LF, LegPhase::search);
+    run.steps(ticks);
+    run.phase(Leg::LF, LegPhase::stance);
+    run.step();
+  };
+  search(40);
+  search(100);
+  search(60);
+  EXPECT_NEAR(run.metrics().search_max_s, 0.25, 1e-12);
+}
+
+TEST(Evaluator, EdgeLandingsAreJudgedOnceWhenTheFootIsFirstLoaded) {
+  HandMadeRun run({.control_period = kPeriod,
+                   .terrain_height = [](double x, double) { return x < 1.0 ? 0.0 : -0.14; },
+                   .hip_in_base = {}});
+  TrueContact& contact = run.contact(Leg::RF);
+  contact.point = {0.995, 0.0, 0.0};  // stands on the edge from the beginning: not a landing
+  run.steps(5);
+  EXPECT_EQ(run.metrics().edge_landings, 0);
+  run.phase(Leg::RF, LegPhase::swing);
+  run.step();
+  run.phase(Leg::RF, LegPhase::stance);
+  contact.force = Vec3::Zero();
+  run.step();  // touches, but nothing rests on it yet
+  EXPECT_EQ(run.metrics().edge_landings, 0);
+  contact.force = {0.0, 0.0, 30.0};
+  run.steps(5);
+  EXPECT_EQ(run.metrics().edge_landings, 1);
+  run.phase(Leg::RF, LegPhase::swing);
+  run.step();
+  contact.point = {0.95, 0.0, 0.0};
+  run.phase(Leg::RF, LegPhase::stance);
+  run.steps(5);
+  EXPECT_EQ(run.metrics().edge_landings, 1);
+  EXPECT_EQ(run.metrics().steps_taken, 2);
+}
+
+TEST(Evaluator, LimbExtensionIsFromTheTrueHipToTheTrueFoot) {
+  HandMadeRun run(
+      {.control_period = kPeriod, .terrain_height = {}, .hip_in_base = [](Leg leg, const Vec3& q) {
+         return Vec3(leg == Leg::RH ? q[2] : 0.0, 0.0, 0.0);
+       }});
+  run.truth.p_WB = {1.0, 2.0, 0.45};
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(kPi / 2.0, Vec3::UnitZ()));
+  run.truth.q[first_joint(Leg::RH) + 2] = 0.3;  // the hip 0.3 m along B's x, which is W's y
+  for (Vec3& p_WF : run.truth.p_WF) p_WF = {1.0, 2.0, 0.05};
+  run.step();
+  EXPECT_NEAR(run.metrics().limb_extension_max_m, 0.5, 1e-12);
+}
+
+TEST(Evaluator, BodyContactsAreCountedWhenTheyBegin) {
+  HandMadeRun run;
+  for (const int mask : {0, 0b0010, 0b0010, 0b0110, 0b0100, 0b0000, 0b0001}) {
+    run.truth.shank_contacts = mask;
+    run.step();
+  }
+  EXPECT_EQ(run.metrics().shank_contacts, 3);
+  EXPECT_EQ(run.metrics().torso_contacts, 0);
+  EXPECT_FALSE(run.metrics().fell) << "a scraping shin is no fall";
+}
+
+TEST(Evaluator, TheTorsoOnTheGroundIsAFall) {
+  HandMadeRun run;
+  run.steps(400);
+  run.truth.torso_contact = true;
+  run.step();
+  run.truth.torso_contact = false;
+  run.steps(10);
+  EXPECT_TRUE(run.evaluator.fell());
+  EXPECT_TRUE(run.metrics().fell);
+  EXPECT_EQ(run.metrics().torso_contacts, 1);
+  EXPECT_EQ(run.metrics().reason, "fell at 1.00 s: the torso touched the ground");
+}
+
+TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
+  HandMadeRun run;
+  for (Vec3& p_WF : run.truth.p_WF) p_WF.z() = -0.14 + 0.031;
+  run.truth.p_WB.z() = -0.14 + 0.031 + 0.125;
+  run.step();
+  EXPECT_FALSE(run.evaluator.fell());
+  run.truth.p_WB.z() -= 0.01;
+  run.step();
+  EXPECT_TRUE(run.evaluator.fell());
+}
+
+TEST(Evaluator, TheBaseIsMeasuredFromTheFeetThatStand) {
+  HandMadeRun run;
+  run.truth.p_WF[index(Leg::LF)].z() = 0.5;  // swings high
+  run.contact(Leg::LF).touching = false;
+  run.truth.p_WB.z() = 0.2;
+  run.step();
+  EXPECT_FALSE(run.evaluator.fell());
+}
+
+TEST(Evaluator, ATiltBeyondSixtyDegreesIsAFall) {
+  HandMadeRun run;
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(59.0 * kPi / 180.0, Vec3(0.6, 0.8, 0.0)));
+  run.step();
+  EXPECT_FALSE(run.evaluator.fell());
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(61.0 * kPi / 180.0, Vec3(0.6, 0.8, 0.0)));
+  run.step();
+  EXPECT_TRUE(run.evaluator.fell());
+  EXPECT_NE(run.evaluator.fall().find("60°"), std::string::npos);
+}
+
+TEST(Evaluator, YawIsNoTilt) {
+  HandMadeRun run;
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(3.0, Vec3::UnitZ()));
+  run.step();
+  EXPECT_NEAR(run.metrics().max_tilt_rad, 0.0, 1e-7);
+  EXPECT_FALSE(run.evaluator.fell());
+}
+
+TEST(Evaluator, TicksWithoutAnOptimumAreCounted) {
+  HandMadeRun run;
+  run.step();
+  for (const CommandMode mode : {CommandMode::degraded, CommandMode::hold, CommandMode::optimal}) {
+    run.tick.command.mode = mode;
+    run.step();
+  }
+  EXPECT_EQ(run.metrics().fallback_ticks, 2);
+}
+
+TEST(Evaluator, TimesAreSummedUpByTheirRank) {
+  HandMadeRun run;
+  for (int i = 100; i >= 1; --i) {
+    run.evaluator.add(
+        TickTiming{.time = 0.0, .solve = static_cast<double>(i), .total = 1000.0 + i});
+  }
+  EXPECT_EQ(run.metrics().tick_us.median, 1050.0);
+  EXPECT_EQ(run.metrics().tick_us.p99, 1099.0);
+  EXPECT_EQ(run.metrics().tick_us.max, 1100.0);
+  EXPECT_EQ(run.metrics().solve_us.median, 50.0);
+}
+
+TEST(Evaluator, PenetrationIsTheDeepestOfAnyFoot) {
+  HandMadeRun run;
+  run.contact(Leg::LH).penetration = 0.002;
+  run.step();
+  run.contact(Leg::LH).penetration = 0.0;
+  run.step();
+  EXPECT_EQ(run.metrics().penetration_max_m, 0.002);
+}
+
+}  // namespace
+}  // namespace surefoot

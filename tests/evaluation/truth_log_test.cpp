@@ -1,0 +1,52 @@
+#include "surefoot/evaluation/truth_log.hpp"
+
+#include "surefoot/logging/mcap_reader.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace surefoot {
+namespace {
+
+using nlohmann::json;
+
+TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
+  const test::TemporaryFolder folder;
+  std::vector<GroundTruth> truths;
+  {
+    Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
+    TruthLog log(recorder);
+    test::SyntheticRun run;
+    for (int i = 0; i < 500; ++i) {
+      run.step();
+      log.record(run.truth);
+      recorder.record(run.tick);
+      truths.push_back(run.truth);
+    }
+    recorder.close();
+  }
+  McapReader reader(folder / "run.mcap");
+  McapMessage message;
+  std::size_t count = 0;
+  while (reader.next(message)) {
+    if (message.channel->topic != "/truth") continue;
+    const GroundTruth& truth = truths.at(count++);
+    const json logged = json::parse(message.data);
+    ASSERT_EQ(logged.at("time"), truth.time);
+    ASSERT_EQ(logged.at("q_WB"),
+              json({truth.q_WB.w(), truth.q_WB.x(), truth.q_WB.y(), truth.q_WB.z()}));
+    ASSERT_EQ(logged.at("qpos"), json(truth.qpos));
+    ASSERT_EQ(logged.at("qvel"), json(truth.qvel));
+    ASSERT_EQ(logged.at("ctrl"), json(truth.ctrl));
+    const TrueContact& contact = truth.feet[index(Leg::RH)];
+    ASSERT_EQ(logged.at("feet").at("RH").at("force"),
+              json({contact.force.x(), contact.force.y(), contact.force.z()}));
+    ASSERT_EQ(logged.at("feet").at("RH").at("touching"), contact.touching);
+  }
+  EXPECT_EQ(count, 500u);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,202 @@
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/crc32.hpp"
+#include "surefoot/logging/mcap_reader.hpp"
+#include "surefoot/logging/mcap_writer.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::contents;
+using test::TemporaryFolder;
+using test::write_file;
+
+struct Message {
+  std::string topic;
+  std::uint64_t time;
+  std::string data;
+  friend bool operator==(const Message&, const Message&) = default;
+};
+
+// Two topics, messages of random length; the second topic appears late.
+std::vector<Message> random_messages(int count) {
+  std::mt19937_64 random(5);
+  std::vector<Message> messages;
+  for (int i = 0; i < count; ++i) {
+    std::string data(random() % 300, ' ');
+    for (char& c : data) c = static_cast<char>(random() & 0xFF);
+    const bool late = i > count / 2 && random() % 3 == 0;
+    messages.push_back(
+        {late ? "/late" : "/early", static_cast<std::uint64_t>(i) * 2'500'000, data});
+  }
+  return messages;
+}
+
+void write(const std::string& path, const std::vector<Message>& messages, std::size_t chunk_bytes) {
+  McapWriter writer(path, {.profile = "test", .library = "test", .chunk_bytes = chunk_bytes});
+  writer.add_metadata("about", {{"key", "value"}});
+  writer.attach("note.txt", "text/plain", "an attachment");
+  const auto schema = writer.add_schema("Any", "jsonschema", "{}");
+  const auto early = writer.add_channel("/early", schema, "json", {{"a", "b"}});
+  const auto late = writer.add_channel("/late", schema, "json");
+  for (const Message& message : messages) {
+    writer.write(message.topic == "/late" ? late : early, message.time, message.data);
+  }
+  writer.attach("end.txt", "text/plain", "the end");
+  writer.close();
+}
+
+std::vector<Message> read(McapReader& reader) {
+  std::vector<Message> messages;
+  McapMessage message;
+  while (reader.next(message)) {
+    messages.push_back({message.channel->topic, message.log_time, std::string(message.data)});
+  }
+  return messages;
+}
+
+TEST(Crc32, HasTheKnownCheckValue) {
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926u);
+  EXPECT_EQ(crc32("6789", crc32("12345")), 0xCBF43926u);
+  EXPECT_EQ(crc32(""), 0u);
+}
+
+TEST(Mcap, WhatWasWrittenIsRead) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(500);
+  write(folder / "a.mcap", messages, 4096);
+  McapReader reader(folder / "a.mcap");
+  EXPECT_EQ(reader.attachments().at("note.txt"), "an attachment");
+  EXPECT_EQ(reader.metadata().at("about").at("key"), "value");
+  EXPECT_EQ(read(reader), messages);
+  EXPECT_TRUE(reader.complete()) << reader.problem();
+  EXPECT_EQ(reader.problem(), "");
+  EXPECT_EQ(reader.attachments().at("end.txt"), "the end");
+}
+
+TEST(Mcap, TheSameCallsGiveTheSameBytes) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(300);
+  write(folder / "a.mcap", messages, 4096);
+  write(folder / "b.mcap", messages, 4096);
+  EXPECT_EQ(contents(folder / "a.mcap"), contents(folder / "b.mcap"));
+}
+
+TEST(Mcap, AChunkSpansAtMostASecondOfTheLog) {
+  const TemporaryFolder folder;
+  write(folder / "a.mcap", random_messages(1300), 1 << 30);  // 3.25 s at 400 Hz
+  McapReader reader(folder / "a.mcap");
+  McapMessage message;
+  std::map<std::uint64_t, std::pair<std::uint64_t, std::uint64_t>>
+      chunks;  // first and last time by offset
+  while (reader.next(message)) {
+    auto& [first, last] =
+        chunks.try_emplace(reader.chunk_offset(), message.log_time, message.log_time).first->second;
+    last = message.log_time;
+  }
+  EXPECT_EQ(chunks.size(), 4u);
+  for (const auto& [offset, times] : chunks) EXPECT_LT(times.second - times.first, 1'000'000'000u);
+}
+
+TEST(Mcap, AFileCutOffAnywhereGivesAllItsWholeChunksAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(200);
+  write(folder / "whole.mcap", messages, 2048);
+  const std::string whole = contents(folder / "whole.mcap");
+
+  // How many messages the chunks up to each place hold, from the records' lengths alone.
+  std::vector<std::pair<std::size_t, std::size_t>>
+      chunk_ends;  // offset behind a chunk, messages so far
+  {
+    McapReader reader(folder / "whole.mcap");
+    McapMessage message;
+    std::size_t count = 0;
+    while (reader.next(message)) {
+      const auto start = static_cast<std::size_t>(reader.chunk_offset());
+      std::size_t length = 0;
+      for (std::size_t i = 0; i < 8; ++i) {
+        length |= static_cast<std::size_t>(static_cast<unsigned char>(whole[start + 1 + i]))
+                  << (8 * i);
+      }
+      const std::size_t end = start + 9 + length;
+      ++count;
+      if (chunk_ends.empty() || chunk_ends.back().first != end) chunk_ends.emplace_back(end, count);
+      chunk_ends.back().second = count;
+    }
+  }
+  ASSERT_GT(chunk_ends.size(), 10u);
+
+  write_file(folder / "cut.mcap", whole);
+  for (std::size_t length = whole.size() - 1; length > 499; length -= 499) {
+    std::filesystem::resize_file(folder / "cut.mcap", length);
+    McapReader reader(folder / "cut.mcap");
+    std::size_t expected = 0;
+    for (const auto& [end, count] : chunk_ends) expected = end <= length ? count : expected;
+    const std::vector<Message> got = read(reader);
+    ASSERT_EQ(got.size(), expected) << "cut at " << length;
+    ASSERT_TRUE(std::equal(got.begin(), got.end(), messages.begin()));
+    ASSERT_FALSE(reader.complete());
+    ASSERT_NE(reader.problem().find("cut off"), std::string::npos) << reader.problem();
+  }
+}
+
+TEST(Mcap, ADamagedByteIsNeverReadAsAMessage) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(60);
+  write(folder / "whole.mcap", messages, 2048);
+  const std::string whole = contents(folder / "whole.mcap");
+  std::size_t shorter = 0;
+  for (std::size_t place = 8; place < whole.size(); place += 251) {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
+    write_file(folder / "damaged.mcap", damaged);
+    McapReader reader(folder / "damaged.mcap");
+    // The head of a chunk and the records outside have no checksum; messages have.
+    for (const Message& got : read(reader)) {
+      ASSERT_NE(std::find(messages.begin(), messages.end(), got), messages.end())
+          << "damaged at " << place;
+    }
+    shorter += reader.complete() ? 0 : 1;
+  }
+  EXPECT_GT(shorter, 10u);
+}
+
+TEST(Mcap, FilesThatAreNoneAreRefusedByName) {
+  const TemporaryFolder folder;
+  write_file(folder / "empty.mcap", "");
+  write_file(folder / "foreign.mcap", "%PDF-1.7 something else entirely");
+  const auto message = [](const std::string& path) -> std::string {
+    try {
+      McapReader reader(path);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message(folder / "empty.mcap").find(folder / "empty.mcap: the file is empty"), 0u);
+  EXPECT_EQ(message(folder / "foreign.mcap").find(folder / "foreign.mcap: not an MCAP file"), 0u);
+  EXPECT_EQ(message(folder / "missing.mcap").find(folder / "missing.mcap: no such file"), 0u);
+  EXPECT_EQ(message(folder.path()).find(folder.path() + ": no such file"), 0u);
+}
+
+TEST(Mcap, AFileThatCannotBeOpenedIsNamed) {
+  const TemporaryFolder folder;
+  try {
+    const McapWriter writer(folder / "missing/a.mcap");
+    FAIL() << "opened";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/a.mcap"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,305 @@
+#include "surefoot/logging/recorder.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_writer.hpp"
+#include "surefoot/logging/message_codec.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include <bit>
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using nlohmann::json;
+using test::contents;
+using test::SyntheticRun;
+using test::TemporaryFolder;
+using test::write_file;
+
+// Records `ticks` of a synthetic run; the wall-clock times are slower by `delay`.
+std::vector<TickRecord> record(const std::string& path, int ticks, double delay = 0.0,
+                               RecorderOptions options = {}) {
+  Recorder recorder(path, SyntheticRun::header(), options);
+  SyntheticRun run(3, 0.5);
+  std::vector<TickRecord> recorded;
+  for (int i = 0; i < ticks; ++i) {
+    run.step();
+    recorder.record(run.tick);
+    run.timing.total += delay;
+    recorder.record(run.timing);
+    recorded.push_back(run.tick);
+  }
+  recorder.close(R"({"metrics":{}})");
+  return recorded;
+}
+
+// Equal bit by bit, as the log has it: the encoder visits every field.
+template <typename T>
+std::string bits(const T& signal) {
+  std::string out;
+  logged::encode(signal, out);
+  return out;
+}
+
+void expect_same(const TickRecord& a, const TickRecord& b) {
+  ASSERT_EQ(bits(a.reading), bits(b.reading));
+  ASSERT_EQ(bits(a.user), bits(b.user));
+  ASSERT_EQ(bits(a.state), bits(b.state));
+  ASSERT_EQ(bits(a.plan), bits(b.plan));
+  ASSERT_EQ(bits(a.model), bits(b.model));
+  ASSERT_EQ(bits(a.command), bits(b.command));
+  ASSERT_EQ(a.hierarchy.num_levels, b.hierarchy.num_levels);
+  ASSERT_EQ(a.hierarchy.num_active, b.hierarchy.num_active);
+  for (std::size_t i = 0; i < kMaxLevels; ++i) {
+    const LevelReport &x = a.hierarchy.levels[i], &y = b.hierarchy.levels[i];
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.residual), std::bit_cast<std::uint64_t>(y.residual));
+    ASSERT_EQ(x.num_active, y.num_active);
+    ASSERT_EQ(x.degrees_of_freedom_left, y.degrees_of_freedom_left);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.hierarchy.num_active); ++i) {
+    ASSERT_EQ(a.hierarchy.active[i].level, b.hierarchy.active[i].level);
+    ASSERT_EQ(a.hierarchy.active[i].id, b.hierarchy.active[i].id);
+    ASSERT_EQ(a.hierarchy.active[i].state, b.hierarchy.active[i].state);
+  }
+}
+
+// Number of ticks that a log gives before its end.
+int ticks_in(LogReader& log) {
+  TickRecord tick;
+  int count = 0;
+  while (log.next(tick)) ++count;
+  return count;
+}
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Recorder, WhatWasRecordedIsReadBackBitByBit) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> recorded = record(folder / "run.mcap", 700);
+  LogReader log(folder / "run.mcap");
+  TickRecord tick;
+  for (const TickRecord& expected : recorded) {
+    ASSERT_TRUE(log.next(tick));
+    expect_same(expected, tick);
+    ASSERT_EQ(tick.state.q_WB.w(), expected.state.q_WB.w());  // independent of the encoder
+    ASSERT_EQ(tick.plan.feet[2].phase, expected.plan.feet[2].phase);
+    ASSERT_EQ(tick.command.torque, expected.command.torque);
+  }
+  EXPECT_FALSE(log.next(tick));
+  EXPECT_TRUE(log.complete()) << log.problem();
+  EXPECT_EQ(log.timings().size(), 700u);
+  EXPECT_EQ(log.summary(), R"({"metrics":{}})");
+}
+
+TEST(Recorder, TheHeaderIsReadBack) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 1);
+  const LogHeader expected = SyntheticRun::header();
+  const LogHeader header = LogReader(folder / "run.mcap").header();
+  EXPECT_EQ(header.version, expected.version);
+  EXPECT_EQ(header.seed, expected.seed);
+  EXPECT_EQ(header.level_names, expected.level_names);
+  EXPECT_EQ(header.robot.joint_names, expected.robot.joint_names);
+  EXPECT_EQ(header.robot.torque_limit, expected.robot.torque_limit);
+  EXPECT_EQ(header.limb.level, expected.limb.level);
+  EXPECT_EQ(header.limb.max, expected.limb.max);
+  EXPECT_EQ(header.notes, expected.notes);
+  EXPECT_EQ(json::parse(header.options), json::parse(expected.options));
+  ASSERT_EQ(header.attachments.size(), 1u);
+  EXPECT_EQ(header.attachments[0].data, expected.attachments[0].data);
+}
+
+TEST(Recorder, RunsThatDifferInTheirTimingsAloneAreTheSameBytesUpToTheTimings) {
+  const TemporaryFolder folder;
+  record(folder / "a.mcap", 900, 0.0);
+  record(folder / "b.mcap", 900, 123.0, {.queue_ticks = 1});
+  const std::string a = contents(folder / "a.mcap"), b = contents(folder / "b.mcap");
+  McapReader reader(folder / "a.mcap");
+  McapMessage message;
+  std::uint64_t timings_start = 0;
+  while (timings_start == 0 && reader.next(message)) {
+    if (message.channel->topic == "/timings") timings_start = reader.chunk_offset();
+  }
+  ASSERT_GT(timings_start, a.size() / 2);
+  EXPECT_EQ(a.substr(0, timings_start), b.substr(0, timings_start));
+  EXPECT_NE(a, b);
+  do {
+    ASSERT_EQ(message.channel->topic, "/timings") << "nothing else may follow";
+  } while (reader.next(message));
+}
+
+TEST(Recorder, AFullQueueLosesNothing) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> recorded =
+      record(folder / "run.mcap", 300, 0.0, {.queue_ticks = 2});
+  LogReader log(folder / "run.mcap");
+  EXPECT_EQ(ticks_in(log), 300);
+}
+
+TEST(Recorder, ActiveRowsCarryTheNamesOfLevelAndRow) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 1000);
+  McapReader reader(folder / "run.mcap");
+  McapMessage message;
+  std::set<std::string> names;
+  while (reader.next(message)) {
+    if (message.channel->topic != "/hierarchy") continue;
+    const json hierarchy = json::parse(message.data);
+    ASSERT_EQ(hierarchy.at("levels").at(6).at("name"), "limb limits");
+    for (const json& row : hierarchy.at("active")) {
+      names.insert(row.at("level").get<std::string>() + ": " + row.at("row").get<std::string>());
+    }
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"friction: row of id 305", "limb limits: LH extension",
+                                          "limb limits: RF extension"}));
+}
+
+TEST(Recorder, AnotherChannelsMessagesStandInTheOrderTheyCame) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder(folder / "run.mcap", SyntheticRun::header());
+    const Recorder::Channel channel =
+        recorder.add_channel("/other", "test.Other", R"({"type":"object"})");
+    SyntheticRun run;
+    for (int i = 0; i < 50; ++i) {
+      run.step();
+      recorder.record(channel, run.tick.reading.time,
+                      [i](std::string& out) { out += std::to_string(i); });
+      recorder.record(run.tick);
+    }
+    recorder.close();
+  }
+  int others = 0, ticks = 0;
+  LogReader log(folder / "run.mcap", [&](const McapMessage& message) {
+    EXPECT_EQ(message.data, std::to_string(others));
+    EXPECT_EQ(others++, ticks);
+  });
+  TickRecord tick;
+  while (log.next(tick)) ++ticks;
+  EXPECT_EQ(others, 50);
+  EXPECT_EQ(ticks, 50);
+}
+
+TEST(Recorder, OnlyAClosedLogHasItsName) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  Recorder recorder(path, SyntheticRun::header());
+  SyntheticRun run;
+  run.step();
+  recorder.record(run.tick);
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_TRUE(std::filesystem::exists(path + ".partial"));
+  recorder.close();
+  EXPECT_TRUE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
+}
+
+TEST(Recorder, ALogThatWasNotClosedIsReadableUnderItsPartialName) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  {
+    Recorder recorder(path, SyntheticRun::header());
+    SyntheticRun run;
+    for (int i = 0; i < 40; ++i) {
+      run.step();
+      recorder.record(run.tick);
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  LogReader log(path + ".partial");
+  EXPECT_EQ(ticks_in(log), 40);
+}
+
+TEST(Recorder, ALogCutOffInTheMiddleGivesTheTicksOfItsWholeChunks) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 1200);
+  const std::string whole = contents(folder / "run.mcap");
+  int before = -1;
+  std::set<int> counts;
+  for (std::size_t tenth = 2; tenth <= 10; ++tenth) {
+    write_file(folder / "cut.mcap", whole.substr(0, whole.size() * tenth / 10));
+    LogReader log(folder / "cut.mcap");
+    const int ticks = ticks_in(log);
+    EXPECT_GE(ticks, before);
+    before = ticks;
+    counts.insert(ticks);
+  }
+  EXPECT_EQ(before, 1200);
+  EXPECT_GT(counts.size(), 3u);
+}
+
+TEST(Recorder, AMissingFolderIsNamed) {
+  const TemporaryFolder folder;
+  const std::string message =
+      message_of([&] { Recorder recorder(folder / "none/run.mcap", SyntheticRun::header()); });
+  EXPECT_NE(message.find(folder / "none"), std::string::npos) << message;
+}
+
+TEST(Recorder, AFolderInPlaceOfAFileIsNamed) {
+  const TemporaryFolder folder;
+  const std::string message =
+      message_of([&] { Recorder recorder(folder.path(), SyntheticRun::header()); });
+  EXPECT_EQ(message.find(folder.path() + " is a folder"), 0u) << message;
+}
+
+TEST(Recorder, AFullDiskIsReportedAndLeavesNothingThatLooksWhole) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  // A file may not grow beyond 1 MB: as if the disk were full.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto signal_before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit = before;
+  limit.rlim_cur = 1 << 20;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const std::string message = message_of([&] { record(path, 4000); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, signal_before);
+  EXPECT_EQ(message.find(path), 0u) << message;
+  EXPECT_FALSE(std::filesystem::exists(path));
+  LogReader log(path + ".partial");
+  EXPECT_GT(ticks_in(log), 100) << "what stood on the disk is readable";
+}
+
+TEST(LogReader, AnMcapFileOfSomebodyElseIsRefused) {
+  const TemporaryFolder folder;
+  {
+    McapWriter writer(folder / "other.mcap");
+    writer.close();
+  }
+  const std::string message = message_of([&] { LogReader log(folder / "other.mcap"); });
+  EXPECT_NE(message.find("does not begin with a header of surefoot"), std::string::npos) << message;
+}
+
+TEST(LogReader, AnotherVersionIsRefusedWithBothNumbers) {
+  const TemporaryFolder folder;
+  {
+    McapWriter writer(folder / "new.mcap");
+    writer.attach("header.json", "application/json", R"({"log_version":"2.0"})");
+    writer.close();
+  }
+  const std::string message = message_of([&] { LogReader log(folder / "new.mcap"); });
+  EXPECT_NE(message.find("2.0"), std::string::npos) << message;
+  EXPECT_NE(message.find(std::string(kLogVersion)), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace surefoot

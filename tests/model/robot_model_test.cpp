@@ -1,0 +1,189 @@
+#include "surefoot/model/robot_model.hpp"
+
+#include "tests/model/mujoco_reference.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::moved;
+using test::MujocoReference;
+using test::Random;
+
+constexpr int kTrials = 50;
+const Vec3 kUp = Vec3::UnitZ();
+
+template <typename A, typename B>
+double difference(const A& a, const B& b) {
+  return (a - b).norm() / std::max(1.0, b.norm());
+}
+
+void expect_same(const PointKinematics& ours, const PointKinematics& theirs,
+                 const std::string& what) {
+  SCOPED_TRACE(what);
+  EXPECT_LT(difference(ours.p, theirs.p), 1e-9);
+  EXPECT_LT(difference(ours.v, theirs.v), 1e-9);
+  EXPECT_LT(difference(ours.J, theirs.J), 1e-9);
+  EXPECT_LT(difference(ours.Jdot_u, theirs.Jdot_u), 1e-9);
+}
+
+void expect_same(const RotationKinematics& ours, const RotationKinematics& theirs,
+                 const std::string& what) {
+  SCOPED_TRACE(what);
+  EXPECT_LT(difference(ours.R, theirs.R), 1e-9);
+  EXPECT_LT(difference(ours.w, theirs.w), 1e-9);
+  EXPECT_LT(difference(ours.J, theirs.J), 1e-9);
+  EXPECT_LT(difference(ours.Jdot_u, theirs.Jdot_u), 1e-9);
+}
+
+/// Calls check(dynamics, state) at random states.
+template <typename Check>
+void at_random_states(RobotModel& model, unsigned seed, const Check& check) {
+  Random random(seed);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const RobotState state = random.state();
+    check(model.update(state, kUp), state);
+  }
+}
+
+/// (f(t + e) − f(t − e)) / 2e along the motion with constant u.
+template <typename Function>
+auto derivative(RobotModel& model, const RobotState& state, const Vec3& normal,
+                const Function& function) {
+  constexpr double kStep = 1e-6;
+  const auto after = function(model.update(moved(state, state.u(), kStep), normal));
+  const auto before = function(model.update(moved(state, state.u(), -kStep), normal));
+  return ((after - before) / (2.0 * kStep)).eval();
+}
+
+TEST(RobotModel, has_the_mass_matrix_and_bias_forces_of_an_independent_implementation) {
+  RobotModel model(anymal_b());
+  MujocoReference reference(anymal_b());
+  EXPECT_NEAR(model.mass(), reference.mass(), 1e-9);
+  at_random_states(model, 1, [&](const Dynamics& dynamics, const RobotState& state) {
+    reference.set_state(state);
+    EXPECT_LT(difference(dynamics.M, reference.mass_matrix()), 1e-9);
+    EXPECT_LT(difference(dynamics.h, reference.bias()), 1e-9);
+    EXPECT_EQ(dynamics.M, dynamics.M.transpose());
+  });
+}
+
+TEST(RobotModel, has_the_points_jacobians_and_drifts_of_an_independent_implementation) {
+  const RobotDescription robot = anymal_b();
+  RobotModel model(robot);
+  MujocoReference reference(robot);
+  at_random_states(model, 2, [&](const Dynamics& dynamics, const RobotState& state) {
+    reference.set_state(state);
+    expect_same(dynamics.base, reference.point(robot.base_link, Vec3::Zero()), "base");
+    expect_same(dynamics.base_rotation, reference.rotation(robot.base_link), "base rotation");
+    expect_same(dynamics.com, reference.com(), "centre of mass");
+    for (const Leg leg : kLegs) {
+      const LegDescription& parts = robot.legs[index(leg)];
+      const std::string name(kLegNames[index(leg)]);
+      expect_same(dynamics.hip[index(leg)], reference.point(parts.hip_frame, Vec3::Zero()),
+                  name + " hip");
+      expect_same(dynamics.foot[index(leg)], reference.point(parts.foot_frame, robot.foot_center),
+                  name + " foot");
+      expect_same(dynamics.shank[index(leg)], reference.rotation(parts.shank_link),
+                  name + " shank");
+    }
+  });
+}
+
+TEST(RobotModel, has_the_contact_point_of_a_sphere_that_rolls_on_the_terrain) {
+  const RobotDescription robot = anymal_b();
+  RobotModel model(robot);
+  MujocoReference reference(robot);
+  Random random(3);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const RobotState state = random.state();
+    const Vec3 normal = random.small_rotation(0.5) * kUp;
+    const Dynamics& dynamics = model.update(state, normal);
+    reference.set_state(state);
+    for (const Leg leg : kLegs) {
+      const PointKinematics& contact = dynamics.contact[index(leg)];
+      const Vec3 lever = -robot.foot_radius * normal;
+      EXPECT_LT(difference(contact.p, dynamics.foot[index(leg)].p + lever), 1e-12);
+      PointKinematics material =
+          reference.material_point(robot.legs[index(leg)].shank_link, contact.p);
+      const Vec3 w = dynamics.shank[index(leg)].w;
+      material.Jdot_u -=
+          w.cross(w.cross(lever));  // the point of contact does not turn with the foot
+      expect_same(contact, material, std::string(kLegNames[index(leg)]));
+    }
+  }
+}
+
+TEST(RobotModel, has_velocities_that_are_the_rates_of_its_positions) {
+  RobotModel model(anymal_b());
+  Random random(4);
+  for (int trial = 0; trial < 10; ++trial) {
+    const RobotState state = random.state();
+    const Dynamics dynamics = model.update(state, kUp);
+    const auto rate = [&](const auto& position) { return derivative(model, state, kUp, position); };
+    EXPECT_LT(difference(rate([](const Dynamics& d) { return d.com.p; }), dynamics.com.v), 1e-8);
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      EXPECT_LT(difference(rate([&](const Dynamics& d) { return d.hip[k].p; }), dynamics.hip[k].v),
+                1e-8);
+      EXPECT_LT(
+          difference(rate([&](const Dynamics& d) { return d.foot[k].p; }), dynamics.foot[k].v),
+          1e-8);
+    }
+  }
+}
+
+TEST(RobotModel, has_drifts_that_are_the_rates_of_its_velocities_at_constant_u) {
+  RobotModel model(anymal_b());
+  Random random(5);
+  for (int trial = 0; trial < 10; ++trial) {
+    const RobotState state = random.state();
+    const Vec3 normal = random.small_rotation(0.5) * kUp;
+    const Dynamics d = model.update(state, normal);
+    const auto rate = [&](const auto& v) { return derivative(model, state, normal, v); };
+    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.base.v; }), d.base.Jdot_u), 1e-7);
+    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.base_rotation.w; }),
+                         d.base_rotation.Jdot_u),
+              1e-7);
+    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.com.v; }), d.com.Jdot_u), 1e-7);
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      EXPECT_LT(difference(rate([&](const Dynamics& x) { return x.hip[k].v; }), d.hip[k].Jdot_u),
+                1e-7);
+      EXPECT_LT(difference(rate([&](const Dynamics& x) { return x.foot[k].v; }), d.foot[k].Jdot_u),
+                1e-7);
+      EXPECT_LT(
+          difference(rate([&](const Dynamics& x) { return x.shank[k].w; }), d.shank[k].Jdot_u),
+          1e-7);
+      // v of the contact point is that of the lowest point at each instant, so its rate at constant
+      // u is the drift of rolling.
+      EXPECT_LT(
+          difference(rate([&](const Dynamics& x) { return x.contact[k].v; }), d.contact[k].Jdot_u),
+          1e-7);
+    }
+  }
+}
+
+TEST(RobotModel, does_not_allocate_in_an_update) {
+  RobotModel model(anymal_b());
+  Random random(6);
+  const RobotState first = random.state();
+  const RobotState second = random.state();
+  const test::MallocCounter counter;
+  model.update(first, kUp);
+  model.update(second, Vec3(0.1, 0.0, 1.0).normalized());
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+TEST(RobotModel, can_be_moved) {
+  RobotModel model(anymal_b());
+  RobotModel other(std::move(model));
+  EXPECT_NEAR(other.mass(), 30.4754, 1e-4);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,24 @@
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+
+def record(path, *arguments):
+    """Runs two seconds of the flat walk, long enough for a step, and records it."""
+    program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))
+    command = [program, "run", str(SOURCE / "scenarios" / "walk_flat.yaml"), "--set", "duration=2",
+               "--record", str(path), "--json", *arguments]
+    run = subprocess.run(command, capture_output=True, text=True)
+    # 1: the criteria of the whole walk do not hold after two seconds.
+    assert run.returncode in (0, 1), run.stderr
+    return path
+
+
+@pytest.fixture(scope="session")
+def log(tmp_path_factory):
+    """A recorded run."""
+    return record(tmp_path_factory.mktemp("log") / "walk.mcap")

@@ -1,0 +1,266 @@
+"""The program as its user sees it: exit codes, what is on stdout and stderr, what is left behind."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "build/release/app/surefoot"))
+SHORT = ["--set", "duration=0.1"]
+
+
+def surefoot(*arguments, cwd=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
+
+
+def complaint(*arguments, cwd=None):
+    """The one line on stderr of a call whose input is wrong."""
+    result = surefoot(*arguments, cwd=cwd)
+    assert result.returncode == 2, result
+    assert result.stdout == ""
+    lines = result.stderr.strip().splitlines()
+    assert len(lines) == 1, result.stderr
+    assert lines[0].startswith("surefoot: ")
+    return lines[0]
+
+
+@pytest.fixture
+def scenario(tmp_path):
+    """Makes a scenario file over walk_flat."""
+
+    def write(text, name="trial.yaml"):
+        file = tmp_path / name
+        file.write_text("base: walk_flat\n" + text)
+        return file
+
+    return write
+
+
+@pytest.fixture
+def robot(tmp_path):
+    """Makes a scenario with ANYmal B, after changes to the robot's file and to its URDF."""
+
+    def write(robot_change=("", ""), urdf_change=("", ""), urdf="robot.urdf"):
+        text = (ROOT / "robots/anymal_b.yaml").read_text()
+        line = next(line for line in text.splitlines() if line.startswith("urdf:"))
+        listed = surefoot("list", "robots").stdout.splitlines()
+        original = next(row.split()[1] for row in listed if row.startswith("anymal_b "))
+        urdf_text = pathlib.Path(original).read_text()
+        assert robot_change[0] in text and urdf_change[0] in urdf_text
+        text = text.replace(line, "urdf: " + urdf).replace(*robot_change)
+        (tmp_path / "robot.yaml").write_text(text)
+        (tmp_path / "robot.urdf").write_text(urdf_text.replace(*urdf_change))
+        file = tmp_path / "trial.yaml"
+        file.write_text("base: walk_flat\nrobot: robot.yaml\n")
+        return file
+
+    return write
+
+
+# What works
+
+
+def test_help_version_and_lists_are_on_stdout():
+    assert "run" in surefoot("--help").stdout
+    assert "Exit codes" in surefoot("--help").stdout
+    assert "--seeds" in surefoot("run", "--help").stdout
+    assert surefoot("--version").stdout.strip().count(".") == 2
+    for what, name in [("robots", "anymal_b"), ("stacks", "walk"), ("scenarios", "step_down"), ("tasks", "com_xy")]:
+        result = surefoot("list", what)
+        assert result.returncode == 0 and name in result.stdout
+
+
+def test_json_is_exactly_one_object_on_stdout():
+    result = surefoot("run", "walk_flat", "--json", *SHORT)
+    run = json.loads(result.stdout)
+    for metric in """succeeded fell duration_s distance_m speed_mps com_error_max_m com_error_rms_m edge_landings
+            base_height_error_rms_m orientation_error_rms_rad torque_max_nm torque_step_max_nm friction_margin_min
+            foot_slip_max_m limb_extension_max_m penetration_max_m realtime_factor seed version""".split():
+        assert metric in run
+    assert set(run["tick_us"]) == set(run["solve_us"]) == {"median", "p99", "max"}
+
+
+def test_exit_code_says_whether_the_criteria_hold(scenario):
+    passes = scenario("duration: 0.1\ncriteria: {speed_mps: , steps_taken: }\n")
+    assert surefoot("run", passes, "--json").returncode == 0
+    fails = scenario("duration: 0.1\ncriteria: {distance_m: {min: 100}, speed_mps: , steps_taken: }\n")
+    result = surefoot("run", fails)
+    assert result.returncode == 1
+    assert "✗" in result.stdout
+
+
+def test_a_safety_stop_has_its_own_exit_code():
+    # A tilt that nobody could keep below stops the controller at once.
+    result = surefoot("run", "walk_flat", "--json", "--set", "safety.max_tilt=1e-9", "--set", "duration=1.5")
+    assert result.returncode == 3
+    run = json.loads(result.stdout)
+    assert run["safety_stop"] and not run["succeeded"]
+
+
+def test_several_seeds_give_one_object_with_runs_and_rates():
+    result = surefoot("run", "step_down", "--seeds", 3, "--jobs", 2, "--json", *SHORT)
+    assert result.returncode == 1
+    seeds = json.loads(result.stdout)
+    assert [run["seed"] for run in seeds["runs"]] == [1, 2, 3]
+    assert len({run["drawn"]["initial.x"] for run in seeds["runs"]}) == 3
+    for rate in ["succeeded", "fell"]:
+        low, high = seeds["rates"][rate]["interval"]
+        assert seeds["rates"][rate]["successes"] == 0 and seeds["rates"][rate]["trials"] == 3
+        # Wilson's interval of 0 out of 3.
+        assert low == pytest.approx(0, abs=1e-12) and high == pytest.approx(0.5615, abs=1e-3)
+    assert "worst" in seeds["metrics"]["com_error_max_m"]
+
+
+def test_the_same_seed_gives_the_same_results_alone_and_among_others():
+    measured = ["com_error_max_m", "torque_max_nm", "drawn"]
+    alone = json.loads(surefoot("run", "step_down", "--seed", 2, "--json", *SHORT).stdout)
+    among = json.loads(surefoot("run", "step_down", "--seeds", 2, "--jobs", 2, "--json", *SHORT).stdout)["runs"][1]
+    assert [alone[name] for name in measured] == [among[name] for name in measured]
+
+
+def test_report_and_log_are_written_and_the_log_gives_the_report_again(tmp_path):
+    result = surefoot("run", "walk_flat", "--report", tmp_path / "out", "--record", tmp_path / "run.mcap", *SHORT)
+    assert (tmp_path / "out/index.html").stat().st_size > 1000, result
+    assert surefoot("report", tmp_path / "run.mcap", "--out", tmp_path / "again").returncode == 0
+    assert (tmp_path / "again/index.html").exists()
+
+
+def test_progress_is_not_on_stdout_and_without_a_terminal_draws_no_bar():
+    result = surefoot("run", "walk_flat", "--seeds", 2, "--json", *SHORT)
+    json.loads(result.stdout)
+    assert "seed 1" in result.stderr
+    assert "█" not in result.stderr and "\r" not in result.stderr
+
+
+# Bad input
+
+
+@pytest.mark.parametrize(
+    "text, expected",
+    [
+        ("duratoin: 3\n", ["trial.yaml:2", "duratoin", 'did you mean "duration"?']),
+        ("planner:\n  swing: {apx: 1}\n", ["trial.yaml:3", "planner.swing.apx", "touchdown_speed"]),
+        ("duration: -3\n", ["trial.yaml:2", "duration", '"-3"', "above 0"]),
+        ("terrain: {friction: .nan}\n", ["trial.yaml:2", "terrain.friction", ".nan"]),
+        ("stack: nosuch\n", ["trial.yaml:2", 'unknown stack "nosuch"', "terrain_adaptation"]),
+        ("robot: nosuch\n", ["trial.yaml:2", 'unknown robot "nosuch"', "anymal_b"]),
+        ("estimation: magic\n", ["trial.yaml:2", "estimation", "truth"]),
+        ("criteria: {nosuch: {max: 1}}\n", ["trial.yaml:2", "criteria.nosuch", "com_error_max_m"]),
+        ("a: [1, 2\nb: }{", ["trial.yaml", "not YAML"]),
+        ("disturbances: {payload: {mass: -1}}\n", ["trial.yaml:2", "disturbances.payload.mass"]),
+    ],
+)
+def test_a_scenario_that_is_wrong_gives_one_message_that_helps(scenario, text, expected):
+    message = complaint("run", scenario(text))
+    for part in expected:
+        assert part in message
+
+
+def test_a_binary_file_is_not_yaml(tmp_path):
+    file = tmp_path / "trial.yaml"
+    file.write_bytes(bytes(range(256)))
+    assert "trial.yaml" in complaint("run", file)
+
+
+def test_an_unknown_scenario_lists_those_that_exist():
+    message = complaint("run", "step_dwn")
+    assert 'did you mean "step_down"?' in message and "walk_flat" in message
+
+
+@pytest.mark.parametrize("assignment", ["planner.swing.apx=1", "duration=nan", "duration", "duration.x=1", "duration=[1"])
+def test_a_wrong_assignment_is_named(assignment):
+    assert assignment.split("=")[0].split(".x")[0] in complaint("run", "walk_flat", "--set", assignment)
+
+
+def test_an_unknown_frame_in_a_robot_file_is_told_with_its_line(robot):
+    message = complaint("run", robot(robot_change=("foot: RF_FOOT", "foot: RF_FOT")))
+    assert "robot.yaml:7: legs.RF.foot" in message and 'did you mean "RF_FOOT"?' in message
+
+
+def test_a_missing_urdf_is_named(robot):
+    assert "nowhere.urdf" in complaint("run", robot(urdf="nowhere.urdf"))
+
+
+def test_a_broken_urdf_is_named_with_its_line(robot):
+    assert "robot.urdf:" in complaint("run", robot(urdf_change=("</robot>", "")))
+
+
+def test_a_negative_mass_is_told_with_its_line(robot):
+    message = complaint("run", robot(urdf_change=('mass value="1.42462064"', 'mass value="-1.42462064"')))
+    assert "robot.urdf:" in message and "-1.42462064" in message
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["run"],
+        ["run", "walk_flat", "--sede", "3"],
+        ["run", "walk_flat", "--seed", "many"],
+        ["run", "walk_flat", "--seed", "-1"],
+        ["run", "walk_flat", "--seeds", "0"],
+        ["list", "planets"],
+        ["dance"],
+        [],
+        ["report", "nowhere.mcap", "--out", "out"],
+        ["solve", "nowhere.jsonl"],
+    ],
+)
+def test_a_wrong_call_gives_one_line_and_exit_code_2(arguments, tmp_path):
+    complaint(*arguments, cwd=tmp_path)
+
+
+def test_an_output_that_can_not_be_written_is_told_before_the_run(tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    start = time.monotonic()
+    for option, place in [
+        ("--record", tmp_path / "none/run.mcap"),
+        ("--record", tmp_path),
+        ("--report", tmp_path / "file/report"),
+        ("--report", "/proc/report"),
+        ("--record", "/proc/run.mcap"),
+    ]:
+        assert str(place) in complaint("run", "walk_flat", option, place)
+    assert time.monotonic() - start < 5
+    assert [entry.name for entry in tmp_path.iterdir()] == ["file"]
+
+
+# Interrupts
+
+
+def interrupt(arguments, after, which=signal.SIGINT):
+    process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(after)
+    process.send_signal(which)
+    out, err = process.communicate(timeout=60)
+    return process.returncode, out, err
+
+
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
+    from mcap.reader import make_reader
+
+    log = tmp_path / "run.mcap"
+    code, out, err = interrupt(
+        ["run", "walk_flat", "--json", "--record", log, "--report", tmp_path / "out", "--set", "duration=1000"], 1.5, which
+    )
+    assert code == 2
+    assert out == ""
+    assert [line for line in err.splitlines() if line.startswith("surefoot: ")] == err.splitlines()[-1:]
+    assert "interrupted" in err and str(log) in err
+    with log.open("rb") as stream:
+        assert sum(1 for _ in make_reader(stream).iter_messages(topics=["/command"])) > 10
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_an_interrupt_of_several_seeds_ends_all_of_them(tmp_path):
+    code, out, err = interrupt(
+        ["run", "walk_flat", "--json", "--seeds", 8, "--jobs", 2, "--set", "duration=1000"], 1.5, signal.SIGTERM
+    )
+    assert code == 2
+    assert out == ""
+    assert err.strip().splitlines()[-1].startswith("surefoot: interrupted")

@@ -1,0 +1,84 @@
+"""Stock MuJoCo shows and checks a run without us: model, state and controls all stand in the log."""
+
+import mujoco
+import numpy as np
+import pytest
+from log_file import attachment, messages
+
+LEGS = ("LF", "RF", "LH", "RH")
+
+
+@pytest.fixture(scope="module")
+def model(log):
+    return mujoco.MjModel.from_xml_string(attachment(log, "model.xml").decode())
+
+
+@pytest.fixture(scope="module")
+def truths(log):
+    return messages(log, "/truth")[::10]
+
+
+def forward(model, data, truth):
+    """The physics at one tick of the log."""
+    data.qpos[:], data.qvel[:], data.ctrl[:] = truth["qpos"], truth["qvel"], truth["ctrl"]
+    mujoco.mj_forward(model, data)
+
+
+def foot_forces(model, data):
+    """Sum of the contact forces on each foot sphere, in W; and the number of the other contacts."""
+    forces = {leg: np.zeros(3) for leg in LEGS}
+    others = 0
+    for i, contact in enumerate(data.contact):
+        geoms = [model.geom(int(geom)).name for geom in contact.geom]
+        feet = [leg for leg in LEGS if any(leg in name and "foot" in name.lower() for name in geoms)]
+        if not feet:
+            others += 1
+            continue
+        wrench = np.zeros(6)
+        mujoco.mj_contactForce(model, data, i, wrench)
+        # Along the contact frame's rows, from the first geom to the second.
+        force = contact.frame.reshape(3, 3).T @ wrench[:3]
+        foot_is_second = "foot" in geoms[1].lower()
+        forces[feet[0]] += force if foot_is_second else -force
+    return forces, others
+
+
+def test_the_model_is_loaded_by_stock_mujoco(model, truths):
+    assert (model.nq, model.nv, model.nu) == tuple(len(truths[0][key]) for key in ("qpos", "qvel", "ctrl"))
+
+
+def test_the_centre_of_mass_is_the_logged_one(model, truths):
+    data = mujoco.MjData(model)
+    for truth in truths:
+        forward(model, data, truth)
+        assert data.subtree_com[1] == pytest.approx(truth["p_WCom"], abs=1e-9), truth["time"]
+
+
+def test_the_base_stands_where_the_log_says(model, truths):
+    for truth in truths:
+        assert truth["qpos"][:3] == truth["p_WB"]
+        assert truth["qpos"][3:7] == truth["q_WB"]
+
+
+def test_the_contact_forces_are_the_logged_ones(model, truths):
+    data = mujoco.MjData(model)
+    loaded = 0
+    for truth in truths:
+        forward(model, data, truth)
+        forces, others = foot_forces(model, data)
+        assert others == 0, truth["time"]
+        for leg in LEGS:
+            logged = truth["feet"][leg]["force"]
+            assert forces[leg] == pytest.approx(logged, abs=0.02, rel=1e-4), (truth["time"], leg)
+            loaded += logged[2] > 20.0
+    assert loaded > 2 * len(truths)
+
+
+def test_the_forces_carry_the_robot(model, truths):
+    """An oracle of its own: while it stands still, weight and ground forces balance."""
+    weight = 9.81 * sum(model.body_mass)
+    still = [truth for truth in truths if 0.2 < truth["time"] < 0.8]
+    assert still
+    for truth in still:
+        upwards = sum(truth["feet"][leg]["force"][2] for leg in LEGS)
+        assert upwards == pytest.approx(weight, rel=0.05)

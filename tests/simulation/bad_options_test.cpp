@@ -1,0 +1,204 @@
+#include "tests/simulation/plant_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+struct BadOption {
+  std::string test_name;
+  std::function<void(PlantOptions&)> spoil;
+  std::string message;  ///< has to be in the error: the option, what was given, what would be valid
+};
+
+class Options : public testing::TestWithParam<BadOption> {};
+
+TEST_P(Options, ThatMakeNoSenseAreNamedInTheError) {
+  PlantOptions options = test::standing_options();
+  GetParam().spoil(options);
+  EXPECT_NE(test::error_of(test::anymal_b(), options).find(GetParam().message), std::string::npos)
+      << "the message is: " << test::error_of(test::anymal_b(), options);
+}
+
+template <typename Element>
+void set_element(PlantOptions& options, const Element& element) {
+  options.terrain.elements = {TerrainLevel{}, element};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, Options,
+    testing::Values(
+        BadOption{"timestep", [](auto& o) { o.timestep = -0.001; },
+                  "timestep is -0.001; it must be a finite number above 0"},
+        BadOption{"timestep_nan", [](auto& o) { o.timestep = kNaN; }, "timestep is nan"},
+        BadOption{"period", [](auto& o) { o.control_period = 0.0; }, "control_period is 0"},
+        BadOption{
+            "period_multiple", [](auto& o) { o.control_period = 0.0023; },
+            "control_period is 0.0023; it must be a whole multiple of the timestep, 0.0005 s"},
+        BadOption{"friction", [](auto& o) { o.terrain.friction = -0.1; },
+                  "terrain.friction is -0.1"},
+        BadOption{"box_size",
+                  [](auto& o) { set_element(o, TerrainBox{Vec3::Zero(), Vec3(1.0, -2.0, 1.0)}); },
+                  "terrain.elements[1].size[1] is -2"},
+        BadOption{"box_position", [](auto& o) { set_element(o, TerrainBox{Vec3(0.0, 0.0, kNaN)}); },
+                  "terrain.elements[1].position[2] is nan; it must be a finite number"},
+        BadOption{"plane_rpy",
+                  [](auto& o) { set_element(o, TerrainLevel{Vec3::Zero(), Vec3(kInf, 0.0, 0.0)}); },
+                  "terrain.elements[1].rpy[0] is inf"},
+        BadOption{"field_heights",
+                  [](auto& o) {
+                    TerrainHeightField field;
+                    field.columns = 3;
+                    field.rows = 2;
+                    field.heights = {1.0, 2.0};
+                    set_element(o, field);
+                  },
+                  "terrain.elements[1].heights has 2 numbers; rows × columns is 2 × 3 = 6"},
+        BadOption{"field_points",
+                  [](auto& o) {
+                    TerrainHeightField field;
+                    field.columns = 1;
+                    field.rows = 5;
+                    set_element(o, field);
+                  },
+                  "terrain.elements[1].columns is 1; it must be at least 2"},
+        BadOption{"field_nan",
+                  [](auto& o) {
+                    TerrainHeightField field;
+                    field.columns = field.rows = 2;
+                    field.heights = {0.0, 0.0, kNaN, 0.0};
+                    set_element(o, field);
+                  },
+                  "terrain.elements[1].heights[2] is nan"},
+        BadOption{"boxes_cell",
+                  [](auto& o) {
+                    TerrainRandomBoxes boxes;
+                    boxes.cell = 0.001;
+                    set_element(o, boxes);
+                  },
+                  "terrain.elements[1].cell is 0.001; it must be large enough"},
+        BadOption{"boxes_height",
+                  [](auto& o) {
+                    TerrainRandomBoxes boxes;
+                    boxes.max_height = -0.1;
+                    set_element(o, boxes);
+                  },
+                  "terrain.elements[1].max_height is -0.1"},
+        BadOption{"solref", [](auto& o) { o.contact.solref_time = 0.0005; },
+                  "contact.solref_time is 0.0005; it must be at least two timesteps, 0.001 s"},
+        BadOption{"solimp", [](auto& o) { o.contact.solimp_max = 0.5; },
+                  "contact.solimp_max is 0.5"},
+        BadOption{"impratio", [](auto& o) { o.contact.impratio = 0.0; }, "contact.impratio is 0"},
+        BadOption{"delay", [](auto& o) { o.actuators.delay_ticks = -1; },
+                  "actuators.delay_ticks is -1; it must be between 0 and 1000"},
+        BadOption{"bandwidth", [](auto& o) { o.actuators.bandwidth_hz = 0.0; },
+                  "actuators.bandwidth_hz is 0"},
+        BadOption{"gain", [](auto& o) { o.actuators.torque_gain = kNaN; },
+                  "actuators.torque_gain is nan"},
+        BadOption{"encoder", [](auto& o) { o.sensors.encoder_resolution = -1.0; },
+                  "sensors.encoder_resolution is -1"},
+        BadOption{"rate", [](auto& o) { o.sensors.rate_hz = 0.0; }, "sensors.rate_hz is 0"},
+        BadOption{"noise", [](auto& o) { o.sensors.gyro_noise = kInf; },
+                  "sensors.gyro_noise is inf"},
+        BadOption{"push_body",
+                  [](auto& o) { o.disturbances.pushes = {{}, {"LF_SHNK", 0.0, 0.1, {}}}; },
+                  "disturbances.pushes[1].body is \"LF_SHNK\"; the robot has: base base_inertia "
+                  "LF_HIP LF_THIGH LF_SHANK"},
+        BadOption{"push_world", [](auto& o) { o.disturbances.pushes = {{"world", 0.0, 0.1, {}}}; },
+                  "disturbances.pushes[0].body is \"world\""},
+        BadOption{"push_duration", [](auto& o) { o.disturbances.pushes = {{"", 0.0, -0.1, {}}}; },
+                  "disturbances.pushes[0].duration is -0.1; it must be a finite number above 0"},
+        BadOption{"push_force",
+                  [](auto& o) { o.disturbances.pushes = {{"", 0.0, 0.1, Vec3(0.0, kNaN, 0.0)}}; },
+                  "disturbances.pushes[0].force[1] is nan"},
+        BadOption{"payload", [](auto& o) { o.disturbances.payload.mass = -2.0; },
+                  "disturbances.payload.mass is -2"},
+        BadOption{"mass_scale", [](auto& o) { o.disturbances.leg_mass_scale = 0.0; },
+                  "disturbances.leg_mass_scale is 0"},
+        BadOption{"com_offset", [](auto& o) { o.disturbances.base_com_offset.x() = kInf; },
+                  "disturbances.base_com_offset[0] is inf"},
+        BadOption{"initial_x", [](auto& o) { o.initial.position.x() = kNaN; },
+                  "initial.position[0] is nan"},
+        BadOption{"initial_q", [](auto& o) { o.initial.q[4] = kNaN; }, "initial.q[4] is nan"},
+        BadOption{"yaw", [](auto& o) { o.initial.yaw = kInf; }, "initial.yaw is inf"},
+        BadOption{"no_ground",
+                  [](auto& o) { o.terrain.elements = {TerrainBox{Vec3(9.0, 0.0, 0.0)}}; },
+                  "no foot is above terrain"}),
+    [](const auto& given) { return given.param.test_name; });
+
+TEST(Options, OfTheDefaultAreValid) { EXPECT_EQ(test::error_of(test::anymal_b(), {}), ""); }
+
+TEST(RobotDescription, WithAMissingUrdfIsAnErrorThatNamesTheFile) {
+  RobotDescription robot = test::anymal_b();
+  robot.urdf_path = "/nowhere/robot.urdf";
+  EXPECT_EQ(test::error_of(robot, {}), "/nowhere/robot.urdf: the URDF can't be read");
+}
+
+TEST(RobotDescription, WithAnUnknownNameIsAnErrorThatListsWhatThereIs) {
+  RobotDescription robot = test::anymal_b();
+  robot.legs[2].foot_frame = "LH_FOT";
+  EXPECT_NE(test::error_of(robot, {}).find("unknown foot frame \"LH_FOT\"; the robot has: base"),
+            std::string::npos);
+  robot = test::anymal_b();
+  robot.legs[0].joints[1] = "LF_HEF";
+  EXPECT_NE(test::error_of(robot, {}).find("unknown joint \"LF_HEF\"; the robot has: LF_HAA"),
+            std::string::npos)
+      << test::error_of(robot, {});
+  robot = test::anymal_b();
+  robot.base_link = "torso";
+  EXPECT_NE(test::error_of(robot, {}).find("unknown base link \"torso\""), std::string::npos);
+}
+
+TEST(RobotDescription, ThatContradictsTheFootSphereOfTheUrdfIsAnError) {
+  RobotDescription robot = test::anymal_b();
+  robot.foot_radius = 0.025;
+  EXPECT_NE(test::error_of(robot, {}).find("the foot sphere of LF has radius 0.031 m"),
+            std::string::npos);
+}
+
+/// ANYmal B's URDF with one text replaced, in a file that is removed at the end.
+class EditedUrdf {
+ public:
+  EditedUrdf(const std::string& from, const std::string& to) : robot_(test::anymal_b()) {
+    std::ifstream file(robot_.urdf_path);
+    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    content.replace(content.find(from), from.size(), to);
+    robot_.urdf_path = testing::TempDir() + "surefoot_edited.urdf";
+    std::ofstream(robot_.urdf_path) << content;
+  }
+  EditedUrdf(const EditedUrdf&) = delete;
+  EditedUrdf& operator=(const EditedUrdf&) = delete;
+  ~EditedUrdf() { std::remove(robot_.urdf_path.c_str()); }
+  [[nodiscard]] const RobotDescription& robot() const { return robot_; }
+
+ private:
+  RobotDescription robot_;
+};
+
+TEST(Urdf, WithANegativeMassIsAnErrorThatNamesTheLink) {
+  const EditedUrdf urdf("<mass value=\"1.42462064\"/>", "<mass value=\"-1.4\"/>");
+  const std::string error = test::error_of(urdf.robot(), {});
+  EXPECT_NE(error.find("surefoot_edited.urdf"), std::string::npos);
+  EXPECT_NE(error.find("link \"LF_HIP\" has the mass -1.4 kg"), std::string::npos) << error;
+}
+
+TEST(Urdf, ThatIsBrokenIsAnErrorThatNamesTheFile) {
+  const EditedUrdf urdf("</robot>", "</robt>");
+  EXPECT_NE(test::error_of(urdf.robot(), {}).find("surefoot_edited.urdf: "), std::string::npos);
+}
+
+TEST(Urdf, ThatIsSomethingElseIsAnErrorThatSaysSo) {
+  const EditedUrdf urdf("<robot", "<rabbit");
+  EXPECT_NE(test::error_of(urdf.robot(), {}).find("it has no <robot> element"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,109 @@
+#include "tests/simulation/plant_support.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+using test::kMass;
+
+/// Momentum that a push gives to a falling robot, gravity taken away.
+Vec3 momentum_after(const Push& push, double duration) {
+  PlantOptions options = test::falling_options();
+  options.disturbances.pushes = {push};
+  Plant plant(test::anymal_b(), options);
+  while (plant.time() < duration - 1e-9) plant.write({});
+  return kMass * (plant.truth().v_WCom + Vec3(0.0, 0.0, kGravity * plant.time()));
+}
+
+TEST(Push, GivesItsImpulseToTheRobot) {
+  const Push push{"", 0.1, 0.2, Vec3(30.0, -50.0, 20.0)};
+  EXPECT_LT((momentum_after(push, 0.4) - 0.2 * push.force).norm(), 0.02);
+}
+
+TEST(Push, GivesItsImpulseWhateverLinkItActsOn) {
+  for (const std::string body : {"base", "LF_THIGH", "RH_SHANK"}) {
+    const Push push{body, 0.0, 0.02, Vec3(0.0, 40.0, 0.0)};
+    EXPECT_LT((momentum_after(push, 0.05) - 0.02 * push.force).norm(), 0.02) << body;
+  }
+}
+
+TEST(Push, GivesItsExactImpulseBetweenPhysicsSteps) {
+  const Push push{"", 0.01013, 0.02371, Vec3(0.0, 50.0, 0.0)};
+  EXPECT_LT((momentum_after(push, 0.05) - 0.02371 * push.force).norm(), 2e-3);
+}
+
+TEST(Push, DoesNothingBeforeItsTime) {
+  EXPECT_LT(momentum_after({"", 0.3, 0.1, Vec3(100.0, 0.0, 0.0)}, 0.3).norm(), 1e-6);
+}
+
+TEST(Push, AddsToOthersOnTheSameLink) {
+  PlantOptions options = test::falling_options();
+  const Push push{"", 0.0, 0.1, Vec3(0.0, 25.0, 0.0)};
+  options.disturbances.pushes = {push, push};
+  Plant plant(test::anymal_b(), options);
+  while (plant.time() < 0.2 - 1e-9) plant.write({});
+  EXPECT_NEAR(kMass * plant.truth().v_WCom.y(), 5.0, 0.02);
+}
+
+TEST(Push, OffTheCenterOfMassTurnsTheRobot) {
+  PlantOptions options = test::falling_options();
+  options.disturbances.pushes = {{"LF_HIP", 0.0, 0.1, Vec3(0.0, 30.0, 0.0)}};
+  Plant plant(test::anymal_b(), options);
+  for (int tick = 0; tick < 40; ++tick) plant.write({});
+  EXPECT_GT(plant.truth().w_WB_B.z(), 0.1);
+}
+
+TEST(Payload, AddsItsWeightAndMovesTheCenterOfMass) {
+  const GroundTruth plain = Plant(test::anymal_b(), test::standing_options()).truth();
+  PlantOptions options = test::standing_options();
+  options.disturbances.payload = {6.0, Vec3(0.1, -0.05, 0.25)};
+  test::HeldRobot robot(options);
+  const Vec3 payload = robot.truth().p_WB + options.disturbances.payload.position;
+  const Vec3 expected = (kMass * plain.p_WCom + 6.0 * payload) / (kMass + 6.0);
+  EXPECT_LT((robot.truth().p_WCom - expected).norm(), 1e-9);
+  robot.run(1.0);
+  const double weight = (kMass + 6.0) * kGravity;
+  EXPECT_NEAR(robot.ground_force().z(), weight, 0.01 * weight);
+}
+
+TEST(WrongMasses, ScaleBaseAndLegsApart) {
+  for (const auto& [base, leg] : {std::pair{1.15, 1.0}, {1.0, 0.85}, {0.9, 1.1}}) {
+    PlantOptions options = test::standing_options();
+    options.disturbances.base_mass_scale = base;
+    options.disturbances.leg_mass_scale = leg;
+    const Plant plant(test::anymal_b(), options);
+    const test::StockMujoco mujoco(plant.model_xml(), plant.truth());
+    const double base_mass = 16.793507758 + 0.05;  // with the IMU
+    EXPECT_NEAR(mj_getTotalmass(mujoco.model.get()), base * base_mass + leg * (kMass - base_mass),
+                1e-6);
+  }
+}
+
+TEST(WrongMasses, ScaleInertiasToo) {
+  PlantOptions options = test::standing_options();
+  const Plant plain(test::anymal_b(), options);
+  options.disturbances.base_mass_scale = 1.3;
+  options.disturbances.leg_mass_scale = 0.7;
+  const Plant scaled(test::anymal_b(), options);
+  const test::StockMujoco before(plain.model_xml(), plain.truth());
+  const test::StockMujoco after(scaled.model_xml(), scaled.truth());
+  for (const auto& [name, scale] : {std::pair{"base_inertia", 1.3}, {"RF_THIGH", 0.7}}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = 3 * before.body(name) + axis;
+      EXPECT_NEAR(after.model->body_inertia[i], scale * before.model->body_inertia[i], 1e-12);
+    }
+  }
+}
+
+TEST(WrongMasses, MoveTheCenterOfMassOfTheBase) {
+  const Vec3 offset(0.02, -0.01, 0.015);
+  PlantOptions options = test::standing_options();
+  const Vec3 before = Plant(test::anymal_b(), options).truth().p_WCom;
+  options.disturbances.base_com_offset = offset;
+  const Vec3 after = Plant(test::anymal_b(), options).truth().p_WCom;
+  EXPECT_LT((after - before - (16.793507758 + 0.05) / kMass * offset).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace surefoot

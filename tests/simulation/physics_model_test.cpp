@@ -1,0 +1,223 @@
+#include "tests/simulation/plant_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace surefoot {
+namespace {
+
+using test::StockMujoco;
+
+/// Mass, centre of mass (front left leg; y changes sign on the right, x behind) and inertia about
+/// it, from ANYbotics' URDF.
+struct LinkFigures {
+  std::string suffix;
+  double mass;
+  Vec3 com;
+  Vec3 moments;   ///< Ixx, Iyy, Izz
+  Vec3 products;  ///< Ixy, Ixz, Iyz
+};
+
+const std::vector<LinkFigures> kLegLinks = {
+    {"HIP",
+     1.42462064,
+     {0.064516258, -0.003787102, -0.000152184},
+     {0.00243023350, 0.00230257239, 0.00198067592},
+     {-1.530e-5, -2.182e-5, 2.647e-5}},
+    {"THIGH",
+     1.634976467,
+     {-0.003897968, 0.054226619, -0.214583374},
+     {0.0120367944, 0.0120643638, 0.0024942257},
+     {6.762e-5, 2.878e-4, -1.4061e-3}},
+    {"SHANK",
+     0.207204302,
+     {0.030816858, -0.004617229, 0.000893126},
+     {2.104880e-4, 6.762702e-4, 5.450327e-4},
+     {-5.675e-5, 1.0128e-5, -8.23e-7}},
+    {"ADAPTER",
+     0.140170767,
+     {0.0, 0.0, -0.244345749},
+     {0.0015993874, 0.0015993874, 5.44232e-5},
+     {0.0, 0.0, 0.0}},
+};
+
+Mat3 inertia_in_link(const mjModel& model, int body) {
+  const double* q = model.body_iquat + 4 * body;
+  const Mat3 R = Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Vec3 principal = Eigen::Map<const Vec3>(model.body_inertia + 3 * body);
+  return R * principal.asDiagonal() * R.transpose();
+}
+
+StockMujoco stock(const Plant& plant) { return {plant.model_xml(), plant.truth()}; }
+
+TEST(PhysicsModel, WeighsWhatTheLinksOfTheUrdfWeigh) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  const StockMujoco mujoco = stock(plant);
+  EXPECT_NEAR(mj_getTotalmass(mujoco.model.get()), test::kMass, 1e-6);
+  // 30.4214 kg of the published table, four feet of 1 g and the IMU's 50 g.
+  EXPECT_NEAR(test::kMass, 30.4214 + 4 * 0.001 + 0.05, 1e-4);
+}
+
+TEST(PhysicsModel, EveryLinkHasItsPublishedMassCenterAndInertia) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  const StockMujoco mujoco = stock(plant);
+  for (const Leg leg : kLegs) {
+    const Vec3 mirror(is_front(leg) ? 1.0 : -1.0, is_left(leg) ? 1.0 : -1.0, 1.0);
+    const double mx = mirror.x(), my = mirror.y();
+    for (const LinkFigures& link : kLegLinks) {
+      const int body = mujoco.body(std::string(kLegNames[index(leg)]) + "_" + link.suffix);
+      ASSERT_GT(body, 0) << link.suffix;
+      EXPECT_NEAR(mujoco.model->body_mass[body], link.mass, 1e-8);
+      const Vec3 com = Eigen::Map<const Vec3>(mujoco.model->body_ipos + 3 * body);
+      EXPECT_LT((com - mirror.cwiseProduct(link.com)).norm(), 1e-6) << link.suffix;
+      const Mat3 inertia = inertia_in_link(*mujoco.model, body);
+      EXPECT_LT((inertia.diagonal() - link.moments).norm(), 1e-6) << link.suffix;
+      const Vec3 products(inertia(0, 1), inertia(0, 2), inertia(1, 2));
+      const Vec3 expected = Vec3(mx * my, mx, my).cwiseProduct(link.products);
+      EXPECT_LT((products - expected).norm(), 1e-6) << kLegNames[index(leg)] << link.suffix;
+    }
+  }
+}
+
+TEST(PhysicsModel, TheBaseHasItsPublishedMassCenterAndInertia) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  const StockMujoco mujoco = stock(plant);
+  const int body = mujoco.body("base_inertia");
+  EXPECT_NEAR(mujoco.model->body_mass[body], 16.793507758, 1e-8);
+  const Vec3 com = Eigen::Map<const Vec3>(mujoco.model->body_ipos + 3 * body);
+  EXPECT_LT((com - Vec3(-0.001960558, -0.001413218, 0.050207125)).norm(), 1e-8);
+  Mat3 expected;
+  expected << 0.217391101503, -0.00132873239, -0.00228200226,  //
+      -0.00132873239, 0.639432546734, -0.00138078263,          //
+      -0.00228200226, -0.00138078263, 0.62414077654;
+  EXPECT_LT((inertia_in_link(*mujoco.model, body) - expected).norm(), 1e-8);
+}
+
+TEST(PhysicsModel, LeavesOutTheDummyInertiaAndSaysSo) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  ASSERT_EQ(plant.notes().size(), 1U);
+  EXPECT_NE(plant.notes()[0].find("base"), std::string::npos);
+  EXPECT_NE(plant.notes()[0].find("1e-06 kg"), std::string::npos);
+  const StockMujoco mujoco = stock(plant);
+  EXPECT_EQ(mujoco.model->body_mass[mujoco.body("base")], 0.0);
+}
+
+TEST(PhysicsModel, FeetStandWhereThePublishedKinematicsPutThem) {
+  struct Posture {
+    double haa, hfe, kfe;  // of the front left leg
+    Vec3 foot;             // its foot frame in the base frame
+  };
+  for (const Posture& posture : {Posture{0.0, 0.0, 0.0, {0.4405, 0.246, -0.57125}},
+                                 Posture{0.0, 0.4, -0.8, {0.4604, 0.246, -0.4872}},
+                                 Posture{-0.25, 0.6, -0.85, {0.3757, 0.120, -0.5097}}}) {
+    PlantOptions options = test::falling_options();
+    for (const Leg leg : kLegs) {
+      const double front = is_front(leg) ? 1.0 : -1.0;
+      const double left = is_left(leg) ? 1.0 : -1.0;
+      options.initial.q.segment<3>(first_joint(leg)) << left * posture.haa, front * posture.hfe,
+          front * posture.kfe;
+    }
+    const Plant plant(test::anymal_b(), options);
+    const StockMujoco mujoco = stock(plant);
+    for (const Leg leg : kLegs) {
+      const int body = mujoco.body(std::string(kLegNames[index(leg)]) + "_FOOT");
+      const Vec3 foot = Eigen::Map<const Vec3>(mujoco.data->xpos + 3 * body) - plant.truth().p_WB;
+      const Vec3 mirror(is_front(leg) ? 1.0 : -1.0, is_left(leg) ? 1.0 : -1.0, 1.0);
+      EXPECT_LT((foot - mirror.cwiseProduct(posture.foot)).cwiseAbs().maxCoeff(), 1e-4);
+    }
+  }
+}
+
+TEST(PhysicsModel, JointsAreMappedByNameWhateverTheOrderOfTheDescription) {
+  RobotDescription swapped = test::anymal_b();
+  std::swap(swapped.legs[index(Leg::RF)], swapped.legs[index(Leg::LH)]);
+  PlantOptions options = test::falling_options();
+  for (Eigen::Index i = 0; i < kNumJoints; ++i)
+    options.initial.q[i] = 0.01 * static_cast<double>(i);
+  Plant plant(swapped, options);
+  EXPECT_LT((plant.truth().q - options.initial.q).norm(), 1e-12);
+  const StockMujoco mujoco = stock(plant);
+  const auto angle = [&mujoco](const char* name) {
+    return mujoco.data
+        ->qpos[mujoco.model->jnt_qposadr[mj_name2id(mujoco.model.get(), mjOBJ_JOINT, name)]];
+  };
+  EXPECT_DOUBLE_EQ(angle("LF_KFE"), 0.02);
+  EXPECT_DOUBLE_EQ(angle("LH_HAA"), 0.03);
+  EXPECT_DOUBLE_EQ(angle("RF_HFE"), 0.07);
+
+  JointCommand command;
+  command.torque[4] = 5.0;  // second joint of the second leg: LH_HFE
+  plant.write(command);
+  EXPECT_EQ(plant.truth().torque, command.torque);
+  Eigen::Index fastest = 0;
+  plant.truth().qd.cwiseAbs().maxCoeff(&fastest);
+  EXPECT_TRUE(fastest == 4 || fastest == 5) << fastest;
+}
+
+TEST(PhysicsModel, JointsHaveNoFrictionDampingOrRotorInertiaOfTheirOwn) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  const StockMujoco mujoco = stock(plant);
+  for (int dof = 0; dof < mujoco.model->nv; ++dof) {
+    EXPECT_EQ(mujoco.model->dof_damping[dof], 0.0);
+    EXPECT_EQ(mujoco.model->dof_frictionloss[dof], 0.0);
+    EXPECT_EQ(mujoco.model->dof_armature[dof], 0.0);
+  }
+}
+
+TEST(PhysicsModel, EveryCollisionShapeOfTheUrdfIsThereAndCanTouchTerrain) {
+  const Plant plant(test::anymal_b(), test::standing_options());
+  const StockMujoco mujoco = stock(plant);
+  std::map<std::string, int> shapes;
+  for (int geom = 0; geom < mujoco.model->ngeom; ++geom) {
+    if (mujoco.model->geom_bodyid[geom] == 0) continue;
+    ++shapes[mj_id2name(mujoco.model.get(), mjOBJ_BODY, mujoco.model->geom_bodyid[geom])];
+    EXPECT_NE(mujoco.model->geom_conaffinity[geom] & 1, 0);
+  }
+  EXPECT_EQ(shapes["base"], 8);
+  EXPECT_EQ(shapes["LF_HIP"], 2);
+  EXPECT_EQ(shapes["RH_THIGH"], 3);
+  EXPECT_EQ(shapes["LH_SHANK"], 1);
+  EXPECT_EQ(shapes["RF_ADAPTER"], 1);
+  EXPECT_EQ(shapes["LF_FOOT"], 1);
+  EXPECT_EQ(mujoco.model->nmesh, 0);
+}
+
+TEST(PhysicsModel, OwnShapesDoNotTouchInAnyKneeConfiguration) {
+  for (const double front_knee : {-0.8, 0.8}) {
+    for (const double hind_knee : {-0.8, 0.8}) {
+      for (const double scale : {0.5, 1.0, 2.2}) {
+        PlantOptions options = test::falling_options();
+        for (const Leg leg : kLegs) {
+          const double knee = scale * (is_front(leg) ? front_knee : hind_knee);
+          options.initial.q.segment<3>(first_joint(leg)) << 0.0, -0.5 * knee, knee;
+        }
+        const Plant plant(test::anymal_b(), options);
+        EXPECT_EQ(plant.truth().body_contact_force, 0.0) << front_knee << hind_knee << scale;
+      }
+    }
+  }
+}
+
+TEST(PhysicsModel, TwoLegsThatAreSwungIntoEachOtherCollide) {
+  PlantOptions options = test::falling_options();
+  options.initial.q[first_joint(Leg::LF)] = -0.6;
+  options.initial.q[first_joint(Leg::RF)] = 0.6;
+  const Plant plant(test::anymal_b(), options);
+  EXPECT_GT(plant.truth().body_contact_force, 1.0);
+  EXPECT_FALSE(plant.truth().torso_contact);
+  EXPECT_EQ(plant.truth().shank_contacts, 0) << "a leg is not the ground";
+}
+
+TEST(PhysicsModel, AFootSphereThatTheUrdfLacksIsAddedWithoutMass) {
+  RobotDescription robot = test::anymal_b();
+  for (LegDescription& leg : robot.legs) leg.foot_frame.replace(3, 4, "ADAPTER");
+  robot.foot_center = Vec3(0.0, 0.0, -0.298);
+  const Plant plant(robot, test::standing_options());
+  EXPECT_EQ(plant.notes().size(), 5U) << "dummy inertia, four feet";
+  EXPECT_NEAR(mj_getTotalmass(stock(plant).model.get()), test::kMass, 1e-6);
+}
+
+}  // namespace
+}  // namespace surefoot

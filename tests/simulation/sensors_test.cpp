@@ -1,0 +1,217 @@
+#include "surefoot/simulation/sensors.hpp"
+
+#include "tests/simulation/plant_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot::simulation {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+
+/// Mean and standard deviation of a series.
+struct Statistics {
+  void add(double value) {
+    ++count;
+    sum += value;
+    square += value * value;
+  }
+  [[nodiscard]] double mean() const { return sum / count; }
+  [[nodiscard]] double deviation() const { return std::sqrt(square / count - mean() * mean()); }
+
+  int count = 0;
+  double sum = 0.0, square = 0.0;
+};
+
+GroundTruth some_truth() {
+  GroundTruth truth;
+  truth.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
+  truth.w_WB_B = Vec3(0.1, -0.2, 0.3);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    truth.q[i] = 0.1 * static_cast<double>(i) + 0.0123456;
+    truth.torque[i] = static_cast<double>(i);
+  }
+  truth.feet[2].force = Vec3(3.0, 4.0, 70.0);
+  return truth;
+}
+
+TEST(Sensors, AddNothingWhenTheyAreExact) {
+  Sensors sensors(test::exact_sensors(), kPeriod, 1);
+  const GroundTruth truth = some_truth();
+  SensorReading reading;
+  sensors.read(truth, reading);
+  EXPECT_EQ(reading.q, truth.q);
+  EXPECT_EQ(reading.torque, truth.torque);
+  EXPECT_EQ(reading.gyro, truth.w_WB_B);
+}
+
+TEST(Sensors, TheAccelerometerOfARobotAtRestReadsGravityUpwards) {
+  Sensors sensors(test::exact_sensors(), kPeriod, 1);
+  const GroundTruth truth = some_truth();
+  SensorReading reading;
+  sensors.read(truth, reading);
+  const Vec3 up_B = truth.q_WB.conjugate() * Vec3::UnitZ();
+  EXPECT_LT((reading.accelerometer - kGravity * up_B).norm(), 1e-12);
+}
+
+TEST(Sensors, TheAccelerometerGivesTheMeanSinceItsLastSample) {
+  SensorOptions options = test::exact_sensors();
+  options.rate_hz = 200.0;  // every second tick
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  sensors.read({}, reading);
+  for (const double force : {1.0, 2.0, 3.0, 6.0}) {
+    sensors.accumulate(Vec3(force, 0.0, 0.0));
+    if (force == 2.0) sensors.read({}, reading);
+  }
+  sensors.read({}, reading);
+  EXPECT_DOUBLE_EQ(reading.accelerometer.x(), 3.0);
+}
+
+TEST(Sensors, EncodersGiveTheNearestWholeStep) {
+  SensorOptions options = test::exact_sensors();
+  options.encoder_resolution = 4.4e-4;
+  Sensors sensors(options, kPeriod, 1);
+  GroundTruth truth = some_truth();
+  SensorReading reading;
+  sensors.read(truth, reading);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    const double steps = reading.q[i] / 4.4e-4;
+    EXPECT_NEAR(steps, std::round(steps), 1e-9);
+    EXPECT_LE(std::abs(reading.q[i] - truth.q[i]), 2.2e-4 + 1e-12);
+  }
+}
+
+TEST(Sensors, NoiseHasTheChosenDeviations) {
+  SensorOptions options;
+  options.foot_force = true;
+  options.gyro_bias = options.accelerometer_bias = 0.0;
+  Sensors sensors(options, kPeriod, 5);
+  const GroundTruth truth = some_truth();
+  const Vec3 up_B = truth.q_WB.conjugate() * Vec3::UnitZ();
+  Statistics torque, gyro, accelerometer, foot;
+  for (int tick = 0; tick < 20000; ++tick) {
+    SensorReading reading;
+    sensors.read(truth, reading);
+    torque.add(reading.torque[7] - truth.torque[7]);
+    gyro.add(reading.gyro.y() - truth.w_WB_B.y());
+    accelerometer.add(reading.accelerometer.z() - kGravity * up_B.z());
+    foot.add(reading.foot_force[2] - 70.0);
+  }
+  EXPECT_NEAR(torque.deviation() / options.torque_noise, 1.0, 0.03);
+  EXPECT_NEAR(gyro.deviation() / options.gyro_noise, 1.0, 0.03);
+  EXPECT_NEAR(accelerometer.deviation() / options.accelerometer_noise, 1.0, 0.03);
+  EXPECT_NEAR(foot.deviation() / options.foot_force_noise, 1.0, 0.03);
+  EXPECT_NEAR(torque.mean() / options.torque_noise, 0.0, 0.03);
+  EXPECT_NEAR(gyro.mean() / options.gyro_noise, 0.0, 0.03);
+  EXPECT_NEAR(accelerometer.mean() / options.accelerometer_noise, 0.0, 0.03);
+  EXPECT_NEAR(foot.mean() / options.foot_force_noise, 0.0, 0.03);
+}
+
+TEST(Sensors, BiasesStayConstantInARunAndVaryWithTheSeed) {
+  SensorOptions options = test::exact_sensors();
+  options.gyro_bias = 1e-3;
+  options.accelerometer_bias = 0.08;
+  Statistics gyro, accelerometer;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    Sensors sensors(options, kPeriod, seed);
+    SensorReading first, second;
+    sensors.read({}, first);
+    sensors.read({}, second);
+    EXPECT_EQ(first.gyro, second.gyro);
+    EXPECT_EQ(first.accelerometer, second.accelerometer);
+    gyro.add(first.gyro.x());
+    accelerometer.add(first.accelerometer.y());
+  }
+  EXPECT_NEAR(gyro.deviation(), 1e-3, 5e-5);
+  EXPECT_NEAR(accelerometer.deviation(), 0.08, 4e-3);
+  EXPECT_NEAR(gyro.mean(), 0.0, 1e-4);
+}
+
+TEST(Sensors, HoldASampleUntilTheNextIsDue) {
+  SensorOptions options = test::exact_sensors();
+  options.rate_hz = 100.0;  // every fourth tick
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  for (int tick = 0; tick < 40; ++tick) {
+    GroundTruth truth;
+    truth.time = tick * kPeriod;
+    truth.q.setConstant(tick);
+    sensors.read(truth, reading);
+    EXPECT_EQ(reading.q[0], tick - tick % 4);
+    EXPECT_EQ(reading.time, tick * kPeriod);
+  }
+}
+
+TEST(Sensors, AtARateThatDoesNotDivideTheControlRateSamplesKeepTheirMeanRate) {
+  SensorOptions options = test::exact_sensors();
+  options.rate_hz = 150.0;
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  int samples = 0;
+  for (int tick = 0; tick < 400; ++tick) {
+    GroundTruth truth;
+    truth.q.setConstant(tick);
+    sensors.read(truth, reading);
+    samples += reading.q[0] == tick ? 1 : 0;
+  }
+  EXPECT_EQ(samples, 150);
+}
+
+TEST(Sensors, ARobotWithoutFootForceSensorsReadsNoNumberThere) {
+  Sensors sensors({}, kPeriod, 1);
+  SensorReading reading;
+  sensors.read(some_truth(), reading);
+  for (const double force : reading.foot_force) EXPECT_TRUE(std::isnan(force));
+}
+
+TEST(Sensors, OneOfAFallingPlantFeelsNoWeight) {
+  Plant plant(test::anymal_b(), test::falling_options());
+  for (int tick = 0; tick < 4; ++tick) plant.write({});
+  // The base swings a little about the whole robot's centre of mass as the legs start to move: none
+  // of that without torques.
+  EXPECT_LT(plant.read().accelerometer.norm(), 1e-6);
+}
+
+TEST(Sensors, TheIntegralOfAPlantsAccelerometerIsItsChangeOfVelocity) {
+  PlantOptions options = test::standing_options();
+  options.initial.position.z() = 0.55;  // drops 5 cm and hits the ground
+  options.initial.yaw = 0.7;
+  options.disturbances.pushes = {{"", 0.05, 0.2, Vec3(80.0, 30.0, 0.0)}};
+  test::HeldRobot robot(options);
+  Vec3 v_WB = Vec3::Zero();
+  double largest = 0.0;
+  for (int tick = 0; tick < 120; ++tick) {
+    const Quat q_before = robot.truth().q_WB;
+    robot.tick();
+    const Quat q_mean = q_before.slerp(0.5, robot.truth().q_WB);
+    v_WB += kPeriod * (q_mean * robot.plant.read().accelerometer - Vec3(0.0, 0.0, kGravity));
+    largest = std::max(largest, robot.plant.read().accelerometer.norm());
+  }
+  EXPECT_GT(largest, 30.0);
+  EXPECT_LT((v_WB - robot.truth().v_WB).norm(), 2e-3);
+}
+
+TEST(Sensors, APlantsGyroGivesTheAngularVelocityInTheBaseFrame) {
+  PlantOptions options = test::falling_options();
+  options.disturbances.pushes = {{"LF_HIP", 0.0, 0.1, Vec3(0.0, 0.0, 50.0)}};
+  Plant plant(test::anymal_b(), options);
+  for (int tick = 0; tick < 80; ++tick) plant.write({});
+  EXPECT_GT(plant.truth().w_WB_B.norm(), 0.5);
+  EXPECT_EQ(plant.read().gyro, plant.truth().w_WB_B);
+}
+
+TEST(Sensors, APlantsFootForceSensorReadsItsNormalForce) {
+  PlantOptions options = test::standing_options();
+  options.sensors.foot_force = true;
+  test::HeldRobot robot(options);
+  robot.run(0.5);
+  double sum = 0.0;
+  for (const double force : robot.plant.read().foot_force) sum += force;
+  EXPECT_NEAR(sum, test::kMass * kGravity, 0.01 * test::kMass * kGravity);
+}
+
+}  // namespace
+}  // namespace surefoot::simulation

@@ -1,0 +1,113 @@
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+VectorXd number(double b) { return VectorXd::Constant(1, b); }
+
+LevelData non_negative(Index n) {
+  return between(MatrixXd::Identity(n, n), VectorXd::Zero(n), VectorXd::Constant(n, kInfinity));
+}
+
+/// A linear programme as a hierarchy: the constraints, then a value of the objective that is out of
+/// reach. The residual of the last level is the distance to the optimum.
+Solution linear_programme(const LevelData& constraints, const VectorXd& cost, double target) {
+  const Index n = cost.size();
+  return solve(
+      n, {joined(constraints, non_negative(n)), equalities(cost.transpose(), number(target))});
+}
+
+TEST(CascadeAntiCycling, BealesExampleReachesItsOptimum) {
+  MatrixXd D(3, 4);
+  D << 0.25, -8.0, -1.0, 9.0, 0.5, -12.0, -0.5, 3.0, 0.0, 0.0, 1.0, 0.0;
+  const VectorXd f = (VectorXd(3) << 0.0, 0.0, 1.0).finished();
+  const VectorXd cost = (VectorXd(4) << -0.75, 20.0, -0.5, 6.0).finished();
+  const Solution solution = linear_programme(at_most(D, f), cost, -10.0);
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_NEAR(solution.levels[1].residual, 10.0 - 1.25, 1e-9);
+}
+
+TEST(CascadeAntiCycling, MarshallAndSuurballesExampleReachesItsOptimum) {
+  MatrixXd D(3, 4);
+  D << 0.5, -5.5, -2.5, 9.0, 0.5, -1.5, -0.5, 1.0, 1.0, 0.0, 0.0, 0.0;
+  const VectorXd f = (VectorXd(3) << 0.0, 0.0, 1.0).finished();
+  const VectorXd cost = (VectorXd(4) << -10.0, 57.0, 9.0, 24.0).finished();
+  const Solution solution = linear_programme(at_most(D, f), cost, -10.0);
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_NEAR(solution.levels[1].residual, 10.0 - 1.0, 1e-9);
+}
+
+TEST(CascadeAntiCycling, KleeAndMintysCubesReachTheirOptimum) {
+  for (Index n = 2; n <= 6; ++n) {
+    MatrixXd D = MatrixXd::Identity(n, n);
+    VectorXd f(n), cost(n);
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < i; ++j) D(i, j) = std::pow(2.0, static_cast<double>(i - j + 1));
+      f[i] = std::pow(5.0, static_cast<double>(i + 1));
+      cost[i] = std::pow(2.0, static_cast<double>(n - 1 - i));
+    }
+    const double best = f[n - 1];
+    const Solution solution = linear_programme(at_most(D, f), cost, 2.0 * best);
+    EXPECT_EQ(solution.status, SolveStatus::optimal);
+    EXPECT_NEAR(solution.levels[1].residual, best, 1e-9 * best) << n;
+  }
+}
+
+/// Levels as rows of the same programmes, one row each.
+TEST(CascadeAntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
+  int most_iterations = 0;
+  for (int seed = 0; seed < 3000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index n = random.integer(2, 8);
+    HierarchyData levels = random_levels(random, {.unknowns = n,
+                                                  .levels = 4,
+                                                  .max_rows = 20,
+                                                  .inequality_share = 1.0,
+                                                  .two_sided_share = 0.0,
+                                                  .tight_share = 1.0,
+                                                  .integer_share = 1.0});
+    levels.push_back(close_to(3.0 * random.vector(n)));
+    const Solution solution = solve(n, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
+    for (const LevelResult& level : solution.levels) {
+      most_iterations = std::max(most_iterations, level.iterations);
+    }
+  }
+  EXPECT_LE(most_iterations, 150);
+}
+
+TEST(CascadeAntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
+  constexpr Index kFeet = 4;
+  MatrixXd pyramid(5, 3);
+  pyramid << 1, 0, -0.5, -1, 0, -0.5, 0, 1, -0.5, 0, -1, -0.5, 0, 0, -1;
+  MatrixXd all = MatrixXd::Zero(5 * kFeet, 3 * kFeet);
+  for (Index foot = 0; foot < kFeet; ++foot) all.block(5 * foot, 3 * foot, 5, 3) = pyramid;
+  const LevelData cones = at_most(all, VectorXd::Zero(5 * kFeet));
+  for (int seed = 0; seed < 500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    // Sums of forces and moments first, then the forces themselves.
+    const LevelData sums = equalities(random.matrix(6, 3 * kFeet), random.vector(6));
+    const HierarchyData levels{cones, sums, close_to(random.vector(3 * kFeet))};
+    const Solution solution = solve(3 * kFeet, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(3 * kFeet, levels, solution.x), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,186 @@
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVector2d;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+VectorXd number(double b) { return VectorXd::Constant(1, b); }
+
+/// Random rows of a given rank, with a right-hand side that they can't all meet.
+LevelData rank_deficient(RandomMatrices& random, Index rows, Index rank, Index unknowns) {
+  return equalities(random.matrix(rows, rank) * random.matrix(rank, unknowns), random.vector(rows));
+}
+
+TEST(CascadeDegenerate, RankDeficientLevelsTakeAsManyDirectionsAsTheirRank) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels;
+    std::vector<Index> ranks;
+    for (int k = 0; k < 4; ++k) {
+      ranks.push_back(random.integer(0, 3));
+      levels.push_back(rank_deficient(random, 5, ranks.back(), 10));
+    }
+    const Solution solution = solve(10, levels);
+    Index left = 10;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      left -= std::min(ranks[k], left);
+      ASSERT_EQ(solution.levels[k].degrees_of_freedom_left, left) << "level " << k;
+    }
+    ASSERT_LE(optimality_error(10, levels, solution.x), 1e-9);
+  }
+}
+
+TEST(CascadeDegenerate, ARepeatedLevelHasNoEffect) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_levels(random, {.unknowns = 8, .levels = 5, .max_rows = 4});
+    HierarchyData repeated;
+    for (const LevelData& level : levels) {
+      repeated.push_back(level);
+      repeated.push_back(level);
+    }
+    const std::vector<double> once = residuals(solve(8, levels));
+    const std::vector<double> twice = residuals(solve(8, repeated));
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      ASSERT_NEAR(once[k], twice[2 * k], 1e-9 * (1.0 + once[k]));
+      ASSERT_NEAR(once[k], twice[2 * k + 1], 1e-9 * (1.0 + once[k]));
+    }
+  }
+}
+
+TEST(CascadeDegenerate, AConflictingCopyOfALevelDoesNotMoveIt) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const LevelData level = equalities(random.matrix(4, 7), random.vector(4));
+    const LevelData copy = equalities(level.A, random.vector(4));
+    const Solution alone = solve(7, {level});
+    const Solution both = solve(7, {level, copy});
+    ASSERT_LE((alone.x - both.x).norm(), 1e-12);
+    ASSERT_NEAR(both.levels[1].residual, (copy.lower - level.lower).norm(), 1e-9);
+  }
+}
+
+TEST(CascadeDegenerate, ZeroRowsKeepTheirResidualAndTakeNoFreedom) {
+  const LevelData zero = equalities(MatrixXd::Zero(2, 3), Vector2d(1.0, -2.0));
+  const LevelData limit = at_most(MatrixXd::Zero(1, 3), number(-3.0));
+  const Solution solution = solve(3, {zero, limit, close_to(Eigen::Vector3d(1.0, 2.0, 3.0))});
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_NEAR(solution.levels[0].residual, std::sqrt(5.0), 1e-15);
+  EXPECT_EQ(solution.levels[0].degrees_of_freedom_left, 3);
+  EXPECT_NEAR(solution.levels[1].residual, 3.0, 1e-15);
+  EXPECT_NEAR((solution.x - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 0.0, 1e-15);
+}
+
+TEST(CascadeDegenerate, MoreRowsThanUnknownsAreLeastSquares) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index n = random.integer(1, 6);
+    const HierarchyData levels = random_levels(
+        random, {.unknowns = n, .levels = 3, .max_rows = 20, .inequality_share = 0.6});
+    const Solution solution = solve(n, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
+  }
+}
+
+TEST(CascadeDegenerate, DuplicatedDependentAndZeroRowsAreSolvedExactly) {
+  for (int seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_levels(random, {.unknowns = 8,
+                                                        .levels = 6,
+                                                        .max_rows = 6,
+                                                        .inequality_share = 0.7,
+                                                        .duplicate_share = 0.2,
+                                                        .dependent_share = 0.2,
+                                                        .zero_share = 0.05});
+    const Solution solution = solve(8, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(8, levels, solution.x), 1e-9);
+  }
+}
+
+/// A level whose second singular value is about `sigma`, below it one that wants x₁ = 0.
+Solution nearly_singular(double sigma) {
+  const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished();
+  return solve(2,
+               {equalities(A, Vector2d(1.0, 2.0)), equalities(RowVector2d(0.0, 1.0), number(0.0))});
+}
+
+TEST(CascadeDegenerate, AWeakDirectionIsUsedDownToTheRankToleranceAndNotBelow) {
+  const double tolerance = RankTolerance{}.solve;
+  for (int step = 0; step <= 120; ++step) {
+    const double sigma = std::pow(10.0, -2.0 - 0.1 * step);
+    SCOPED_TRACE("singular value " + std::to_string(std::log10(sigma)));
+    const Solution solution = nearly_singular(sigma);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    if (sigma > 1.01 * tolerance) {
+      ASSERT_NEAR(solution.levels[0].residual, 0.0, 1e-7);
+      ASSERT_NEAR(solution.x[1] * sigma, 1.0, 1e-6);
+    } else {
+      ASSERT_NEAR(solution.levels[0].residual, std::sqrt(0.5), 1e-7);
+      ASSERT_LE(solution.x.norm(), 10.0);
+    }
+  }
+}
+
+TEST(CascadeDegenerate, AWeakDirectionNeverBlowsXUpBeyondTheInverseOfTheTolerance) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd U = random.rotation(6);
+    const MatrixXd V = random.rotation(6);
+    for (int exponent = 2; exponent <= 14; ++exponent) {
+      VectorXd singular = VectorXd::Ones(6);
+      singular[5] = std::pow(10.0, -exponent);
+      const MatrixXd A = U * singular.asDiagonal() * V.transpose();
+      const HierarchyData levels{equalities(A, random.vector(6)), close_to(random.vector(6))};
+      const Solution solution = solve(6, levels);
+      ASSERT_EQ(solution.status, SolveStatus::optimal);
+      ASSERT_LE(solution.x.norm(), 100.0 / RankTolerance{}.solve) << "1e-" << exponent;
+    }
+  }
+}
+
+TEST(CascadeDegenerate, AWeakDirectionIsNotGivenToLowerLevels) {
+  // Too weak to be used, too strong to be given away: level 2 must not disturb level 1.
+  const double sigma = 1e-10;
+  const Solution alone = solve(
+      2, {equalities((MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished(), Vector2d(1.0, 2.0))});
+  const LevelData strong = equalities(RowVector2d(0.0, 1.0), number(1e9));
+  const Solution both =
+      solve(2, {equalities((MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished(), Vector2d(1.0, 2.0)),
+                strong});
+  EXPECT_EQ(alone.levels[0].degrees_of_freedom_left, 0);
+  EXPECT_NEAR(both.levels[0].residual, alone.levels[0].residual, 1e-12);
+}
+
+TEST(CascadeDegenerate, TwoTasksInConflictLoseRankTogether) {
+  // A₁ and A₂ have full rank each, A₂ Z₁ has not (Eq. 12).
+  const MatrixXd A1 = (MatrixXd(1, 3) << 1.0, 1.0, 0.0).finished();
+  const MatrixXd A2 = (MatrixXd(2, 3) << 2.0, 2.0, 0.0, 0.0, 0.0, 1.0).finished();
+  const Solution solution =
+      solve(3, {equalities(A1, number(1.0)), equalities(A2, Vector2d(4.0, 5.0))});
+  EXPECT_EQ(solution.levels[1].degrees_of_freedom_left, 1);
+  EXPECT_NEAR(solution.levels[1].residual, 2.0, 1e-12);
+  EXPECT_NEAR(solution.x[2], 5.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace surefoot::test

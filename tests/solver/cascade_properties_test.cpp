@@ -1,0 +1,261 @@
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kSeeds = 300;
+constexpr Index kUnknowns = 9;
+
+/// One random hierarchy whose last level makes x unique.
+struct Case {
+  explicit Case(int seed) : random(static_cast<std::uint64_t>(seed)) {
+    levels = random_levels(random, {.unknowns = kUnknowns,
+                                    .levels = random.integer(1, 10),
+                                    .max_rows = 5,
+                                    .inequality_share = random.uniform(0.0, 1.0)});
+    levels.push_back(close_to(random.vector(kUnknowns)));
+    solution = solve(kUnknowns, levels);
+  }
+  RandomMatrices random;
+  HierarchyData levels;
+  Solution solution;
+};
+
+/// The same problem in another form has the same x.
+void expect_same_x(const Case& original, const HierarchyData& changed) {
+  const Solution solution = solve(kUnknowns, changed);
+  ASSERT_EQ(solution.status, SolveStatus::optimal);
+  ASSERT_LE((solution.x - original.solution.x).norm(), 1e-7 * (1.0 + original.solution.x.norm()));
+}
+
+LevelData reordered(const LevelData& level, const std::vector<Index>& order) {
+  LevelData result = level;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto to = static_cast<Index>(i);
+    result.A.row(to) = level.A.row(order[i]);
+    result.lower[to] = level.lower[order[i]];
+    result.upper[to] = level.upper[order[i]];
+  }
+  return result;
+}
+
+LevelData scaled(const LevelData& level, double factor) {
+  return {factor * level.A, factor * level.lower, factor * level.upper};
+}
+
+TEST(CascadeProperties, EveryLevelMeetsItsOptimalityConditions) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    ASSERT_EQ(original.solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(kUnknowns, original.levels, original.solution.x), 1e-9);
+  }
+}
+
+TEST(CascadeProperties, AddingALowerLevelNeverChangesAHigherResidual) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    for (std::size_t k = 1; k < original.levels.size(); ++k) {
+      const HierarchyData part(original.levels.begin(),
+                               original.levels.begin() + static_cast<std::ptrdiff_t>(k));
+      const double alone = solve(kUnknowns, part).levels.back().residual;
+      ASSERT_NEAR(alone, original.solution.levels[k - 1].residual, 1e-9 * (1.0 + alone));
+    }
+  }
+}
+
+TEST(CascadeProperties, TheOrderOfRowsInALevelDoesNotMatter) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      std::vector<Index> order(static_cast<std::size_t>(level.lower.size()));
+      std::iota(order.begin(), order.end(), Index{0});
+      std::reverse(order.begin(), order.end());
+      if (order.size() > 2) std::swap(order[0], order[1]);
+      changed.push_back(reordered(level, order));
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, AnOrthogonalChangeOfUnknownsCarriesOver) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case original(seed);
+    const MatrixXd Q = original.random.rotation(kUnknowns);
+    HierarchyData changed = original.levels;
+    for (LevelData& level : changed) level.A = (level.A * Q).eval();
+    const Solution solution = solve(kUnknowns, changed);
+    const VectorXd& x = original.solution.x;
+    ASSERT_LE((Q * solution.x - x).norm(), 1e-7 * (1.0 + x.norm()));
+  }
+}
+
+TEST(CascadeProperties, AFactorOnAllRowsOfALevelChangesNothing) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      changed.push_back(scaled(level, std::pow(10.0, original.random.uniform(-6.0, 6.0))));
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, TwoHalfWeightCopiesOfALevelAreThatLevel) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      const LevelData half = scaled(level, std::sqrt(0.5));
+      changed.push_back(joined(half, half));
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, AnEqualityIsAPairOfInequalities) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      const VectorXd open = VectorXd::Constant(level.lower.size(), kInfinity);
+      changed.push_back(
+          joined(between(level.A, -open, level.upper), between(level.A, level.lower, open)));
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, ARowWithSwappedSignHasSwappedBounds) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      changed.push_back(between(-level.A, -level.upper, -level.lower));
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, ALevelThatIsSatisfiedAnywayChangesNothing) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case original(seed);
+    const MatrixXd A = original.random.matrix(4, kUnknowns);
+    const VectorXd value = A * original.solution.x;
+    HierarchyData changed = original.levels;
+    const int where = original.random.integer(0, static_cast<int>(changed.size()));
+    changed.insert(changed.begin() + where, between(A, value.array() - 0.5, value.array() + 0.5));
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, LevelsWithoutRowsChangeNothing) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    HierarchyData changed;
+    for (const LevelData& level : original.levels) {
+      changed.push_back({MatrixXd(0, kUnknowns), VectorXd(0), VectorXd(0)});
+      changed.push_back(level);
+    }
+    expect_same_x(original, changed);
+  }
+}
+
+TEST(CascadeProperties, AShiftOfTheOriginShiftsX) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Case original(seed);
+    const VectorXd shift = original.random.vector(kUnknowns);
+    HierarchyData changed = original.levels;
+    for (LevelData& level : changed) {
+      level.lower += level.A * shift;
+      level.upper += level.A * shift;
+    }
+    const Solution solution = solve(kUnknowns, changed);
+    const VectorXd& x = original.solution.x;
+    ASSERT_LE((solution.x - shift - x).norm(), 1e-7 * (1.0 + x.norm()));
+  }
+}
+
+TEST(CascadeProperties, RowsOfOneRowLevelsMayHaveAnyScale) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = random_levels(
+        random, {.unknowns = kUnknowns, .levels = 12, .max_rows = 1, .inequality_share = 0.6});
+    levels.push_back(close_to(random.vector(kUnknowns)));
+    HierarchyData changed;
+    for (const LevelData& level : levels) {
+      changed.push_back(scaled(level, std::pow(10.0, random.uniform(-6.0, 6.0))));
+    }
+    const Solution plain = solve(kUnknowns, levels);
+    const Solution other = solve(kUnknowns, changed);
+    ASSERT_LE((plain.x - other.x).norm(), 1e-7 * (1.0 + plain.x.norm()));
+  }
+}
+
+TEST(CascadeProperties, RowsOfMixedScaleInALevelAreAllMetWhereTheyCanBe) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const VectorXd x = random.vector(kUnknowns);
+    HierarchyData levels;
+    for (int k = 0; k < 3; ++k) {
+      MatrixXd A = random.matrix(3, kUnknowns);
+      for (Index i = 0; i < A.rows(); ++i) A.row(i) *= std::pow(10.0, random.uniform(-6.0, 6.0));
+      levels.push_back(equalities(A, A * x));
+    }
+    const Solution solution = solve(kUnknowns, levels);
+    ASSERT_LE((solution.x - x).norm(), 1e-8 * (1.0 + x.norm()));
+  }
+}
+
+TEST(CascadeProperties, ConflictingRowsOfMixedScaleAreWeighed) {
+  // Weights from 1 to 1e8 between a row and its contradiction: x is their weighted mean.
+  for (const double weight : {1.0, 1e1, 1e2, 1e3, 1e4}) {
+    const MatrixXd A = (MatrixXd(2, 1) << weight, 1.0).finished();
+    const VectorXd b = (VectorXd(2) << weight, 2.0).finished();
+    const double mean = (weight * weight + 2.0) / (weight * weight + 1.0);
+    EXPECT_NEAR(solve(1, {equalities(A, b)}).x[0], mean, 1e-14) << weight;
+  }
+}
+
+TEST(CascadeProperties, DegreesOfFreedomNeverIncreaseAndNeverGoBelowZero) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case original(seed);
+    Index before = kUnknowns;
+    for (const LevelResult& level : original.solution.levels) {
+      ASSERT_LE(level.degrees_of_freedom_left, before);
+      ASSERT_GE(level.degrees_of_freedom_left, 0);
+      before = level.degrees_of_freedom_left;
+    }
+    ASSERT_EQ(before, 0);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test

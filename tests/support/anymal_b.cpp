@@ -1,0 +1,38 @@
+#include "tests/support/anymal_b.hpp"
+
+#include "surefoot/base/build_info.hpp"
+
+namespace surefoot::test {
+
+RobotDescription anymal_b() {
+  RobotDescription robot;
+  robot.name = "anymal_b";
+  robot.mesh_root = build_info().robot_packages;
+  robot.urdf_path =
+      robot.mesh_root + "/example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf";
+  robot.base_link = "base";
+  for (const Leg leg : kLegs) {
+    const std::string name(kLegNames[index(leg)]);
+    LegDescription& parts = robot.legs[index(leg)];
+    parts.joints = {name + "_HAA", name + "_HFE", name + "_KFE"};
+    parts.hip_frame = name + "_THIGH";
+    parts.thigh_link = name + "_THIGH";
+    parts.shank_link = name + "_SHANK";
+    parts.foot_frame = name + "_FOOT";
+    const double side = is_front(leg) ? 1.0 : -1.0;
+    robot.q_nominal.segment<3>(first_joint(leg)) << 0.0, 0.4 * side, -0.8 * side;
+    robot.q_min.segment<3>(first_joint(leg)) << -1.2, -2.6, -2.9;
+    robot.q_max.segment<3>(first_joint(leg)) << 1.2, 2.6, 2.9;
+  }
+  robot.foot_radius = 0.031;
+  robot.foot_center = Vec3(0.0, 0.0, 0.02325);
+  robot.torque_limit.setConstant(40.0);
+  robot.velocity_limit.setConstant(15.0);
+  robot.max_leg_length = 0.5865;
+  robot.hold_kp = 80.0;
+  robot.hold_kd = 4.0;
+  robot.damping_kd = 6.0;
+  return robot;
+}
+
+}  // namespace surefoot::test

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "surefoot/model/description.hpp"
+
+namespace surefoot::test {
+
+/// ANYmal B as robots/anymal_b.yaml describes it, without reading that file.
+[[nodiscard]] RobotDescription anymal_b();
+
+}  // namespace surefoot::test

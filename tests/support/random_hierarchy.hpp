@@ -1,0 +1,70 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace surefoot::test {
+
+/// Seeded numbers for property tests.
+class RandomMatrices {
+ public:
+  explicit RandomMatrices(std::uint64_t seed) : engine_(seed) {}
+
+  double normal() { return normal_(engine_); }
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
+  Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns);
+  Eigen::VectorXd vector(Eigen::Index size) { return matrix(size, 1); }
+  /// Orthogonal, rows × rows.
+  Eigen::MatrixXd rotation(Eigen::Index size);
+
+ private:
+  std::mt19937_64 engine_;
+  std::normal_distribution<double> normal_;
+};
+
+/// A level as plain matrices: easy to change, to permute and to print.
+struct LevelData {
+  Eigen::MatrixXd A;
+  Eigen::VectorXd lower, upper;
+};
+using HierarchyData = std::vector<LevelData>;
+
+/// Levels without rows keep the number of unknowns.
+Hierarchy make_hierarchy(Eigen::Index unknowns, const HierarchyData& levels);
+
+LevelData equalities(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+LevelData at_most(const Eigen::MatrixXd& D, const Eigen::VectorXd& f);
+LevelData between(const Eigen::MatrixXd& A, const Eigen::VectorXd& lower,
+                  const Eigen::VectorXd& upper);
+/// Rows of both, in one level.
+LevelData joined(const LevelData& first, const LevelData& second);
+
+struct RandomOptions {
+  Eigen::Index unknowns = 8;
+  int levels = 4;
+  int max_rows = 4;               ///< of a level
+  double inequality_share = 0.5;  ///< of the rows
+  double two_sided_share = 0.3;   ///< of the inequalities
+  double duplicate_share = 0.0;   ///< of the rows: a copy of an earlier row, with another bound
+  double dependent_share = 0.0;   ///< of the rows: a combination of earlier rows
+  double zero_share = 0.0;        ///< of the rows
+  double tight_share = 0.0;    ///< of the bounds: through one common point, so vertices are shared
+  double integer_share = 0.0;  ///< of the rows: small integers, so that ties are exact
+};
+
+HierarchyData random_levels(RandomMatrices& random, const RandomOptions& options);
+
+/// The shape of Table I of the paper with `feet` down: 30 unknowns, 11 levels. With `aggression` 0
+/// few limits are active, with 1 many at several levels.
+HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggression);
+
+}  // namespace surefoot::test

@@ -1,0 +1,289 @@
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/tasks/contact_force_minimisation.hpp"
+#include "surefoot/tasks/equations_of_motion.hpp"
+#include "surefoot/tasks/friction_cone.hpp"
+#include "surefoot/tasks/no_contact_motion.hpp"
+#include "surefoot/tasks/torque_limits.hpp"
+#include "surefoot/tasks/torque_minimisation.hpp"
+#include "tests/tasks/scene.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace surefoot {
+namespace {
+
+using test::all_contact_sets;
+using test::plan_with_contacts;
+using test::Random;
+using test::Scene;
+using test::stacked;
+using test::straight_legged_state;
+using test::written;
+using test::WrittenRows;
+
+JointVector random_torque(Random& random) {
+  JointVector torque;
+  for (double& value : torque) value = random.uniform(-40.0, 40.0);
+  return torque;
+}
+
+/// Accelerations and contact forces that go with torques, by solving for both together.
+VecX forward_dynamics(const TaskInput& input, const JointVector& torque) {
+  const int n = 3 * input.plan.num_contacts();
+  MatX K = MatX::Zero(kNumVelocities + n, kNumVelocities + n);
+  VecX b = VecX::Zero(kNumVelocities + n);
+  K.topLeftCorner(kNumVelocities, kNumVelocities) = input.dynamics.M;
+  b.head<kNumVelocities>() = -input.dynamics.h;
+  b.segment<kNumJoints>(6) += torque;
+  int row = kNumVelocities;
+  for (const Leg leg : kLegs) {
+    if (!input.plan.contact(leg)) continue;
+    const PointKinematics& contact = input.dynamics.contact[index(leg)];
+    K.block(0, row, kNumVelocities, 3) = -contact.J.transpose();
+    K.block(row, 0, 3, kNumVelocities) = contact.J;
+    b.segment<3>(row) = -contact.Jdot_u;
+    row += 3;
+  }
+  const VecX solution = K.fullPivLu().solve(b);
+  VecX x(kNumUnknowns);
+  x << solution.head<kNumVelocities>(), torque;
+  return x;
+}
+
+const EquationsOfMotion kEquationsOfMotion;
+
+TEST(EquationsOfMotion, and_no_contact_motion_together_are_the_constrained_forward_dynamics) {
+  Scene scene;
+  Random random(20);
+  const NoContactMotion no_contact_motion({.kd = 0.0});
+  for (const PerLeg<bool>& contacts : all_contact_sets()) {
+    scene.plan = plan_with_contacts(contacts);
+    const TaskInput input =
+        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const WrittenRows rows = stacked({&kEquationsOfMotion, &no_contact_motion}, input);
+    ASSERT_EQ(rows.count(), kNumVelocities);
+    // With torques given, both tasks leave one acceleration: that of forward dynamics.
+    const VecX x = forward_dynamics(input, random_torque(random));
+    const VecX residual = rows.A * x - rows.lower;
+    EXPECT_LT(residual.norm(), 1e-8 * (1.0 + rows.lower.norm()));
+    EXPECT_EQ(rows.A.leftCols<kNumVelocities>().fullPivLu().rank(), kNumVelocities);
+  }
+}
+
+TEST(EquationsOfMotion, and_no_contact_motion_leave_twelve_degrees_of_freedom) {
+  Scene scene;
+  Random random(21);
+  const NoContactMotion no_contact_motion({});
+  for (const PerLeg<bool>& contacts : all_contact_sets()) {
+    scene.plan = plan_with_contacts(contacts);
+    const TaskInput input =
+        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const WrittenRows rows = stacked({&kEquationsOfMotion, &no_contact_motion}, input);
+    EXPECT_EQ(kNumUnknowns - rows.A.colPivHouseholderQr().rank(), 12);
+  }
+}
+
+TEST(EquationsOfMotion, hold_with_straight_legs_where_the_contacts_lose_rank) {
+  RobotDescription robot = test::anymal_b();
+  robot.foot_radius = 0.0;
+  RobotModel model(robot);
+  SupportDynamics support;
+  const MotionPlan plan = plan_with_contacts({true, true, true, true});
+  const Dynamics& dynamics = model.update(straight_legged_state(), Vec3::UnitZ());
+  support.update(dynamics, plan);
+  const TaskInput input{dynamics, plan, support, model.description()};
+  const WrittenRows rows = written(kEquationsOfMotion, input);
+  EXPECT_EQ(rows.count(), 7);
+  // Whatever the contact forces are, the accelerations that they make obey the rows.
+  Random random(22);
+  for (int trial = 0; trial < 10; ++trial) {
+    const JointVector torque = random_torque(random);
+    GeneralizedVector force = -dynamics.h;
+    force.tail<kNumJoints>() += torque;
+    for (const Leg leg : kLegs) {
+      force += dynamics.contact[index(leg)].J.transpose() * random.vector(100.0);
+    }
+    VecX x(kNumUnknowns);
+    x << dynamics.M.lu().solve(force), torque;
+    EXPECT_LT((rows.A * x - rows.lower).norm(), 1e-7 * rows.lower.norm());
+  }
+}
+
+TEST(NoContactMotion, damps_the_velocity_of_the_contact_points) {
+  Scene scene;
+  Random random(23);
+  scene.plan = plan_with_contacts({true, false, true, true});
+  const TaskInput input = scene.update(random.standing_state(scene.model.description().q_nominal));
+  const WrittenRows still = written(NoContactMotion({.kd = 0.0}), input);
+  const WrittenRows damped = written(NoContactMotion({.kd = 7.0}), input);
+  EXPECT_EQ(still.ids, (std::vector<int>{0, 1, 2, 6, 7, 8, 9, 10, 11}));
+  EXPECT_TRUE(damped.A == still.A);
+  VecX velocity(9);
+  velocity << input.dynamics.contact[0].v, input.dynamics.contact[2].v, input.dynamics.contact[3].v;
+  EXPECT_LT((damped.lower - (still.lower - 7.0 * velocity)).norm(), 1e-12);
+  EXPECT_TRUE(damped.upper == damped.lower);
+}
+
+TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
+  Scene scene;
+  Random random(24);
+  int inside = 0;
+  int outside = 0;
+  for (const FrictionCone::Pyramid pyramid :
+       {FrictionCone::Pyramid::inner, FrictionCone::Pyramid::outer}) {
+    const FrictionCone task({.pyramid = pyramid});
+    const double inner = pyramid == FrictionCone::Pyramid::inner ? std::numbers::sqrt2 / 2.0 : 1.0;
+    for (const PerLeg<bool>& contacts : all_contact_sets()) {
+      scene.plan = plan_with_contacts(contacts);
+      scene.plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
+      const TaskInput input =
+          scene.update(random.standing_state(scene.model.description().q_nominal));
+      const WrittenRows rows = written(task, input);
+      const VecX x = forward_dynamics(input, random_torque(random));
+      const VecX value = rows.A * x;
+      Eigen::Index row = 0;
+      for (const Leg leg : kLegs) {
+        if (!scene.plan.contact(leg)) continue;
+        const Vec3 f = scene.plan.R_WC.transpose() * scene.support.force(leg, x);
+        const double reach = inner * scene.plan.friction * f.z();
+        const std::array<double, 4> faces{f.x() - reach, -f.x() - reach, f.y() - reach,
+                                          -f.y() - reach};
+        for (const double face : faces) {
+          EXPECT_NEAR(value[row] - rows.upper[row], face, 1e-6);
+          EXPECT_EQ(rows.lower[row], -std::numeric_limits<double>::infinity());
+          face <= 0.0 ? ++inside : ++outside;
+          ++row;
+        }
+        EXPECT_NEAR(value[row] - rows.lower[row], f.z() - 10.0, 1e-6);
+        EXPECT_NEAR(rows.upper[row] - value[row], 250.0 - f.z(), 1e-6);
+        ++row;
+      }
+      EXPECT_EQ(row, rows.count());
+    }
+  }
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 50);
+}
+
+TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
+  Scene scene;
+  Random random(25);
+  const TaskInput input = scene.update(random.standing_state(scene.model.description().q_nominal));
+  const WrittenRows inner = written(FrictionCone({FrictionCone::Pyramid::inner}), input);
+  const WrittenRows outer = written(FrictionCone({FrictionCone::Pyramid::outer}), input);
+  const double mu = scene.plan.friction;
+  const MatX Lambda = scene.support.Lambda();
+  const VecX lambda_0 = scene.support.lambda_0();
+  for (int trial = 0; trial < 200; ++trial) {
+    // Forces on the round cone; an x that makes them.
+    VecX forces(12);
+    for (int i = 0; i < 4; ++i) {
+      const double angle = random.uniform(0.0, 2.0 * kPi);
+      forces.segment<3>(3 * i) = 50.0 * Vec3(mu * std::cos(angle), mu * std::sin(angle), 1.0);
+    }
+    const VecX x = Lambda.completeOrthogonalDecomposition().solve(forces - lambda_0);
+    EXPECT_TRUE(((outer.A * x).array() <= outer.upper.array() + 1e-6).all());
+    for (int i = 0; i < 4; ++i) {
+      const auto leg_rows = (inner.A * x - inner.upper).segment<4>(5 * i);
+      EXPECT_GE(leg_rows.maxCoeff(), -1e-6);
+    }
+  }
+}
+
+TEST(FrictionCone, never_asks_for_more_normal_force_than_it_allows) {
+  Scene scene;
+  scene.plan.feet[1].force_max = 4.0;  // unloading, below force_min
+  const TaskInput input =
+      scene.update(Random(26).standing_state(scene.model.description().q_nominal));
+  const WrittenRows rows = written(FrictionCone({}), input);
+  EXPECT_NEAR(rows.upper[9] - rows.lower[9], 0.0, 1e-12);
+  EXPECT_NEAR(rows.upper[4] - rows.lower[4], 240.0, 1e-9);
+}
+
+TEST(FrictionCone, keeps_the_ids_of_a_leg_when_another_lifts_off) {
+  Scene scene;
+  const RobotState state = Random(27).standing_state(scene.model.description().q_nominal);
+  const FrictionCone task({});
+  const WrittenRows four = written(task, scene.update(state));
+  scene.plan = plan_with_contacts({true, false, true, true});
+  const WrittenRows three = written(task, scene.update(state));
+  EXPECT_EQ(four.ids.back(), 19);
+  EXPECT_EQ(three.ids.front(), 0);
+  EXPECT_EQ(three.ids[5], 10);
+  EXPECT_EQ(three.ids.back(), 19);
+  EXPECT_EQ(task.row_name(19), "RH normal force");
+}
+
+TEST(ContactForceMinimisation, has_the_weighted_contact_forces_as_its_violation) {
+  Scene scene;
+  Random random(28);
+  const ContactForceMinimisation task({.weight_tangential = 2.0, .weight_normal = 0.5});
+  for (const PerLeg<bool>& contacts : all_contact_sets()) {
+    scene.plan = plan_with_contacts(contacts);
+    scene.plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
+    const TaskInput input =
+        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const WrittenRows rows = written(task, input);
+    ASSERT_EQ(rows.count(), 3 * scene.plan.num_contacts());
+    const VecX x = forward_dynamics(input, random_torque(random));
+    const VecX violation = rows.A * x - rows.lower;
+    Eigen::Index row = 0;
+    for (const Leg leg : kLegs) {
+      if (!scene.plan.contact(leg)) continue;
+      const Vec3 f = scene.plan.R_WC.transpose() * scene.support.force(leg, x);
+      EXPECT_LT((violation.segment<3>(row) - Vec3(2.0 * f.x(), 2.0 * f.y(), 0.5 * f.z())).norm(),
+                1e-6);
+      row += 3;
+    }
+  }
+}
+
+TEST(TorqueMinimisation, has_the_weighted_torques_as_its_violation) {
+  Scene scene;
+  Random random(29);
+  const TaskInput input = scene.update(random.state());
+  const WrittenRows rows = written(TorqueMinimisation({1.0, 2.0, 3.0}), input);
+  VecX x = VecX::Random(kNumUnknowns);
+  const VecX expected =
+      x.tail<kNumJoints>().cwiseProduct(Vec3(1.0, 2.0, 3.0).replicate<kNumLegs, 1>());
+  EXPECT_LT((rows.A * x - rows.lower - expected).norm(), 1e-12);
+  EXPECT_TRUE(rows.lower == rows.upper);
+}
+
+TEST(TorqueLimits, are_those_of_the_robot) {
+  Scene scene;
+  const TaskInput input = scene.update(Random(30).state());
+  const WrittenRows rows = written(TorqueLimits({.fraction = 0.9}), input);
+  const VecX x = VecX::Random(kNumUnknowns);
+  EXPECT_TRUE(rows.A * x == x.tail<kNumJoints>());
+  EXPECT_TRUE(rows.lower.isApproxToConstant(-36.0));
+  EXPECT_TRUE(rows.upper.isApproxToConstant(36.0));
+}
+
+TEST(TorqueLimits, fall_with_speed_only_in_the_direction_of_motion) {
+  Scene scene;
+  RobotState state = Random(31).state();
+  state.qd.setZero();
+  state.qd.head<5>() << 7.5, 11.25, 15.0, 20.0, -11.25;  // of 15 rad/s
+  const WrittenRows rows =
+      written(TorqueLimits({.speed_line = TorqueLimits::SpeedLine::linear, .corner_speed = 0.5}),
+              scene.update(state));
+  const Eigen::Matrix<double, 6, 1> upper{40.0, 20.0, 0.0, 0.0, 40.0, 40.0};
+  const Eigen::Matrix<double, 6, 1> lower{-40.0, -40.0, -40.0, -40.0, -20.0, -40.0};
+  EXPECT_LT((rows.upper.head<6>() - upper).norm(), 1e-12);
+  EXPECT_LT((rows.lower.head<6>() - lower).norm(), 1e-12);
+}
+
+TEST(TorqueLimits, refuse_options_that_make_no_sense) {
+  EXPECT_THROW(TorqueLimits({.fraction = 0.0}), Error);
+  EXPECT_THROW(TorqueLimits({.fraction = 1.1}), Error);
+  EXPECT_THROW(TorqueLimits({.corner_speed = 1.0}), Error);
+}
+
+}  // namespace
+}  // namespace surefoot

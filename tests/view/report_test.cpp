@@ -1,0 +1,226 @@
+#include "surefoot/view/report.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/evaluation/criteria.hpp"
+#include "surefoot/evaluation/evaluator.hpp"
+#include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/view/overview.hpp"
+#include "surefoot/view/run_data.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::contents;
+using test::SyntheticRun;
+using test::TemporaryFolder;
+using test::write_file;
+
+struct Options {
+  double seconds = 5.0;
+  bool truth = true;
+  bool walked_down = true;
+};
+
+// A log of a synthetic run with everything the report shows.
+void record(const std::string& path, const Options& options,
+            LogHeader header = SyntheticRun::header()) {
+  Recorder recorder(path, std::move(header));
+  std::optional<TruthLog> truth_log;
+  if (options.truth) truth_log.emplace(recorder);
+  Evaluator evaluator({});
+  SyntheticRun run(1, options.walked_down ? 2.0 : 1e9);
+  for (int i = 0; i < options.seconds / SyntheticRun::kPeriod; ++i) {
+    run.step();
+    if (truth_log) truth_log->record(run.truth);
+    recorder.record(run.tick);
+    recorder.record(run.timing);
+    evaluator.add(run.truth, run.tick);
+    evaluator.add(run.timing);
+  }
+  const Metrics metrics = evaluator.metrics({.reason = "completed"});
+  const Criterion limit{.metric = "com_error_max_m", .min = {}, .max = 0.0005, .equals = {}};
+  recorder.close(summary_json(metrics, evaluate({limit}, metrics)));
+}
+
+std::string report_of(const Options& options) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", options);
+  return contents(write_report(folder / "run.mcap", folder / "report"));
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
+  const std::string page = report_of({});
+  for (const char* text : {"<h1>synthetic</h1>",
+                           "anymal_b",
+                           "seed 7",
+                           "COM tracking error, largest",
+                           "3.4 mm on the robot (Fig. 4)",
+                           "≤ 0.5 mm  ✓ holds",
+                           "(a) COM, lateral",
+                           "(c) COM tracking error in the plane",
+                           "(a) orientation error",
+                           "(b) height error",
+                           "LF hip–foot distance",
+                           "RF hip–foot distance",
+                           "LH hip–foot distance",
+                           "RH hip–foot distance",
+                           "upper limit",
+                           "class=\"stance\"",
+                           "class=\"search\"",
+                           "class=\"support\"",
+                           "x [m]",
+                           "torque [N·m]",
+                           "7  limb limits",
+                           "7  RF extension",
+                           "time per tick [µs]",
+                           "dropped the dummy inertia"}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(count(page, "<figure>"), 8);
+  EXPECT_EQ(count(page, "<svg class=\"plot\""), 8);
+}
+
+TEST(Report, NeedsNoNetworkAndNoScript) {
+  const std::string page = report_of({});
+  for (const char* text :
+       {"http:", "https:", "//", "<script", "<link", "<img", "@import", "url(", "src="}) {
+    EXPECT_EQ(page.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(Report, ServesLightAndDark) {
+  EXPECT_NE(report_of({.seconds = 0.5}).find("prefers-color-scheme: dark"), std::string::npos);
+}
+
+TEST(Report, StaysSmallForALongRun) { EXPECT_LT(report_of({.seconds = 25.0}).size(), 1'000'000u); }
+
+TEST(Report, TheSameLogGivesTheSamePage) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {.seconds = 1.0});
+  const std::string first = contents(write_report(folder / "run.mcap", folder / "a"));
+  EXPECT_EQ(first, contents(write_report(folder / "run.mcap", folder / "b")));
+}
+
+TEST(Report, OfALogWithoutTruthShowsWhatTheControllerBelieved) {
+  const std::string page = report_of({.seconds = 1.0, .truth = false});
+  EXPECT_NE(page.find("estimated"), std::string::npos);
+  EXPECT_EQ(page.find("orientation error</text>"), std::string::npos);
+  EXPECT_NE(page.find("hip–foot distance"), std::string::npos);
+}
+
+TEST(Report, OfACutOffLogShowsItsBeginningAndSaysSo) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {});
+  const std::string whole = contents(folder / "run.mcap");
+  write_file(folder / "cut.mcap", whole.substr(0, whole.size() / 2));
+  const std::string page = contents(write_report(folder / "cut.mcap", folder / "report"));
+  EXPECT_NE(page.find("The log is not whole"), std::string::npos);
+  EXPECT_NE(page.find("(a) COM, lateral"), std::string::npos);
+  EXPECT_NE(page.find("holds no summary"), std::string::npos);
+  EXPECT_EQ(report_of({.seconds = 1.0}).find("The log is not whole"), std::string::npos);
+}
+
+TEST(Report, OfALogWithoutTicksIsRefused) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {.seconds = 0.0});
+  EXPECT_THROW(write_report(folder / "run.mcap", folder / "report"), FileError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "report"));
+}
+
+TEST(Report, AFolderThatCannotBeMadeIsNamed) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {.seconds = 0.1});
+  write_file(folder / "file", "");
+  for (const std::string& place : {folder / "file", folder / "none/report"}) {
+    try {
+      write_report(folder / "run.mcap", place);
+      FAIL() << place;
+    } catch (const FileError& error) {
+      EXPECT_NE(std::string(error.what()).find(place), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Report, NamesFromALogAreMadeHarmless) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  header.scenario = "<b>bold</b>";
+  header.level_names[3] = "<i>slanted</i>";
+  record(folder / "run.mcap", {.seconds = 0.5}, header);
+  const std::string page = contents(write_report(folder / "run.mcap", folder / "report"));
+  EXPECT_EQ(page.find("<b>bold"), std::string::npos);
+  EXPECT_EQ(page.find("<i>"), std::string::npos);
+}
+
+TEST(RunData, RowsAreActiveInStretchesOfTime) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {});
+  const RunData run = read_run(folder / "run.mcap");
+  EXPECT_EQ(run.ticks.size(), 2000u);
+  EXPECT_TRUE(run.has_truth);
+  double limb_time = 0.0;
+  int stretches = 0;
+  for (const ActiveTime& time : run.active) {
+    EXPECT_LT(time.from, time.to);
+    if (time.level != 6 || time.id != 601) continue;
+    limb_time += time.to - time.from;
+    ++stretches;
+  }
+  // sin² of the synthetic adaptation, 2.5 s long, is above 0.2 for 1 − 2 asin(√0.2)/π of it.
+  EXPECT_EQ(stretches, 1);
+  EXPECT_NEAR(limb_time, 2.5 * (1.0 - 2.0 * std::asin(std::sqrt(0.2)) / kPi), 0.006);
+}
+
+TEST(RunData, EachTickHasItsOwnTruth) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {.seconds = 1.0});
+  for (const TickSample& tick : read_run(folder / "run.mcap").ticks) {
+    ASSERT_EQ(tick.truth.time, tick.time);
+    ASSERT_EQ(tick.truth.p_WCom, tick.model.p_WCom);  // the synthetic run believes the truth
+  }
+}
+
+TEST(Overview, ShowsRatesWithIntervalsCurvesAndLinks) {
+  const TemporaryFolder folder;
+  DemoTable table;
+  table.title = "Experiments";
+  table.facts = {"surefoot 0.1.0"};
+  table.rows = {{.experiment = "step_down",
+                 .quantity = "success at 14 cm",
+                 .paper = "shown once",
+                 .ours = "97 %",
+                 .passed = true,
+                 .rate = {97, 100, 0.9155, 0.9897},
+                 .report = "step_down/index.html",
+                 .note = "3 falls"}};
+  table.figures = {
+      {.title = "Step-down",
+       .x_label = "height [cm]",
+       .caption = "Success against height.",
+       .curves = {
+           {"full stack", {{14.0, {97, 100, 0.9155, 0.9897}}, {22.0, {5, 20, 0.11, 0.47}}}}}}};
+  write_overview(table, folder / "index.html");
+  const std::string page = contents(folder / "index.html");
+  for (const char* text : {"97 of 100  (92–99 %)", "href=\"step_down/index.html\"", "✓ holds",
+                           "shown once", "height [cm]", "success [%]", "Success against height."}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(count(page, "class=\"whisker c0\""), 2);
+}
+
+}  // namespace
+}  // namespace surefoot
