@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kInverseDamping = 0.02;  // [m], of the 3×3 leg Jacobian near the straight leg
+constexpr double kInverseDamping = 0.01;  // [m], of the 3×3 leg Jacobian near the straight leg
 
 }  // namespace
 

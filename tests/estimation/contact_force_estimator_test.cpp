@@ -1,0 +1,181 @@
+#include "surefoot/estimation/contact_force_estimator.hpp"
+
+#include "surefoot/model/robot_model.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::Random;
+
+constexpr double kPeriod = 0.0025;
+constexpr int kTrials = 30;
+const Vec3 kUp = Vec3::UnitZ();
+
+/// Σ J_kᵀ f_k.
+GeneralizedVector generalized(const Dynamics& dynamics, const PerLeg<Vec3>& forces) {
+  GeneralizedVector sum = GeneralizedVector::Zero();
+  for (std::size_t k = 0; k < kNumLegs; ++k) sum += dynamics.contact[k].J.transpose() * forces[k];
+  return sum;
+}
+
+/// Random forces on the feet that balance the robot at rest: the base rows of h = Sᵀτ + Σ Jᵀ f.
+PerLeg<Vec3> balancing_forces(const Dynamics& dynamics, Random& random) {
+  PerLeg<Vec3> forces;
+  Eigen::Matrix<double, 6, 12> grasp;
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    forces[k] = Vec3(0.0, 0.0, 75.0) + random.vector(15.0);
+    grasp.middleCols<3>(3 * static_cast<Eigen::Index>(k)) =
+        dynamics.contact[k].J.leftCols<6>().transpose();
+  }
+  const Eigen::Matrix<double, 6, 1> missing =
+      dynamics.h.head<6>() - generalized(dynamics, forces).head<6>();
+  const Eigen::Matrix<double, 12, 1> correction =
+      grasp.completeOrthogonalDecomposition().solve(missing);
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    forces[k] += correction.segment<3>(3 * static_cast<Eigen::Index>(k));
+  }
+  return forces;
+}
+
+RobotState at_rest(Random& random, const RobotDescription& robot) {
+  RobotState state = random.standing_state(robot.q_nominal);
+  state.v_WB.setZero();
+  state.w_WB_B.setZero();
+  state.qd.setZero();
+  return state;
+}
+
+TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
+  RobotModel model(anymal_b());
+  Random random(1);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    RobotState state = at_rest(random, model.description());
+    const Dynamics& dynamics = model.update(state, kUp);
+    const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
+    state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+    ContactForceEstimator estimator({}, kPeriod);
+    estimator.update(dynamics, SensorReading{}, state);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      sum += state.foot_force[k];
+      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), 0.03 * forces[k].norm()) << k;
+    }
+    EXPECT_LT((sum - model.mass() * kGravity * kUp).norm(), 0.02 * model.mass() * kGravity);
+  }
+}
+
+TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
+  RobotModel model(anymal_b());
+  Random random(2);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    RobotState state = random.standing_state(model.description().q_nominal);
+    Dynamics dynamics = model.update(state, kUp);
+    PerLeg<Vec3> forces;
+    for (Vec3& force : forces) force = Vec3(0.0, 0.0, 70.0) + random.vector(30.0);
+    for (double& torque : state.torque) torque = random.uniform(-20.0, 20.0);
+    GeneralizedVector applied = generalized(dynamics, forces) - dynamics.h;
+    applied.tail<kNumJoints>() += state.torque;
+    const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
+    ContactForceEstimator estimator({}, kPeriod);
+    for (int tick = 0; tick < 60; ++tick) {  // the low-pass settles
+      estimator.update(dynamics, SensorReading{}, state);
+      dynamics.u += kPeriod * acceleration;
+    }
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), 0.03 * forces[k].norm()) << k;
+    }
+  }
+}
+
+TEST(ContactForceEstimator, FeelsNothingInFreeFall) {
+  RobotModel model(anymal_b());
+  Random random(3);
+  RobotState state = random.standing_state(model.description().q_nominal);
+  state.torque.setZero();
+  Dynamics dynamics = model.update(state, kUp);
+  const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);
+  ContactForceEstimator estimator({}, kPeriod);
+  for (int tick = 0; tick < 200; ++tick) {
+    estimator.update(dynamics, SensorReading{}, state);
+    dynamics.u += kPeriod * acceleration;
+  }
+  for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+}
+
+TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
+  RobotModel model(anymal_b());
+  Random random(4);
+  RobotState state = at_rest(random, model.description());
+  const Dynamics& dynamics = model.update(state, kUp);
+  ContactForceEstimator estimator({.cutoff_hz = 40.0}, kPeriod);
+  state.torque = dynamics.h.tail<kNumJoints>();
+  estimator.update(dynamics, SensorReading{}, state);
+  EXPECT_LT(state.foot_force[0].norm(), 1e-9);
+  const PerLeg<Vec3> touch{Vec3(0.0, 0.0, 50.0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  state.torque -= generalized(dynamics, touch).tail<kNumJoints>();
+  estimator.update(dynamics, SensorReading{}, state);
+  const double first = state.foot_force[0].z();
+  for (int tick = 0; tick < 5; ++tick) estimator.update(dynamics, SensorReading{}, state);
+  EXPECT_GT(first, 15.0);
+  EXPECT_LT(first, 35.0);
+  EXPECT_GT(state.foot_force[0].z(), 45.0);
+  EXPECT_LT(state.foot_force[1].norm(), 0.5);
+}
+
+TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
+  RobotModel model(anymal_b());
+  RobotState state = test::straight_legged_state();
+  state.torque.setConstant(5.0);
+  ContactForceEstimator estimator({}, kPeriod);
+  estimator.update(model.update(state, kUp), SensorReading{}, state);
+  for (const Vec3& force : state.foot_force) {
+    EXPECT_TRUE(force.allFinite());
+    EXPECT_LT(force.norm(), 2000.0);
+  }
+}
+
+TEST(ContactForceEstimator, TakesAFootSensorsForceOnlyWhereItIsAskedToAndThereIsOne) {
+  RobotModel model(anymal_b());
+  Random random(5);
+  RobotState state = at_rest(random, model.description());
+  const Dynamics& dynamics = model.update(state, kUp);
+  state.torque = dynamics.h.tail<kNumJoints>();
+  SensorReading reading;
+  reading.foot_force = {42.0, kNaN, 7.0, kNaN};
+  ContactForceEstimator with({.use_foot_sensor = true}, kPeriod);
+  with.update(dynamics, reading, state);
+  EXPECT_EQ(state.foot_force[0], Vec3(0.0, 0.0, 42.0));
+  EXPECT_LT(state.foot_force[1].norm(), 1e-9);
+  EXPECT_EQ(state.foot_force[2], Vec3(0.0, 0.0, 7.0));
+  ContactForceEstimator without({}, kPeriod);
+  without.update(dynamics, reading, state);
+  EXPECT_LT(state.foot_force[0].norm(), 1e-9);
+}
+
+TEST(ContactForceEstimator, AllocatesNothing) {
+  RobotModel model(anymal_b());
+  Random random(6);
+  RobotState state = at_rest(random, model.description());
+  state.torque.setZero();
+  const Dynamics& dynamics = model.update(state, kUp);
+  ContactForceEstimator estimator({}, kPeriod);
+  const test::MallocCounter counter;
+  estimator.update(dynamics, SensorReading{}, state);
+  estimator.update(dynamics, SensorReading{}, state);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot
