@@ -202,8 +202,10 @@ void LevelSolver::retire(Tableau& tableau) {
   const Index free = tableau.num_free();
   if (num_determined > 0 && free > 0) {
     factorize(tableau, tableau.first_free, num_determined);
-    factorization_.apply_on_the_right(tableau.rows(tableau.first_free, free),
-                                      tableau.scratch.head(tableau.num_rows));
+    if (factorization_.num_fixed() < free) {  // else nothing is left to be seen in a new basis
+      factorization_.apply_on_the_right(tableau.rows(tableau.first_free, free),
+                                        tableau.scratch.head(tableau.num_rows));
+    }
     tableau.first_free += factorization_.num_fixed();
     note_pivot(factorization_.smallest_pivot());
   }

@@ -20,7 +20,9 @@ using Json = nlohmann::json;
 /// Runs the command on a file with these lines.
 struct CommandRun {
   explicit CommandRun(const std::string& text) {
-    file = std::filesystem::path(testing::TempDir()) / "solve_command_test.jsonl";
+    file = std::filesystem::path(testing::TempDir()) /
+           (std::string("solve_command_") +
+            testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl");
     std::ofstream(file) << text;
     exit_code = run_solve(file.string(), out, err);
     std::filesystem::remove(file);

@@ -1,0 +1,114 @@
+#include "surefoot/control/hierarchy_summary.hpp"
+
+#include "surefoot/solver/cascade_solver.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// x in the plane: x = 1, then x ≤ 0.25 (violated) and y ≤ 5, then y → 7, held at 5 by the level
+/// before.
+struct Example {
+  Example() : hierarchy(2) {
+    hierarchy.add_level("first", 1);
+    hierarchy.add_level("second", 3);
+    hierarchy.add_level("third", 1);
+    add(0, 10, {1.0, 0.0}, 1.0, 1.0);
+    add(1, 20, {1.0, 0.0}, -kInfinity, 0.25);
+    add(1, 31, {0.0, 1.0}, -kInfinity, 5.0);
+    add(1, 42, {0.0, 1.0}, -100.0, kInfinity);
+    add(2, 50, {0.0, 1.0}, 7.0, 7.0);
+    CascadeSolver solver(hierarchy);
+    solution = solver.solve(hierarchy);
+  }
+  void add(std::size_t level, int id, const Eigen::Vector2d& a, double lower, double upper) {
+    Rows rows = hierarchy.level(level).add(1, id);
+    rows.A.row(0) = a.transpose();
+    rows.lower[0] = lower;
+    rows.upper[0] = upper;
+  }
+  Hierarchy hierarchy;
+  Solution solution;
+};
+
+HierarchyReport stale_report() {
+  HierarchyReport report;
+  report.num_levels = 99;
+  report.num_active = 99;
+  report.levels.fill({77.0, 77, 77, 77, 77});
+  report.active.fill({7, 7, 77});
+  return report;
+}
+
+TEST(HierarchySummary, TellsHowEveryLevelCameOut) {
+  const Example example;
+  HierarchyReport report = stale_report();
+  summarise(example.solution, example.hierarchy, report);
+  EXPECT_EQ(report.status, static_cast<int>(SolveStatus::optimal));
+  ASSERT_EQ(report.num_levels, 3);
+  EXPECT_NEAR(report.levels[0].residual, 0.0, 1e-9);
+  EXPECT_NEAR(report.levels[1].residual, 0.75, 1e-9);
+  EXPECT_NEAR(report.levels[2].residual, 2.0, 1e-9);
+  EXPECT_EQ(report.levels[0].num_rows, 1);
+  EXPECT_EQ(report.levels[1].num_rows, 3);
+  EXPECT_EQ(report.levels[0].degrees_of_freedom_left, 1);
+  EXPECT_EQ(report.levels[3].num_rows, 0) << "no level: nothing left of the report before";
+}
+
+TEST(HierarchySummary, NamesTheActiveInequalitiesByTheirIds) {
+  const Example example;
+  HierarchyReport report = stale_report();
+  summarise(example.solution, example.hierarchy, report);
+  const auto state_of = [&](int level, int id) {
+    for (int i = 0; i < report.num_active; ++i) {
+      const ActiveRow& row = report.active[static_cast<std::size_t>(i)];
+      if (row.level == level && row.id == id) return static_cast<RowState>(row.state);
+    }
+    return RowState::inactive;
+  };
+  EXPECT_EQ(state_of(1, 20), RowState::above_upper);
+  EXPECT_EQ(state_of(1, 31), RowState::at_upper);
+  EXPECT_EQ(state_of(1, 42), RowState::inactive);
+  EXPECT_EQ(state_of(0, 10), RowState::inactive) << "an equality is not listed";
+  EXPECT_EQ(report.num_active, report.levels[1].num_active);
+  EXPECT_EQ(report.num_active, 2);
+}
+
+TEST(HierarchySummary, ListsNoMoreRowsThanItHasPlaceFor) {
+  constexpr int kRows = static_cast<int>(kMaxReportedRows) + 20;
+  Hierarchy hierarchy(1);
+  hierarchy.add_level("many", kRows);
+  Rows rows = hierarchy.level(0).add(kRows, 0);
+  rows.A.setOnes();
+  rows.lower.setConstant(-kInfinity);
+  rows.upper.setConstant(-1.0);
+  Solution solution;
+  solution.status = SolveStatus::optimal;
+  solution.levels.resize(1);
+  solution.levels[0].num_rows = kRows;
+  solution.levels[0].rows.assign(kRows, RowState::at_upper);
+  HierarchyReport report = stale_report();
+  summarise(solution, hierarchy, report);
+  EXPECT_EQ(report.num_active, static_cast<int>(kMaxReportedRows));
+  EXPECT_EQ(report.levels[0].num_active, kRows);
+  EXPECT_EQ(report.active.back().id, static_cast<int>(kMaxReportedRows) - 1);
+}
+
+TEST(HierarchySummary, AllocatesNothing) {
+  const Example example;
+  HierarchyReport report;
+  const test::MallocCounter counter;
+  summarise(example.solution, example.hierarchy, report);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot

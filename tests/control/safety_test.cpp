@@ -1,0 +1,229 @@
+#include "surefoot/control/safety.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::RandomMatrices;
+
+constexpr int kFirstFreeLevel = 4;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
+
+RobotState standing(double time = 1.0) {
+  RobotState state;
+  state.time = time;
+  state.p_WB = Vec3(0.0, 0.0, 0.46);
+  state.q_WB = Quat::Identity();
+  state.v_WB.setZero();
+  state.w_WB_B.setZero();
+  state.q = anymal_b().q_nominal;
+  state.qd.setZero();
+  state.torque.setZero();
+  return state;
+}
+
+RobotState tilted(double roll) {
+  RobotState state = standing();
+  state.q_WB = from_roll_pitch_yaw({roll, 0.0, 0.3});
+  return state;
+}
+
+JointVector torques(double first = 1.0) {
+  return first * JointVector::LinSpaced(kNumJoints, 1.0, 2.1);
+}
+
+Solution solved(const JointVector& torque, SolveStatus status = SolveStatus::optimal,
+                int failed_level = -1) {
+  Solution solution;
+  solution.status = status;
+  solution.failed_level = failed_level;
+  solution.x = VecX::Constant(kNumUnknowns, 99.0);
+  solution.x.tail<kNumJoints>() = torque;
+  return solution;
+}
+
+Safety make_safety(const SafetyOptions& options = {}) {
+  return Safety(options, anymal_b(), kFirstFreeLevel);
+}
+
+void expect_legal(const JointCommand& command) {
+  ASSERT_TRUE(command.torque.allFinite());
+  ASSERT_LE(command.torque.cwiseAbs().maxCoeff(), kLimit);
+  ASSERT_TRUE(std::isfinite(command.time));
+}
+
+TEST(Safety, PassesTheOptimumOn) {
+  Safety safety = make_safety();
+  const Solution solution = solved(torques());
+  const JointCommand command = safety.command(standing(2.5), &solution);
+  EXPECT_EQ(command.mode, CommandMode::optimal);
+  EXPECT_EQ(command.torque, torques());
+  EXPECT_EQ(command.time, 2.5);
+}
+
+TEST(Safety, UsesASolveThatEndedAfterTheLevelsThatKeepThePhysics) {
+  Safety safety = make_safety();
+  for (const int level : {kFirstFreeLevel, kFirstFreeLevel + 3}) {
+    const Solution solution = solved(torques(), SolveStatus::iteration_cap, level);
+    const JointCommand command = safety.command(standing(), &solution);
+    EXPECT_EQ(command.mode, CommandMode::degraded);
+    EXPECT_EQ(command.torque, torques());
+  }
+}
+
+TEST(Safety, HoldsTheJointsWhereTheSolveIsOfNoUse) {
+  const JointVector not_a_number = JointVector::Constant(kNaN);
+  Solution too_short = solved(torques());
+  too_short.x.conservativeResize(12);
+  for (const Solution& useless :
+       {solved(torques(), SolveStatus::iteration_cap, kFirstFreeLevel - 1),
+        solved(torques(), SolveStatus::invalid_input), too_short, solved(not_a_number),
+        solved(torques(kInfinity))}) {
+    Safety safety = make_safety();
+    const Solution good = solved(torques(2.0));
+    (void)safety.command(standing(), &good);
+    const JointCommand command = safety.command(standing(), &useless);
+    EXPECT_EQ(command.mode, CommandMode::hold);
+    EXPECT_EQ(command.torque, torques(2.0)) << "the last good torques, at the last good posture";
+  }
+}
+
+TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
+  const RobotDescription robot = anymal_b();
+  Safety safety = make_safety();
+  const Solution good = solved(torques());
+  (void)safety.command(standing(), &good);
+  RobotState moved = standing();
+  moved.q += JointVector::LinSpaced(kNumJoints, -0.05, 0.05);
+  moved.qd = JointVector::LinSpaced(kNumJoints, 0.5, -0.5);
+  const JointVector expected =
+      torques() + robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
+  EXPECT_LT((safety.command(moved, nullptr).torque - expected).norm(), 1e-12);
+}
+
+TEST(Safety, HoldsWithZeroTorqueIfThereNeverWasAGoodTick) {
+  Safety safety = make_safety();
+  const JointCommand command = safety.command(standing(), nullptr);
+  EXPECT_EQ(command.mode, CommandMode::hold);
+  EXPECT_EQ(command.torque, JointVector::Zero());
+}
+
+TEST(Safety, ComesBackFromAFewBadTicks) {
+  Safety safety = make_safety({.damp_after_failures = 10});
+  const Solution good = solved(torques());
+  for (int round = 0; round < 5; ++round) {
+    EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::optimal);
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_EQ(safety.command(standing(), nullptr).mode, CommandMode::hold);
+    }
+  }
+}
+
+TEST(Safety, DampsForGoodAfterTooManyBadTicks) {
+  Safety safety = make_safety({.damp_after_failures = 10});
+  const Solution good = solved(torques());
+  (void)safety.command(standing(), &good);
+  for (int i = 0; i < 10; ++i) (void)safety.command(standing(), nullptr);
+  EXPECT_EQ(safety.command(standing(), nullptr).mode, CommandMode::damping);
+  EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::damping) << "it is latched";
+}
+
+TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
+  const SafetyOptions options{.max_tilt = 1.0};
+  const Solution good = solved(torques());
+  Safety safety = make_safety(options);
+  EXPECT_EQ(safety.command(tilted(0.99), &good).mode, CommandMode::optimal);
+  EXPECT_EQ(safety.command(tilted(-1.01), &good).mode, CommandMode::damping);
+  EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::damping) << "it is latched";
+  Safety upside_down = make_safety(options);
+  EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::damping);
+}
+
+TEST(Safety, DampingBrakesEveryJoint) {
+  Safety safety = make_safety();
+  RobotState state = tilted(2.0);
+  state.qd = JointVector::LinSpaced(kNumJoints, -3.0, 3.0);
+  const Solution good = solved(torques());
+  const JointCommand command = safety.command(state, &good);
+  EXPECT_LT((command.torque + anymal_b().damping_kd * state.qd).norm(), 1e-12);
+}
+
+TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
+  const Solution strong = solved(torques(1e3));
+  Safety safety = make_safety();
+  EXPECT_EQ(safety.command(standing(), &strong).torque, JointVector::Constant(kLimit));
+  RobotState away = standing();
+  away.q.array() += 3.0;
+  EXPECT_EQ(safety.command(away, nullptr).torque, JointVector::Constant(-kLimit));
+  RobotState fast = tilted(2.0);
+  fast.qd.setConstant(-1e6);
+  EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kLimit));
+}
+
+TEST(Safety, ClipsEveryJointToItsOwnLimit) {
+  RobotDescription robot = anymal_b();
+  robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
+  Safety safety({}, robot, kFirstFreeLevel);
+  const Solution strong = solved(JointVector::Constant(-1e3));
+  EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
+}
+
+TEST(Safety, AStateOfNaNGivesAFiniteCommandAndKeepsTheLastTime) {
+  Safety safety = make_safety();
+  const Solution good = solved(torques());
+  (void)safety.command(standing(3.5), &good);
+  const JointCommand command = safety.command(RobotState{}, nullptr);
+  expect_legal(command);
+  EXPECT_EQ(command.mode, CommandMode::hold);
+  EXPECT_EQ(command.time, 3.5);
+  EXPECT_EQ(command.torque, torques()) << "what is not measured adds nothing";
+}
+
+TEST(Safety, WhateverComesTheCommandIsFiniteAndInsideTheLimits) {
+  const std::array<double, 8> odd{kNaN, kInfinity, -kInfinity, 1e308, -1e308, 1e-308, 0.0, 1e30};
+  RandomMatrices random(1);
+  const auto garbage = [&](double usual) {
+    return random.chance(0.2) ? odd[static_cast<std::size_t>(random.integer(0, 7))] : usual;
+  };
+  Safety safety = make_safety();
+  for (int tick = 0; tick < 3000; ++tick) {
+    if (tick % 100 == 0) safety = make_safety();  // damping is latched
+    RobotState state = standing(garbage(0.1 * tick));
+    for (double& value : state.q) value = garbage(value);
+    for (double& value : state.qd) value = garbage(0.1);
+    for (double& value : state.q_WB.coeffs()) value = tick % 3 == 0 ? garbage(value) : value;
+    Solution solution =
+        solved(100.0 * random.vector(kNumJoints), static_cast<SolveStatus>(random.integer(0, 2)),
+               random.integer(-1, 8));
+    for (double& value : solution.x) value = tick % 2 == 0 ? garbage(value) : value;
+    ASSERT_NO_FATAL_FAILURE(
+        expect_legal(safety.command(state, random.chance(0.8) ? &solution : nullptr)))
+        << tick;
+  }
+}
+
+TEST(Safety, AllocatesNothing) {
+  Safety safety = make_safety();
+  const Solution good = solved(torques());
+  const RobotState state = standing(), fallen = tilted(2.0);
+  const test::MallocCounter counter;
+  (void)safety.command(state, &good);
+  (void)safety.command(state, nullptr);
+  (void)safety.command(fallen, &good);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot

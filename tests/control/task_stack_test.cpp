@@ -1,0 +1,213 @@
+#include "surefoot/control/task_stack.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/model/robot_model.hpp"
+#include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/tasks/catalog.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::Random;
+
+LevelSpec level(const std::string& task) { return {task, {{task, {}, {}}}}; }
+
+StackOptions stack_of(const std::vector<LevelSpec>& levels) { return {"test", levels}; }
+
+std::string error_of(const StackOptions& options) {
+  try {
+    const TaskStack stack(options, anymal_b());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void expect_mentions(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << '"' << part << "\" in: " << text;
+  }
+}
+
+const std::vector<std::string> kStacks{"walk", "terrain_adaptation", "manipulability", "regular",
+                                       "terrain_without_limits"};
+
+TEST(TaskStack, HasOneLevelForEachOfTheFileInItsOrder) {
+  for (const std::string& name : kStacks) {
+    const StackOptions options = load_stack(name);
+    const TaskStack stack(options, anymal_b());
+    ASSERT_EQ(stack.hierarchy().num_levels(), options.levels.size()) << name;
+    EXPECT_EQ(stack.hierarchy().unknowns(), kNumUnknowns);
+    for (std::size_t i = 0; i < options.levels.size(); ++i) {
+      EXPECT_EQ(stack.hierarchy().level(i).name(), options.levels[i].name);
+    }
+  }
+}
+
+TEST(TaskStack, TheFirstFreeLevelComesAfterAllThatKeepThePhysics) {
+  for (const std::string& name : kStacks) {
+    EXPECT_EQ(TaskStack(load_stack(name), anymal_b()).first_free_level(), 4) << name;
+  }
+  const auto first_free = [](const std::vector<LevelSpec>& levels) {
+    return TaskStack(stack_of(levels), anymal_b()).first_free_level();
+  };
+  EXPECT_EQ(first_free({level("com_xy")}), 0);
+  EXPECT_EQ(first_free({level("equations_of_motion"), level("com_xy")}), 1);
+  EXPECT_EQ(first_free({level("equations_of_motion"), level("com_xy"), level("torque_limits"),
+                        level("torso_yaw")}),
+            3);
+}
+
+TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {
+  RobotModel model(anymal_b());
+  Random random(1);
+  for (const std::string& name : kStacks) {
+    TaskStack stack(load_stack(name), anymal_b());
+    for (const PerLeg<bool>& contacts : test::all_contact_sets()) {
+      const RobotState state = random.standing_state(model.description().q_nominal);
+      const MotionPlan plan = test::plan_with_contacts(contacts);
+      const Hierarchy& hierarchy = stack.update(model.update(state, Vec3::UnitZ()), plan);
+      for (std::size_t i = 0; i < hierarchy.num_levels(); ++i) {
+        const Level& rows = hierarchy.level(i);
+        ASSERT_LE(rows.num_rows(), rows.max_rows());
+        ASSERT_TRUE(rows.A().allFinite()) << rows.name();
+        ASSERT_TRUE((rows.lower().array() <= rows.upper().array()).all()) << rows.name();
+      }
+      EXPECT_EQ(hierarchy.level(0).num_rows(),
+                kNumVelocities - stack.support().rank());  // equations of motion without λ
+      EXPECT_EQ(stack.support().num_contacts(), plan.num_contacts());
+    }
+  }
+}
+
+TEST(TaskStack, EveryUpdateBeginsAnew) {
+  RobotModel model(anymal_b());
+  Random random(2);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  const MotionPlan four = test::plan_with_contacts({true, true, true, true});
+  const MotionPlan three = test::plan_with_contacts({true, false, true, true});
+  TaskStack used(load_stack("terrain_adaptation"), anymal_b());
+  TaskStack fresh(load_stack("terrain_adaptation"), anymal_b());
+  (void)used.update(dynamics, four);
+  const Hierarchy& again = used.update(dynamics, three);
+  const Hierarchy& once = fresh.update(dynamics, three);
+  for (std::size_t i = 0; i < once.num_levels(); ++i) {
+    ASSERT_EQ(again.level(i).num_rows(), once.level(i).num_rows());
+    EXPECT_EQ(again.level(i).A(), once.level(i).A());
+    EXPECT_EQ(again.level(i).lower(), once.level(i).lower());
+    EXPECT_EQ(again.level(i).upper(), once.level(i).upper());
+  }
+}
+
+TEST(TaskStack, EveryRowHasItsOwnIdAndAName) {
+  RobotModel model(anymal_b());
+  Random random(3);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  for (const std::string& name : kStacks) {
+    TaskStack stack(load_stack(name), anymal_b());
+    const Hierarchy& hierarchy =
+        stack.update(dynamics, test::plan_with_contacts({true, true, false, true}));
+    for (std::size_t i = 0; i < hierarchy.num_levels(); ++i) {
+      std::set<int> ids;
+      for (Eigen::Index row = 0; row < hierarchy.level(i).num_rows(); ++row) {
+        const int id = hierarchy.level(i).id(row);
+        EXPECT_TRUE(ids.insert(id).second) << hierarchy.level(i).name() << " has twice " << id;
+        EXPECT_NE(stack.row_name(static_cast<int>(i), id), "?") << hierarchy.level(i).name();
+        EXPECT_NE(stack.row_name(static_cast<int>(i), id), "") << hierarchy.level(i).name();
+      }
+    }
+  }
+}
+
+TEST(TaskStack, TasksThatShareALevelKeepTheirRowsApart) {
+  const LevelSpec shared{"both", {{"torque_limits", {}, {}}, {"torque_minimisation", {}, {}}}};
+  TaskStack stack(stack_of({shared}), anymal_b());
+  RobotModel model(anymal_b());
+  Random random(4);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const Hierarchy& hierarchy = stack.update(model.update(state, Vec3::UnitZ()),
+                                            test::plan_with_contacts({true, true, true, true}));
+  const Level& both = hierarchy.level(0);
+  ASSERT_EQ(both.num_rows(), 2 * kNumJoints);
+  EXPECT_LT(both.lower()[0], both.upper()[0]);
+  EXPECT_EQ(both.lower()[kNumJoints], both.upper()[kNumJoints]);
+  EXPECT_NE(both.id(0), both.id(kNumJoints));
+  const auto limits = make_task("torque_limits");
+  const auto minimisation = make_task("torque_minimisation");
+  EXPECT_EQ(stack.row_name(0, both.id(0)), limits->row_name(0));
+  EXPECT_EQ(stack.row_name(0, both.id(kNumJoints)), minimisation->row_name(0));
+}
+
+TEST(TaskStack, ARowThatThereIsNotHasNoName) {
+  const TaskStack stack(load_stack("walk"), anymal_b());
+  EXPECT_EQ(stack.row_name(-1, 0), "?");
+  EXPECT_EQ(stack.row_name(99, 0), "?");
+  EXPECT_EQ(stack.row_name(0, -1), "?");
+  EXPECT_EQ(stack.row_name(0, 100000), "?");
+}
+
+TEST(TaskStack, ParametersReachTheTask) {
+  const auto com_rows = [](double kp) {
+    const LevelSpec com{"com", {{"com_xy", {{"kp", kp}, {"kd", 0.0}}, {}}}};
+    TaskStack stack(stack_of({com}), anymal_b());
+    RobotModel model(anymal_b());
+    RobotState state = test::straight_legged_state();
+    MotionPlan plan = test::plan_with_contacts({true, true, true, true});
+    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    plan.com.p = dynamics.com.p.head<2>() + Vec2(0.01, 0.0);
+    return Vec2(stack.update(dynamics, plan).level(0).lower().head<2>());
+  };
+  EXPECT_NEAR(com_rows(300.0).x() - com_rows(100.0).x(), 2.0, 1e-9);
+}
+
+TEST(TaskStack, AnUnknownTaskIsAnErrorThatListsWhatThereIs) {
+  expect_mentions(error_of(stack_of({level("com_xz")})), {"com_xz", "com_xy", "swing_foot"});
+}
+
+TEST(TaskStack, AnUnknownOrImpossibleParameterIsAnErrorThatSaysWhatIsValid) {
+  const LevelSpec misspelt{"com", {{"com_xy", {{"kq", 3.0}}, {}}}};
+  expect_mentions(error_of(stack_of({misspelt})), {"com_xy", "kq", "kp", "kd"});
+  const LevelSpec negative{"com", {{"com_xy", {{"kp", -3.0}}, {}}}};
+  expect_mentions(error_of(stack_of({negative})), {"com_xy", "kp", "-3"});
+  const LevelSpec not_a_number{"com", {{"com_xy", {{"kp", kNaN}}, {}}}};
+  expect_mentions(error_of(stack_of({not_a_number})), {"com_xy", "kp", "nan"});
+  const LevelSpec wrong_word{"friction", {{"friction_cone", {}, {{"pyramid", "round"}}}}};
+  expect_mentions(error_of(stack_of({wrong_word})), {"round", "inner", "outer"});
+}
+
+TEST(TaskStack, AStackWithoutLevelsOrWithTooManyIsAnError) {
+  expect_mentions(error_of(stack_of({})), {"test", "0 levels", "1 to 16"});
+  expect_mentions(error_of(stack_of(std::vector<LevelSpec>(kMaxLevels + 1, level("com_xy")))),
+                  {"test", "17 levels", "1 to 16"});
+  EXPECT_EQ(error_of(stack_of(std::vector<LevelSpec>(kMaxLevels, level("com_xy")))), "");
+}
+
+TEST(TaskStack, AllocatesNothingInAnUpdate) {
+  RobotModel model(anymal_b());
+  Random random(5);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  for (const std::string& name : kStacks) {
+    TaskStack stack(load_stack(name), anymal_b());
+    const test::MallocCounter counter;
+    for (const PerLeg<bool>& contacts : test::all_contact_sets()) {
+      (void)stack.update(dynamics, test::plan_with_contacts(contacts));
+    }
+    EXPECT_EQ(counter.count(), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot

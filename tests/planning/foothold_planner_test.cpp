@@ -1,0 +1,262 @@
+#include "surefoot/planning/foothold_planner.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+constexpr double kCycle = 4.0;  // [s]
+constexpr std::array kOrder{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
+const FootholdOptions kWithoutPrints{.hind_use_front_prints = false};
+
+Vec2 turned(double angle, const Vec2& v) {
+  return rotation_about_z(angle).topLeftCorner<2, 2>() * v;
+}
+
+UserCommand command(double forward, double lateral = 0.0, double yaw_rate = 0.0) {
+  return {.walk = true, .velocity = {forward, lateral}, .yaw_rate = yaw_rate};
+}
+
+/// Footholds that a planner leads over level ground.
+struct Walker {
+  explicit Walker(const FootholdOptions& options, const StanceOptions& stance_options = {})
+      : stance(stance_options), planner(stance_options, options) {}
+
+  void stand(const Vec2& center, double heading) {
+    yaw = heading;
+    for (const Leg leg : kLegs) {
+      feet[index(leg)] << center + turned(yaw, planner.nominal_offset(leg)), ground;
+    }
+  }
+  [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground), 0.0}; }
+  [[nodiscard]] Vec3 next(Leg leg, const UserCommand& user) const {
+    return planner.foothold(leg, feet, plane(), yaw, user, kCycle);
+  }
+  /// One leg goes, a quarter of the cycle passes.
+  void step(const UserCommand& user) {
+    const Leg leg = kOrder[static_cast<std::size_t>(steps++) % kOrder.size()];
+    const Vec3 goal = next(leg, user);
+    last_step = goal - feet[index(leg)];
+    feet[index(leg)] = goal;
+    planner.remember(leg, goal);
+    yaw += 0.25 * kCycle * user.yaw_rate;
+  }
+  void walk(int count, const UserCommand& user) {
+    for (int i = 0; i < count; ++i) step(user);
+  }
+  /// Where the stance's middle is, from a foot's own place in it.
+  [[nodiscard]] Vec2 center_by(Leg leg) const {
+    return feet[index(leg)].head<2>() - turned(yaw, planner.nominal_offset(leg));
+  }
+  [[nodiscard]] Vec2 center() const {
+    Vec2 sum = Vec2::Zero();
+    for (const Leg leg : kLegs) sum += 0.25 * center_by(leg);
+    return sum;
+  }
+  /// Largest distance of a foot from its nominal place.
+  [[nodiscard]] double distortion() const {
+    double largest = 0.0;
+    for (const Leg leg : kLegs) largest = std::max(largest, (center_by(leg) - center()).norm());
+    return largest;
+  }
+
+  StanceOptions stance;
+  FootholdPlanner planner;
+  PerLeg<Vec3> feet;
+  double yaw = 0.0;
+  double ground = 0.031;
+  int steps = 0;
+  Vec3 last_step = Vec3::Zero();
+};
+
+TEST(FootholdPlanner, TheNominalStanceIsARectangle) {
+  const FootholdPlanner planner({.half_length = 0.3, .half_width = 0.2}, {});
+  EXPECT_EQ(planner.nominal_offset(Leg::LF), Vec2(0.3, 0.2));
+  EXPECT_EQ(planner.nominal_offset(Leg::RF), Vec2(0.3, -0.2));
+  EXPECT_EQ(planner.nominal_offset(Leg::LH), Vec2(-0.3, 0.2));
+  EXPECT_EQ(planner.nominal_offset(Leg::RH), Vec2(-0.3, -0.2));
+}
+
+TEST(FootholdPlanner, SteppingOnTheSpotStaysOnTheSpot) {
+  Random random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    Walker walker(kWithoutPrints);
+    walker.stand(random.vector(10.0).head<2>(), random.uniform(-3.0, 3.0));
+    for (const Leg leg : kLegs) {
+      EXPECT_LT((walker.next(leg, command(0.0)) - walker.feet[index(leg)]).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(FootholdPlanner, ASteadyWalkKeepsItsFeetAnEighthAndThreeEighthsOfAStrideFromTheirPlaces) {
+  Random random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    Walker walker(kWithoutPrints);
+    walker.stand(random.vector(10.0).head<2>(), random.uniform(-3.0, 3.0));
+    const UserCommand user = command(random.uniform(-0.06, 0.06), random.uniform(-0.03, 0.03));
+    const Vec2 stride = turned(walker.yaw, kCycle * user.velocity);
+    walker.walk(60, user);
+    for (int i = 0; i < 8; ++i) {
+      walker.step(user);
+      EXPECT_LT((walker.last_step.head<2>() - stride).norm(), 1e-6);
+      for (int ago = 0; ago < kNumLegs; ++ago) {
+        const Leg leg = kOrder[static_cast<std::size_t>(walker.steps - 1 - ago) % kOrder.size()];
+        const double place = 3.0 / 8.0 - 2.0 / 8.0 * ago;
+        EXPECT_LT((walker.center_by(leg) - walker.center() - place * stride).norm(), 1e-6);
+      }
+    }
+  }
+}
+
+TEST(FootholdPlanner, ADistortedStanceBecomesNominalWithinFewSteps) {
+  Random random(3);
+  for (int trial = 0; trial < 20; ++trial) {
+    Walker walker(kWithoutPrints);
+    walker.stand(Vec2::Zero(), random.uniform(-3.0, 3.0));
+    for (Vec3& foot : walker.feet) foot.head<2>() += random.vector(0.05).head<2>();
+    walker.walk(8, command(0.0));
+    EXPECT_LT(walker.distortion(), 0.01) << trial;
+    walker.walk(40, command(0.0));
+    EXPECT_LT(walker.distortion(), 1e-6) << trial;
+  }
+}
+
+TEST(FootholdPlanner, TheStanceTurnsWithTheHeadingAndKeepsItsShape) {
+  for (const double yaw_rate : {-0.1, -0.03, 0.05, 0.1}) {
+    Walker walker(kWithoutPrints);
+    walker.stand(Vec2(3.0, -1.0), 0.4);
+    const UserCommand user = command(0.0, 0.0, yaw_rate);
+    double largest = 0.0;
+    for (int i = 0; i < 80; ++i) {
+      walker.step(user);
+      largest = std::max(largest, walker.distortion());
+    }
+    const double turned_in_a_cycle = std::abs(yaw_rate) * kCycle * std::hypot(0.36, 0.22);
+    EXPECT_LT(largest, 0.8 * turned_in_a_cycle) << yaw_rate;
+    EXPECT_LT((walker.center() - Vec2(3.0, -1.0)).norm(), 0.1) << yaw_rate;
+  }
+}
+
+TEST(FootholdPlanner, NoStepIsLongerThanTheLongest) {
+  Random random(4);
+  for (int trial = 0; trial < 100; ++trial) {
+    Walker walker({.hind_use_front_prints = true, .max_step = 0.25});
+    walker.stand(Vec2::Zero(), random.uniform(-3.0, 3.0));
+    const UserCommand user =
+        command(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 0.5));
+    for (int i = 0; i < 20; ++i) {
+      walker.step(user);
+      ASSERT_LE(walker.last_step.head<2>().norm(), 0.25 + 1e-9);
+    }
+  }
+}
+
+TEST(FootholdPlanner, FootholdsLieOnTheTerrainPlane) {
+  Random random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    Walker walker(kWithoutPrints);
+    walker.stand(random.vector(1.0).head<2>(), random.uniform(-3.0, 3.0));
+    const TerrainPlane slope{random.small_rotation(0.2) * Vec3::UnitZ(), random.vector(1.0), 0.0};
+    for (const Leg leg : kLegs) {
+      const Vec3 p =
+          walker.planner.foothold(leg, walker.feet, slope, walker.yaw, command(0.05), kCycle);
+      EXPECT_NEAR(slope.normal.dot(p - slope.point), 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(FootholdPlanner, TurnsAndMovesWithTheWorld) {
+  Random random(6);
+  for (int trial = 0; trial < 30; ++trial) {
+    Walker here{FootholdOptions{}}, there{FootholdOptions{}};
+    const double angle = random.uniform(-3.0, 3.0);
+    const Vec2 shift = random.vector(10.0).head<2>();
+    here.stand(Vec2::Zero(), 0.0);
+    there.stand(shift, angle);
+    const UserCommand user = command(random.uniform(-0.07, 0.07), random.uniform(-0.03, 0.03),
+                                     random.uniform(-0.05, 0.05));
+    for (int i = 0; i < 30; ++i) {
+      here.step(user);
+      there.step(user);
+      for (std::size_t k = 0; k < kNumLegs; ++k) {
+        const Vec2 expected = turned(angle, here.feet[k].head<2>()) + shift;
+        ASSERT_LT((there.feet[k].head<2>() - expected).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+/// A left hind foot at the origin of a walker that heads along x, and what its front foot found.
+struct Hind {
+  explicit Hind(const std::vector<Vec3>& prints, const FootholdOptions& options = {})
+      : walker(options) {
+    walker.ground = 0.0;
+    walker.stand(-walker.planner.nominal_offset(Leg::LH), 0.0);
+    for (const Vec3& print : prints) walker.planner.remember(Leg::LF, print);
+  }
+  /// Nominally at x = 0.15.
+  [[nodiscard]] Vec3 goes() const { return walker.next(Leg::LH, command(0.06)); }
+  Walker walker;
+};
+
+TEST(FootholdPlanner, AHindFootTakesTheNearestPrintWithinItsRadius) {
+  EXPECT_LT((Hind({}).goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
+  const Vec3 near(0.20, 0.01, 0.002), far(0.26, 0.0, 0.0), behind(0.11, 0.0, 0.001);
+  EXPECT_EQ(Hind({near}).goes(), near);
+  EXPECT_EQ(Hind({far, near}).goes(), near);
+  EXPECT_EQ(Hind({far, near, behind}).goes(), behind);
+}
+
+TEST(FootholdPlanner, BetweenPrintsFarOffTheHindFootGoesWhereItWouldAtTheirHeight) {
+  const Vec3 goal = Hind({Vec3(-0.02, 0.0, 0.01), Vec3(0.26, 0.0, 0.02)}).goes();
+  EXPECT_LT((goal - Vec3(0.15, 0.0, 0.02)).norm(), 1e-12);
+}
+
+TEST(FootholdPlanner, ADropBetweenTwoPrintsIsSteppedOver) {
+  const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.01, -0.14);
+  EXPECT_EQ(Hind({before, beyond}).goes(), beyond);
+}
+
+TEST(FootholdPlanner, BetweenPrintsThatRiseTheHigherGroundIsExpected) {
+  const Vec3 before(0.05, 0.0, 0.0), beyond(0.26, 0.0, 0.14);
+  EXPECT_LT((Hind({before, beyond}).goes() - Vec3(0.15, 0.0, 0.14)).norm(), 1e-12);
+}
+
+TEST(FootholdPlanner, ADropWhoseFarSideIsOutOfReachIsWaitedFor) {
+  const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.0, -0.14);
+  EXPECT_EQ(Hind({before, beyond}, {.max_step = 0.25}).goes(), before);
+}
+
+TEST(FootholdPlanner, OnlyFrontFeetLeavePrintsAndEachForItsOwnSide) {
+  Hind hind({});
+  hind.walker.planner.remember(Leg::RF, Vec3(0.2, 0.0, 0.0));
+  hind.walker.planner.remember(Leg::LH, Vec3(0.2, 0.0, 0.0));
+  EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
+  hind.walker.planner.remember(Leg::LF, Vec3(0.2, 0.0, 0.0));
+  EXPECT_EQ(hind.goes(), Vec3(0.2, 0.0, 0.0));
+}
+
+TEST(FootholdPlanner, PrintsAreForgottenAfterMany) {
+  Hind hind({Vec3(0.2, 0.0, 0.0)});
+  for (int i = 0; i < 30; ++i) hind.walker.planner.remember(Leg::LF, Vec3(5.0 + i, 0.0, 0.0));
+  EXPECT_LT((hind.goes().head<2>() - Vec2(0.15, 0.0)).norm(), 1e-12);
+}
+
+TEST(FootholdPlanner, WithoutPrintsInUseHindFeetGoWhereTheyNominallyWould) {
+  const Hind hind({Vec3(0.12, 0.0, 0.0), Vec3(0.26, 0.0, -0.14)}, kWithoutPrints);
+  EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace surefoot

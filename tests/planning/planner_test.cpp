@@ -1,0 +1,302 @@
+#include "surefoot/planning/planner.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "tests/planning/puppet.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::Ground;
+using test::Happening;
+using test::level_ground;
+using test::Puppet;
+using test::RandomMatrices;
+using test::step_at;
+
+constexpr double kPeriod = Puppet::kPeriod;
+
+UserCommand walking(double forward = 0.06, double lateral = 0.0, double yaw_rate = 0.0) {
+  return {.walk = true, .velocity = {forward, lateral}, .yaw_rate = yaw_rate};
+}
+
+Puppet walker(const PlannerOptions& options = {}, Ground ground = level_ground()) {
+  Puppet puppet(options, std::move(ground));
+  puppet.user = walking();
+  return puppet;
+}
+
+bool all_finite(const MotionPlan& plan) {
+  bool finite = plan.com.p.allFinite() && plan.com.v.allFinite() && plan.com.a.allFinite() &&
+                plan.torso.q_WB.coeffs().allFinite() && plan.torso.w_WB.allFinite() &&
+                std::isfinite(plan.torso.height) && std::isfinite(plan.com_zmp_slack);
+  for (const FootPlan& foot : plan.feet) {
+    finite = finite && foot.p_WF.allFinite() && foot.v_WF.allFinite() && foot.a_WF.allFinite() &&
+             std::isfinite(foot.force_min) && std::isfinite(foot.force_max);
+  }
+  return finite;
+}
+
+/// Holds a plan against the one of the tick before: what must hold whatever the ground is like.
+class Watch {
+ public:
+  explicit Watch(const Puppet& puppet) : puppet_(puppet), before_(puppet.plan()) {}
+
+  void operator()() {
+    const MotionPlan& now = puppet_.plan();
+    ASSERT_TRUE(all_finite(now)) << puppet_.time();
+    ASSERT_GE(now.num_contacts(), 3) << puppet_.time();
+    ASSERT_LT((now.com.p - before_.com.p).norm(), 0.5 * kPeriod) << puppet_.time();
+    ASSERT_LT((now.com.v - before_.com.v).norm(), 3.0 * kPeriod) << puppet_.time();
+    ASSERT_LT((now.com.a - before_.com.a).norm(), 0.15) << puppet_.time();
+    ASSERT_LT(box_minus(now.torso.q_WB, before_.torso.q_WB).norm(), 2.0 * kPeriod);
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      const FootPlan &foot = now.feet[k], &last = before_.feet[k];
+      ASSERT_LT((foot.p_WF - last.p_WF).norm(), 5e-3) << k << " at " << puppet_.time();
+      ASSERT_LT(std::abs(foot.force_max - last.force_max), 10.0) << k << " at " << puppet_.time();
+      ASSERT_LE(foot.force_min, foot.force_max);
+      ASSERT_EQ(in_contact(foot.phase) ? 0.0 : foot.force_max, 0.0);
+    }
+    before_ = now;
+  }
+
+ private:
+  const Puppet& puppet_;
+  MotionPlan before_;
+};
+
+/// Walks on under a watch.
+void run_watched(Puppet& puppet, double duration) {
+  Watch watch(puppet);
+  const double end = puppet.time() + duration;
+  while (puppet.time() < end && !testing::Test::HasFatalFailure()) {
+    puppet.tick();
+    watch();
+  }
+}
+
+TEST(Planner, StandsStillUntilItIsToldToWalk) {
+  Puppet puppet;
+  run_watched(puppet, 3.0);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  EXPECT_TRUE(puppet.happenings().empty());
+  EXPECT_LT(puppet.plan().com.p.norm(), 1e-6);
+  EXPECT_LT(puppet.plan().com.v.norm(), 1e-6);
+  EXPECT_EQ(puppet.plan().time, puppet.time());
+  EXPECT_EQ(puppet.planner().terrain_normal(), Vec3::UnitZ());
+}
+
+TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
+  for (const PerLeg<Leg>& order : {PerLeg<Leg>{Leg::LH, Leg::LF, Leg::RH, Leg::RF},
+                                   PerLeg<Leg>{Leg::RF, Leg::LH, Leg::LF, Leg::RH}}) {
+    PlannerOptions options;
+    options.gait.order = order;
+    Puppet puppet = walker(options);
+    puppet.run(16.0);
+    const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+    ASSERT_GT(lifts.size(), 12u);
+    for (std::size_t i = 0; i < lifts.size(); ++i) {
+      EXPECT_EQ(lifts[i].leg, order[i % order.size()]) << i;
+    }
+  }
+}
+
+TEST(Planner, TheZmpNeverHasToLeaveTheSupportOfAWalkOnLevelGround) {
+  Puppet puppet = walker();
+  double slack = 0.0;
+  puppet.run(20.0, [&] { slack = std::max(slack, puppet.plan().com_zmp_slack); });
+  EXPECT_LT(slack, 1e-3);
+}
+
+TEST(Planner, LiftsAFootOnlyWhenItCarriesNothing) {
+  Puppet puppet = walker();
+  PerLeg<double> before{};
+  std::size_t seen = 0;
+  puppet.run(12.0, [&] {
+    const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+    for (; seen < lifts.size(); ++seen) EXPECT_LT(before[index(lifts[seen].leg)], 15.0);
+    for (const Leg leg : kLegs) before[index(leg)] = puppet.plan().feet[index(leg)].force_max;
+  });
+  EXPECT_GT(seen, 8u);
+}
+
+TEST(Planner, WalksSidewaysAndTurns) {
+  Puppet sideways;
+  sideways.user = walking(0.0, 0.03);
+  run_watched(sideways, 30.0);
+  EXPECT_NEAR(sideways.com().y(), 0.03 * 29.0, 0.1);
+  EXPECT_NEAR(sideways.com().x(), 0.0, 0.05);
+  Puppet turning;
+  turning.user = walking(0.0, 0.0, 0.05);
+  run_watched(turning, 20.0);
+  EXPECT_NEAR(yaw(turning.plan().torso.q_WB.toRotationMatrix()), 0.05 * 20.0, 0.01);
+  EXPECT_NEAR(yaw(turning.plan().R_WC), 0.05 * 20.0, 0.01);
+  const Vec3 across = turning.foot(Leg::LF) - turning.foot(Leg::RF);
+  EXPECT_NEAR(std::atan2(-across.x(), across.y()), 0.05 * 20.0, 0.15) << "the feet came along";
+}
+
+TEST(Planner, PlansTheSameWhereverTheWorldsOriginLies) {
+  RandomMatrices random(1);
+  for (int trial = 0; trial < 3; ++trial) {
+    const double angle = random.uniform(-3.0, 3.0);
+    const Mat3 R = rotation_about_z(angle);
+    const Vec3 shift(random.uniform(-50.0, 50.0), random.uniform(-50.0, 50.0),
+                     random.uniform(-5.0, 5.0));
+    // Bumps that the feet meet early and late.
+    const Ground bumpy = [](const Vec2& p) {
+      return 0.01 * std::sin(9.0 * p.x()) * std::cos(7.0 * p.y());
+    };
+    const Ground moved = [&](const Vec2& p) {
+      const Vec3 back = R.transpose() * (Vec3(p.x(), p.y(), 0.0) - shift);
+      return bumpy(back.head<2>()) + shift.z();
+    };
+    Puppet here({}, bumpy), there({}, moved, shift.head<2>(), angle);
+    here.user = there.user = walking(0.06, 0.01, 0.02);
+    here.run(12.0, [&] {
+      there.tick();
+      const MotionPlan &a = here.plan(), &b = there.plan();
+      EXPECT_EQ(a.event, b.event) << here.time();
+      EXPECT_LT((R.topLeftCorner<2, 2>() * a.com.p + shift.head<2>() - b.com.p).norm(), 1e-5);
+      EXPECT_NEAR(a.torso.height + shift.z(), b.torso.height, 1e-6);
+      EXPECT_LT(box_minus(Quat(R) * a.torso.q_WB, b.torso.q_WB).norm(), 1e-6);
+      for (std::size_t k = 0; k < kNumLegs; ++k) {
+        EXPECT_EQ(a.feet[k].phase, b.feet[k].phase);
+        EXPECT_LT((R * a.feet[k].p_WF + shift - b.feet[k].p_WF).norm(), 1e-5);
+      }
+    });
+    EXPECT_GT(here.planner().steps_taken(), 8);
+  }
+}
+
+TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
+  const double slope = 0.15;
+  const Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };
+  Puppet puppet = walker({}, ramp);
+  run_watched(puppet, 60.0);
+  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
+  EXPECT_LT((puppet.planner().terrain_normal() - normal).norm(), 0.01);
+  EXPECT_LT((puppet.plan().torso.q_WB * Vec3::UnitZ() - normal).norm(), 0.01);
+  EXPECT_LT((puppet.plan().R_WC.col(2) - normal).norm(), 0.01);
+}
+
+TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
+  Puppet puppet;
+  puppet.run(0.5);
+  const double z = puppet.foot(Leg::RH).z();
+  puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? -0.05 : 0.0; };
+  puppet.run(2.0);
+  ASSERT_EQ(puppet.happenings(PlanEvent::lost_contact).size(), 1u);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lost_contact).front().leg, Leg::RH);
+  ASSERT_EQ(puppet.happenings(PlanEvent::touchdown).size(), 1u);
+  EXPECT_NEAR(puppet.foot(Leg::RH).z(), z - 0.05, 1e-3);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  puppet.user = walking();
+  run_watched(puppet, 10.0);
+  EXPECT_GT(puppet.planner().steps_taken(), 4);
+}
+
+TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
+  Puppet puppet = walker();
+  puppet.sticky[index(Leg::LH)] = true;
+  run_watched(puppet, 12.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
+  EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  puppet.sticky = {};
+  run_watched(puppet, 5.0);
+  EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
+}
+
+TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
+  Puppet puppet = walker();
+  puppet.com_follows = false;  // stays in the middle, which lies on the triangle's edge
+  puppet.run(12.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
+  EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u);
+}
+
+PlannerOptions probing() {
+  PlannerOptions options;
+  options.probe.enabled = true;
+  return options;
+}
+
+/// The happenings that follow a lift-off, up to the landing.
+std::vector<PlanEvent> swing_from(const Puppet& puppet, const Happening& lift) {
+  std::vector<PlanEvent> events;
+  for (const Happening& h : puppet.happenings()) {
+    const bool ended = !events.empty() && events.back() == PlanEvent::touchdown;
+    if (h.time > lift.time && !ended) events.push_back(h.event);
+  }
+  return events;
+}
+
+TEST(Planner, AFrontFootTouchesTwiceWhereItProbesAndAHindFootOnce) {
+  Puppet puppet = walker(probing());
+  run_watched(puppet, 30.0);
+  const std::vector<PlanEvent> once{PlanEvent::touchdown};
+  const std::vector<PlanEvent> twice{PlanEvent::probe_same_ground, PlanEvent::touchdown};
+  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  ASSERT_GT(lifts.size(), 12u);
+  for (std::size_t i = 0; i + 1 < lifts.size(); ++i) {
+    EXPECT_EQ(swing_from(puppet, lifts[i]), is_front(lifts[i].leg) ? twice : once);
+  }
+  const std::vector<Happening> probes = puppet.happenings(PlanEvent::probe_same_ground);
+  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  for (std::size_t i = 0; i + 1 < probes.size(); ++i) {
+    const auto landing =
+        std::ranges::find_if(landings, [&](const Happening& h) { return h.time > probes[i].time; });
+    EXPECT_EQ(landing->leg, probes[i].leg);
+    EXPECT_NEAR(probes[i].p.x() - landing->p.x(), ProbeOptions{}.ahead, 0.01);
+  }
+}
+
+TEST(Planner, AnEdgeThatAProbeFindsIsLeftBehind) {
+  Puppet puppet = walker(probing(), step_at(0.45, -0.10));
+  puppet.user = walking(0.03);
+  puppet.run(40.0);
+  const std::vector<Happening> edges = puppet.happenings(PlanEvent::probe_edge);
+  ASSERT_FALSE(edges.empty());
+  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const auto landing = std::ranges::find_if(
+      landings, [&](const Happening& h) { return h.time > edges.front().time; });
+  ASSERT_NE(landing, landings.end());
+  EXPECT_NEAR(landing->p.x() - edges.front().p.x(), ProbeOptions{}.beyond, 0.01);
+  EXPECT_NEAR(landing->p.z(), -0.10, 2e-3);
+}
+
+TEST(Planner, AllocatesNothingInATick) {
+  Puppet puppet = walker(probing(), step_at(0.45, -0.10));
+  RobotState state;
+  state.time = 0.0;
+  state.p_WB = Vec3(0.0, 0.0, 0.46);
+  state.q_WB = Quat::Identity();
+  state.v_WB = state.w_WB_B = Vec3::Zero();
+  Dynamics dynamics;
+  dynamics.com.p = state.p_WB;
+  Planner planner(probing(), Puppet::kWeight, kPeriod);
+  std::size_t most = 0;
+  puppet.run(20.0, [&] {
+    state.time = puppet.time();
+    dynamics.com.p.head<2>() = puppet.com();
+    for (const Leg leg : kLegs) {
+      dynamics.foot[index(leg)].p = puppet.foot(leg);
+      state.foot_force[index(leg)] = puppet.force(leg);
+    }
+    const test::MallocCounter counter;
+    (void)planner.update(puppet.user, state, dynamics);
+    most = std::max(most, counter.count());
+  });
+  EXPECT_GT(planner.steps_taken(), 8);
+  EXPECT_EQ(most, 0u);
+}
+
+}  // namespace
+}  // namespace surefoot

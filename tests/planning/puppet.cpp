@@ -1,0 +1,109 @@
+#include "tests/planning/puppet.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+
+namespace surefoot::test {
+namespace {
+
+constexpr double kStiffness = 2e4;  // of the ground under a foot that comes down [N/m]
+constexpr double kCarried = 75.0;   // by a foot on the ground [N]
+constexpr double kTouching = 1e-3;  // [m]
+
+}  // namespace
+
+Ground level_ground(double height) {
+  return [height](const Vec2&) { return height; };
+}
+
+Ground step_at(double edge, double height) {
+  return [edge, height](const Vec2& p) { return p.x() > edge ? height : 0.0; };
+}
+
+Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
+    : ground(std::move(terrain)), planner_(options, kWeight, kPeriod) {
+  const FootholdPlanner stance(options.stance, options.foothold);
+  const Mat3 R = rotation_about_z(heading);
+  double mean = 0.0;
+  for (const Leg leg : kLegs) {
+    Vec3& p = dynamics_.foot[index(leg)].p;
+    p.head<2>() = position + R.topLeftCorner<2, 2>() * stance.nominal_offset(leg);
+    p.z() = ground(p.head<2>());
+    mean += 0.25 * p.z();
+    state_.foot_force[index(leg)] = kCarried * Vec3::UnitZ();
+  }
+  state_.time = 0.0;
+  state_.p_WB << position, mean + options.stance.height;
+  state_.q_WB = Quat(R);
+  state_.v_WB.setZero();
+  state_.w_WB_B.setZero();
+  dynamics_.com.p = state_.p_WB;
+  plan_ = planner_.update(user, state_, dynamics_);
+}
+
+void Puppet::run(double duration, const std::function<void()>& each) {
+  const double end = time() + duration - 0.5 * kPeriod;
+  while (time() < end) {
+    tick();
+    each();
+  }
+}
+
+void Puppet::tick() {
+  state_.time += kPeriod;
+  move_body();
+  for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
+  const MotionPlan before = plan_;
+  plan_ = planner_.update(user, state_, dynamics_);
+  note_event(before);
+}
+
+void Puppet::move_body() {
+  const ComPlan& com = plan_.com;
+  if (com_follows) {
+    dynamics_.com.p.head<2>() = com.p + kPeriod * com.v + 0.5 * kPeriod * kPeriod * com.a;
+    dynamics_.com.v.head<2>() = com.v + kPeriod * com.a;
+  }
+  const TorsoPlan& torso = plan_.torso;
+  dynamics_.com.p.z() = torso.height;
+  state_.p_WB = dynamics_.com.p;
+  state_.v_WB << dynamics_.com.v.head<2>(), torso.height_rate;
+  state_.q_WB = torso.q_WB;
+  state_.w_WB_B = torso.q_WB.conjugate() * torso.w_WB;
+}
+
+void Puppet::move_foot(std::size_t k) {
+  const FootPlan& reference = plan_.feet[k];
+  Vec3& p = dynamics_.foot[k].p;
+  double force = 0.0;
+  if (in_contact(reference.phase)) {
+    const bool touching = p.z() < ground(p.head<2>()) + kTouching;
+    force = touching ? std::min(kCarried, sticky[k] ? kCarried : reference.force_max) : 0.0;
+  } else {
+    p = reference.p_WF + kPeriod * reference.v_WF;
+    const double depth = ground(p.head<2>()) - p.z();
+    if (depth > 0.0) p.z() += depth;
+    force = std::clamp(kStiffness * depth, 0.0, kCarried);
+  }
+  state_.foot_force[k] = force * Vec3::UnitZ();
+}
+
+void Puppet::note_event(const MotionPlan& before) {
+  const auto event = static_cast<PlanEvent>(plan_.event);
+  if (event == PlanEvent::none) return;
+  Leg leg = Leg::LF;
+  for (const Leg k : kLegs) {
+    if (!before.contact(k) || !plan_.contact(k)) leg = k;
+  }
+  happenings_.push_back({time(), event, leg, foot(leg)});
+}
+
+std::vector<Happening> Puppet::happenings(PlanEvent event) const {
+  std::vector<Happening> result;
+  std::ranges::copy_if(happenings_, std::back_inserter(result),
+                       [&](const Happening& h) { return h.event == event; });
+  return result;
+}
+
+}  // namespace surefoot::test

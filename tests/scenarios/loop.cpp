@@ -1,0 +1,44 @@
+#include "tests/scenarios/loop.hpp"
+
+#include "app/truth_estimator.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "tests/support/malloc_counter.hpp"
+
+#include <algorithm>
+
+namespace surefoot::test {
+
+Scenario scenario(const std::string& name, const std::vector<std::string>& changes,
+                  std::uint64_t seed) {
+  return load_scenario({.name_or_path = name, .seed = seed, .assignments = changes});
+}
+
+Loop::Loop(const Scenario& scenario)
+    : scenario_(scenario),
+      plant_(scenario.robot, scenario.plant),
+      controller_(scenario.robot, scenario.controller,
+                  std::make_unique<TruthEstimator>(plant_.truth())) {}
+
+PlanEvent Loop::tick() {
+  const SensorReading& reading = plant_.read();
+  const UserCommand& user = scenario_.user(reading.time);
+  const MallocCounter counter;
+  const JointCommand& command = controller_.step(reading, user);
+  const std::size_t made = counter.count();
+  allocations_ += made;
+  if (made > 0) last_allocation_ = reading.time;
+  plant_.write(command);
+  const auto event = static_cast<PlanEvent>(controller_.record().plan.event);
+  if (event != PlanEvent::none) events_.push_back(event);
+  return event;
+}
+
+void Loop::run_until(double time, const std::function<bool()>& stop) {
+  while (plant_.time() < time && !stop()) (void)tick();
+}
+
+int Loop::count(PlanEvent event) const {
+  return static_cast<int>(std::ranges::count(events_, event));
+}
+
+}  // namespace surefoot::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "surefoot/config/scenario.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/planning/events.hpp"
+#include "surefoot/simulation/plant.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+
+/// A scenario of scenarios/ with what a test changes in it, "path.to.key=value".
+[[nodiscard]] Scenario scenario(const std::string& name, const std::vector<std::string>& changes,
+                                std::uint64_t seed = 0);
+
+/// Plant and controller against each other, bare: nothing judges or records.
+class Loop {
+ public:
+  explicit Loop(const Scenario& scenario);
+
+  /// One tick; returns its event.
+  PlanEvent tick();
+  /// Until the time, or until `stop` says so.
+  void run_until(double time, const std::function<bool()>& stop = [] { return false; });
+
+  [[nodiscard]] const GroundTruth& truth() const { return plant_.truth(); }
+  [[nodiscard]] const TickRecord& record() const { return controller_.record(); }
+  [[nodiscard]] int steps_taken() const { return controller_.steps_taken(); }
+  /// Calls to malloc and its kin in the controller's ticks so far, and in which tick the last was.
+  [[nodiscard]] std::size_t allocations() const { return allocations_; }
+  [[nodiscard]] double last_allocation() const { return last_allocation_; }
+  [[nodiscard]] int count(PlanEvent event) const;
+
+ private:
+  Scenario scenario_;
+  Plant plant_;
+  Controller controller_;
+  std::vector<PlanEvent> events_;
+  std::size_t allocations_ = 0;
+  double last_allocation_ = 0.0;  // [s]
+};
+
+}  // namespace surefoot::test

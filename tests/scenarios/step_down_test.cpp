@@ -1,0 +1,34 @@
+#include "app/closed_loop.hpp"
+#include "tests/scenarios/loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::Loop;
+using test::scenario;
+
+TEST(StepDown, FourteenCentimetresThatNobodyKnewOfAreWalkedDown) {
+  const RunResult result = run_closed_loop(scenario("step_down", {"goal.walk_on=0.0"}), {});
+  EXPECT_EQ(result.ending, Ending::goal_reached) << result.metrics.reason;
+  EXPECT_FALSE(result.metrics.fell);
+  EXPECT_FALSE(result.safety_stop);
+  EXPECT_TRUE(result.metrics.succeeded);
+}
+
+TEST(StepDown, NothingIsAllocatedWhileAFootProbesSearchesAndTheGaitWaits) {
+  Loop loop(scenario("step_down", {}));
+  (void)loop.tick();
+  const std::size_t first = loop.allocations();
+  loop.run_until(30.0, [&] { return loop.count(PlanEvent::probe_edge) == 2; });
+  EXPECT_EQ(loop.allocations(), first) << "the last at " << loop.last_allocation() << " s";
+  EXPECT_GE(loop.count(PlanEvent::late), 1);
+  EXPECT_EQ(loop.count(PlanEvent::probe_edge), 2);
+}
+
+}  // namespace
+}  // namespace surefoot
