@@ -221,7 +221,8 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
     return;
   }
   if (time_ < lift_time_) return;
-  if (next.unloaded() && balanced_without(next_leg(), dynamics)) {
+  const bool unloaded = next.unloaded() || !options_.force.ramps;
+  if (unloaded && balanced_without(next_leg(), dynamics)) {
     lift_off(next_leg(), user, dynamics);
   } else if (time_ > lift_time_ + kLiftOffPatience) {
     event_ = PlanEvent::lift_off_aborted;
