@@ -21,6 +21,14 @@ constexpr std::array<const char*, 5> kRates{"succeeded", "fell", "goal_reached",
 constexpr std::array<std::string_view, 4> kMoreIsBetter{"distance_m", "speed_mps",
                                                         "friction_margin_min", "realtime_factor"};
 
+/// What a result must say of itself: truth and sensors that the robot does not have are no secret.
+Json heading(const Scenario& scenario) {
+  return {{"scenario", scenario.name},
+          {"stack", scenario.controller.stack.name},
+          {"estimation", "truth"},
+          {"foot_force_sensor", scenario.controller.contact_force.use_foot_sensor}};
+}
+
 Json criteria_json(const std::vector<CriterionResult>& results) {
   Json list = Json::array();
   for (const CriterionResult& result : results) {
@@ -72,7 +80,7 @@ Json metrics_json(const std::vector<Json>& runs) {
 }  // namespace
 
 Json run_json(const Scenario& scenario, const RunResult& result) {
-  Json json{{"scenario", scenario.name}, {"stack", scenario.controller.stack.name}};
+  Json json = heading(scenario);
   json.update(Json::parse(to_json(result.metrics)));
   json["safety_stop"] = result.safety_stop;
   json["criteria"] = criteria_json(result.criteria);
@@ -87,7 +95,7 @@ Json crash_json(std::uint64_t seed, const std::string& reason) {
 }
 
 Json seeds_json(const Scenario& scenario, std::vector<Json> runs) {
-  Json json{{"scenario", scenario.name}, {"stack", scenario.controller.stack.name}};
+  Json json = heading(scenario);
   for (const char* rate : kRates) json["rates"][rate] = rate_json(runs, rate);
   json["metrics"] = metrics_json(runs);
   json["runs"] = std::move(runs);

@@ -10,8 +10,8 @@
 
 namespace surefoot {
 
-/// One run: every metric under its name, and beside them `scenario`, `stack`, `criteria`, `drawn`
-/// and `notes`.
+/// One run: every metric under its name, and beside them `scenario`, `stack`, `estimation`,
+/// `criteria`, `drawn` and `notes`.
 [[nodiscard]] nlohmann::ordered_json run_json(const Scenario& scenario, const RunResult& result);
 
 /// The row of a run that gave no result: `seed`, `crashed` and the reason.

@@ -69,7 +69,7 @@ void read_swing(Section& section, SwingOptions& swing) {
   section.number("horizontal_end", swing.horizontal_end, kShare);
   section.number("touchdown_speed", swing.touchdown_speed, kPositive);
   section.number("search_depth_max", swing.search_depth_max, kNotNegative);
-  section.number("retract_distance", swing.retract_distance, kNotNegative);
+  section.number("reach_max", swing.reach_max, kPositive);
   section.number("armed_after", swing.armed_after, kShare);
   if (swing.horizontal_end <= swing.horizontal_start) {
     section.fail("horizontal_end", "must be above horizontal_start");

@@ -6,6 +6,8 @@
 namespace surefoot {
 namespace {
 
+constexpr double kNearlyUnit = 0.01;
+
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
   for (double& value : result) value = std::isfinite(value) ? value : 0.0;
@@ -30,7 +32,8 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
                  solution->failed_level >= first_free_level_);
   const bool good = usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
   failures_ = good ? 0 : failures_ + 1;
-  const double uprightness = state.q_WB.coeffs().allFinite() ? state.R_WB()(2, 2) : 1.0;
+  const bool is_rotation = std::abs(state.q_WB.norm() - 1.0) < kNearlyUnit;  // not if it is NaN
+  const double uprightness = is_rotation ? state.R_WB()(2, 2) : 1.0;
   damping_ = damping_ || failures_ > options_.damp_after_failures ||
              uprightness < std::cos(options_.max_tilt);
   if (damping_) {

@@ -125,7 +125,10 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
     logged::Hierarchy named;
     decode(named);
     tick.hierarchy = without_names(named);
-    for (const logged::Row& row : named.active) row_names_.try_emplace(row.id, row.row);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
+      const ActiveRow& row = tick.hierarchy.active[i];
+      row_names_.try_emplace({row.level, row.id}, named.active[i].row);
+    }
   } else if (topic == "/command") {
     decode(tick.command);
   } else if (topic == "/timings") {

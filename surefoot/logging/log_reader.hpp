@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -14,6 +15,8 @@ namespace surefoot {
 /// Reads a recorder's log tick by tick, also one that was cut off.
 class LogReader {
  public:
+  /// Level and id of an inequality row.
+  using RowKey = std::pair<std::int16_t, std::int32_t>;
   using Other = std::function<void(const McapMessage&)>;
 
   /// Throws FileError if the file is missing, empty, not MCAP, not a log of ours or of another
@@ -34,8 +37,8 @@ class LogReader {
   /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
   /// one.
   [[nodiscard]] std::string summary() const;
-  /// Names of the inequality rows that were active in the ticks read so far, by id.
-  [[nodiscard]] const std::map<std::int32_t, std::string>& row_names() const { return row_names_; }
+  /// Names of the inequality rows that were active in the ticks read so far.
+  [[nodiscard]] const std::map<RowKey, std::string>& row_names() const { return row_names_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] const std::string& problem() const { return file_.problem(); }
 
@@ -47,7 +50,7 @@ class LogReader {
   Other other_;
   LogHeader header_;
   std::vector<TickTiming> timings_;
-  std::map<std::int32_t, std::string> row_names_;
+  std::map<RowKey, std::string> row_names_;
 };
 
 }  // namespace surefoot

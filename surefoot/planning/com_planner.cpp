@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
+constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
 constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kMaxRegionEdges = 6;       // counted for the capacity of the levels
@@ -26,6 +27,7 @@ constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3
 ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
                        double robot_weight)
     : options_(options), force_(force), weight_(robot_weight) {
+  knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
   for (int phases = 1; phases <= kMaxPhases; ++phases) {
     problems_.push_back(std::make_unique<Problem>(make_hierarchy(phases)));
   }
@@ -46,7 +48,7 @@ void ComPlanner::add(const SupportPhase& phase) noexcept {
 }
 
 void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
-                      const Vec2& end_velocity) noexcept {
+                      const Vec2& end_velocity, bool comes_to_rest) noexcept {
   if (num_phases_ == 0) return;
   guess_knots(time, begin);
   begin_time_ = time;
@@ -60,7 +62,8 @@ void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
     write_region_rows(problem.hierarchy, phase);
     write_smoothness_rows(problem.hierarchy.level(2), phase);
   }
-  write_terminal_rows(problem.hierarchy.level(2), end_velocity);
+  write_terminal_rows(problem.hierarchy.level(2), end_velocity,
+                      comes_to_rest ? kRestWeight : options_.terminal_weight);
   const Solution& solution = problem.solver.solve(problem.hierarchy);
   for (int k = 1; k <= planned_; ++k) {
     const auto x = solution.x.segment<kUnknownsPerKnot>(kUnknownsPerKnot * (k - 1));
@@ -135,19 +138,19 @@ void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
   }
 }
 
-void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity) const noexcept {
+void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity,
+                                     double weight) const noexcept {
   const SupportPhase& last = phases_[static_cast<std::size_t>(planned_ - 1)];
   Vec2 center = Vec2::Zero();
   for (const Vec2& foot : last.feet) center += 0.25 * foot;
   const Motion<Vec2>& guess = knots_[static_cast<std::size_t>(planned_)];
   Rows rows = level.add(kUnknownsPerKnot, 0);
   const Eigen::Index first = kUnknownsPerKnot * (planned_ - 1);
-  const double w = options_.terminal_weight;
   for (int axis = 0; axis < 2; ++axis) {
-    for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = w;
-    rows.set_equal(3 * axis, w * (center[axis] - guess.p[axis]));
-    rows.set_equal(3 * axis + 1, w * (end_velocity[axis] - guess.v[axis]));
-    rows.set_equal(3 * axis + 2, -w * guess.a[axis]);
+    for (Eigen::Index i = 3 * axis; i < 3 * axis + 3; ++i) rows.A(i, first + i) = weight;
+    rows.set_equal(3 * axis, weight * (center[axis] - guess.p[axis]));
+    rows.set_equal(3 * axis + 1, weight * (end_velocity[axis] - guess.v[axis]));
+    rows.set_equal(3 * axis + 2, -weight * guess.a[axis]);
   }
 }
 

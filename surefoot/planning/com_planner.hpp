@@ -47,9 +47,10 @@ class ComPlanner {
   void add(const SupportPhase& phase) noexcept;
 
   /// Plans through the phases added, from `begin` at `time`. `height` is that of the COM over the
-  /// support, `end_velocity` the one at the end of the horizon.
-  void plan(double time, const Motion<Vec2>& begin, double height,
-            const Vec2& end_velocity) noexcept;
+  /// support, `end_velocity` the one at the end of the horizon. To the end the COM is drawn softly,
+  /// for a next plan comes before it, unless this is the last one and `comes_to_rest` there.
+  void plan(double time, const Motion<Vec2>& begin, double height, const Vec2& end_velocity,
+            bool comes_to_rest = false) noexcept;
 
   /// The plan at a time; after its end it stays where it ended.
   [[nodiscard]] ComPlan at(double time) const noexcept;
@@ -75,7 +76,7 @@ class ComPlanner {
   void write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
                          double margin, Point point) const noexcept;
   void write_smoothness_rows(Level& level, int phase) const noexcept;
-  void write_terminal_rows(Level& level, const Vec2& end_velocity) const noexcept;
+  void write_terminal_rows(Level& level, const Vec2& end_velocity, double weight) const noexcept;
   /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the
   /// guess.
   double add_terms(Rows& rows, Eigen::Index i, int phase, int axis, const HermiteWeights& w,
@@ -94,7 +95,7 @@ class ComPlanner {
   double zmp_slack_ = 0.0;
   std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
   // The plan in force: kept apart from the phases being added.
-  std::array<Motion<Vec2>, kMaxPhases + 1> knots_{};
+  std::array<Motion<Vec2>, kMaxPhases + 1> knots_;
   std::array<double, kMaxPhases> durations_{};
   int planned_ = 0;
 };

@@ -12,6 +12,9 @@ constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kCertain = 2.0;  // times the touchdown force: an impact, needs no second look
 constexpr int kFirmTicks = 2;     // debounce of a touchdown
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
+constexpr double kSlowZone =
+    0.03;                         // the search slows down this far before the end of its reach [m]
+constexpr double kWaiting = 0.1;  // a pace below this is none
 constexpr double kUnreachableAfter = 0.3;  // [s]
 
 }  // namespace
@@ -41,6 +44,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
+  search_pace_ = 1.0;
   stuck_for_ = 0.0;
 }
 
@@ -49,7 +53,9 @@ void LegMotion::search(double time, const Vec3& p_WF, const Vec3& normal) {
   phase_ = LegPhase::search;
 }
 
-LegEvent LegMotion::observe(double time, const Vec3& p_WF, const Vec3& force, const Vec3& normal) {
+LegEvent LegMotion::observe(double time, const Motion<Vec3>& hip, const Vec3& p_WF,
+                            const Vec3& force, const Vec3& normal) {
+  hip_ = hip;
   normal_force_ = normal.dot(force);
   if (!down()) return observe_swing(time, p_WF);
   foothold_ = p_WF;  // the sphere rolls with its shank: the foothold wanders by a centimetre
@@ -68,19 +74,24 @@ LegEvent LegMotion::observe_swing(double time, const Vec3& p_WF) {
   const SwingTarget& target = curve_.target();
   if (t > target.duration) phase_ = LegPhase::search;
   if (t < swing_.armed_after * target.duration) return LegEvent::none;
-  const double behind = target.normal.dot(p_WF - curve_.at(t).p);
+  const double behind = target.normal.dot(p_WF - reference(time).p);
   const bool pressed = normal_force_ > touchdown_.touchdown_force;
   const bool stalled = behind > touchdown_.stall_error && normal_force_ > touchdown_.stall_force;
   const bool certain = normal_force_ > kCertain * touchdown_.touchdown_force;
   firm_ticks_ = pressed || stalled ? firm_ticks_ + 1 : 0;
   if (certain || firm_ticks_ >= kFirmTicks) return LegEvent::touchdown;
-  if (phase_ != LegPhase::search) return LegEvent::none;
-  if (behind > kReferenceLead) {
-    begin_ += period_;
-    stuck_for_ += period_;
-  } else {
-    stuck_for_ = std::max(0.0, stuck_for_ - period_);
-  }
+  return phase_ == LegPhase::search ? observe_search(time, p_WF) : LegEvent::none;
+}
+
+// The reference waits for a foot that stays behind, and at the end of the leg's reach.
+LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
+  const SwingTarget& target = curve_.target();
+  const double behind = target.normal.dot(p_WF - reference(time).p);
+  const double reach_left = swing_.reach_max - (p_WF - hip_.p).norm();
+  search_pace_ = behind > kReferenceLead ? 0.0 : std::clamp(reach_left / kSlowZone, 0.0, 1.0);
+  begin_ += (1.0 - search_pace_) * period_;
+  const bool waits = search_pace_ < kWaiting;
+  stuck_for_ = std::max(0.0, stuck_for_ + (waits ? period_ : -period_));
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
   const bool unreachable = stuck_for_ > kUnreachableAfter || depth > swing_.search_depth_max;
   return unreachable ? LegEvent::unreachable : LegEvent::none;
@@ -101,11 +112,29 @@ FootPlan LegMotion::plan(double time) const {
   plan.force_min = std::min(force_.min, plan.force_max);
   plan.p_WF = foothold_;
   if (down()) return plan;
-  const Motion<Vec3> reference = curve_.at(since(time));
-  plan.p_WF = reference.p;
-  plan.v_WF = reference.v;
-  plan.a_WF = reference.a;
+  const Motion<Vec3> asked = reference(time);
+  plan.p_WF = asked.p;
+  plan.v_WF = asked.v;
+  plan.a_WF = asked.a;
   return plan;
+}
+
+// The curve, as far as the leg reaches: beyond, the reference stays on the sphere of radius ρ
+// around the hip, where d/dt (ρ e) = ρ/r (1 − e eᵀ) ṙ with r from hip to foot and e its direction.
+// A leg that is asked to be straight turns its knee ever faster, and its torques say nothing about
+// the force along it.
+Motion<Vec3> LegMotion::reference(double time) const {
+  Motion<Vec3> result = curve_.at(since(time));
+  result.v *= search_pace_;
+  const Vec3 r = result.p - hip_.p;
+  const double length = r.norm(), reach = swing_.reach_max;
+  if (length <= reach) return result;
+  const Vec3 e = r / length;
+  const Mat3 on_sphere = reach / length * (Mat3::Identity() - e * e.transpose());
+  result.p = hip_.p + reach * e;
+  result.v = hip_.v + on_sphere * (result.v - hip_.v);
+  result.a = on_sphere * result.a;
+  return result;
 }
 
 }  // namespace surefoot

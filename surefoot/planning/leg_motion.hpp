@@ -29,9 +29,10 @@ class LegMotion {
   /// Goes straight down from p along −normal: a lost stance foot, or a swing to be ended at once.
   void search(double time, const Vec3& p_WF, const Vec3& normal);
 
-  /// Looks at the true foot: position and estimated ground force, both in W.
-  [[nodiscard]] LegEvent observe(double time, const Vec3& p_WF, const Vec3& force,
-                                 const Vec3& normal);
+  /// Looks at the true leg: motion of the hip, position and estimated ground force of the foot, all
+  /// in W.
+  [[nodiscard]] LegEvent observe(double time, const Motion<Vec3>& hip, const Vec3& p_WF,
+                                 const Vec3& force, const Vec3& normal);
 
   [[nodiscard]] FootPlan plan(double time) const;
   [[nodiscard]] LegPhase phase() const { return phase_; }
@@ -46,6 +47,8 @@ class LegMotion {
  private:
   [[nodiscard]] LegEvent observe_stance();
   [[nodiscard]] LegEvent observe_swing(double time, const Vec3& p_WF);
+  [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
+  [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
 
   SwingOptions swing_;
@@ -57,10 +60,12 @@ class LegMotion {
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
   SwingCurve curve_;
+  Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
-  double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
-  double stuck_for_ = 0.0;  // how long the searching foot has stayed behind [s]
-  int firm_ticks_ = 0;      // ticks in a row with a firm contact
+  double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
+  double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
+  double stuck_for_ = 0.0;    // how long it has waited [s]
+  int firm_ticks_ = 0;        // ticks in a row with a firm contact
 };
 
 }  // namespace surefoot

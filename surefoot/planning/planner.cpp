@@ -17,8 +17,7 @@ constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
 constexpr double kLevel = 1e-3;           // apex of a move that does not rise [m]
 constexpr int kMostCollisions = 2;        // of one swing with an edge, before the touch is believed
-constexpr double kGroundlessTravel =
-    0.10;  // a foot taken back drops its goal no further than this [m]
+constexpr double kRetreatSpeed = 0.5;     // of a foot that found no ground [m/s]
 
 }  // namespace
 
@@ -60,8 +59,9 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 void Planner::observe_legs(const UserCommand& user, const RobotState& state,
                            const Dynamics& dynamics) {
   for (const Leg k : kLegs) {
-    const Vec3& p_WF = dynamics.foot[index(k)].p;
-    switch (leg(k).observe(time_, p_WF, state.foot_force[index(k)], plane_.normal)) {
+    const std::size_t i = index(k);
+    const Motion<Vec3> hip{dynamics.hip[i].p, dynamics.hip[i].v, Vec3::Zero()};
+    switch (leg(k).observe(time_, hip, dynamics.foot[i].p, state.foot_force[i], plane_.normal)) {
       case LegEvent::none:
         break;
       case LegEvent::touchdown:
@@ -155,19 +155,14 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
   return true;
 }
 
+// Back to the last foothold: there was ground.
 void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   event_ = PlanEvent::no_ground;
   probing_ = false;
   const Vec3& last = leg(k).foothold();
-  const Vec2 travelled = (p_WF - last).head<2>();
-  Vec3 goal = last;
-  if (travelled.norm() > 1.5 * options_.swing.retract_distance) {
-    goal.head<2>() = p_WF.head<2>() - options_.swing.retract_distance * travelled.normalized();
-    goal.z() = std::max(p_WF.z(), last.z() - kGroundlessTravel);
-  }
-  swing_again(k, {p_WF, goal, plane_.normal, swing_duration(k), options_.swing.apex}, user,
-              dynamics);
+  const double duration = options_.gait.swing_duration + (p_WF - last).norm() / kRetreatSpeed;
+  swing_again(k, {p_WF, last, plane_.normal, duration, options_.swing.apex}, user, dynamics);
 }
 
 void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
@@ -310,7 +305,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
       if (!phase.down[index(k)]) land(k, dynamics.foot[index(k)].p);
     }
     add(kStandDuration, false);
-    com_planner_.plan(time_, begin, height, Vec2::Zero());
+    com_planner_.plan(time_, begin, height, Vec2::Zero(), true);
     return;
   }
   int ahead = 0;

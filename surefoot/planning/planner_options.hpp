@@ -56,8 +56,9 @@ struct SwingOptions {
   double horizontal_end = 0.85;    ///< … to this
   double touchdown_speed = 0.1;    ///< downward, at the end of the swing and in the search [m/s]
   double search_depth_max = 0.30;  ///< below the expected ground [m]
-  double retract_distance = 0.08;  ///< a foot that met no ground comes back by this [m]
-  double armed_after = 0.5;        ///< touchdown is believed after this share of the swing
+  double reach_max =
+      0.56;  ///< hip to foot that a swing foot is asked for: short of a straight leg [m]
+  double armed_after = 0.5;  ///< touchdown is believed after this share of the swing
 };
 
 /// When a foot counts as down, as up, or as lost.

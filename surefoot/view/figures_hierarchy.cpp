@@ -98,43 +98,4 @@ std::string residual_figure(const RunData& run) {
   return svg.image("Residual of each level of the hierarchy over time");
 }
 
-std::string active_rows_figure(const RunData& run) {
-  constexpr std::size_t kMostRows = 24;
-  std::map<std::pair<std::int16_t, std::int32_t>, double>
-      totals;  // by level and id: time active [s]
-  for (const ActiveTime& time : run.active) totals[{time.level, time.id}] += time.to - time.from;
-  if (totals.empty()) return "";
-  std::vector<std::pair<std::pair<std::int16_t, std::int32_t>, double>> rows(totals.begin(),
-                                                                             totals.end());
-  std::sort(rows.begin(), rows.end(),
-            [](const auto& a, const auto& b) { return a.second > b.second; });
-  rows.resize(std::min(rows.size(), kMostRows));
-  std::sort(rows.begin(), rows.end());
-  const Frame frame = rows_frame(run, rows.size());
-  Svg svg(plot::kFigureWidth, kHead + frame.height + 42.0);
-  plot::draw_x_axis(svg, frame, "time [s]");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto [level, id] = rows[i].first;
-    const double y = frame.corner.y + kRowHeight * static_cast<double>(i);
-    const auto name = run.row_names.find(id);
-    const std::string text =
-        name == run.row_names.end() ? "row " + std::to_string(id) : name->second;
-    svg.text({kNames - 8.0, y + 0.7 * kRowHeight}, std::to_string(level + 1) + "  " + text, "tick",
-             plot::Anchor::end);
-    std::string held, beyond;
-    for (const ActiveTime& time : run.active) {
-      if (time.level != level || time.id != id) continue;
-      const plot::Point from{frame.px_x(time.from), y + kRowHeight / 2.0};
-      const plot::Point to{std::max(frame.px_x(time.to), from.x + 0.5), from.y};
-      (time.beyond ? beyond : held) += plot::path_through({from, to});
-    }
-    svg.path(held, "bar b0");
-    svg.path(beyond, "bar b1");
-  }
-  plot::outline(svg, frame);
-  plot::draw_legend(svg, frame.corner.x + frame.width, 20.0,
-                    {{"held at its bound", "bar b0"}, {"beyond it", "bar b1"}});
-  return svg.image("Inequality rows that were active, over time");
-}
-
 }  // namespace surefoot::report

@@ -120,9 +120,14 @@ std::string footprint_figure(const RunData& run) {
   draw_path(svg, frame, run, "line ink", [](const TickSample& tick) -> Vec2 {
     return (std::isnan(tick.truth.time) ? tick.model.p_WCom : tick.truth.p_WCom).head<2>();
   });
-  for (const Footprint& print : prints) {
-    svg.circle(frame.at(print.p.x(), print.p.y()), 4.5, "dot f" + std::to_string(print.leg),
-               std::string(kLegNames[print.leg]) + " at " + plot::decimal(print.time, 2) + " s");
+  // Front feet below and larger: a hind foot that steps into their print stays visible in it.
+  for (const bool front : {true, false}) {
+    for (const Footprint& print : prints) {
+      if (is_front(kLegs[print.leg]) != front) continue;
+      svg.circle(frame.at(print.p.x(), print.p.y()), front ? 6.5 : 3.8,
+                 "dot f" + std::to_string(print.leg),
+                 std::string(kLegNames[print.leg]) + " at " + plot::decimal(print.time, 2) + " s");
+    }
   }
   svg.end_clip();
   plot::outline(svg, frame);

@@ -88,12 +88,14 @@ Panel limb_panel(const RunData& run, std::size_t leg) {
                                    return hip_foot_distance(tick, leg, vertical);
                                  })}},
               .spans = phase_spans(run, leg, true, "stance"),
-              .bounds = {},
               .height = 96.0};
   const std::vector<Span> search = phase_spans(run, leg, false, "search");
   panel.spans.insert(panel.spans.end(), search.begin(), search.end());
-  if (std::isfinite(limits.max)) panel.bounds.push_back({limits.max, "upper limit"});
-  if (std::isfinite(limits.min)) panel.bounds.push_back({limits.min, "lower limit"});
+  for (const double limit : {limits.min, limits.max}) {
+    if (!std::isfinite(limit)) continue;
+    panel.bounds.push_back({limit, ""});
+    panel.note += (panel.note.empty() ? "limits " : " and ") + plot::decimal(limit, 3) + " m";
+  }
   return panel;
 }
 
@@ -118,8 +120,6 @@ std::string com_figure(const RunData& run) {
                            [&](const TickSample& t) { return along(com(t).head<2>(), axis); })},
                    {"desired", "line c1 dashed",
                     column(run, [&](const TickSample& t) { return along(t.plan.com.p, axis); })}},
-        .spans = {},
-        .bounds = {},
         .height = 120.0};
   };
   return plot::draw({.description = "Desired and " + source(run) +
@@ -130,8 +130,6 @@ std::string com_figure(const RunData& run) {
                                 {.title = "(c) COM tracking error in the plane",
                                  .y_label = "error [mm]",
                                  .curves = {{"", "line c3", column(run, error)}},
-                                 .spans = {},
-                                 .bounds = {},
                                  .height = 110.0,
                                  .from_zero = true}}});
 }
@@ -147,8 +145,7 @@ std::string adaptation_figure(const RunData& run) {
         {.title = "(a) orientation error",
          .y_label = "error [°]",
          .curves = {{"roll", "line c0", angle(0)}, {"pitch", "line c1 dashed", angle(1)}},
-         .spans = limit_spans(run),
-         .bounds = {}});
+         .spans = limit_spans(run)});
     panels.push_back({.title = "(b) height error",
                       .y_label = "error [mm]",
                       .curves = {{"", "line c3",
@@ -157,8 +154,7 @@ std::string adaptation_figure(const RunData& run) {
                                            return kMillimetres *
                                                   (tick.truth.p_WB.z() - tick.plan.torso.height);
                                          })}},
-                      .spans = limit_spans(run),
-                      .bounds = {}});
+                      .spans = limit_spans(run)});
   }
   for (const Leg leg : kLegs) panels.push_back(limb_panel(run, index(leg)));
   return plot::draw(
@@ -175,9 +171,7 @@ std::string torque_figure(const RunData& run) {
     Panel panel{.title = std::string("(") + static_cast<char>('a' + joint) + ") " +
                          std::string(kJointNames[j]),
                 .y_label = "torque [N·m]",
-                .curves = {},
-                .spans = {},
-                .bounds = {}};
+                .curves = {}};
     for (const Leg leg : kLegs) {
       panel.curves.push_back(
           {std::string(kLegNames[index(leg)]), "line c" + std::to_string(index(leg)),
@@ -207,7 +201,6 @@ std::string force_figure(const RunData& run) {
                       .curves = {{"solution", "line faint", column(run, solution)},
                                  {"true", "line c" + std::to_string(k), column(run, truth)}},
                       .spans = phase_spans(run, k, true, "stance"),
-                      .bounds = {},
                       .height = 84.0,
                       .from_zero = true});
   }

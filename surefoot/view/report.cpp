@@ -43,10 +43,12 @@ std::string figures(const RunData& run) {
       "its reference, in the control frame; orange: the limb limits act. Below, the distance of "
       "each hip from its foot, with the limits; grey: the leg stands, orange: it searches for "
       "ground, white: it swings.");
-  out += figure(
-      report::footprint_figure(run),
-      "Seen from above: footprints in the leg's colour, the path of the centre of mass, and the "
-      "triangles of three feet that carry the robot while the fourth swings.");
+  out += figure(report::event_figure(run), "What the planner did, and when.");
+  out +=
+      figure(report::footprint_figure(run),
+             "Seen from above: footprints in the leg's colour (front feet large, hind feet small), "
+             "the path of the centre of mass, and the triangles of three feet that carry the robot "
+             "while the fourth swings.");
   out += "<h2>Forces</h2>\n";
   out += figure(report::torque_figure(run), "Commanded joint torques and their limits.");
   out += figure(

@@ -16,6 +16,8 @@ namespace surefoot::report {
 [[nodiscard]] std::string footprint_figure(const RunData& run);
 /// Joint torques against their limits.
 [[nodiscard]] std::string torque_figure(const RunData& run);
+/// What the planner did and when.
+[[nodiscard]] std::string event_figure(const RunData& run);
 /// Normal force of each foot.
 [[nodiscard]] std::string force_figure(const RunData& run);
 /// Residual of each level over time, and the inequality rows that were active.

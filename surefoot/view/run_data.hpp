@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -49,7 +50,7 @@ struct RunData {
   std::vector<TickSample> ticks;
   std::vector<TickTiming> timings;
   std::vector<ActiveTime> active;
-  std::map<std::int32_t, std::string> row_names;
+  std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why the log could not be read to its end; empty if it is whole
   bool has_truth = false;

@@ -46,11 +46,13 @@ void draw_panel(Svg& svg, const Frame& frame, const Panel& panel, const std::vec
   for (const Bound& bound : panel.bounds) {
     const double y = frame.px_y(bound.y);
     const bool near_top = y < frame.corner.y + 14.0;
+    if (bound.label.empty()) continue;
     svg.text({frame.corner.x + frame.width - 6.0, near_top ? y + 13.0 : y - 4.0}, bound.label,
              "note", Anchor::end);
   }
   outline(svg, frame);
   svg.text({frame.corner.x, frame.corner.y - 7.0}, panel.title, "panel-title");
+  svg.text({frame.corner.x + frame.width, frame.corner.y - 7.0}, panel.note, "note", Anchor::end);
   std::vector<LegendEntry> legend;
   for (const Curve& curve : panel.curves) {
     if (!curve.label.empty()) legend.push_back({curve.label, curve.style});

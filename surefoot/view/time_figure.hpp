@@ -29,11 +29,12 @@ struct Bound {
 
 /// One plot of a figure.
 struct Panel {
-  std::string title;
-  std::string y_label;  ///< with unit
-  std::vector<Curve> curves;
-  std::vector<Span> spans;
-  std::vector<Bound> bounds;
+  std::string title = {};
+  std::string note = {};     ///< at the right, where a legend would stand
+  std::string y_label = {};  ///< with unit
+  std::vector<Curve> curves = {};
+  std::vector<Span> spans = {};
+  std::vector<Bound> bounds = {};
   double height = 120.0;   ///< [px]
   bool from_zero = false;  ///< the axis begins at 0
 };

@@ -202,6 +202,13 @@ TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
       holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force or an impulse"));
 }
 
+TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
+  EXPECT_TRUE(holds(complaint("contact_force: {use_foot_sensor: true}\n"),
+                    "trial.yaml:2: contact_force.use_foot_sensor"));
+  EXPECT_TRUE(read("contact_force: {use_foot_sensor: true}\nsensors: {foot_force: true}\n")
+                  .plant.sensors.foot_force);
+}
+
 TEST_F(ScenarioFile, with_a_leg_twice_in_the_gait_says_so) {
   EXPECT_TRUE(
       holds(complaint("planner: {gait: {order: [LF, LF, RF, RH]}}\n"), "leg LF comes twice"));

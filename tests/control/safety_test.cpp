@@ -151,6 +151,17 @@ TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
   EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::damping);
 }
 
+TEST(Safety, DoesNotTakeABrokenOrientationForATilt) {
+  const Solution good = solved(torques());
+  for (const double scale : {0.0, -3.0, 1e5, 1e300, kInfinity}) {
+    Safety safety = make_safety();
+    RobotState state = tilted(0.5);
+    state.q_WB.coeffs() *= scale;
+    EXPECT_EQ(safety.command(state, nullptr).mode, CommandMode::hold) << scale;
+    EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::optimal) << scale;
+  }
+}
+
 TEST(Safety, DampingBrakesEveryJoint) {
   Safety safety = make_safety();
   RobotState state = tilted(2.0);

@@ -134,10 +134,11 @@ TEST(Recorder, RunsThatDifferInTheirTimingsAloneAreTheSameBytesUpToTheTimings) {
   const std::string a = contents(folder / "a.mcap"), b = contents(folder / "b.mcap");
   McapReader reader(folder / "a.mcap");
   McapMessage message;
-  std::uint64_t timings_start = 0;
+  std::uint64_t timings_start = 0, ticks_start = 0;  // of the last chunk of each
   while (timings_start == 0 && reader.next(message)) {
-    if (message.channel->topic == "/timings") timings_start = reader.chunk_offset();
+    (message.channel->topic == "/timings" ? timings_start : ticks_start) = reader.chunk_offset();
   }
+  ASSERT_LT(ticks_start, timings_start) << "the timings have chunks of their own";
   ASSERT_GT(timings_start, a.size() / 2);
   EXPECT_EQ(a.substr(0, timings_start), b.substr(0, timings_start));
   EXPECT_NE(a, b);
@@ -168,7 +169,7 @@ TEST(Recorder, ActiveRowsCarryTheNamesOfLevelAndRow) {
       names.insert(row.at("level").get<std::string>() + ": " + row.at("row").get<std::string>());
     }
   }
-  EXPECT_EQ(names, (std::set<std::string>{"friction: row of id 305", "limb limits: LH extension",
+  EXPECT_EQ(names, (std::set<std::string>{"friction: RF slip forward", "limb limits: LH extension",
                                           "limb limits: RF extension"}));
 }
 
@@ -260,23 +261,59 @@ TEST(Recorder, AFolderInPlaceOfAFileIsNamed) {
   EXPECT_EQ(message.find(folder.path() + " is a folder"), 0u) << message;
 }
 
+// While it lives no file may grow beyond some bytes: as if the disk were full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int);
+};
+
 TEST(Recorder, AFullDiskIsReportedAndLeavesNothingThatLooksWhole) {
   const TemporaryFolder folder;
   const std::string path = folder / "run.mcap";
-  // A file may not grow beyond 1 MB: as if the disk were full.
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto signal_before = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit limit = before;
-  limit.rlim_cur = 1 << 20;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
-  const std::string message = message_of([&] { record(path, 4000); });
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, signal_before);
+  std::string message;
+  {
+    const FullDisk full(1 << 20);
+    message = message_of([&] { record(path, 4000); });
+  }
   EXPECT_EQ(message.find(path), 0u) << message;
   EXPECT_FALSE(std::filesystem::exists(path));
   LogReader log(path + ".partial");
   EXPECT_GT(ticks_in(log), 100) << "what stood on the disk is readable";
+}
+
+TEST(Recorder, ALogWithAHoleIsNeverClosedAsWhole) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  Recorder recorder(path, SyntheticRun::header());
+  SyntheticRun run;
+  {
+    const FullDisk full(1 << 18);
+    const std::string message = message_of([&] {
+      for (int i = 0; i < 4000; ++i) {
+        run.step();
+        recorder.record(run.tick);
+      }
+    });
+    ASSERT_EQ(message.find(path), 0u) << message;
+  }
+  // There is room again, but ticks are lost.
+  EXPECT_EQ(message_of([&] { recorder.close(); }).find(path), 0u);
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(LogReader, AnMcapFileOfSomebodyElseIsRefused) {

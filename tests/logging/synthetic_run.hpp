@@ -51,10 +51,9 @@ class SyntheticRun {
     header.limb = {6, "radial", 0.18, 0.535};
     header.notes = {"dropped the dummy inertia of the root link"};
     header.attachments = {{"model.xml", "application/xml", "<mujoco model=\"none\"/>"}};
-    header.row_name = [](int, std::int32_t id) {
-      return id % 100 < 4
-                 ? std::string(kLegNames[static_cast<std::size_t>(id % 100)]) + " extension"
-                 : "row of id " + std::to_string(id);
+    header.row_name = [](int level, std::int32_t id) {
+      const std::string leg(kLegNames[static_cast<std::size_t>(id)]);
+      return leg + (level == 6 ? " extension" : " slip forward");
     };
     return header;
   }
@@ -194,9 +193,9 @@ class SyntheticRun {
           static_cast<std::int16_t>(level), 1, id};
       ++report.levels[static_cast<std::size_t>(level)].num_active;
     };
-    if (a > 0.2) activate(6, 601);
-    if (a > 0.8) activate(6, 602);
-    if (std::sin(3.0 * time_) > 0.9) activate(3, 305);
+    if (a > 0.2) activate(6, 1);
+    if (a > 0.8) activate(6, 2);
+    if (std::sin(3.0 * time_) > 0.9) activate(3, 1);
     report.levels[8].residual += 2.0 * a * a * a;
     report.levels[9].residual += 8.0 * a;
   }

@@ -224,6 +224,22 @@ TEST(ComPlanner, EndsNearTheMiddleOfTheLastFeetWithTheGivenVelocity) {
   EXPECT_LT((end.v - velocity).norm(), 1e-3);
 }
 
+TEST(ComPlanner, ComesToRestOverItsFeetWhereItIsToldTo) {
+  RandomMatrices random(12);
+  ComPlanner planner = make_planner();
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Motion<Vec2> start = random_start(random);
+    planner.clear();
+    planner.add(standing(1.0, nominal_feet()));
+    planner.plan(0.0, start, kHeight, Vec2::Zero(), true);
+    const ComPlan end = planner.at(1.0 - 1e-9);
+    EXPECT_LT(end.p.norm(), 1e-3);
+    EXPECT_LT(end.v.norm(), 1e-3);
+    EXPECT_LT(end.a.norm(), 1e-2);
+    EXPECT_LT(planner.zmp_slack(), 1e-9);
+  }
+}
+
 TEST(ComPlanner, IsTheLeastSquaresPlanWhereNothingLimitsIt) {
   RandomMatrices random(7);
   const ComPlannerOptions options{.terminal_weight = 0.8};
@@ -296,6 +312,21 @@ TEST(ComPlanner, DoesNotDependOnThePlanBefore) {
   }
 }
 
+TEST(ComPlanner, ReportsHowFarTheZmpHadToLeaveTheRegion) {
+  ComPlanner planner = make_planner();
+  const Motion<Vec2> far_away{Vec2(2.0, 0.0), Vec2(0.0, 0.0), Vec2(0.0, 0.0)};
+  SupportPhase triangle = standing(0.5, nominal_feet());
+  triangle.down[index(Leg::RF)] = false;
+  plan(planner, {triangle}, 0.0, far_away);
+  EXPECT_GT(planner.zmp_slack(), 0.01);
+  double furthest = 0.0;
+  for (int i = 1; i <= 4; ++i) {
+    const double t = 0.125 * i;
+    furthest = std::max(furthest, -region(planner, triangle, t).margin(planner.at(t - 1e-12).zmp));
+  }
+  EXPECT_NEAR(planner.zmp_slack(), furthest, 1e-6);
+}
+
 TEST(ComPlanner, LeavesTheRegionByNoMoreThanItMust) {
   // One foot carries the weight: what the ZMP can't do is to follow it, yet it comes near.
   ComPlanner planner = make_planner();
@@ -336,6 +367,15 @@ TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
       ASSERT_TRUE(at.p.allFinite() && at.v.allFinite() && at.a.allFinite() && at.zmp.allFinite());
     }
   }
+}
+
+TEST(ComPlanner, WithoutAnyPhaseKeepsTheLastPlan) {
+  ComPlanner planner = make_planner();
+  EXPECT_EQ(planner.at(3.0).p, Vec2::Zero());
+  plan(planner, walk(1, nominal_feet(), {0.1, 0.0}), 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+  const Vec2 before = planner.at(1.0).p;
+  plan(planner, {}, 0.5, {{9.0, 9.0}, {0, 0}, {0, 0}});
+  EXPECT_EQ(planner.at(1.0).p, before);
 }
 
 TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {

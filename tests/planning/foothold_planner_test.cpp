@@ -197,6 +197,28 @@ TEST(FootholdPlanner, TurnsAndMovesWithTheWorld) {
   }
 }
 
+TEST(FootholdPlanner, HindFeetStepIntoTheFrontFeetsPrints) {
+  Walker walker{FootholdOptions{}};
+  walker.stand(Vec2::Zero(), 0.0);
+  std::vector<Vec3> prints(walker.feet.begin(), walker.feet.end());
+  walker.planner.remember(Leg::LF, walker.feet[0]);
+  walker.planner.remember(Leg::RF, walker.feet[1]);
+  const UserCommand user = command(0.06);
+  int in_a_print = 0, hind_steps = 0;
+  for (int i = 0; i < 80; ++i) {
+    const Leg leg = kOrder[static_cast<std::size_t>(i) % kOrder.size()];
+    walker.step(user);
+    const Vec3 p = walker.feet[index(leg)];
+    const bool hit = std::ranges::any_of(prints, [&](const Vec3& x) { return x == p; });
+    hind_steps += is_front(leg) ? 0 : 1;
+    in_a_print += !is_front(leg) && hit ? 1 : 0;
+    if (is_front(leg)) prints.push_back(p);
+    ASSERT_LT(walker.distortion(), 0.375 * 0.06 * kCycle + FootholdOptions{}.print_radius) << i;
+  }
+  EXPECT_GT(in_a_print, hind_steps / 2);
+  EXPECT_NEAR(walker.center().x(), 0.06 * kCycle * 20, 0.1 * 0.06 * kCycle * 20);
+}
+
 /// A left hind foot at the origin of a walker that heads along x, and what its front foot found.
 struct Hind {
   explicit Hind(const std::vector<Vec3>& prints, const FootholdOptions& options = {})

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace surefoot {
@@ -22,7 +23,10 @@ struct Bench {
   explicit Bench(const ForceOptions& force)
       : leg(SwingOptions{}, TouchdownOptions{}, force, kPeriod) {}
 
-  LegEvent observe(const Vec3& force) { return leg.observe(time, p, force, kUp); }
+  LegEvent observe(const Vec3& force) {
+    return leg.observe(time, {hip ? *hip : p + 0.3 * kUp, hip_velocity, Vec3::Zero()}, p, force,
+                       kUp);
+  }
   LegEvent observe(double normal_force) { return observe(normal_force * kUp); }
 
   /// The foot follows its reference, shifted, under a force, until something happens or `duration`
@@ -51,6 +55,8 @@ struct Bench {
   LegMotion leg{SwingOptions{}, TouchdownOptions{}, ForceOptions{}, kPeriod};
   double time = 10.0;
   Vec3 p{1.0, 2.0, 0.03};
+  std::optional<Vec3> hip;  // without one the leg is never too short
+  Vec3 hip_velocity = Vec3::Zero();
 };
 
 constexpr double kDuration = 0.5;  // of a swing [s]
@@ -59,6 +65,7 @@ constexpr double kDuration = 0.5;  // of a swing [s]
 Bench swinging() {
   Bench bench;
   bench.leg.plant(bench.time - 5.0, bench.p);
+  EXPECT_EQ(bench.observe(50.0), LegEvent::none);
   bench.leg.lift(bench.time, {bench.p, bench.p + Vec3(0.2, 0.0, 0.0), kUp, kDuration, 0.08});
   return bench;
 }
@@ -69,6 +76,23 @@ Bench searching() {
   EXPECT_EQ(bench.follow(kDuration + 0.05, 0.0), LegEvent::none);
   EXPECT_EQ(bench.leg.phase(), LegPhase::search);
   return bench;
+}
+
+TEST(LegMotion, SwingsAlongItsCurveWithoutForce) {
+  Bench bench = swinging();
+  const SwingCurve curve(bench.leg.target(), SwingOptions{});
+  for (int i = 0; i < 190; ++i) {
+    const FootPlan plan = bench.leg.plan(bench.time);
+    const Motion<Vec3> reference = curve.at(i * kPeriod);
+    ASSERT_LT((plan.p_WF - reference.p).norm(), 1e-9);
+    ASSERT_LT((plan.v_WF - reference.v).norm(), 1e-9);
+    ASSERT_LT((plan.a_WF - reference.a).norm(), 1e-9);
+    ASSERT_EQ(plan.phase, LegPhase::swing);
+    ASSERT_EQ(plan.force_max, 0.0);
+    ASSERT_EQ(plan.force_min, 0.0);
+    bench.follow(kPeriod, 0.0);
+  }
+  EXPECT_FALSE(bench.leg.down());
 }
 
 TEST(LegMotion, TouchesDownAfterTwoTicksOfForce) {
@@ -142,6 +166,43 @@ TEST(LegMotion, TheSearchWaitsForAFootThatStaysBehindAndThenGivesUp) {
   EXPECT_EQ(event, LegEvent::unreachable);
   EXPECT_LT(bench.time - begin, 1.0);
   EXPECT_LT(furthest, 0.025);
+}
+
+TEST(LegMotion, TheSearchSlowsDownAndGivesUpBeforeTheLegIsStraight) {
+  const SwingOptions options;
+  Bench bench = searching();
+  bench.hip = bench.p + Vec3(0.0, 0.0, options.reach_max - 0.10);
+  double speed = options.touchdown_speed;
+  LegEvent event = LegEvent::none;
+  while (event == LegEvent::none) {
+    event = bench.follow(kPeriod, 0.0);
+    const double extension = (bench.p - *bench.hip).norm();
+    ASSERT_LE(extension, options.reach_max + 1e-9);
+    const double now = bench.leg.plan(bench.time).v_WF.norm();
+    ASSERT_LE(now, speed + 1e-9) << "never faster again";
+    speed = now;
+  }
+  EXPECT_EQ(event, LegEvent::unreachable);
+  EXPECT_GT((bench.p - *bench.hip).norm(), options.reach_max - 0.01);
+}
+
+TEST(LegMotion, AFootIsNeverAskedForWhatItsLegCannotReach) {
+  const SwingOptions options;
+  Bench bench = searching();
+  bench.hip = bench.p + Vec3(0.1, 0.1, options.reach_max - 0.10);
+  bench.hip_velocity = Vec3(0.05, 0.0, 0.1);  // the torso leaves: the foot must come along
+  Vec3 last = bench.p;
+  double waited = 0.0;
+  while (bench.follow(kPeriod, 0.0) == LegEvent::none) {
+    const FootPlan plan = bench.leg.plan(bench.time);
+    ASSERT_LE((plan.p_WF - *bench.hip).norm(), options.reach_max + 1e-9);
+    const double unexplained = (plan.p_WF - last - kPeriod * plan.v_WF).norm();
+    ASSERT_LT(unexplained, kPeriod * 0.15) << "velocity and place agree to the tick of the change";
+    last = plan.p_WF;
+    *bench.hip += kPeriod * bench.hip_velocity;
+    waited += kPeriod;
+    ASSERT_LT(waited, 5.0);
+  }
 }
 
 TEST(LegMotion, ASearchThatIsHeldUpForAMomentGoesOn) {

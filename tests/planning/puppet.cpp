@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kStiffness = 2e4;  // of the ground under a foot that comes down [N/m]
 constexpr double kCarried = 75.0;   // by a foot on the ground [N]
+constexpr double kWall = 0.02;      // ground this far above a foot stands in its way [m]
+constexpr double kLegLength = 0.3;  // of every leg at any time: none is ever too short [m]
 constexpr double kTouching = 1e-3;  // [m]
 
 }  // namespace
@@ -81,12 +83,15 @@ void Puppet::move_foot(std::size_t k) {
     const bool touching = p.z() < ground(p.head<2>()) + kTouching;
     force = touching ? std::min(kCarried, sticky[k] ? kCarried : reference.force_max) : 0.0;
   } else {
+    const Vec2 before = p.head<2>();
     p = reference.p_WF + kPeriod * reference.v_WF;
+    if (ground(p.head<2>()) > p.z() + kWall) p.head<2>() = before;  // no way through
     const double depth = ground(p.head<2>()) - p.z();
     if (depth > 0.0) p.z() += depth;
     force = std::clamp(kStiffness * depth, 0.0, kCarried);
   }
   state_.foot_force[k] = force * Vec3::UnitZ();
+  dynamics_.hip[k].p = p + kLegLength * Vec3::UnitZ();
 }
 
 void Puppet::note_event(const MotionPlan& before) {

@@ -171,6 +171,21 @@ TEST(CascadeDegenerate, AWeakDirectionIsNotGivenToLowerLevels) {
   EXPECT_NEAR(both.levels[0].residual, alone.levels[0].residual, 1e-12);
 }
 
+TEST(CascadeDegenerate, RoundingOfAWeakDirectionDoesNotPassForAnotherOne) {
+  // Level 1 spans a plane by rows that are almost parallel, level 2 lies in that plane.
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd Q = random.rotation(3);
+    const MatrixXd A1 = (MatrixXd(2, 3) << 1.0, 0.0, 0.0, 1.0, 1e-6, 0.0).finished() * Q;
+    const MatrixXd A2 = (MatrixXd(1, 3) << 1.0, 2.0, 0.0).finished() * Q;
+    const Solution solution =
+        solve(3, {equalities(A1, Vector2d(1.0, 1.0)), equalities(A2, number(3.0))});
+    ASSERT_EQ(solution.levels[0].degrees_of_freedom_left, 1);
+    ASSERT_EQ(solution.levels[1].degrees_of_freedom_left, 1);
+  }
+}
+
 TEST(CascadeDegenerate, TwoTasksInConflictLoseRankTogether) {
   // A₁ and A₂ have full rank each, A₂ Z₁ has not (Eq. 12).
   const MatrixXd A1 = (MatrixXd(1, 3) << 1.0, 1.0, 0.0).finished();

@@ -121,6 +121,7 @@ TEST(CascadeKnownOptima, AViolatedLimitKeepsItsViolation) {
   const Solution solution = solve(1, {joined(above(1.0), below(-1.0)), is(0.5)});
   EXPECT_NEAR(solution.x[0], 0.0, kExact);
   EXPECT_NEAR(solution.levels[0].residual, std::sqrt(2.0), kExact);
+  EXPECT_EQ(solution.levels[0].degrees_of_freedom_left, 0);
 }
 
 // Slacks of three levels in the wrong order are the known defect of a widely used cascade.

@@ -243,6 +243,22 @@ TEST(CascadeProperties, ConflictingRowsOfMixedScaleAreWeighed) {
   }
 }
 
+TEST(CascadeProperties, LightRowsBesideHeavyOnesKeepTheirSay) {
+  // Heavy rows that agree act like a level above; the light rows after them are in conflict.
+  constexpr double kWeight = 1e10;
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    MatrixXd heavy = random.matrix(3, 4);
+    heavy.row(2) = heavy.row(0) + heavy.row(1);
+    const LevelData above = equalities(heavy, heavy * random.vector(4));
+    const LevelData light = equalities(random.matrix(5, 4), random.vector(5));
+    const Solution two_levels = solve(4, {above, light});
+    const Solution one_level = solve(4, {joined(light, scaled(above, kWeight))});
+    ASSERT_LE((two_levels.x - one_level.x).norm(), 1e-8 * (1.0 + two_levels.x.norm()));
+  }
+}
+
 TEST(CascadeProperties, DegreesOfFreedomNeverIncreaseAndNeverGoBelowZero) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -168,4 +168,15 @@ HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggressi
   return levels;
 }
 
+HierarchyData least_squares_under_limits(RandomMatrices& random, Index unknowns) {
+  const VectorXd inside = random.vector(unknowns);
+  const MatrixXd equal = random.matrix(unknowns / 5, unknowns);
+  const MatrixXd limits = random.matrix(3 * unknowns, unknowns);
+  VectorXd bounds = limits * inside;
+  for (double& bound : bounds) bound += random.uniform(0.0, 2.0);
+  const MatrixXd task = random.matrix(unknowns + 10, unknowns);
+  return {equalities(equal, equal * inside), at_most(limits, bounds),
+          equalities(task, 3.0 * random.vector(unknowns + 10))};
+}
+
 }  // namespace surefoot::test

@@ -67,4 +67,8 @@ HierarchyData random_levels(RandomMatrices& random, const RandomOptions& options
 /// few limits are active, with 1 many at several levels.
 HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggression);
 
+/// The shape of a COM trajectory: few equalities, many limits, then more least-squares rows than
+/// unknowns, which push into many of the limits. Three levels and x is unique.
+HierarchyData least_squares_under_limits(RandomMatrices& random, Eigen::Index unknowns);
+
 }  // namespace surefoot::test
