@@ -76,16 +76,16 @@ class FieldProperties {
     type_.def_prop_ro(name, get, (doc + (doc.empty() ? "" : ": ") + valid).c_str());
   }
 
-  /// A copy: in memory the order is x, y, z, w.
+  /// A copy, because the order in memory is x, y, z, w; read-only, so that nobody writes into it.
   void add(const char* name, Place<Quat> place, const std::string& doc) {
     const auto get = [place](Self self) {
       const Quat& q = place.in(self);
       auto* copy = new double[4]{q.w(), q.x(), q.y(), q.z()};
       const nb::capsule owner(copy,
                               [](void* data) noexcept { delete[] static_cast<double*>(data); });
-      return View<4>(copy, {4}, owner);
+      return nb::ndarray<nb::numpy, const double, nb::shape<4>>(copy, {4}, owner);
     };
-    type_.def_prop_ro(name, get, with_shape(doc, "4,").c_str());
+    type_.def_prop_ro(name, get, nb::rv_policy::automatic, with_shape(doc, "4,").c_str());
   }
 
   template <int kRows>

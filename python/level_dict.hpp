@@ -9,6 +9,7 @@
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ namespace surefoot::python {
 
 namespace nb = nanobind;
 
+/// As Python prints it.
+inline std::string text(nb::handle value) { return nb::cast<std::string>(nb::str(value)); }
+inline std::string text(double number) { return text(nb::float_(number)); }
+
 /// Rows lower ≤ A x ≤ upper, and the name of the matrix that they were given in.
 struct Block {
   std::string key;
@@ -24,7 +29,7 @@ struct Block {
   Eigen::VectorXd lower, upper;
 };
 
-/// One level of a hierarchy as the caller gives it: a dict of arrays.
+/// One level of a hierarchy as the caller gives it: a dict of arrays. Levels count from 1.
 class LevelDict {
  public:
   LevelDict(nb::handle given, std::size_t number) : place_("level " + std::to_string(number)) {
@@ -43,10 +48,10 @@ class LevelDict {
   [[nodiscard]] std::vector<Block> blocks() const {
     const bool is_bounded = has("lower") || has("upper");
     if (has("A") && has("b") == is_bounded) {
-      fail("A goes with b (A x = b) or with lower, upper or both (lower ≤ A x ≤ upper)");
+      fail("A goes with b (A x = b) or with lower, upper or both (lower ≤ A x ≤ upper)" + given());
     }
-    if (!has("A") && (has("b") || is_bounded)) fail("b, lower and upper go with A");
-    if (has("D") != has("f")) fail("D goes with f (D x ≤ f)");
+    if (!has("A") && (has("b") || is_bounded)) fail("b, lower and upper go with A" + given());
+    if (has("D") != has("f")) fail("D goes with f (D x ≤ f)" + given());
     std::vector<Block> blocks;
     if (has("b")) blocks.push_back(block("A", "b", "b"));
     if (is_bounded) blocks.push_back(block("A", "lower", "upper"));
@@ -58,8 +63,6 @@ class LevelDict {
   using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-  static std::string text(nb::handle value) { return nb::cast<std::string>(nb::str(value)); }
 
   static std::string count(Eigen::Index number, const std::string& thing) {
     return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
@@ -75,19 +78,26 @@ class LevelDict {
     }
   }
 
+  /// The keys that there are, for a message's tail.
+  [[nodiscard]] std::string given() const {
+    std::string keys;
+    for (const nb::handle key : dict_.keys()) keys += (keys.empty() ? "" : ", ") + text(key);
+    return "; given are: " + keys;
+  }
+
   /// Any array or nested list of numbers.
   [[nodiscard]] Array array(const std::string& key, std::size_t axes) const {
+    const std::string expected = axes == 2 ? "(rows, unknowns)" : "(rows,)";
     nb::object numbers;
     try {
       numbers = nb::module_::import_("numpy").attr("array")(
           dict_[key.c_str()], nb::arg("dtype") = "float64", nb::arg("order") = "C");
     } catch (const nb::python_error& error) {
-      fail(key + ": " + text(error.value()));
+      fail(key + ": " + text(error.value()) + "; expected numbers of shape " + expected);
     }
     const auto result = nb::cast<Array>(numbers);
     if (result.size() > 0 && result.ndim() != axes) {
-      fail(key + " has " + std::to_string(result.ndim()) + " axes; expected " +
-           std::to_string(axes));
+      fail(key + " has the shape " + text(numbers.attr("shape")) + "; expected " + expected);
     }
     return result;
   }
@@ -98,7 +108,12 @@ class LevelDict {
     Rows::RowMajor result = Eigen::Map<const Rows::RowMajor>(
         numbers.data(), static_cast<Eigen::Index>(numbers.shape(0)),
         static_cast<Eigen::Index>(numbers.shape(1)));
-    if (!result.allFinite()) fail(key + " holds a number that is not finite");
+    for (Eigen::Index i = 0; i < result.size(); ++i) {
+      if (std::isfinite(result.data()[i])) continue;
+      const std::string place =
+          std::to_string(i / result.cols()) + ", " + std::to_string(i % result.cols());
+      fail(key + "[" + place + "] is " + text(result.data()[i]) + "; expected a finite number");
+    }
     return result;
   }
 
@@ -113,7 +128,10 @@ class LevelDict {
       fail(key + " has " + count(result.size(), "element") + ", " + block.key + " has " +
            count(block.A.rows(), "row") + "; expected one element for each row");
     }
-    if (result.hasNaN()) fail(key + " holds NaN");
+    for (Eigen::Index i = 0; i < result.size(); ++i) {
+      if (std::isnan(result[i]))
+        fail(key + "[" + std::to_string(i) + "] is nan; expected a number");
+    }
     return result;
   }
 
@@ -122,15 +140,17 @@ class LevelDict {
     Block result{key, matrix(key), {}, {}};
     result.lower = vector(lower, result, -kInfinity);
     result.upper = vector(upper, result, kInfinity);
-    for (Eigen::Index i = 0; i < result.A.rows(); ++i)
-      check_bounds(result.lower[i], result.upper[i], i);
+    for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_bounds(result, i);
     return result;
   }
 
-  void check_bounds(double lower, double upper, Eigen::Index row) const {
+  void check_bounds(const Block& block, Eigen::Index row) const {
+    const double lower = block.lower[row];
+    const double upper = block.upper[row];
     if (lower <= upper && lower < kInfinity && upper > -kInfinity) return;
-    fail("row " + std::to_string(row) + " has the bounds " + std::to_string(lower) + " and " +
-         std::to_string(upper) + ", which nothing can meet");
+    fail(block.key + "[" + std::to_string(row) + "] has the bounds " + text(lower) + " and " +
+         text(upper) +
+         ", which nothing can meet; expected lower ≤ upper, lower < inf, upper > -inf");
   }
 
   std::string place_;

@@ -55,7 +55,7 @@ inline NamedHierarchy read_hierarchy(const nb::list& given) {
   std::vector<LevelDict> levels;
   std::vector<std::vector<Block>> blocks;
   for (const nb::handle level : given) {
-    levels.emplace_back(level, levels.size());
+    levels.emplace_back(level, levels.size() + 1);
     blocks.push_back(levels.back().blocks());
   }
   NamedHierarchy result{Hierarchy(check_unknowns(levels, blocks)), {}};
@@ -70,13 +70,20 @@ inline NamedHierarchy read_hierarchy(const nb::list& given) {
   return result;
 }
 
-inline NamedSolution solve(const nb::list& levels) {
-  const auto [hierarchy, row_names] = read_hierarchy(levels);
+inline const Solution& solve(CascadeSolver& solver, const Hierarchy& hierarchy) {
   const nb::gil_scoped_release others_may_run;
+  return solver.solve(hierarchy);
+}
+
+inline NamedSolution solve_levels(const nb::list& levels) {
+  const auto [hierarchy, row_names] = read_hierarchy(levels);
   CascadeSolver solver(hierarchy);
-  const Solution& solution = solver.solve(hierarchy);
+  const Solution& solution = solve(solver, hierarchy);
   if (solution.status == SolveStatus::invalid_input) {
-    throw Error("numbers too large to compute with; expected at most about 1e100");
+    const auto failed = static_cast<std::size_t>(solution.failed_level);
+    throw Error("level " + std::to_string(failed + 1) + ": A or D holds " +
+                text(hierarchy.level(failed).A().cwiseAbs().maxCoeff()) +
+                ", too large to compute with; expected at most about 1e100");
   }
   NamedSolution result;
   result.status = solution.status == SolveStatus::optimal ? "optimal" : "iteration_cap";
@@ -101,7 +108,8 @@ inline void bind_solving(nb::module_& module) {
               "optimal, or iteration_cap: ended early, x is feasible");
 
   module.def(
-      "solve", &solve, nb::arg("levels"), nb::sig("def solve(levels: list[dict]) -> Solution"),
+      "solve", &solve_levels, nb::arg("levels"),
+      nb::sig("def solve(levels: list[dict]) -> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"

@@ -1,0 +1,299 @@
+"""The Python module: the loop that its README shows, what it reads and writes, and its errors."""
+
+import gc
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import surefoot
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def scenario():
+    return surefoot.load_scenario("walk_flat", set=["duration=1"])
+
+
+def walked(scenario, ticks):
+    """Plant and controller after so many ticks."""
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    for _ in range(ticks):
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+    return plant, controller
+
+
+def python_blocks(file):
+    return re.findall(r"```python\n(.*?)```", file.read_text(), re.DOTALL)
+
+
+def test_the_readme_runs_as_it_stands_and_its_loop_has_ten_lines(capsys):
+    blocks = python_blocks(ROOT / "python/README.md")
+    names = {}
+    for block in blocks:
+        exec(block, names)
+    printed = capsys.readouterr().out
+    assert len(blocks[0].splitlines()) == 10
+    assert names["plant"].truth.p_WB[0] > 0.3
+    assert names["controller"].level_names
+    assert all(level in printed for level in names["controller"].level_names)
+    assert printed.splitlines()[-1] == re.search(r"# (\[.*)", blocks[-1])[1]
+
+
+def test_the_loop_of_the_top_readme_runs_as_it_stands(capsys):
+    (loop,) = python_blocks(ROOT / "README.md")
+    names = {}
+    exec(loop, names)
+    levels = names["controller"].level_names
+    printed = capsys.readouterr().out.splitlines()
+    assert len(printed) == len(levels) > 0
+    assert all(line.startswith(f"Level('{level}', residual=") for line, level in zip(printed, levels))
+    assert names["plant"].time == pytest.approx(10)
+
+
+def test_the_loop_is_bit_for_bit_that_of_the_program():
+    arguments = ["walk_flat_sea", "--seed", "3", "--set", "duration=1.5", "--json"]
+    done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "run", *arguments], capture_output=True, text=True)
+    program = json.loads(done.stdout)
+    scenario = surefoot.load_scenario("walk_flat_sea", seed=3, set=["duration=1.5"])
+    plant = surefoot.Plant(scenario)
+    controller = surefoot.Controller(scenario, plant)
+    torques = [np.zeros(12)]
+    while plant.time < scenario.duration:
+        command = controller.step(plant.read(), scenario.user(plant.time))
+        torques.append(command.torque)
+        plant.write(command)
+    assert program["torque_command_max_nm"] == np.abs(torques).max()
+    assert program["torque_step_max_nm"] == np.abs(np.diff(torques[1:], axis=0)).max()
+
+
+def test_version_and_scenarios_are_those_of_the_program():
+    done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "list", "scenarios"], capture_output=True, text=True)
+    assert all(name in done.stdout for name in surefoot.scenarios())
+    assert f"VERSION {surefoot.__version__} " in (ROOT / "CMakeLists.txt").read_text()
+
+
+def test_a_scenario_is_loaded_with_seed_and_assignments():
+    scenario = surefoot.load_scenario("step_down", seed=7, set=["duration=3.5", "robot=anymal_b"])
+    assert (scenario.name, scenario.seed, scenario.duration, scenario.robot) == ("step_down", 7, 3.5, "anymal_b")
+    assert scenario.joint_names[3] == "RF_HAA" and len(scenario.joint_names) == 12
+    assert scenario.drawn == surefoot.load_scenario("step_down", seed=7).drawn != {}
+    assert json.loads(scenario.options_json)["duration"] == 3.5
+    assert scenario.period == 0.0025
+    assert scenario.torque_limit.shape == (12,) and (scenario.torque_limit > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "message"),
+    [
+        (lambda: surefoot.load_scenario("walk_flatt"), surefoot.UnknownNameError, "walk_flatt.*walk_flat"),
+        (lambda: surefoot.load_scenario("/no/where.yaml"), surefoot.Error, "/no/where.yaml"),
+        (lambda: surefoot.load_scenario("walk_flat", set=["duratoin=1"]), surefoot.Error, "duratoin.*duration"),
+        (lambda: surefoot.load_scenario("walk_flat", set=["duration=-1"]), surefoot.Error, "duration"),
+        (lambda: surefoot.load_scenario("walk_flat", set=["duration"]), surefoot.Error, "duration"),
+        (lambda: surefoot.solve([]), surefoot.Error, "no unknowns"),
+        (lambda: surefoot.solve([3]), surefoot.Error, "level 1: is 3; expected a dict"),
+        (lambda: surefoot.solve([{"A": [[1]], "B": [1]}]), surefoot.Error, "level 1: unknown key \"B\".*valid"),
+        (lambda: surefoot.solve([{"A": [[1]]}]), surefoot.Error,
+         "level 1: A goes with b .* or with lower.* given are: A$"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "upper": [1]}]), surefoot.Error,
+         "level 1: A goes with .* given are: A, b, upper$"),
+        (lambda: surefoot.solve([{"lower": [1]}]), surefoot.Error,
+         "level 1: b, lower and upper go with A; given are: lower$"),
+        (lambda: surefoot.solve([{"D": [[1]]}]), surefoot.Error, "level 1: D goes with f .* given are: D$"),
+        (lambda: surefoot.solve([{"A": [1, 2], "b": [1]}]), surefoot.Error,
+         r"level 1: A has the shape \(2,\); expected \(rows, unknowns\)$"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": 1}]), surefoot.Error, r"b has the shape \(\); expected \(rows,\)$"),
+        (lambda: surefoot.solve([{"A": [[1, 2], [3]], "b": [1, 2]}]), surefoot.Error,
+         r"level 1: A: .*inhomogeneous.*; expected numbers of shape \(rows, unknowns\)$"),
+        (lambda: surefoot.solve([{"A": [["x"]], "b": [1]}]), surefoot.Error, "level 1: A: .*'x'; expected numbers"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1, 2]}]), surefoot.Error, "b has 2 elements, A has 1 row"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [np.nan]}]), surefoot.Error,
+         r"level 1: b\[0\] is nan; expected a number"),
+        (lambda: surefoot.solve([{"D": [[1, 2], [3, np.inf]], "f": [1, 2]}]), surefoot.Error,
+         r"level 1: D\[1, 1\] is inf; expected a finite number"),
+        (lambda: surefoot.solve([{"A": [[1]], "lower": [2], "upper": [1e-9]}]), surefoot.Error,
+         r"level 1: A\[0\] has the bounds 2.0 and 1e-09, which nothing can meet; expected lower ≤ upper"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [np.inf]}]), surefoot.Error, r"A\[0\] has the bounds inf and inf"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1]}, {"D": [[1, 2]], "f": [1]}]), surefoot.Error,
+         "level 2: D has 2 columns; the rows before it have 1"),
+        (lambda: surefoot.solve([{}, {"A": [[-1e200]], "b": [1]}]), surefoot.Error,
+         "level 2: A or D holds 1e[+]200, too large .* expected at most about 1e100"),
+    ],
+)
+def test_wrong_input_raises_and_says_what_would_be_valid(call, error, message):
+    with pytest.raises(error, match=message) as raised:
+        call()
+    assert isinstance(raised.value, ValueError)
+
+
+def test_the_message_is_the_programs():
+    done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "run", "walk_flat", "--set", "planner.gait.ordr=1"],
+                          capture_output=True, text=True)
+    with pytest.raises(surefoot.Error) as raised:
+        surefoot.load_scenario("walk_flat", set=["planner.gait.ordr=1"])
+    assert str(raised.value) in done.stderr
+
+
+def test_arrays_have_the_shapes_that_their_help_says(scenario):
+    plant, controller = walked(scenario, 2)
+    plan = controller.plan
+    for owner in (plant.read(), plant.truth, controller.state, plan, plan.com, plan.torso, controller.model):
+        for name in dir(owner):
+            value = getattr(owner, name)
+            if isinstance(value, np.ndarray) and name not in ("qpos", "qvel", "ctrl"):
+                help_text = getattr(type(owner), name).__doc__
+                assert f"shape {value.shape}" in help_text
+                assert value.dtype == np.float64
+                is_quaternion = name == "q_WB"
+                assert value.flags.writeable != is_quaternion
+
+
+def test_what_is_read_is_what_the_simulator_knows(scenario):
+    plant, controller = walked(scenario, 40)
+    truth, reading, state = plant.truth, plant.read(), controller.state
+    w, x, y, z = truth.q_WB
+    assert plant.time == truth.time == reading.time == pytest.approx(0.1)
+    np.testing.assert_array_equal(truth.p_WB, truth.qpos[:3])
+    np.testing.assert_array_equal([w, x, y, z], truth.qpos[3:7])
+    np.testing.assert_array_equal(sorted(truth.q), sorted(truth.qpos[7:]))
+    assert np.linalg.norm(truth.p_WCom - controller.model.p_WCom) < 1e-3
+    assert np.isnan(reading.foot_force).all()
+    assert state.foot_force.shape == (4, 3) and state.foot_force[:, 2].min() > 20
+    assert set(truth.feet) == {"LF", "RF", "LH", "RH"}
+    assert all(foot.touching and foot.force[2] > 20 for foot in truth.feet.values())
+    assert plant.terrain_height(0, 0) == pytest.approx(0)
+    assert "<mujoco" in plant.model_xml()
+
+
+def test_a_control_frame_is_a_rotation_matrix_row_by_row():
+    _, controller = walked(surefoot.load_scenario("slope_up", set=["duration=2"]), 3)
+    R_WC = controller.plan.R_WC
+    np.testing.assert_allclose(R_WC @ R_WC.T, np.eye(3), atol=1e-12)
+    assert R_WC[0, 2] != R_WC[2, 0] or R_WC[0, 2] == 0
+
+
+def test_snapshots_do_not_change_and_arrays_outlive_their_object(scenario):
+    plant, controller = walked(scenario, 1)
+    before, array = plant.truth, plant.truth.qpos
+    command = controller.step(plant.read(), scenario.user(0.0))
+    kept = before.qpos.copy(), command.torque.copy()
+    walked_on = [plant.write(controller.step(plant.read(), scenario.user(plant.time))) for _ in range(5)]
+    gc.collect()
+    assert len(walked_on) == 5
+    np.testing.assert_array_equal(before.qpos, kept[0])
+    np.testing.assert_array_equal(array, kept[0])
+    np.testing.assert_array_equal(command.torque, kept[1])
+
+
+def test_a_controller_keeps_its_plant_alive(scenario):
+    controller = surefoot.Controller(scenario, surefoot.Plant(scenario))
+    reading = surefoot.Plant(scenario).read()
+    gc.collect()
+    assert np.isfinite(controller.step(reading, surefoot.UserCommand()).torque).all()
+
+
+def test_torques_of_ones_own_are_applied(scenario):
+    torque = np.linspace(-3, 3, 12)
+    plants = [surefoot.Plant(scenario) for _ in range(3)]
+    command = surefoot.JointCommand()
+    command.torque[:] = torque
+    for _ in range(4):
+        plants[0].write(torque)
+        plants[1].write(command)
+        plants[2].write(surefoot.JointCommand(list(torque)))
+    np.testing.assert_array_equal(plants[0].truth.torque, torque)
+    np.testing.assert_array_equal(plants[0].truth.qpos, plants[1].truth.qpos)
+    np.testing.assert_array_equal(plants[0].truth.qpos, plants[2].truth.qpos)
+    with pytest.raises(TypeError):
+        plants[0].write(torque[:11])
+
+
+def test_a_reading_that_was_spoilt_gives_a_safe_command(scenario):
+    plant, controller = walked(scenario, 5)
+    reading = plant.read()
+    reading.q[3] = np.nan
+    command = controller.step(reading, surefoot.UserCommand(walk=True, velocity=(0.1, 0.0), yaw_rate=0.1))
+    assert command.mode != "optimal"
+    assert np.isfinite(command.torque).all()
+
+
+def test_user_commands_hold_what_they_were_made_from(scenario):
+    user = surefoot.UserCommand(walk=True, velocity=[0.1, -0.05], yaw_rate=0.2, height=0.03)
+    assert (user.walk, user.yaw_rate, user.height) == (True, 0.2, 0.03)
+    np.testing.assert_array_equal(user.velocity, [0.1, -0.05])
+    assert not scenario.user(0.0).walk and scenario.user(0.9).walk
+
+
+def test_levels_come_in_order_and_leave_less_and_less_freedom(scenario):
+    plant, controller = walked(scenario, 40)
+    levels = controller.levels()
+    assert [level.name for level in levels] == controller.level_names
+    assert levels[0].residual < 1e-6 and levels[0].num_rows >= 6
+    freedom = [level.degrees_of_freedom_left for level in levels]
+    assert freedom == sorted(freedom, reverse=True)
+    assert repr(levels[0]).startswith(f"Level('{levels[0].name}', residual=")
+    assert surefoot.Controller(scenario, plant).levels() == []
+
+
+def test_a_leg_about_to_lift_is_at_the_upper_limit_of_its_force(scenario):
+    plant, controller = walked(scenario, 1)
+    seen = set()
+    while plant.time < 2.5:
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+        leaving = [leg for leg, foot in controller.plan.feet.items() if foot.phase == "unloading"]
+        active = [found for level in controller.levels() for found in level.active]
+        assert {state for _, state in active} <= {"at lower", "at upper", "below lower", "above upper"}
+        seen |= {(f"{leg} normal force", "at upper") for leg in leaving} & set(active)
+    assert seen
+
+
+def test_the_plan_names_the_phase_of_each_leg(scenario):
+    _, controller = walked(scenario, 1)
+    phases = {leg: foot.phase for leg, foot in controller.plan.feet.items()}
+    assert phases == dict.fromkeys(("LF", "RF", "LH", "RH"), "stance")
+    assert controller.timing.total >= controller.timing.solve > 0
+
+
+def test_a_hierarchy_is_solved_in_every_form_of_its_rows():
+    inequality = surefoot.solve([{"D": [[1.0, 0.0], [-1.0, 0.0]], "f": [1, 2]}, {"A": np.eye(2), "b": [5, 6]}])
+    two_sided = surefoot.solve([{"A": [[1, 0]], "lower": [-2], "upper": [1]}, {"A": np.eye(2, order="F"), "b": [5, 6]}])
+    one_sided = surefoot.solve([{"A": [[1, 0]], "upper": [1]}, {"A": np.eye(2, dtype=int), "b": (5, 6)}])
+    for solution in (inequality, two_sided, one_sided):
+        np.testing.assert_allclose(solution.x, [1, 6], atol=1e-12)
+        assert solution.status == "optimal"
+        assert solution.levels[1].residual == pytest.approx(4)
+        assert solution.levels[1].degrees_of_freedom_left == 0
+    assert inequality.levels[0].active == [("D[0]", "at upper")]
+    assert two_sided.levels[0].active == [("A[0]", "at upper")]
+    assert [level.name for level in inequality.levels] == ["level 1", "level 2"]
+
+
+def test_empty_blocks_and_levels_are_allowed():
+    solution = surefoot.solve([{"A": [], "b": [], "D": [], "f": []}, {}, {"A": [[2.0]], "b": [4], "D": [], "f": []}])
+    assert solution.x == [2.0]
+    assert [level.num_rows for level in solution.levels] == [0, 0, 1]
+
+
+def test_solve_gives_what_the_program_gives(tmp_path):
+    random = np.random.default_rng(5)
+    levels = [{"A": random.normal(size=(2, 6)).tolist(), "b": random.normal(size=2).tolist(),
+               "D": random.normal(size=(3, 6)).tolist(), "f": random.normal(size=3).tolist()} for _ in range(4)]
+    file = tmp_path / "hierarchy.jsonl"
+    file.write_text(json.dumps({"levels": levels}) + "\n")
+    done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "solve", file], capture_output=True, text=True, check=True)
+    program, ours = json.loads(done.stdout), surefoot.solve(levels)
+    assert ours.x.tolist() == program["x"]
+    assert [level.residual for level in ours.levels] == [level["residual"] for level in program["levels"]]
+
+
+def test_the_stub_beside_the_module_is_python_and_names_everything():
+    stub = (pathlib.Path(surefoot.__file__).parent / "surefoot.pyi").read_text()
+    compile(stub, "surefoot.pyi", "exec")
+    assert all(re.search(rf"^(class|def) {name}\b", stub, re.MULTILINE) for name in dir(surefoot) if name[0] != "_")
