@@ -93,10 +93,18 @@ void ComPlanner::guess_knots(double time, const Motion<Vec2>& begin) noexcept {
   knots_ = guess;
 }
 
+int ComPlanner::samples_of(const SupportPhase& phase) const noexcept {
+  const double samples = std::ceil(phase.duration / options_.sample_interval);
+  return static_cast<int>(std::clamp(samples, 2.0, 1.0 * kMaxSamples));
+}
+
+double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
+  return std::max(kLeastHeight, height_ - edge.height) / kGravity;
+}
+
 void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
   const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
-  const int samples = std::clamp(
-      static_cast<int>(std::ceil(support.duration / options_.sample_interval)), 2, kMaxSamples);
+  const int samples = samples_of(support);
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
@@ -114,7 +122,7 @@ void ComPlanner::write_inside_rows(Level& level, int phase, double t, const Supp
   for (int e = 0; e < region.num_edges() && level.num_rows() < level.max_rows(); ++e) {
     Rows rows = level.add(1, 0);
     const HalfPlane& edge = region.edge(e);
-    const double h = std::max(kLeastHeight, height_ - edge.height) / kGravity;
+    const double h = pendulum(edge);
     const HermiteWeights w =
         point == Point::zmp
             ? HermiteWeights(hermite_position(t, T) - h * hermite_acceleration(t, T))
@@ -208,13 +216,16 @@ void ComPlanner::measure_slack() noexcept {
   zmp_slack_ = 0.0;
   for (int phase = 0; phase < planned_; ++phase) {
     const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
-    for (int i = 1; i <= 4; ++i) {
-      const double t = support.duration * i / 4.0;
+    const int samples = samples_of(support);
+    for (int i = 1; i <= samples; ++i) {
+      const double t = support.duration * i / samples;
       const Motion<Vec2> m = evaluate(phase, t);
       const SupportRegion region = region_at(support, t);
-      if (region.num_edges() == 0) continue;  // no foot down: nothing to leave
-      const double margin = region.margin(m.p - height_ / kGravity * m.a);
-      zmp_slack_ = std::max(zmp_slack_, -margin);
+      for (int e = 0; e < region.num_edges(); ++e) {
+        const HalfPlane& edge = region.edge(e);
+        const Vec2 zmp = m.p - pendulum(edge) * m.a;
+        zmp_slack_ = std::max(zmp_slack_, edge.normal.dot(zmp) - edge.offset);
+      }
     }
   }
 }

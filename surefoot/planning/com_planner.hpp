@@ -70,6 +70,9 @@ class ComPlanner {
   static Hierarchy make_hierarchy(int phases);
 
   void guess_knots(double time, const Motion<Vec2>& begin) noexcept;
+  [[nodiscard]] int samples_of(const SupportPhase& phase) const noexcept;
+  /// h/g of the COM over an edge of the region [s²].
+  [[nodiscard]] double pendulum(const HalfPlane& edge) const noexcept;
   void write_region_rows(Hierarchy& hierarchy, int phase) const noexcept;
   enum class Point { zmp, capture_point };
   /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.

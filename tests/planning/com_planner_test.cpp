@@ -313,15 +313,15 @@ TEST(ComPlanner, DoesNotDependOnThePlanBefore) {
 }
 
 TEST(ComPlanner, ReportsHowFarTheZmpHadToLeaveTheRegion) {
-  ComPlanner planner = make_planner();
+  ComPlanner planner = make_planner({.sample_interval = 0.0625});
   const Motion<Vec2> far_away{Vec2(2.0, 0.0), Vec2(0.0, 0.0), Vec2(0.0, 0.0)};
   SupportPhase triangle = standing(0.5, nominal_feet());
   triangle.down[index(Leg::RF)] = false;
   plan(planner, {triangle}, 0.0, far_away);
   EXPECT_GT(planner.zmp_slack(), 0.01);
   double furthest = 0.0;
-  for (int i = 1; i <= 4; ++i) {
-    const double t = 0.125 * i;
+  for (int i = 1; i <= 8; ++i) {
+    const double t = 0.0625 * i;
     furthest = std::max(furthest, -region(planner, triangle, t).margin(planner.at(t - 1e-12).zmp));
   }
   EXPECT_NEAR(planner.zmp_slack(), furthest, 1e-6);

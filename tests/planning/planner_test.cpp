@@ -174,7 +174,7 @@ TEST(Planner, WalksSidewaysAndTurns) {
   sideways.user = walking(0.0, 0.03);
   run_watched(sideways, 30.0);
   EXPECT_NEAR(sideways.com().y(), 0.03 * 29.0, 0.1);
-  EXPECT_NEAR(sideways.com().x(), 0.0, 0.05);
+  EXPECT_NEAR(center_of_feet(sideways).x(), 0.0, 0.05);
   Puppet turning;
   turning.user = walking(0.0, 0.0, 0.05);
   run_watched(turning, 20.0);
