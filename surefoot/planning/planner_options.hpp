@@ -94,8 +94,8 @@ struct TorsoOptions {
 struct FootholdOptions {
   bool hind_use_front_prints = true;  ///< hind feet step where the front feet found ground
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
-  double same_height = 0.03;   ///< a drop between footprints of more than this is an edge [m]
-  double max_step = 0.30;      ///< [m]
+  double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
+  double max_step = 0.30;     ///< [m]
 };
 
 struct PlannerOptions {

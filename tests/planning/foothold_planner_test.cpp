@@ -245,19 +245,25 @@ TEST(FootholdPlanner, BetweenPrintsFarOffTheHindFootGoesWhereItWouldAtTheirHeigh
   EXPECT_LT((goal - Vec3(0.15, 0.0, 0.02)).norm(), 1e-12);
 }
 
-TEST(FootholdPlanner, ADropBetweenTwoPrintsIsSteppedOver) {
-  const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.01, -0.14);
-  EXPECT_EQ(Hind({before, beyond}).goes(), beyond);
+TEST(FootholdPlanner, AnEdgeBetweenTwoPrintsIsSteppedOver) {
+  for (const double height : {-0.14, 0.14}) {
+    const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.01, height);
+    EXPECT_EQ(Hind({before, beyond}).goes(), beyond) << height;
+  }
 }
 
-TEST(FootholdPlanner, BetweenPrintsThatRiseTheHigherGroundIsExpected) {
-  const Vec3 before(0.05, 0.0, 0.0), beyond(0.26, 0.0, 0.14);
-  EXPECT_LT((Hind({before, beyond}).goes() - Vec3(0.15, 0.0, 0.14)).norm(), 1e-12);
+TEST(FootholdPlanner, OverAnEdgeAStepMayBeLongerThanElsewhere) {
+  const FootholdOptions shorter{.max_step = 0.22};
+  const Vec3 before(0.05, 0.0, 0.0), level(0.23, 0.0, 0.0), higher(0.26, 0.0, 0.14);
+  EXPECT_LT((Hind({before, level}, shorter).goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_EQ(Hind({before, higher}, shorter).goes(), higher);
 }
 
-TEST(FootholdPlanner, ADropWhoseFarSideIsOutOfReachIsWaitedFor) {
-  const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.0, -0.14);
-  EXPECT_EQ(Hind({before, beyond}, {.max_step = 0.25}).goes(), before);
+TEST(FootholdPlanner, AnEdgeWhoseFarSideIsOutOfReachIsWaitedFor) {
+  for (const double height : {-0.14, 0.14}) {
+    const Vec3 before(0.12, 0.0, 0.0), beyond(0.26, 0.0, height);
+    EXPECT_EQ(Hind({before, beyond}, {.max_step = 0.20}).goes(), before) << height;
+  }
 }
 
 TEST(FootholdPlanner, OnlyFrontFeetLeavePrintsAndEachForItsOwnSide) {
