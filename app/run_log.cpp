@@ -1,7 +1,7 @@
 #include "app/run_log.hpp"
 
 #include "surefoot/base/build_info.hpp"
-#include "surefoot/planning/events.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>

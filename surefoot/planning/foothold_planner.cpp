@@ -9,7 +9,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kStrideShare = 5.0 / 8.0;
-constexpr double kReachOverEdge = 1.25;  // of max_step
+constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
 }  // namespace
@@ -47,8 +47,8 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
 
 // The front foot's prints tell what lies under the hind foot's way. Where the print before the
 // nominal foothold and the one beyond it differ in height, there is an edge between to slip from,
-// and only the prints are known to be good: the step over it may be longer than others, and where
-// it still is too long the foot waits. Elsewhere it goes where it likes, over the higher of the
+// and only the prints are known to be good: a step up may be longer than others, and where the far
+// side is out of reach the foot waits. Elsewhere it goes where it likes, over the higher of the
 // two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
@@ -62,8 +62,9 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
     if (distance > 0.0 && (beyond == nullptr || distance < ahead(*beyond))) beyond = &print;
   }
   if (beyond == nullptr) return nominal;
-  const bool edge = before != nullptr && std::abs(before->z() - beyond->z()) > options_.same_height;
-  const double reach = (edge ? kReachOverEdge : 1.0) * options_.max_step;
+  const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
+  const bool edge = std::abs(rise) > options_.same_height;
+  const double reach = (edge && rise > 0.0 ? kReachUpward : 1.0) * options_.max_step;
   const bool reachable = (*beyond - from).head<2>().norm() < reach;
   if (edge && !reachable) return *before;
   const Vec3& nearest =

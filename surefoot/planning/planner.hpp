@@ -3,12 +3,12 @@
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/planning/com_planner.hpp"
-#include "surefoot/planning/events.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
 #include "surefoot/planning/leg_motion.hpp"
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/planning/torso_reference.hpp"
 #include "surefoot/signals/motion_plan.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/user_command.hpp"
 

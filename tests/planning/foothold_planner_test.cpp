@@ -252,11 +252,12 @@ TEST(FootholdPlanner, AnEdgeBetweenTwoPrintsIsSteppedOver) {
   }
 }
 
-TEST(FootholdPlanner, OverAnEdgeAStepMayBeLongerThanElsewhere) {
+TEST(FootholdPlanner, AStepUpMayBeLongerThanOthers) {
   const FootholdOptions shorter{.max_step = 0.22};
   const Vec3 before(0.05, 0.0, 0.0), level(0.23, 0.0, 0.0), higher(0.26, 0.0, 0.14);
   EXPECT_LT((Hind({before, level}, shorter).goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_EQ(Hind({before, higher}, shorter).goes(), higher);
+  EXPECT_EQ(Hind({before, Vec3(0.26, 0.0, -0.14)}, shorter).goes(), before);
 }
 
 TEST(FootholdPlanner, AnEdgeWhoseFarSideIsOutOfReachIsWaitedFor) {

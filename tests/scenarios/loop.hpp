@@ -2,7 +2,7 @@
 
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/control/controller.hpp"
-#include "surefoot/planning/events.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/simulation/plant.hpp"
 
 #include <cstddef>
