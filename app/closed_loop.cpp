@@ -2,11 +2,11 @@
 
 #include "app/goal_watch.hpp"
 #include "app/run_log.hpp"
-#include "app/truth_estimator.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -66,6 +66,7 @@ class ClosedLoop {
  private:
   EvaluatorOptions evaluator_options() const {
     return {.control_period = scenario_.controller.period,
+            .mass = model_.mass(),
             .terrain_height = [this](double x, double y) { return plant_.terrain_height(x, y); },
             .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
   }

@@ -131,6 +131,9 @@ int demo_command(const DemoArguments& arguments) {
     std::ranges::move(plan(experiment, arguments, out), std::back_inserter(runs));
   }
   first.push_back(runs.size());
+  for (const PlannedRun& run : runs) {
+    if (!run.report.empty()) remove_outdated(run.report, run.log);
+  }
   std::fprintf(stderr, "%zu experiments of the paper in %zu runs, %d at a time; reports go to %s\n",
                experiments().size(), runs.size(), arguments.jobs, out.c_str());
   const std::vector<Json> results = run_with_progress(runs, arguments.jobs);

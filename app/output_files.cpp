@@ -27,6 +27,14 @@ void probe(const fs::path& folder, const fs::path& shown) {
   fs::remove(trial, ignored);
 }
 
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) {
+    throw FileError(file.string() + ": of an earlier run, can't be removed: " + error.message());
+  }
+}
+
 }  // namespace
 
 void check_writable_file(const fs::path& file) {
@@ -49,6 +57,13 @@ void prepare_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) throw FileError(folder.string() + ": this folder can't be made: " + error.message());
   probe(folder, folder);
+}
+
+void remove_outdated(const fs::path& report_folder, const fs::path& log) {
+  remove_file(report_folder / "index.html");
+  if (log.empty()) return;
+  remove_file(log);
+  remove_file(log.string() + ".partial");
 }
 
 fs::path with_seed(const fs::path& file, std::uint64_t seed) {

@@ -14,6 +14,10 @@ void check_writable_file(const std::filesystem::path& file);
 /// written into it.
 void prepare_folder(const std::filesystem::path& folder);
 
+/// Removes the page of a report folder, and a log with what a crash left of it, so that an earlier
+/// run's never lie beside what the next one leaves. A log without a name stays. Throws FileError.
+void remove_outdated(const std::filesystem::path& report_folder, const std::filesystem::path& log);
+
 /// "run.mcap" → "run-seed7.mcap"
 [[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file,
                                               std::uint64_t seed);

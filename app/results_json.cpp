@@ -18,7 +18,8 @@ constexpr std::array<const char*, 5> kRates{"succeeded", "fell", "goal_reached",
                                             "crashed"};
 
 /// Of these the smallest value is the worst.
-constexpr std::array<std::string_view, 4> kMoreIsBetter{"distance_m", "speed_mps",
+constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps",
+                                                        "friction_margin_loaded_min",
                                                         "friction_margin_min", "realtime_factor"};
 
 /// What a result must say of itself: truth and sensors that the robot does not have are no secret.

@@ -26,10 +26,17 @@ std::filesystem::path log_path(const RunArguments& arguments) {
   return std::filesystem::path(arguments.report) / "run.mcap";
 }
 
-/// What can't be written is told before the run, not after it.
+/// What can't be written is told before the run, not after it; what is wrong with the scenario
+/// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
   if (!arguments.report.empty()) prepare_folder(arguments.report);
   if (!arguments.record.empty()) check_writable_file(arguments.record);
+}
+
+/// A log that was asked for by name is replaced only when the new one is whole.
+void remove_outdated_of(const RunArguments& arguments, const PlannedRun& run) {
+  if (run.report.empty()) return;
+  remove_outdated(run.report, arguments.record.empty() ? run.log : std::filesystem::path());
 }
 
 [[noreturn]] void report_interrupt(const std::string& log) {
@@ -46,6 +53,9 @@ int run_one(const RunArguments& arguments) {
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
   const std::string log = log_path(arguments).string();
+  if (!arguments.report.empty()) check_setup(scenario);
+  check_outputs(arguments);
+  remove_outdated_of(arguments, {.request = {}, .log = log, .report = arguments.report});
   RunResult result;
   {
     Progress progress(scenario.name, scenario.duration, "s");
@@ -90,6 +100,8 @@ int run_seeds(const RunArguments& arguments) {
   const std::vector<PlannedRun> runs = plan_runs(arguments);
   const Scenario scenario = load_scenario(runs.front().request);
   check_setup(scenario);
+  check_outputs(arguments);
+  for (const PlannedRun& run : runs) remove_outdated_of(arguments, run);
   std::vector<Json> rows;
   {
     Progress progress(scenario.name, arguments.seeds, "runs");
@@ -109,7 +121,6 @@ int run_seeds(const RunArguments& arguments) {
 
 int run_command(const RunArguments& arguments) {
   watch_for_interrupt();
-  check_outputs(arguments);
   return arguments.seeds > 0 ? run_seeds(arguments) : run_one(arguments);
 }
 

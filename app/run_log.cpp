@@ -1,40 +1,26 @@
 #include "app/run_log.hpp"
 
+#include "app/stack_text.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/error.hpp"
 #include "surefoot/signals/plan_event.hpp"
-#include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 namespace surefoot {
 namespace {
 
-/// A task's number as the stack has it, or its default.
-double parameter(const TaskSpec& task, const std::string& name) {
-  const auto given = task.numbers.find(name);
-  if (given != task.numbers.end()) return given->second;
-  for (const TaskParameter& known : task_info(task.task).parameters) {
-    if (known.name == name) return known.default_value;
-  }
-  return kNaN;
-}
-
-std::string choice(const TaskSpec& task, const std::string& name) {
-  const auto given = task.choices.find(name);
-  if (given != task.choices.end()) return given->second;
-  for (const TaskChoice& known : task_info(task.task).choices) {
-    if (known.name == name) return std::string(known.default_value);
-  }
-  return "";
-}
-
+/// Of a stack with its defaults.
 LogLimbLimits limb_limits(const StackOptions& stack) {
-  for (const LevelSpec& level : stack.levels) {
-    for (const TaskSpec& task : level.tasks) {
+  for (std::size_t level = 0; level < stack.levels.size(); ++level) {
+    for (const TaskSpec& task : stack.levels[level].tasks) {
       if (task.task != "limb_extension_limits") continue;
-      return {.form = choice(task, "form") == "radial" ? "radial" : "vertical",
-              .min = parameter(task, "min"),
-              .max = parameter(task, "max")};
+      return {.level = static_cast<int>(level),
+              .form = task.choices.at("form") == "radial" ? "radial" : "vertical",
+              .min = task.numbers.at("min"),
+              .max = task.numbers.at("max")};
     }
   }
   return {};
@@ -66,8 +52,20 @@ std::vector<std::string> event_names() {
   return names;
 }
 
-std::vector<LogAttachment> attachments(const Scenario& scenario, const Plant& plant) {
-  std::vector<LogAttachment> files{{"model.xml", "application/xml", plant.model_xml()}};
+std::string text_of(const std::string& file) {
+  std::ostringstream text;
+  if (!(text << std::ifstream(file, std::ios::binary).rdbuf())) {
+    throw FileError(file + ": can't be read for the log");
+  }
+  return text.str();
+}
+
+std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOptions& stack,
+                                       const Plant& plant) {
+  std::vector<LogAttachment> files{
+      {"model.xml", "application/xml", plant.model_xml()},
+      {"robot.urdf", "application/xml", text_of(scenario.robot.urdf_path)},
+      {"resolved_stack.yaml", "application/yaml", stack_yaml(stack)}};
   for (const SourceFile& source : scenario.sources) {
     files.push_back({source.name, "application/yaml", source.text});
   }
@@ -78,10 +76,11 @@ std::vector<LogAttachment> attachments(const Scenario& scenario, const Plant& pl
 
 LogHeader log_header(const Scenario& scenario, const Controller& controller, const Plant& plant,
                      const RobotModel& model) {
+  const StackOptions stack = with_defaults(scenario.controller.stack);
   LogHeader header;
   header.version = build_info().version;
   header.scenario = scenario.name;
-  header.stack = scenario.controller.stack.name;
+  header.stack = stack.name;
   header.estimation = "truth";
   header.options = scenario.options_json;
   header.seed = scenario.seed;
@@ -89,9 +88,9 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.level_names = controller.level_names();
   header.event_names = event_names();
   header.robot = robot_of(model);
-  header.limb = limb_limits(scenario.controller.stack);
+  header.limb = limb_limits(stack);
   header.notes = run_notes(controller, plant);
-  header.attachments = attachments(scenario, plant);
+  header.attachments = attachments(scenario, stack, plant);
   header.row_name = [&controller](int level, std::int32_t id) {
     return controller.row_name(level, id);
   };

@@ -1,23 +1,3 @@
 #pragma once
 
-#include "surefoot/estimation/state_estimator.hpp"
-#include "surefoot/simulation/ground_truth.hpp"
-
-namespace surefoot {
-
-/// `estimation: truth`: the base's pose and velocity and the joints' velocities are the simulator's
-/// own, joint positions and torques come from the sensors. The only place of control that sees the
-/// truth.
-class TruthEstimator final : public StateEstimator {
- public:
-  /// `truth` must outlive the estimator and belong to the time of the readings.
-  explicit TruthEstimator(const GroundTruth& truth) : truth_(truth) {}
-
-  [[nodiscard]] const RobotState& update(const SensorReading& reading) noexcept override;
-
- private:
-  const GroundTruth& truth_;
-  RobotState state_;
-};
-
-}  // namespace surefoot
+#include "surefoot/simulation/truth_estimator.hpp"

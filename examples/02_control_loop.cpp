@@ -1,9 +1,9 @@
 // The control loop: two simulated seconds of a walk, and how far the centre of mass was off its
 // plan. On a robot, your RobotPort takes the plant's place and your StateEstimator the truth's.
-#include "app/truth_estimator.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/simulation/plant.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <algorithm>
 #include <cstdio>

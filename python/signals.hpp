@@ -57,6 +57,8 @@ inline void bind_truth(nb::module_& module) {
   of_truth("qpos", t.qpos, "MuJoCo's mjData.qpos for Plant.model_xml()");
   of_truth("qvel", t.qvel, "mjData.qvel");
   of_truth("ctrl", t.ctrl, "mjData.ctrl");
+  of_truth("xfrc_applied", t.xfrc_applied,
+           "mjData.xfrc_applied, row by row: force [N] and torque [N·m] from outside on each body");
 }
 
 inline void bind_signals(nb::module_& module) {

@@ -1,5 +1,7 @@
 #include "surefoot/config/planner_section.hpp"
 
+#include "surefoot/planning/com_planner.hpp"
+
 #include <algorithm>
 
 namespace surefoot {
@@ -57,7 +59,7 @@ void read_force(Section& section, ForceOptions& force) {
 void read_com(Section& section, ComPlannerOptions& com) {
   section.number("zmp_margin", com.zmp_margin, kNotNegative);
   section.number("rest_margin", com.rest_margin, kNotNegative);
-  section.integer("horizon_steps", com.horizon_steps, 1);
+  section.integer("horizon_steps", com.horizon_steps, 1, ComPlanner::kMaxSteps);
   section.number("sample_interval", com.sample_interval, kPositive);
   section.number("terminal_weight", com.terminal_weight, kNotNegative);
 }

@@ -101,13 +101,14 @@ void Section::number(const char* key, double& value, NumberRange range) {
   if (const ConfigNode* given = present(key)) value = read_number(*given, path_of(key), range);
 }
 
-void Section::integer(const char* key, int& value, int min) {
+void Section::integer(const char* key, int& value, int min, int max) {
   const ConfigNode* given = present(key);
   if (given == nullptr) return;
   if (given->kind != ConfigNode::Kind::scalar || !parse(given->text, value)) {
     fail(key, describe(*given) + " is not a whole number");
   }
   if (value < min) fail(key, describe(*given) + " is less than " + std::to_string(min));
+  if (value > max) fail(key, describe(*given) + " is more than " + std::to_string(max));
 }
 
 void Section::integer(const char* key, std::uint64_t& value) {

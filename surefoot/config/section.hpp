@@ -39,7 +39,8 @@ class Section {
   Section(const ConfigNode& node, std::string path);
 
   void number(const char* key, double& value, NumberRange range = kAnyNumber);
-  void integer(const char* key, int& value, int min = std::numeric_limits<int>::min());
+  void integer(const char* key, int& value, int min = std::numeric_limits<int>::min(),
+               int max = std::numeric_limits<int>::max());
   void integer(const char* key, std::uint64_t& value);
   void flag(const char* key, bool& value);
   void text(const char* key, std::string& value);

@@ -119,6 +119,22 @@ void read_levels(const ConfigNode& levels, StackOptions& stack) {
   }
 }
 
+void leave_out(const ConfigNode& without, StackOptions& stack) {
+  if (without.items.empty()) {
+    fail_at(without, "without",
+            "must be a list of at least one level, such as [" + stack.levels.back().name + "]; " +
+                valid_names(without.text, names_of(stack.levels)));
+  }
+  for (const ConfigNode& name : without.items) {
+    const std::vector<std::string> names = names_of(stack.levels);
+    if (!contains(names, read_text(name, "without"))) {
+      fail_at(name, "without",
+              "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
+    }
+    std::erase_if(stack.levels, [&](const LevelSpec& level) { return level.name == name.text; });
+  }
+}
+
 /// The levels of another stack, without some of them.
 void read_base(const Section& top, const ConfigNode& base, const ConfigNode* without,
                const std::filesystem::path& folder, StackOptions& stack) {
@@ -127,15 +143,7 @@ void read_base(const Section& top, const ConfigNode& base, const ConfigNode* wit
   } catch (const UnknownNameError& error) {
     top.fail("base", error.what());
   }
-  if (without == nullptr) return;
-  for (const ConfigNode& name : without->items) {
-    const std::vector<std::string> names = names_of(stack.levels);
-    if (!contains(names, read_text(name, "without"))) {
-      fail_at(name, "without",
-              "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
-    }
-    std::erase_if(stack.levels, [&](const LevelSpec& level) { return level.name == name.text; });
-  }
+  if (without != nullptr) leave_out(*without, stack);
 }
 
 }  // namespace
@@ -152,6 +160,8 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   const ConfigNode* base = top.node("base");
   const ConfigNode* without = top.node("without");
   const ConfigNode* levels = top.node("levels");
+  if (base == nullptr && without != nullptr)
+    top.fail("without", "needs a base: the stack whose levels it leaves out");
   if (base == nullptr) top.require("levels");
   top.finish();
   if (base != nullptr && levels != nullptr)

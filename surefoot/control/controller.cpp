@@ -6,10 +6,12 @@
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace surefoot {
@@ -66,6 +68,7 @@ struct Controller::Implementation {
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
+  void describe_refused_state() noexcept;
   void ended(Stage stage) const noexcept {
     if (observer != nullptr) observer->stage_ends(stage);
   }
@@ -93,6 +96,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   const bool believed = is_plausible(record.state) && !clock_jumps;
   if (believed) last_time = record.state.time;
   const Solution* solution = believed ? optimise(record.user) : nullptr;
+  if (!believed) describe_refused_state();
   record.command = safety.command(record.state, solution);
   ended(Stage::command);
   return record.command;
@@ -100,7 +104,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
 
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
-  contact_force.update(dynamics, record.reading, record.state);
+  contact_force.update(dynamics, planner.terrain_normal(), record.reading, record.state);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);
@@ -123,6 +127,15 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
     record.model.p_WH[k] = dynamics.hip[k].p;
     record.model.force[k] = stack.support().force(leg, solution.x);
   }
+}
+
+// Nothing happened and nothing was solved: what the last tick said must not be logged once more.
+void Controller::Implementation::describe_refused_state() noexcept {
+  record.plan.event = static_cast<int>(PlanEvent::none);
+  const std::int32_t num_levels = record.hierarchy.num_levels;
+  record.hierarchy = HierarchyReport{};
+  record.hierarchy.num_levels = num_levels;
+  record.hierarchy.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
 }
 
 Controller::Controller(const RobotDescription& robot, const ControllerOptions& options,

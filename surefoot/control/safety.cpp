@@ -7,6 +7,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kNearlyUnit = 0.01;
+constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -53,8 +54,11 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
 
 void Safety::hold(const RobotState& state) {
   command_.mode = CommandMode::hold;
-  command_.torque =
-      good_torque_ + finite_or_zero(hold_kp_ * (good_q_ - state.q) - hold_kd_ * state.qd);
+  const bool is_posture = (state.q.array().abs() <= kFullTurn).all();  // not if it is NaN
+  if (!good_q_.allFinite() && is_posture) good_q_ = state.q;
+  // Apart, for where the position is not known the damping still works, and the other way round.
+  command_.torque = good_torque_ + finite_or_zero(hold_kp_ * (good_q_ - state.q)) -
+                    finite_or_zero(hold_kd_ * state.qd);
 }
 
 void Safety::damp(const RobotState& state) {

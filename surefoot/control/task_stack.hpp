@@ -24,8 +24,8 @@ class TaskStack {
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const SupportDynamics& support() const { return support_; }
-  /// Index of the first level that has none of the tasks that keep the physics: equations of
-  /// motion, contacts, torque and contact force limits.
+  /// Index of the level after the last one that has a task that keeps the physics: equations of
+  /// motion, contacts, torque and contact force limits. The number of levels if that is the last.
   [[nodiscard]] int first_free_level() const { return first_free_level_; }
   [[nodiscard]] std::string row_name(int level, int id) const;
 

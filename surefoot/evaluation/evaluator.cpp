@@ -1,5 +1,7 @@
 #include "surefoot/evaluation/evaluator.hpp"
 
+#include "surefoot/signals/plan_event.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,7 +12,8 @@ namespace {
 
 constexpr double kMinBaseHeight = 0.12;  // [m] above the mean stance foot; a crouch is legal
 constexpr double kMaxTilt = 60.0 * kPi / 180.0;
-constexpr double kLoaded = 5.0;  // [N] normal force that counts
+constexpr double kLanded = 5.0;         // [N] normal force from which on a foot has landed
+constexpr double kCarryingShare = 0.1;  // of the weight, from which on a foot carries
 
 // Extremes that begin as NaN; a NaN value changes nothing.
 void raise(double& maximum, double value) {
@@ -65,6 +68,7 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   if (ticks_ == 0) start_ = truth.p_WB;
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
+  if (tick.plan.event == static_cast<int>(PlanEvent::no_ground)) ++metrics_.no_ground_events;
   if (!tick.user.walk) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;
@@ -123,13 +127,22 @@ void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
   foot.slip += contact.slip_velocity.norm() * options_.control_period;
   raise(metrics_.foot_slip_max_m, foot.slip);
   const double normal_force = contact.normal.dot(contact.force);
-  if (normal_force < kLoaded) return;
-  const double tangential_force = (contact.force - normal_force * contact.normal).norm();
-  lower(metrics_.friction_margin_min, 1.0 - tangential_force / (contact.friction * normal_force));
-  if (foot.landing_seen || !options_.terrain_height) return;
+  add_friction(contact, normal_force);
+  if (normal_force < kLanded || foot.landing_seen || !options_.terrain_height) return;
   foot.landing_seen = true;
   if (is_edge_landing(options_.terrain_height, contact.point, contact.normal))
     ++metrics_.edge_landings;
+}
+
+void Evaluator::add_friction(const TrueContact& contact, double normal_force) {
+  if (normal_force <= 0.0) return;
+  const double tangential_force = (contact.force - normal_force * contact.normal).norm();
+  // A sliding foot's is ±1e-16.
+  const double margin = std::max(0.0, contact.friction - tangential_force / normal_force);
+  lower(metrics_.friction_margin_min, margin);
+  if (normal_force >= kCarryingShare * options_.mass * kGravity) {
+    lower(metrics_.friction_margin_loaded_min, margin);
+  }
 }
 
 void Evaluator::add_body_contacts(const GroundTruth& truth) {

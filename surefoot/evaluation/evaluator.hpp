@@ -13,6 +13,7 @@ namespace surefoot {
 
 struct EvaluatorOptions {
   double control_period = 0.0025;  ///< [s]
+  double mass = kNaN;              ///< of the robot [kg]; NaN: no friction margin
   TerrainHeight terrain_height;    ///< empty: no edge landings are counted
   /// Hip H in B at joint angles (HAA, HFE, KFE) of a leg; empty: no limb extension.
   std::function<Vec3(Leg, const Vec3&)> hip_in_base;
@@ -64,6 +65,7 @@ class Evaluator {
   void add_torques(const GroundTruth& truth, const TickRecord& tick);
   void add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan);
   void add_stance(Foot& foot, const TrueContact& contact);
+  void add_friction(const TrueContact& contact, double normal_force);
   void add_body_contacts(const GroundTruth& truth);
   void check_fall(const GroundTruth& truth);
 

@@ -40,12 +40,17 @@ struct Metrics {
   double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
 
   int steps_taken = 0;        ///< swings that ended on the ground
+  int no_ground_events = 0;   ///< feet that were taken back because there was no ground in reach
   int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)
   double search_max_s = 0.0;  ///< longest time in which a foot looked for ground
   double foot_slip_max_m =
       0.0;  ///< longest tangential path of a stance foot's contact point in one stance
-  double friction_margin_min =
-      kNaN;  ///< min (μ f_n − |f_t|) / (μ f_n) over stance feet with f_n > 5 N
+  /// How far the robot was from slipping: min (μ − |f_t| / f_n) over the stance feet, with true
+  /// forces and the μ of each contact. By so much the ground could have been more slippery; 0: a
+  /// foot slid, as it does for a tick or two at touchdown and lift-off in the best of walks.
+  double friction_margin_min = kNaN;
+  /// The same over the stance feet that carry at least a tenth of the weight.
+  double friction_margin_loaded_min = kNaN;
   double limb_extension_max_m = kNaN;  ///< hip to foot sphere's centre
   double penetration_max_m = 0.0;      ///< of a foot into the ground
   int shank_contacts = 0;  ///< times that a thigh, knee or shank came to touch the ground

@@ -40,6 +40,8 @@ void fields(Archive& field, T& truth) {
   field("qpos", truth.qpos, "MuJoCo's mjData.qpos of the attached model");
   field("qvel", truth.qvel, "mjData.qvel");
   field("ctrl", truth.ctrl, "mjData.ctrl");
+  field("xfrc_applied", truth.xfrc_applied,
+        "mjData.xfrc_applied, row by row: force [N] and torque [N·m] from outside on each body");
 }
 
 }  // namespace logged

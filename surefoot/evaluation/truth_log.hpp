@@ -6,7 +6,7 @@
 namespace surefoot {
 
 /// The log's channel `/truth`: what the simulator knows and the controller does not, with MuJoCo's
-/// qpos, qvel and ctrl, so that stock MuJoCo can show and check the run.
+/// qpos, qvel, ctrl and xfrc_applied, so that stock MuJoCo can show and check the run.
 class TruthLog {
  public:
   /// Adds the channel; before the recorder's first tick.

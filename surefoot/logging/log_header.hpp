@@ -13,7 +13,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the first number changes when a reader must change.
-inline constexpr std::string_view kLogVersion = "1.0";
+inline constexpr std::string_view kLogVersion = "1.1";
 
 /// What the report needs to know of the robot and its limits.
 struct LogRobot {
@@ -51,7 +51,8 @@ struct LogHeader {
   LogRobot robot;
   LogLimbLimits limb;
   std::vector<std::string> notes;  ///< e.g. what was changed in the robot's model
-  /// The physics model as MJCF, stack, scenario and robot as they were read.
+  /// The physics model as MJCF; scenario, stack and robot as they were read; the stack with
+  /// everything worked in, and the robot's URDF.
   std::vector<LogAttachment> attachments;
 
   /// Name of an inequality row by its level and its id in that level; called on the recorder's

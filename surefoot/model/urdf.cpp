@@ -18,6 +18,13 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr double kPlaceholderMass = 1e-3;  // [kg]
+constexpr double kRounding = 1e-9;         // share of the largest moment that counts as none
+
+/// Principal moments of inertia, the smallest first.
+Vec3 moments(const Inertia& inertia) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(inertia.about_com, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
 
 /// m (|r|² 1 − r rᵀ), the inertia of a point mass at r.
 Mat3 point_inertia(double mass, const Vec3& r) {
@@ -166,20 +173,10 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
 /// Drops the root's inertia if it is a placeholder, refuses any other that can't be one of a body.
 void check_inertias(const Reader& reader, Urdf& urdf) {
   for (UrdfLink& link : urdf.links) {
-    const Inertia& inertia = link.inertia;
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia.about_com, Eigen::EigenvaluesOnly);
-    const double smallest = solver.eigenvalues()[0];
-    const bool described = inertia.mass > 0.0 || !inertia.about_com.isZero(0.0);
-    const bool placeholder = link.name == urdf.root && described &&
-                             inertia.mass <= kPlaceholderMass &&
-                             (inertia.mass == 0.0 || smallest <= 0.0);
-    if (placeholder) {
-      std::ostringstream note;
-      note << "root link \"" << link.name << "\": its inertia (" << inertia.mass
-           << " kg, not positive definite) is a placeholder and was left out";
-      urdf.notes.push_back(note.str());
+    if (link.name == urdf.root && is_placeholder(link.inertia)) {
+      urdf.notes.push_back(placeholder_note(link.name, link.inertia.mass));
       link.inertia = Inertia();
-    } else if (smallest < 0.0) {
+    } else if (moments(link.inertia)[0] < 0.0) {
       reader.fail(1, "link \"" + link.name + "\": its inertia has a negative eigenvalue");
     }
   }
@@ -204,6 +201,21 @@ const UrdfLink* Urdf::find_link(const std::string& name) const {
   const auto found = std::find_if(links.begin(), links.end(),
                                   [&](const UrdfLink& link) { return link.name == name; });
   return found == links.end() ? nullptr : &*found;
+}
+
+bool is_placeholder(const Inertia& inertia) {
+  const Vec3 moment = moments(inertia);
+  const bool described = inertia.mass > 0.0 || !inertia.about_com.isZero(0.0);
+  const bool positive_definite = moment[0] > kRounding * moment[2];
+  return described && inertia.mass <= kPlaceholderMass &&
+         (inertia.mass == 0.0 || !positive_definite);
+}
+
+std::string placeholder_note(const std::string& link, double mass) {
+  std::ostringstream note;
+  note << "root link \"" << link << "\": its inertia (" << mass
+       << " kg, not positive definite) is a placeholder and was left out";
+  return note.str();
 }
 
 Urdf read_urdf(const std::string& path) {

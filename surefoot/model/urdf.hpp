@@ -47,10 +47,18 @@ struct Urdf {
   [[nodiscard]] const UrdfLink* find_link(const std::string& name) const;
 };
 
-/// Reads a URDF. An inertia of the root link that is a placeholder (at most 1 g, and massless or
-/// not positive definite) is left out, with a note. Throws FileError, with file and line, if the
-/// file is missing, is not XML or not a robot, if its links do not form one tree, a mass is
-/// negative, an inertia has a negative eigenvalue or a number is not finite.
+/// Reads a URDF. An inertia of the root link that is a placeholder is left out, with a note. Throws
+/// FileError, with file and line, if the file is missing, is not XML or not a robot, if its links
+/// do not form one tree, a mass is negative, an inertia has a negative eigenvalue or a number is
+/// not finite.
 [[nodiscard]] Urdf read_urdf(const std::string& path);
+
+/// Is the inertia of a root link none of a body, but there for a tool that wants one? At most 1 g,
+/// and massless or not positive definite. Controller and plant leave out the same.
+[[nodiscard]] bool is_placeholder(const Inertia& inertia);
+
+/// The note on a root link's inertia that was left out: controller and plant say it in the same
+/// words, so that a run tells it once.
+[[nodiscard]] std::string placeholder_note(const std::string& link, double mass);
 
 }  // namespace surefoot

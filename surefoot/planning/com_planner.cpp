@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace surefoot {
 namespace {
@@ -14,7 +15,6 @@ constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
 constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
 constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMaxSamples = 8;           // of a phase
-constexpr int kMaxRegionEdges = 6;       // counted for the capacity of the levels
 constexpr int kUnknownsPerKnot = 6;      // p, v, a in x and y
 constexpr int kGaussPoints = 4;          // exact for the square of a cubic
 constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.3300094782075719,
@@ -35,9 +35,9 @@ ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& for
 
 Hierarchy ComPlanner::make_hierarchy(int phases) {
   Hierarchy hierarchy(kUnknownsPerKnot * phases);
-  hierarchy.add_level("zmp in the support region", phases * kMaxSamples * kMaxRegionEdges);
-  hierarchy.add_level("capture point in the swing's triangle",
-                      phases * kMaxSamples * kMaxRegionEdges);
+  const int region_rows = phases * kMaxSamples * SupportRegion::kMaxEdges;
+  hierarchy.add_level("zmp in the support region", region_rows);
+  hierarchy.add_level("capture point in the swing's triangle", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
 }
@@ -50,6 +50,7 @@ void ComPlanner::add(const SupportPhase& phase) noexcept {
 void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
                       const Vec2& end_velocity, bool comes_to_rest) noexcept {
   if (num_phases_ == 0) return;
+  const std::tuple before(begin_time_, height_, planned_, knots_, durations_);
   guess_knots(time, begin);
   begin_time_ = time;
   height_ = height;
@@ -65,6 +66,10 @@ void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
   write_terminal_rows(problem.hierarchy.level(2), end_velocity,
                       comes_to_rest ? kRestWeight : options_.terminal_weight);
   const Solution& solution = problem.solver.solve(problem.hierarchy);
+  if (solution.status == SolveStatus::invalid_input) {  // then the guess may be NaN as well
+    std::tie(begin_time_, height_, planned_, knots_, durations_) = before;
+    return;
+  }
   for (int k = 1; k <= planned_; ++k) {
     const auto x = solution.x.segment<kUnknownsPerKnot>(kUnknownsPerKnot * (k - 1));
     Motion<Vec2>& knot = knots_[static_cast<std::size_t>(k)];
@@ -119,7 +124,7 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
 void ComPlanner::write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
                                    double margin, Point point) const noexcept {
   const double T = phases_[static_cast<std::size_t>(phase)].duration;
-  for (int e = 0; e < region.num_edges() && level.num_rows() < level.max_rows(); ++e) {
+  for (int e = 0; e < region.num_edges(); ++e) {
     Rows rows = level.add(1, 0);
     const HalfPlane& edge = region.edge(e);
     const double h = pendulum(edge);

@@ -39,6 +39,8 @@ struct SupportPhase {
 class ComPlanner {
  public:
   static constexpr int kMaxPhases = 10;
+  /// Swings that fit: each with the support before it, and the support after the last.
+  static constexpr int kMaxSteps = (kMaxPhases - 1) / 2;
 
   ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, double robot_weight);
 
@@ -48,7 +50,8 @@ class ComPlanner {
 
   /// Plans through the phases added, from `begin` at `time`. `height` is that of the COM over the
   /// support, `end_velocity` the one at the end of the horizon. To the end the COM is drawn softly,
-  /// for a next plan comes before it, unless this is the last one and `comes_to_rest` there.
+  /// for a next plan comes before it, unless this is the last one and `comes_to_rest` there. With
+  /// numbers that are not finite the plan before stays in force.
   void plan(double time, const Motion<Vec2>& begin, double height, const Vec2& end_velocity,
             bool comes_to_rest = false) noexcept;
 

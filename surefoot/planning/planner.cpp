@@ -137,14 +137,13 @@ void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& 
   swing_again(k, {p_WF, goal, target.normal, options_.probe.duration, kLevel}, user, dynamics);
 }
 
-// A hind foot that steps onto a footprint knows how high the ground is. A touch well above it is a
-// shin or knee against the edge: up again, and down further on. Found there once more, the ground
-// really is higher.
+// A touch well above ground whose height is known is a shin or knee against the edge: up again, and
+// down further on. Found there once more, the ground really is higher.
 bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const SwingTarget& target = leg(k).target();
   const bool above = p_WF.z() > target.goal.z() + options_.probe.lift + options_.probe.tolerance;
-  if (is_front(k) || !above || collisions_ >= kMostCollisions) return false;
+  if (!knows_ground(k) || !above || collisions_ >= kMostCollisions) return false;
   ++collisions_;
   event_ = PlanEvent::collision;
   const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
@@ -242,8 +241,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     goal.head<2>() += options_.probe.ahead * probe_direction_;
     goal.z() = plane_.height(goal.head<2>());
   }
-  const bool known = !is_front(k) && options_.foothold.hind_use_front_prints;
-  const double apex = known ? options_.swing.apex_known : options_.swing.apex;
+  const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
   deadline_ = time_ + swing_duration(k);

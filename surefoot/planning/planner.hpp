@@ -59,6 +59,10 @@ class Planner {
   [[nodiscard]] double swing_duration(Leg leg) const;
   [[nodiscard]] double cycle_duration() const;
   [[nodiscard]] bool probes(Leg leg) const { return options_.probe.enabled && is_front(leg); }
+  /// A hind foot that steps into a front foot's print knows how high the ground is.
+  [[nodiscard]] bool knows_ground(Leg leg) const {
+    return options_.foothold.hind_use_front_prints && !is_front(leg);
+  }
   [[nodiscard]] bool all_down() const;
   [[nodiscard]] PerLeg<Vec3> footholds() const;
   [[nodiscard]] LegMotion& leg(Leg which) { return legs_[index(which)]; }

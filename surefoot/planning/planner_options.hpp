@@ -44,7 +44,7 @@ struct ComPlannerOptions {
   double zmp_margin = 0.02;  ///< ZMP inside the support region by [m]
   double rest_margin =
       0.04;               ///< capture point inside the swing's triangle by [m]: it may wait there
-  int horizon_steps = 2;  ///< swings that the QP looks ahead
+  int horizon_steps = 2;  ///< swings that the QP looks ahead, up to ComPlanner::kMaxSteps
   double sample_interval = 0.12;  ///< of the ZMP constraints [s]
   double terminal_weight = 1.0;   ///< pull of the horizon's end to the centre of the feet [1/s²]
 };

@@ -27,7 +27,7 @@ struct ActiveRow {
 
 /// How the hierarchy came out at one tick: plain data for the log and the viewer.
 struct HierarchyReport {
-  std::int32_t status = 0;  ///< SolveStatus
+  std::int32_t status = 0;  ///< SolveStatus; invalid_input also where no state was believed
   std::int32_t num_levels = 0;
   std::int32_t num_active = 0;  ///< entries of `active`
   std::array<LevelReport, kMaxLevels> levels{};

@@ -21,7 +21,8 @@ struct ModelRecord {
                      Vec3::Zero()};  ///< λ of the solution [N]
 };
 
-/// One tick of the control loop, complete: with the readings alone it can be computed again.
+/// One tick of the control loop, complete: a controller that gets readings and commands from the
+/// start, and the base state that the estimator gave it, computes the same ticks again.
 struct TickRecord {
   SensorReading reading;
   UserCommand user;

@@ -1,9 +1,8 @@
 #include "surefoot/simulation/urdf_spec.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/text.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -61,11 +60,6 @@ Mat3 full_inertia(const mjsBody& body) {
   return result;
 }
 
-bool is_positive_definite(const Mat3& inertia) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().minCoeff() > 1e-9 * solver.eigenvalues().maxCoeff();
-}
-
 void check_masses(mjsBody& base, const std::string& path) {
   for (mjsBody* body : subtree(base)) {
     if (std::isfinite(body->mass) && body->mass >= 0.0) continue;
@@ -74,11 +68,10 @@ void check_masses(mjsBody& base, const std::string& path) {
   }
 }
 
-void drop_dummy_inertia(mjsBody& base, const std::string& path, std::vector<std::string>& notes) {
-  if (base.explicitinertial == 0 || base.mass <= 0.0) return;
-  if (is_positive_definite(full_inertia(base))) return;
-  notes.push_back(text(path, ": the inertia of the base link \"", name_of(base.element), "\" (",
-                       base.mass, " kg, not positive definite) is left out"));
+void drop_dummy_inertia(mjsBody& base, std::vector<std::string>& notes) {
+  if (base.explicitinertial == 0) return;
+  if (!is_placeholder({.mass = base.mass, .about_com = full_inertia(base)})) return;
+  notes.push_back(placeholder_note(name_of(base.element), base.mass));
   base.explicitinertial = 0;
   base.mass = 0.0;
   for (double& value : base.inertia) value = 0.0;
@@ -120,7 +113,7 @@ SpecHandle read_urdf(const RobotDescription& description, std::vector<std::strin
                      description.urdf_path));
   }
   check_masses(base, description.urdf_path);
-  drop_dummy_inertia(base, description.urdf_path, notes);
+  drop_dummy_inertia(base, notes);
   free_the_base(base);
   if (mjs_firstElement(spec.get(), mjOBJ_MESH) == nullptr)
     mjs_setString(spec->compiler.meshdir, "");

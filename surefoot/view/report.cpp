@@ -32,11 +32,10 @@ std::string figures(const RunData& run) {
     return report::figure(number, image, caption);
   };
   std::string out = "<h2>Motion</h2>\n";
-  out += figure(
-      report::com_figure(run),
-      "Tracking of the centre of mass, as the paper's Fig. 4: lateral and forward position "
-      "against the plan, and the distance between the two in the plane. On the robot the paper "
-      "found at most 3.4 mm.");
+  out +=
+      figure(report::com_figure(run),
+             "Tracking of the centre of mass, as the paper's Fig. 4: lateral and forward position "
+             "against the plan, and the distance between the two in the plane.");
   out += figure(
       report::adaptation_figure(run),
       "Adaptation to the terrain, as the paper's Fig. 6. (a), (b) Errors of the torso against "
@@ -76,9 +75,10 @@ std::string figures(const RunData& run) {
 std::string write_report(const std::string& log_path, const std::string& output_dir) {
   const RunData run = read_run(log_path);
   const std::string path = output_dir + "/index.html";
-  report::write_page(path, report::page(run.header.scenario + " – surefoot",
-                                        head(run) + "<h2>Numbers</h2>\n" +
-                                            report::numbers(run.summary) + figures(run)));
+  report::write_page(
+      path, report::page(run.header.scenario + " – surefoot",
+                         head(run) + "<h2>Numbers</h2>\n" +
+                             report::numbers(run.summary, run.header.options) + figures(run)));
   return path;
 }
 

@@ -64,7 +64,6 @@ svg text.panel-title { font-weight: 600; }
 .f0 { fill: var(--c0); } .f1 { fill: var(--c1); } .f2 { fill: var(--c2); } .f3 { fill: var(--c3); }
 .column { fill: var(--c0); fill-opacity: .75; }
 .bar { fill: none; stroke-width: 9; } .b0 { stroke: var(--c0); } .b1 { stroke: var(--c1); }
-.whisker { fill: none; stroke-width: 1.6; }
 .h0 { fill: var(--h0); } .h1 { fill: var(--h1); } .h2 { fill: var(--h2); } .h3 { fill: var(--h3); }
 .h4 { fill: var(--h4); } .h5 { fill: var(--h5); } .h6 { fill: var(--h6); }
 @media print { body { max-width: none; padding: 0; font-size: 11pt; } figure { break-inside: avoid; } }

@@ -89,9 +89,17 @@ TEST(ClosedLoop, the_log_names_what_the_run_was_made_from) {
   EXPECT_EQ(header.seed, 3u);
   EXPECT_EQ(header.level_names.size(), 11u);
   EXPECT_EQ(header.robot.joint_names[0], "LF_HAA");
+  EXPECT_EQ(header.limb.level, 6);
   EXPECT_EQ(header.limb.form, "radial");
   EXPECT_EQ(header.limb.max, 0.535);
   EXPECT_EQ(header.event_names.at(2), "touchdown");
+}
+
+TEST(ClosedLoop, notes_tell_once_what_was_left_out_and_no_place_on_this_machine) {
+  const std::vector<std::string> notes = run_closed_loop(short_walk(), {}).notes;
+  ASSERT_EQ(notes.size(), 1u) << "controller and plant say the same of the base's inertia";
+  EXPECT_TRUE(test::holds(notes[0], "\"base\"")) << notes[0];
+  EXPECT_FALSE(test::holds(notes[0], "/")) << notes[0];
 }
 
 TEST(ClosedLoop, a_robot_that_is_knocked_over_ends_the_run_as_fallen) {

@@ -30,6 +30,28 @@ TEST(OutputFiles, checking_leaves_nothing_behind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(OutputFiles, an_earlier_run_is_removed_and_nothing_else) {
+  const test::TemporaryFolder folder;
+  for (const char* file : {"index.html", "run.mcap", "run.mcap.partial", "notes.txt"}) {
+    test::write_file(folder / file, "of an earlier run");
+  }
+  remove_outdated(folder.path(), {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "index.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "run.mcap"));
+  remove_outdated(folder.path(), folder / "run.mcap");
+  for (const char* file : {"run.mcap", "run.mcap.partial"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder / file)) << file;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
+  remove_outdated(folder / "none", folder / "none/run.mcap");  // nothing there is no error
+}
+
+TEST(OutputFiles, what_can_not_be_removed_is_named) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "index.html/in_the_way");
+  EXPECT_TRUE(holds(message_of([&] { remove_outdated(folder.path(), {}); }), "index.html"));
+}
+
 TEST(OutputFiles, a_seed_stands_before_the_extension) {
   EXPECT_EQ(with_seed("out/run.mcap", 7), "out/run-seed7.mcap");
 }

@@ -1,6 +1,7 @@
 #include "surefoot/config/scenario_file.hpp"
 
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/planning/com_planner.hpp"
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
@@ -207,6 +208,17 @@ TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
                     "trial.yaml:2: contact_force.use_foot_sensor"));
   EXPECT_TRUE(read("contact_force: {use_foot_sensor: true}\nsensors: {foot_force: true}\n")
                   .plant.sensors.foot_force);
+}
+
+TEST_F(ScenarioFile, that_looks_further_ahead_than_the_com_planner_can_says_so) {
+  const auto text = [](int steps) {
+    return "planner: {com: {horizon_steps: " + std::to_string(steps) + "}}\n";
+  };
+  const int most = ComPlanner::kMaxSteps;
+  EXPECT_EQ(read(text(most)).controller.planner.com.horizon_steps, most);
+  EXPECT_TRUE(holds(complaint(text(most + 1)), "trial.yaml:2: planner.com.horizon_steps: \"" +
+                                                   std::to_string(most + 1) + "\" is more than " +
+                                                   std::to_string(most)));
 }
 
 TEST_F(ScenarioFile, with_a_leg_twice_in_the_gait_says_so) {

@@ -108,13 +108,14 @@ TEST(Section, a_vector_needs_its_length) {
   EXPECT_TRUE(holds(complaint("size: [1, 2, wide]", read_vector), "wide"));
 }
 
-TEST(Section, a_whole_number_is_whole_and_large_enough) {
+TEST(Section, a_whole_number_is_whole_and_neither_too_small_nor_too_large) {
   const auto read_count = [](Section& section) {
     int value = 0;
-    section.integer("count", value, 1);
+    section.integer("count", value, 1, 4);
   };
   EXPECT_TRUE(holds(complaint("count: 1.5", read_count), "whole number"));
   EXPECT_TRUE(holds(complaint("count: 0", read_count), "less than 1"));
+  EXPECT_TRUE(holds(complaint("count: 5", read_count), "more than 4"));
 }
 
 TEST(Section, a_missing_required_key_is_named_after_unknown_ones) {

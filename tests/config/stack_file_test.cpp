@@ -96,6 +96,24 @@ TEST(StackFile, leaving_out_a_level_that_is_not_there_lists_the_levels) {
                     "s.yaml:3: without: unknown level \"limb_limits\""));
 }
 
+TEST(StackFile, what_is_left_out_must_be_a_list_of_levels) {
+  for (const std::string without : {"limb_extension_limits", "", "[]", "{com_xy: 1}"}) {
+    const std::string message =
+        complaint("name: s\nbase: terrain_adaptation\nwithout: " + without + "\n");
+    EXPECT_TRUE(holds(message, "s.yaml:3: without: must be a list of at least one level"));
+    EXPECT_TRUE(holds(message, "valid are: equations_of_motion, no_contact_motion"));
+  }
+  EXPECT_TRUE(holds(complaint("name: s\nbase: terrain_adaptation\nwithout: [[com_xy]]\n"),
+                    "s.yaml:3: without: a list of 1 is not a text"));
+}
+
+TEST(StackFile, levels_can_only_be_left_out_of_a_base) {
+  for (const std::string levels : {"levels: [{task: com_xy}]\n", ""}) {
+    EXPECT_TRUE(holds(complaint("name: s\nwithout: [com_xy]\n" + levels),
+                      "s.yaml:2: without: needs a base"));
+  }
+}
+
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");

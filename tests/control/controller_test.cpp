@@ -4,6 +4,7 @@
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/model/robot_model.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/solver/solution.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -202,6 +203,27 @@ TEST(Controller, HoldsThroughTicksWithoutAStateAndGoesOn) {
   }
   EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
   EXPECT_LT((statue.controller.record().command.torque - before).norm(), 1.0);
+}
+
+TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
+  Statue statue;
+  statue.user = {.walk = true, .velocity = {0.05, 0.0}};
+  const TickRecord& record = statue.controller.record();
+  for (int i = 0; i < 2000 && record.plan.event == 0; ++i) (void)statue.tick();
+  ASSERT_NE(record.plan.event, static_cast<int>(PlanEvent::none)) << "nothing ever happens";
+  ASSERT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+  const int num_levels = record.hierarchy.num_levels;
+  (void)statue.tick_with(RobotState{});
+  EXPECT_EQ(record.plan.event, static_cast<int>(PlanEvent::none));
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::invalid_input));
+  EXPECT_EQ(record.hierarchy.num_levels, num_levels);
+  EXPECT_EQ(record.hierarchy.num_active, 0);
+  for (const LevelReport& level : record.hierarchy.levels) {
+    EXPECT_EQ(level.residual, 0.0);
+    EXPECT_EQ(level.num_rows, 0);
+  }
+  (void)statue.tick();
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
 }
 
 TEST(Controller, WithoutAStateForLongDampsAndStaysSo) {

@@ -113,11 +113,39 @@ TEST(Safety, HoldIsASpringAndDamperAboutTheLastGoodPosture) {
   EXPECT_LT((safety.command(moved, nullptr).torque - expected).norm(), 1e-12);
 }
 
-TEST(Safety, HoldsWithZeroTorqueIfThereNeverWasAGoodTick) {
+TEST(Safety, HoldsTheFirstPostureIfThereNeverWasAGoodTick) {
+  const RobotDescription robot = anymal_b();
+  RobotState absurd = standing();
+  absurd.q[3] = 1e12;
   Safety safety = make_safety();
-  const JointCommand command = safety.command(standing(), nullptr);
+  EXPECT_EQ(safety.command(RobotState{}, nullptr).torque, JointVector::Zero());
+  EXPECT_EQ(safety.command(absurd, nullptr).torque, JointVector::Zero()) << "no posture";
+  EXPECT_EQ(safety.command(standing(), nullptr).torque, JointVector::Zero()) << "the posture";
+  RobotState moved = standing();
+  moved.q += JointVector::LinSpaced(kNumJoints, -0.05, 0.05);
+  moved.qd = JointVector::LinSpaced(kNumJoints, 0.5, -0.5);
+  const JointVector expected =
+      robot.hold_kp * (robot.q_nominal - moved.q) - robot.hold_kd * moved.qd;
+  const JointCommand command = safety.command(moved, nullptr);
   EXPECT_EQ(command.mode, CommandMode::hold);
-  EXPECT_EQ(command.torque, JointVector::Zero());
+  EXPECT_LT((command.torque - expected).norm(), 1e-12);
+}
+
+TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot) {
+  const RobotDescription robot = anymal_b();
+  Safety safety = make_safety();
+  const Solution good = solved(torques());
+  (void)safety.command(standing(), &good);
+  RobotState no_position = standing();
+  no_position.q.setConstant(kNaN);
+  no_position.qd.setConstant(0.5);
+  const JointVector damped = torques() - JointVector::Constant(0.5 * robot.hold_kd);
+  EXPECT_LT((safety.command(no_position, nullptr).torque - damped).norm(), 1e-12);
+  RobotState no_velocity = standing();
+  no_velocity.q.array() += 0.05;
+  no_velocity.qd.setConstant(kNaN);
+  const JointVector sprung = torques() - JointVector::Constant(0.05 * robot.hold_kp);
+  EXPECT_LT((safety.command(no_velocity, nullptr).torque - sprung).norm(), 1e-12);
 }
 
 TEST(Safety, ComesBackFromAFewBadTicks) {

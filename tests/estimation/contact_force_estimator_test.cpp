@@ -66,7 +66,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
     const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
     state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
     ContactForceEstimator estimator({}, kPeriod);
-    estimator.update(dynamics, SensorReading{}, state);
+    estimator.update(dynamics, kUp, SensorReading{}, state);
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       sum += state.foot_force[k];
@@ -91,12 +91,57 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
     const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
     ContactForceEstimator estimator({}, kPeriod);
     for (int tick = 0; tick < 60; ++tick) {  // the low-pass settles
-      estimator.update(dynamics, SensorReading{}, state);
+      estimator.update(dynamics, kUp, SensorReading{}, state);
       dynamics.u += kPeriod * acceleration;
     }
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << k;
     }
+  }
+}
+
+TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
+  RobotModel model(anymal_b());
+  Random random(7);
+  for (int left_out = 0; left_out < 40; ++left_out) {
+    SCOPED_TRACE(std::to_string(left_out) + " ticks left out");
+    RobotState state = random.standing_state(model.description().q_nominal);
+    state.time = random.uniform(0.0, 1000.0);
+    state.torque.setZero();
+    Dynamics dynamics = model.update(state, kUp);
+    const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
+    ContactForceEstimator estimator({}, kPeriod);
+    for (int tick = 0; tick < 200; ++tick) {
+      const double step = tick < 199 ? kPeriod : (1 + left_out) * kPeriod;
+      dynamics.u += step * acceleration;
+      state.time += step;
+      estimator.update(dynamics, kUp, SensorReading{}, state);
+    }
+    for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+  }
+}
+
+TEST(ContactForceEstimator, AfterTicksThatWereLeftOutForgetsAsMuchAsWithThem) {
+  RobotModel model(anymal_b());
+  Random random(8);
+  RobotState all = at_rest(random, model.description());
+  all.time = 3.0;
+  const Dynamics& dynamics = model.update(all, kUp);
+  all.torque = dynamics.h.tail<kNumJoints>();
+  RobotState some = all;
+  ContactForceEstimator every({}, kPeriod), few({}, kPeriod);
+  every.update(dynamics, kUp, SensorReading{}, all);
+  few.update(dynamics, kUp, SensorReading{}, some);
+  all.torque.setConstant(5.0);
+  some.torque = all.torque;
+  for (int tick = 0; tick < 4; ++tick) {
+    all.time += kPeriod;
+    every.update(dynamics, kUp, SensorReading{}, all);
+  }
+  some.time = all.time;
+  few.update(dynamics, kUp, SensorReading{}, some);
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    EXPECT_LT((all.foot_force[k] - some.foot_force[k]).norm(), 1e-9);
   }
 }
 
@@ -109,7 +154,7 @@ TEST(ContactForceEstimator, FeelsNothingInFreeFall) {
   const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);
   ContactForceEstimator estimator({}, kPeriod);
   for (int tick = 0; tick < 200; ++tick) {
-    estimator.update(dynamics, SensorReading{}, state);
+    estimator.update(dynamics, kUp, SensorReading{}, state);
     dynamics.u += kPeriod * acceleration;
   }
   for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
@@ -122,13 +167,13 @@ TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
   const Dynamics& dynamics = model.update(state, kUp);
   ContactForceEstimator estimator({.cutoff_hz = 40.0}, kPeriod);
   state.torque = dynamics.h.tail<kNumJoints>();
-  estimator.update(dynamics, SensorReading{}, state);
+  estimator.update(dynamics, kUp, SensorReading{}, state);
   EXPECT_LT(state.foot_force[0].norm(), 1e-9);
   const PerLeg<Vec3> touch{Vec3(0.0, 0.0, 50.0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   state.torque -= generalized(dynamics, touch).tail<kNumJoints>();
-  estimator.update(dynamics, SensorReading{}, state);
+  estimator.update(dynamics, kUp, SensorReading{}, state);
   const double first = state.foot_force[0].z();
-  for (int tick = 0; tick < 5; ++tick) estimator.update(dynamics, SensorReading{}, state);
+  for (int tick = 0; tick < 5; ++tick) estimator.update(dynamics, kUp, SensorReading{}, state);
   EXPECT_GT(first, 15.0);
   EXPECT_LT(first, 35.0);
   EXPECT_GT(state.foot_force[0].z(), 45.0);
@@ -140,7 +185,7 @@ TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
   RobotState state = test::straight_legged_state();
   state.torque.setConstant(5.0);
   ContactForceEstimator estimator({}, kPeriod);
-  estimator.update(model.update(state, kUp), SensorReading{}, state);
+  estimator.update(model.update(state, kUp), kUp, SensorReading{}, state);
   for (const Vec3& force : state.foot_force) {
     EXPECT_TRUE(force.allFinite());
     EXPECT_LT(force.norm(), 2000.0);
@@ -156,13 +201,28 @@ TEST(ContactForceEstimator, TakesAFootSensorsForceOnlyWhereItIsAskedToAndThereIs
   SensorReading reading;
   reading.foot_force = {42.0, kNaN, 7.0, kNaN};
   ContactForceEstimator with({.use_foot_sensor = true}, kPeriod);
-  with.update(dynamics, reading, state);
+  with.update(dynamics, kUp, reading, state);
   EXPECT_EQ(state.foot_force[0], Vec3(0.0, 0.0, 42.0));
   EXPECT_LT(state.foot_force[1].norm(), 1e-9);
   EXPECT_EQ(state.foot_force[2], Vec3(0.0, 0.0, 7.0));
   ContactForceEstimator without({}, kPeriod);
-  without.update(dynamics, reading, state);
+  without.update(dynamics, kUp, reading, state);
   EXPECT_LT(state.foot_force[0].norm(), 1e-9);
+}
+
+TEST(ContactForceEstimator, LaysAFootSensorsForceAlongTheTerrainNormal) {
+  RobotModel model(anymal_b());
+  Random random(9);
+  RobotState state = at_rest(random, model.description());
+  state.torque.setZero();
+  SensorReading reading;
+  reading.foot_force = {42.0, 0.0, 7.0, -1.0};
+  const Vec3 normal = Vec3(0.2, -0.1, 1.0).normalized();
+  ContactForceEstimator estimator({.use_foot_sensor = true}, kPeriod);
+  estimator.update(model.update(state, normal), normal, reading, state);
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    EXPECT_LT((state.foot_force[k] - reading.foot_force[k] * normal).norm(), 1e-12);
+  }
 }
 
 TEST(ContactForceEstimator, AllocatesNothing) {
@@ -173,8 +233,8 @@ TEST(ContactForceEstimator, AllocatesNothing) {
   const Dynamics& dynamics = model.update(state, kUp);
   ContactForceEstimator estimator({}, kPeriod);
   const test::MallocCounter counter;
-  estimator.update(dynamics, SensorReading{}, state);
-  estimator.update(dynamics, SensorReading{}, state);
+  estimator.update(dynamics, kUp, SensorReading{}, state);
+  estimator.update(dynamics, kUp, SensorReading{}, state);
   EXPECT_EQ(counter.count(), 0u);
 }
 

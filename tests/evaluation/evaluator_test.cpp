@@ -1,5 +1,7 @@
 #include "surefoot/evaluation/evaluator.hpp"
 
+#include "surefoot/signals/plan_event.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,12 +11,13 @@ namespace surefoot {
 namespace {
 
 constexpr double kPeriod = 0.0025;
+constexpr double kMass = 30.0;  // a tenth of its weight is 29.43 N
 
 // A run made by hand: each test changes what it is about and calls `tick`.
 struct HandMadeRun {
-  HandMadeRun() : evaluator({.control_period = kPeriod, .terrain_height = {}, .hip_in_base = {}}) {
-    stand();
-  }
+  HandMadeRun()
+      : HandMadeRun(
+            {.control_period = kPeriod, .mass = kMass, .terrain_height = {}, .hip_in_base = {}}) {}
   explicit HandMadeRun(EvaluatorOptions options) : evaluator(std::move(options)) { stand(); }
 
   void stand() {
@@ -60,7 +63,7 @@ TEST(Evaluator, StandingStillIsFaultless) {
   EXPECT_EQ(metrics.speed_mps, 0.0);
   EXPECT_EQ(metrics.com_error_max_m, 0.0);
   EXPECT_EQ(metrics.base_height_error_rms_m, 0.0);
-  EXPECT_EQ(metrics.friction_margin_min, 1.0);
+  EXPECT_EQ(metrics.friction_margin_min, 0.8);
   EXPECT_EQ(metrics.steps_taken, 0);
   EXPECT_EQ(metrics.fallback_ticks, 0);
   EXPECT_EQ(metrics.seed, 9u);
@@ -143,23 +146,52 @@ TEST(Evaluator, TorqueStepIsTheLargestChangeOfACommand) {
   EXPECT_EQ(run.metrics().torque_max_nm, 35.0);
 }
 
-TEST(Evaluator, FrictionMarginIsOfTheWorstLoadedStanceFoot) {
+TEST(Evaluator, FrictionMarginIsOfTheWorstStanceFootThatCarries) {
   HandMadeRun run;
-  run.contact(Leg::LF).force = {24.0, -32.0, 100.0};  // 40 of at most 80
-  run.contact(Leg::RF).force = {3.0, 0.0, 4.0};       // too light to count
-  run.contact(Leg::LH).force = {60.0, 0.0, 80.0};
+  run.contact(Leg::LF).force = {24.0, -32.0, 100.0};  // a ratio of 0.4, of at most 0.8
+  run.contact(Leg::RF).force = {23.2, 0.0, 29.0};     // light, on the cone's boundary
+  run.contact(Leg::LH).force = {64.0, 0.0, 80.0};
   run.phase(Leg::LH, LegPhase::swing);  // not a stance
   run.step();
-  EXPECT_NEAR(run.metrics().friction_margin_min, 0.5, 1e-12);
+  EXPECT_NEAR(run.metrics().friction_margin_loaded_min, 0.4, 1e-12);
+  EXPECT_NEAR(run.metrics().friction_margin_min, 0.0, 1e-12);
+  run.contact(Leg::RF).force = {21.0, 0.0, 30.0};  // just heavy enough
+  run.step();
+  EXPECT_NEAR(run.metrics().friction_margin_loaded_min, 0.1, 1e-12);
 }
 
-TEST(Evaluator, FrictionMarginFollowsTheContactsNormal) {
+TEST(Evaluator, FrictionMarginFollowsTheContactsNormalAndItsFriction) {
   HandMadeRun run;
   const Vec3 normal = Vec3(0.6, 0.0, 0.8);
   run.contact(Leg::RH).normal = normal;
   run.contact(Leg::RH).force = 100.0 * normal + 20.0 * Vec3::UnitY();
+  run.contact(Leg::RH).friction = 0.7;
   run.step();
-  EXPECT_NEAR(run.metrics().friction_margin_min, 0.75, 1e-12);
+  EXPECT_NEAR(run.metrics().friction_margin_min, 0.5, 1e-12);
+}
+
+TEST(Evaluator, FrictionMarginOfASlidingFootIsZeroWithoutASign) {
+  HandMadeRun run;
+  run.contact(Leg::LF).force = {80.0 + 1e-12, 0.0, 100.0};
+  run.step();
+  EXPECT_EQ(run.metrics().friction_margin_min, 0.0);
+  EXPECT_FALSE(std::signbit(run.metrics().friction_margin_min));
+}
+
+TEST(Evaluator, TheMarginOfLoadedFeetNeedsTheRobotsMass) {
+  HandMadeRun run({.control_period = kPeriod, .terrain_height = {}, .hip_in_base = {}});
+  run.step();
+  EXPECT_TRUE(std::isnan(run.metrics().friction_margin_loaded_min));
+}
+
+TEST(Evaluator, FeetThatAreTakenBackAreCounted) {
+  HandMadeRun run;
+  for (const PlanEvent event : {PlanEvent::none, PlanEvent::no_ground, PlanEvent::late,
+                                PlanEvent::touchdown, PlanEvent::no_ground}) {
+    run.tick.plan.event = static_cast<int>(event);
+    run.step();
+  }
+  EXPECT_EQ(run.metrics().no_ground_events, 2);
 }
 
 TEST(Evaluator, SlipIsThePathWithinOneStance) {

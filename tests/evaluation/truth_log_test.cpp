@@ -40,6 +40,7 @@ TEST(TruthLog, TheTruthStandsOnAChannelOfItsOwnBitByBit) {
     ASSERT_EQ(logged.at("qpos"), json(truth.qpos));
     ASSERT_EQ(logged.at("qvel"), json(truth.qvel));
     ASSERT_EQ(logged.at("ctrl"), json(truth.ctrl));
+    ASSERT_EQ(logged.at("xfrc_applied"), json(truth.xfrc_applied));
     const TrueContact& contact = truth.feet[index(Leg::RH)];
     ASSERT_EQ(logged.at("feet").at("RH").at("force"),
               json({contact.force.x(), contact.force.y(), contact.force.z()}));

@@ -1,5 +1,5 @@
 # Installs the build tree BUILD into an empty folder, then configures, builds and runs the consumer
-# against it, as a user would: without the source tree.
+# against it, as a user would: with nothing of the source tree but two programs.
 
 set(prefix ${BUILD}/install_test/prefix)
 set(consumer ${BUILD}/install_test/consumer)
@@ -8,7 +8,10 @@ file(REMOVE_RECURSE ${prefix} ${consumer})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/install -B ${consumer} -G Ninja
-                -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix} COMMAND_ERROR_IS_FATAL ANY)
+                -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
+                -D CONTROL_LOOP=${SOURCE}/examples/02_control_loop.cpp COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${consumer} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${consumer}/consumer COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env SUREFOOT_DATA_DIR=${prefix}/share/surefoot
+                ${consumer}/control_loop COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${prefix}/bin/surefoot --version COMMAND_ERROR_IS_FATAL ANY)

@@ -29,7 +29,8 @@ class SyntheticRun {
     header.scenario = "synthetic";
     header.stack = "terrain_adaptation";
     header.estimation = "truth";
-    header.options = R"({"gait":{"swing_duration":0.5}})";
+    header.options =
+        R"({"gait":{"swing_duration":0.5},"paper":{"com_error_max_m":"≤ 3.4 mm, on the robot"}})";
     header.seed = 7;
     header.level_names = {
         "equations of motion", "no contact motion", "torque limits", "friction", "COM",
@@ -161,6 +162,7 @@ class SyntheticRun {
     truth.qpos.assign(19, time_);
     truth.qvel.assign(18, noise(1.0));
     truth.ctrl.assign(12, noise(1.0));
+    truth.xfrc_applied.assign(84, 30.0 * std::sin(time_));
     for (const Leg leg : kLegs) {
       const std::size_t k = index(leg);
       const Vec3 p_BH(is_front(leg) ? 0.34 : -0.34, is_left(leg) ? 0.19 : -0.19, 0.0);

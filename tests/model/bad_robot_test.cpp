@@ -1,6 +1,7 @@
 // Robot files that are wrong: each gives one message that says where and what would be valid.
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/robot_model.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "tests/support/anymal_b.hpp"
 
 #include <gtest/gtest.h>
@@ -137,6 +138,16 @@ TEST(BadRobot, refuses_an_inertia_that_no_body_can_have) {
   const ChangedUrdf urdf("ixx=\"0.217391101503\"", "ixx=\"-0.217391101503\"");
   EXPECT_TRUE(contains(message_of<FileError>(urdf.robot()),
                        "link \"base_inertia\": its inertia has a negative eigenvalue"));
+}
+
+TEST(BadRobot, takes_only_a_light_inertia_that_no_body_can_have_for_a_placeholder) {
+  const Mat3 flat = Vec3(1.0, 1.0, 0.0).asDiagonal();
+  EXPECT_TRUE(is_placeholder({.mass = 1e-6, .about_com = 1e-6 * Mat3::Ones()}));
+  EXPECT_TRUE(is_placeholder({.mass = 1e-3, .about_com = flat}));
+  EXPECT_TRUE(is_placeholder({.mass = 0.0, .about_com = Mat3::Identity()}));
+  EXPECT_FALSE(is_placeholder({.mass = 5.0, .about_com = flat}));
+  EXPECT_FALSE(is_placeholder({.mass = 1e-3, .about_com = 1e-6 * Mat3::Identity()}));
+  EXPECT_FALSE(is_placeholder(Inertia()));
 }
 
 TEST(BadRobot, refuses_a_movable_joint_that_the_description_does_not_name) {

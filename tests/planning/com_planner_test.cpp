@@ -378,6 +378,36 @@ TEST(ComPlanner, WithoutAnyPhaseKeepsTheLastPlan) {
   EXPECT_EQ(planner.at(1.0).p, before);
 }
 
+TEST(ComPlanner, KeepsTheLastPlanWhereTheNewOneWouldBeNoNumber) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    ComPlanner planner = make_planner();
+    const Phases phases = walk(1, nominal_feet(), {0.1, 0.0});
+    plan(planner, phases, 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+    const ComPlanner& now = planner;
+    const ComPlan before = now.at(1.0);
+    const double end = now.end_time();
+    plan(planner, phases, 0.5, {{bad, 0.0}, {0, 0}, {0, 0}});
+    plan(planner, phases, 0.5, {{0, 0}, {0.0, bad}, {0, 0}});
+    plan(planner, phases, 0.5, {{0, 0}, {0, 0}, {0, 0}}, {bad, 0.0});
+    EXPECT_EQ(now.at(1.0).p, before.p);
+    EXPECT_EQ(now.at(1.0).zmp, before.zmp);
+    EXPECT_EQ(now.end_time(), end);
+  }
+}
+
+TEST(ComPlanner, HoldsTheZmpInsideToTheEndOfAPhaseWhoseRegionHasManyEdges) {
+  RandomMatrices random(13);
+  ComPlanner planner = make_planner({.terminal_weight = 100.0});
+  const SupportPhase stand = standing(1.0, nominal_feet());
+  ASSERT_GT(region(planner, stand, 1.0).num_edges(), 6) << "all four corners are cut off";
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double angle = random.uniform(-3.0, 3.0);  // which asks for much at the end
+    plan(planner, {stand}, 0.0, {{0, 0}, {0, 0}, {0, 0}},
+         1.5 * Vec2(std::cos(angle), std::sin(angle)));
+    EXPECT_LT(planner.zmp_slack(), 1e-6);
+  }
+}
+
 TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
   ComPlanner planner = make_planner();
   const SupportPhase stand = standing(0.5, nominal_feet());

@@ -300,6 +300,17 @@ TEST(Planner, GroundThatLiesHigherIsMetEarly) {
   EXPECT_NEAR(puppet.plan().torso.height, 0.05 + StanceOptions{}.height, 2e-3);
 }
 
+TEST(Planner, OnlyAHindFootThatKnowsTheGroundRefusesOneThatLiesHigher) {
+  PlannerOptions options;
+  options.foothold.hind_use_front_prints = false;
+  Puppet puppet = walker(options, step_at(0.40, 0.08));
+  puppet.run(40.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::collision).empty());
+  puppet.user.walk = false;
+  puppet.run(4.0);
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.08, 2e-3) << "all went up";
+}
+
 TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
   const double slope = 0.15;
   const Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };

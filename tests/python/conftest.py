@@ -7,13 +7,13 @@ import pytest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
-def record(path, *arguments):
-    """Runs two seconds of the flat walk, long enough for a step, and records it."""
+def record(path, *arguments, scenario="walk_flat", duration=2):
+    """Runs two seconds of the flat walk, long enough for a step, or another scenario, and records it."""
     program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))
-    command = [program, "run", str(SOURCE / "scenarios" / "walk_flat.yaml"), "--set", "duration=2",
+    command = [program, "run", str(SOURCE / "scenarios" / f"{scenario}.yaml"), "--set", f"duration={duration}",
                "--record", str(path), "--json", *arguments]
     run = subprocess.run(command, capture_output=True, text=True)
-    # 1: the criteria of the whole walk do not hold after two seconds.
+    # 1: the criteria of the whole walk do not hold after so short a time.
     assert run.returncode in (0, 1), run.stderr
     return path
 

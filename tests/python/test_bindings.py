@@ -147,7 +147,7 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
     for owner in (plant.read(), plant.truth, controller.state, plan, plan.com, plan.torso, controller.model):
         for name in dir(owner):
             value = getattr(owner, name)
-            if isinstance(value, np.ndarray) and name not in ("qpos", "qvel", "ctrl"):
+            if isinstance(value, np.ndarray) and name not in ("qpos", "qvel", "ctrl", "xfrc_applied"):
                 help_text = getattr(type(owner), name).__doc__
                 assert f"shape {value.shape}" in help_text
                 assert value.dtype == np.float64
@@ -162,6 +162,7 @@ def test_what_is_read_is_what_the_simulator_knows(scenario):
     assert plant.time == truth.time == reading.time == pytest.approx(0.1)
     np.testing.assert_array_equal(truth.p_WB, truth.qpos[:3])
     np.testing.assert_array_equal([w, x, y, z], truth.qpos[3:7])
+    assert len(truth.xfrc_applied) % 6 == 0 and len(truth.xfrc_applied) > 0 and not any(truth.xfrc_applied)
     np.testing.assert_array_equal(sorted(truth.q), sorted(truth.qpos[7:]))
     assert np.linalg.norm(truth.p_WCom - controller.model.p_WCom) < 1e-3
     assert np.isnan(reading.foot_force).all()

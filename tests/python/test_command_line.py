@@ -245,6 +245,8 @@ def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
     from mcap.reader import make_reader
 
     log = tmp_path / "run.mcap"
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out/index.html").write_text("of an earlier run")
     code, out, err = interrupt(
         ["run", "walk_flat", "--json", "--record", log, "--report", tmp_path / "out", "--set", "duration=1000"], 1.5, which
     )
@@ -255,6 +257,64 @@ def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
     with log.open("rb") as stream:
         assert sum(1 for _ in make_reader(stream).iter_messages(topics=["/command"])) > 10
     assert list((tmp_path / "out").iterdir()) == []
+
+
+def earlier_results(folder, *names):
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text("of an earlier run")
+
+
+def left_of(folder):
+    """Files that still are of an earlier run."""
+    return sorted(
+        str(file.relative_to(folder))
+        for file in folder.rglob("*")
+        if file.is_file() and file.read_bytes() == b"of an earlier run"
+    )
+
+
+@pytest.mark.parametrize(
+    "arguments, outdated, others",
+    [
+        (["run", "walk_flat", "--report"], ["index.html", "run.mcap"], ["notes.txt"]),
+        (
+            ["run", "walk_flat", "--seeds", 3, "--report"],
+            ["seed1/index.html", "seed3/index.html", "run-seed3.mcap"],
+            ["seed4/index.html"],
+        ),
+        (["demo", "--out"], ["index.html", "walk_flat/index.html", "push/index.html", "push/run.mcap"], ["notes.txt"]),
+    ],
+)
+def test_an_interrupt_leaves_no_page_of_an_earlier_run_beside_a_new_log(tmp_path, arguments, outdated, others):
+    earlier_results(tmp_path, *outdated, *others)
+    long = ["--set", "duration=1000"] if arguments[0] == "run" else []
+    interrupt([*arguments, tmp_path, *long], 1.5)
+    assert left_of(tmp_path) == others
+
+
+def test_a_wrong_scenario_leaves_an_earlier_report_as_it_is(tmp_path):
+    earlier_results(tmp_path, "index.html", "run.mcap", "seed1/index.html", "run-seed1.mcap")
+    before = left_of(tmp_path)
+    for wrong in [["--set", "duration=never"], ["--set", "period=0.0007"]]:
+        complaint("run", "walk_flat", "--report", tmp_path, *wrong)
+        complaint("run", "walk_flat", "--report", tmp_path, "--seeds", 2, *wrong)
+    complaint("run", "walk_flat", "--report", tmp_path / "new", "--set", "duration=never")
+    assert left_of(tmp_path) == before
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_log_with_a_name_of_its_own_is_kept_until_the_new_one_is_whole(tmp_path):
+    (tmp_path / "run.mcap").write_text("of an earlier run")
+    process = subprocess.Popen(
+        [PROGRAM, "run", "walk_flat", "--set", "duration=1000", "--record", tmp_path / "run.mcap", "--report", tmp_path],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    time.sleep(1.5)
+    process.kill()
+    process.wait()
+    assert left_of(tmp_path) == ["run.mcap"]
 
 
 def test_an_interrupt_of_several_seeds_ends_all_of_them(tmp_path):

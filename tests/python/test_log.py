@@ -86,6 +86,10 @@ def test_the_files_that_the_run_was_made_from_are_in_it(log):
     assert header["scenario"] == "walk_flat"
     assert header["robot"]["name"] == "anymal_b"
     assert attachment(log, "model.xml").startswith(b"<mujoco")
+    assert b"<robot" in attachment(log, "robot.urdf")
+    assert attachment(log, "resolved_stack.yaml").count(b"- name:") == len(header["level_names"])
+    for name in ["scenario.yaml", "stack.yaml", "robot.yaml"]:
+        assert b"name:" in attachment(log, name) or b"description:" in attachment(log, name)
     summary = json.loads(attachment(log, "summary.json"))
     assert summary["metrics"]["duration_s"] == 2
     assert {criterion["metric"] for criterion in summary["criteria"]}

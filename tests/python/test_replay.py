@@ -3,24 +3,42 @@
 import mujoco
 import numpy as np
 import pytest
+from conftest import record
 from log_file import attachment, messages
 
 LEGS = ("LF", "RF", "LH", "RH")
 
 
-@pytest.fixture(scope="module")
-def model(log):
-    return mujoco.MjModel.from_xml_string(attachment(log, "model.xml").decode())
+PUSH = {"time": 0.9, "duration": 0.3}  # s; before it the robot stands still for a while
 
 
 @pytest.fixture(scope="module")
-def truths(log):
-    return messages(log, "/truth")[::10]
+def pushed_log(tmp_path_factory):
+    """A run with a lateral push near its end."""
+    window = [part for key, value in PUSH.items() for part in ("--set", f"disturbances.pushes.lateral.{key}={value}")]
+    return record(tmp_path_factory.mktemp("log") / "push.mcap", *window, scenario="push", duration=1.3)
+
+
+@pytest.fixture(scope="module", params=["log", "pushed_log"])
+def run(request):
+    """A recorded run, of each kind."""
+    return request.getfixturevalue(request.param)
+
+
+@pytest.fixture(scope="module")
+def model(run):
+    return mujoco.MjModel.from_xml_string(attachment(run, "model.xml").decode())
+
+
+@pytest.fixture(scope="module")
+def truths(run):
+    return messages(run, "/truth")[::10]
 
 
 def forward(model, data, truth):
     """The physics at one tick of the log."""
     data.qpos[:], data.qvel[:], data.ctrl[:] = truth["qpos"], truth["qvel"], truth["ctrl"]
+    data.xfrc_applied.flat = truth["xfrc_applied"]
     mujoco.mj_forward(model, data)
 
 
@@ -72,6 +90,15 @@ def test_the_contact_forces_are_the_logged_ones(model, truths):
             assert forces[leg] == pytest.approx(logged, abs=0.02, rel=1e-4), (truth["time"], leg)
             loaded += logged[2] > 20.0
     assert loaded > 2 * len(truths)
+
+
+def test_the_push_is_in_the_log_at_its_time_and_nothing_else(pushed_log):
+    for truth in messages(pushed_log, "/truth"):
+        inside = PUSH["time"] < truth["time"] - 1e-6 and truth["time"] < PUSH["time"] + PUSH["duration"]
+        outside = truth["time"] < PUSH["time"] - 1e-6 or truth["time"] > PUSH["time"] + PUSH["duration"] + 0.003
+        loads = [load for load in truth["xfrc_applied"] if load != 0.0]
+        assert not inside or loads == pytest.approx([30.0]), truth["time"]
+        assert not outside or loads == [], truth["time"]
 
 
 def test_the_forces_carry_the_robot(model, truths):

@@ -1,7 +1,7 @@
 #include "tests/scenarios/loop.hpp"
 
-#include "app/truth_estimator.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 #include "tests/support/malloc_counter.hpp"
 
 #include <algorithm>

@@ -190,6 +190,13 @@ TEST(Urdf, WithANegativeMassIsAnErrorThatNamesTheLink) {
   EXPECT_NE(error.find("link \"LF_HIP\" has the mass -1.4 kg"), std::string::npos) << error;
 }
 
+TEST(Urdf, WithAHeavyBaseThatHasNoProperInertiaLosesNoMassSilently) {
+  const EditedUrdf urdf("<mass value=\"1e-6\"/>", "<mass value=\"5\"/>");
+  PlantOptions options = test::standing_options();
+  options.initial.position.z() = 50.0;
+  EXPECT_NE(test::error_of(urdf.robot(), options), "") << "MuJoCo can't simulate it and says so";
+}
+
 TEST(Urdf, ThatIsBrokenIsAnErrorThatNamesTheFile) {
   const EditedUrdf urdf("</robot>", "</robt>");
   EXPECT_NE(test::error_of(urdf.robot(), {}).find("surefoot_edited.urdf: "), std::string::npos);

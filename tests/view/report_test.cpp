@@ -4,7 +4,6 @@
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
-#include "surefoot/view/overview.hpp"
 #include "surefoot/view/run_data.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -68,7 +67,7 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
                            "anymal_b",
                            "seed 7",
                            "COM tracking error, largest",
-                           "3.4 mm on the robot (Fig. 4)",
+                           "≤ 3.4 mm, on the robot",
                            "≤ 0.5 mm  ✓ holds",
                            "(a) COM, lateral",
                            "(c) COM tracking error in the plane",
@@ -93,6 +92,42 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
   }
   EXPECT_EQ(count(page, "<figure>"), 9);
   EXPECT_EQ(count(page, "<svg class=\"plot\""), 9);
+}
+
+TEST(Report, FiguresOfThePaperAreTheScenariosAndNoOthers) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  const auto page = [&](const std::string& options) {
+    header.options = options;
+    record(folder / "run.mcap", {.seconds = 0.1}, header);
+    return contents(write_report(folder / "run.mcap", folder / "report"));
+  };
+  const std::string given =
+      page(R"({"paper":{"com_error_max_m":null,"speed_mps":"0.07 m/s","steps_taken":12}})");
+  EXPECT_NE(given.find("<td class=\"soft\">0.07 m/s</td>"), std::string::npos);
+  EXPECT_NE(given.find("<td class=\"soft\">12</td>"), std::string::npos);
+  EXPECT_EQ(given.find("3.4 mm"), std::string::npos);
+  for (const char* none : {"", "{}", R"({"paper":null})"}) {
+    EXPECT_EQ(count(page(none), "<td class=\"soft\"></td>"), count(given, "<td class=\"soft\">"))
+        << none;
+  }
+}
+
+TEST(Report, ShadesTheTorsosErrorsWhereTheLimbLimitsAct) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  // Shaded stretches of the panels (a) and (b): a panel's title is drawn behind its spans.
+  const auto shaded = [&] {
+    record(folder / "run.mcap", {}, header);
+    const std::string page = contents(write_report(folder / "run.mcap", folder / "report"));
+    const std::size_t a = page.find("(a) orientation error"), b = page.find("(b) height error");
+    const std::size_t figure = page.rfind("<svg class=\"plot\"", a);
+    return std::pair(count(page.substr(figure, a - figure), "class=\"search\""),
+                     count(page.substr(a, b - a), "class=\"search\""));
+  };
+  EXPECT_EQ(shaded(), std::pair(1, 1));  // the one stretch of the synthetic adaptation
+  header.limb.level = -1;
+  EXPECT_EQ(shaded(), std::pair(0, 0));
 }
 
 TEST(Report, NeedsNoNetworkAndNoScript) {
@@ -193,34 +228,6 @@ TEST(RunData, EachTickHasItsOwnTruth) {
     ASSERT_EQ(tick.truth.time, tick.time);
     ASSERT_EQ(tick.truth.p_WCom, tick.model.p_WCom);  // the synthetic run believes the truth
   }
-}
-
-TEST(Overview, ShowsRatesWithIntervalsCurvesAndLinks) {
-  const TemporaryFolder folder;
-  DemoTable table;
-  table.title = "Experiments";
-  table.facts = {"surefoot 0.1.0"};
-  table.rows = {{.experiment = "step_down",
-                 .quantity = "success at 14 cm",
-                 .paper = "shown once",
-                 .ours = "97 %",
-                 .passed = true,
-                 .rate = {97, 100, 0.9155, 0.9897},
-                 .report = "step_down/index.html",
-                 .note = "3 falls"}};
-  table.figures = {
-      {.title = "Step-down",
-       .x_label = "height [cm]",
-       .caption = "Success against height.",
-       .curves = {
-           {"full stack", {{14.0, {97, 100, 0.9155, 0.9897}}, {22.0, {5, 20, 0.11, 0.47}}}}}}};
-  write_overview(table, folder / "index.html");
-  const std::string page = contents(folder / "index.html");
-  for (const char* text : {"97 of 100  (92–99 %)", "href=\"step_down/index.html\"", "✓ holds",
-                           "shown once", "height [cm]", "success [%]", "Success against height."}) {
-    EXPECT_NE(page.find(text), std::string::npos) << text;
-  }
-  EXPECT_EQ(count(page, "class=\"whisker c0\""), 2);
 }
 
 }  // namespace

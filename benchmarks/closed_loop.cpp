@@ -5,13 +5,13 @@
 // The loop is deterministic, so it is run several times and each tick counts with its least time:
 // what other programs took from the machine drops out, what a tick really costs stays.
 
-#include "app/truth_estimator.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/simulation/plant.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <CLI/CLI.hpp>
 #include <Eigen/QR>
@@ -23,8 +23,10 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,7 +37,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  ScenarioRequest scenario{.name_or_path = "walk_flat_sea", .seed = 0, .assignments = {}};
+  std::vector<std::string> scenarios{"walk_flat_sea", "step_down"};
+  std::uint64_t seed = 0;
+  std::vector<std::string> assignments;
   int runs = 3;
   bool json = false;
 };
@@ -49,8 +53,9 @@ enum Item {
   kSolve,
   kCommand,
   kController,
-  kPhysics,
   kPlant,
+  kLoop,
+  kPhysics,
   kQ,
   kNumItems
 };
@@ -67,8 +72,9 @@ constexpr std::array<ItemText, kNumItems> kItems{
      {"solve", ""},
      {"command", ""},
      {"controller", "all stages"},
-     {"physics", "MuJoCo alone over one control period"},
-     {"plant", "the same with actuators, sensors and truth"},
+     {"plant", "MuJoCo over one control period, with actuators, sensors and truth"},
+     {"loop", "controller and plant"},
+     {"physics", "MuJoCo alone: the same model from the same states, as many steps"},
      {"q", "HouseholderQR of a 30 × 30 matrix, the unit Q"}}};
 
 /// Times of one tick [µs].
@@ -151,11 +157,17 @@ class Loop {
   }
 
   Sample tick() {
-    const SensorReading& reading = plant_.read();
-    command_ = controller_.step(reading, scenario_.user(reading.time));
+    const double physics = physics_.period(plant_.truth());
+    double plant = 0.0;
+    const double loop = microseconds([&] {
+      const SensorReading& reading = plant_.read();
+      command_ = controller_.step(reading, scenario_.user(reading.time));
+      plant = microseconds([&] { plant_.write(command_); });
+    });
     Sample sample = stages();
-    sample[kPhysics] = physics_.period(plant_.truth());
-    sample[kPlant] = microseconds([&] { plant_.write(command_); });
+    sample[kPlant] = plant;
+    sample[kLoop] = loop;
+    sample[kPhysics] = physics;
     sample[kQ] = unit_.time();
     return sample;
   }
@@ -167,7 +179,7 @@ class Loop {
   [[nodiscard]] Sample stages() const {
     const TickTiming& t = timer_.timing();
     const double command = t.total - (t.estimate + t.model + t.plan + t.stack + t.solve);
-    return {t.estimate, t.model, t.plan, t.stack, t.solve, command, t.total};
+    return {t.estimate, t.model, t.plan, t.stack, t.solve, command, t.total, 0.0, 0.0, 0.0, 0.0};
   }
 
   const Scenario& scenario_;
@@ -183,7 +195,8 @@ class Loop {
 void keep_least(Sample& least, const Sample& sample) {
   if (sample[kController] < least[kController])
     std::copy_n(sample.begin(), kController + 1, least.begin());
-  for (const Item item : {kPhysics, kPlant, kQ}) least[item] = std::min(least[item], sample[item]);
+  for (const Item item : {kPlant, kLoop, kPhysics, kQ})
+    least[item] = std::min(least[item], sample[item]);
 }
 
 struct Measurement {
@@ -251,7 +264,15 @@ Distribution distribution(const Measurement& measurement, std::size_t item) {
   return {quantile(0.5), quantile(0.99), times.back(), sum / static_cast<double>(times.size())};
 }
 
-Json to_json(const Scenario& scenario, const Arguments& arguments, const Measurement& measurement) {
+/// Each number of one distribution over the other's.
+Json ratio(const Distribution& of, const Distribution& to) {
+  return {{"median", of.median / to.median},
+          {"p99", of.p99 / to.p99},
+          {"max", of.max / to.max},
+          {"mean", of.mean / to.mean}};
+}
+
+Json to_json(const Scenario& scenario, int runs, const Measurement& measurement) {
   std::array<Distribution, kNumItems> items;
   Json times;
   for (std::size_t i = 0; i < kNumItems; ++i) {
@@ -262,28 +283,22 @@ Json to_json(const Scenario& scenario, const Arguments& arguments, const Measure
                              {"mean", items[i].mean},
                              {"longest_of_all_runs", measurement.longest[i]}};
   }
-  const Distribution &controller = items[kController], &physics = items[kPhysics];
+  const Distribution& controller = items[kController];
+  const double q = items[kQ].median;
   std::array<double, 3> load{};
   getloadavg(load.data(), static_cast<int>(load.size()));
   return {{"version", build_info().version},
           {"scenario", scenario.name},
           {"seed", scenario.seed},
           {"ticks", measurement.least.size()},
-          {"runs", arguments.runs},
+          {"runs", runs},
           {"fallback_ticks", measurement.fallback_ticks},
           {"physics_steps", measurement.physics_steps},
           {"us", std::move(times)},
-          {"controller_per_physics",
-           {{"median", controller.median / physics.median},
-            {"p99", controller.p99 / physics.p99},
-            {"max", controller.max / physics.max},
-            {"mean", controller.mean / physics.mean}}},
-          {"controller_per_q",
-           {{"median", controller.median / items[kQ].median},
-            {"p99", controller.p99 / items[kQ].median},
-            {"max", controller.max / items[kQ].median}}},
-          {"realtime_factor",
-           1e6 * scenario.controller.period / (controller.mean + items[kPlant].mean)},
+          {"controller_per_physics", ratio(controller, items[kPhysics])},
+          {"loop_per_physics", ratio(items[kLoop], items[kPhysics])},
+          {"controller_per_q", ratio(controller, {q, q, q, q})},
+          {"realtime_factor", 1e6 * scenario.controller.period / items[kLoop].mean},
           {"involuntary_switches", measurement.involuntary_switches},
           {"load_average", load}};
 }
@@ -297,10 +312,9 @@ void print_row(const Json& json, const ItemText& item, const char* indent) {
 }
 
 void print_ratio(const Json& ratio, const char* name) {
-  std::printf("  %-20s %6.2f median %8.2f p99 %8.2f max", name, ratio["median"].get<double>(),
-              ratio["p99"].get<double>(), ratio["max"].get<double>());
-  if (ratio.contains("mean")) std::printf(" %8.2f mean", ratio["mean"].get<double>());
-  std::printf("\n");
+  std::printf("  %-20s %6.2f median %8.2f p99 %8.2f max %8.2f mean\n", name,
+              ratio["median"].get<double>(), ratio["p99"].get<double>(), ratio["max"].get<double>(),
+              ratio["mean"].get<double>());
 }
 
 void print_table(const Json& json) {
@@ -312,25 +326,28 @@ void print_table(const Json& json) {
               "any run");
   print_row(json, kItems[kController], "");
   for (std::size_t stage = 0; stage < kController; ++stage) print_row(json, kItems[stage], "  ");
-  for (std::size_t i = kPhysics; i < kNumItems; ++i) print_row(json, kItems[i], "");
+  for (std::size_t i = kPlant; i < kNumItems; ++i) print_row(json, kItems[i], "");
   std::printf("\n");
   print_ratio(json["controller_per_physics"], "controller / physics");
+  print_ratio(json["loop_per_physics"], "loop / physics");
   print_ratio(json["controller_per_q"], "controller / Q");
   std::printf("  %.1f times real time; %d ticks without the optimum\n",
               json["realtime_factor"].get<double>(), json["fallback_ticks"].get<int>());
-  std::printf("  the processor was taken away %ld times; load average %.1f\n",
+  std::printf("  the processor was taken away %ld times; load average %.1f\n\n",
               json["involuntary_switches"].get<long>(), json["load_average"][0].get<double>());
 }
 
-int run(const Arguments& arguments) {
-  const Scenario scenario = load_scenario(arguments.scenario);
-  const Json json = to_json(scenario, arguments, measure(scenario, arguments.runs));
-  if (arguments.json) {
-    std::printf("%s\n", json.dump().c_str());
-  } else {
-    print_table(json);
+void run(const Arguments& arguments) {
+  for (const std::string& name : arguments.scenarios) {
+    const Scenario scenario = load_scenario(
+        {.name_or_path = name, .seed = arguments.seed, .assignments = arguments.assignments});
+    const Json json = to_json(scenario, arguments.runs, measure(scenario, arguments.runs));
+    if (arguments.json) {
+      std::printf("%s\n", json.dump().c_str());
+    } else {
+      print_table(json);
+    }
   }
-  return 0;
 }
 
 }  // namespace
@@ -339,20 +356,20 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   surefoot::Arguments arguments;
   CLI::App app("The whole closed loop against MuJoCo stepping the same model alone");
-  app.add_option("scenario", arguments.scenario.name_or_path, "Name of a scenario, or a file")
+  app.add_option("scenarios", arguments.scenarios, "Names of scenarios, or files")
       ->capture_default_str();
-  app.add_option("--seed", arguments.scenario.seed, "Of the scenario")->capture_default_str();
-  app.add_option("--set", arguments.scenario.assignments,
-                 "path.to.key=value: change a key of the scenario")
+  app.add_option("--seed", arguments.seed, "Of the scenarios")->capture_default_str();
+  app.add_option("--set", arguments.assignments, "path.to.key=value: change a key of the scenarios")
       ->take_all()
       ->expected(1);
   app.add_option("--runs", arguments.runs, "Identical runs; each tick counts with its least time")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_flag("--json", arguments.json, "Print one JSON object instead of a table");
+  app.add_flag("--json", arguments.json, "Print one JSON object a line instead of tables");
   CLI11_PARSE(app, argc, argv);
   try {
-    return surefoot::run(arguments);
+    surefoot::run(arguments);
+    return 0;
   } catch (const surefoot::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

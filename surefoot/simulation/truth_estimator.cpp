@@ -1,4 +1,4 @@
-#include "app/truth_estimator.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 
 namespace surefoot {
 

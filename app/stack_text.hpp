@@ -1,0 +1,15 @@
+#pragma once
+
+#include "surefoot/control/stack_options.hpp"
+
+#include <string>
+
+namespace surefoot {
+
+/// The stack with every parameter of its tasks, also those that were left to their defaults.
+[[nodiscard]] StackOptions with_defaults(StackOptions stack);
+
+/// The stack as a stack file that needs no other file; load_stack gives the same levels again.
+[[nodiscard]] std::string stack_yaml(const StackOptions& stack);
+
+}  // namespace surefoot

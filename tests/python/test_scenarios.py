@@ -1,0 +1,49 @@
+"""Every scenario once, whole, as a user starts it: its criteria hold."""
+
+import json
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NAMES = sorted(path.stem for path in (ROOT / "scenarios").glob("*.yaml"))
+# What these are about is how far they get.
+AS_FOUND = {"push", "step_down_without_limits"}
+
+pytestmark = pytest.mark.slow
+
+
+def run(name, *assignments):
+    """Exit code and result of one run."""
+    program = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "bin" / "surefoot"))
+    sets = [word for assignment in assignments for word in ("--set", assignment)]
+    done = subprocess.run([program, "run", name, "--json", *sets], capture_output=True, text=True, cwd=ROOT)
+    assert done.returncode in (0, 1), done.stderr
+    return done.returncode, json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in AS_FOUND])
+def test_the_criteria_of_a_scenario_hold(name):
+    code, result = run(name)
+    assert result["succeeded"], result["criteria"]
+    assert code == 0
+
+
+def test_without_limits_on_the_legs_the_foot_is_taken_back_and_the_robot_stands():
+    code, result = run("step_down_without_limits")
+    assert code == 1 and not result["goal_reached"]
+    assert not result["fell"] and not result["safety_stop"]
+    assert result["no_ground_events"] > 0
+
+
+def test_the_force_ramps_halve_the_torque_steps_at_least():
+    _, ramps = run("torque_continuity", "duration=12")
+    _, jumps = run("torque_continuity", "duration=12", "planner.force.ramps=false")
+    assert ramps["torque_step_max_nm"] < 0.5 * jumps["torque_step_max_nm"]
+
+
+def test_a_light_push_is_walked_through():
+    _, result = run("push", "disturbances.pushes.lateral.force.y=8")
+    assert not result["fell"]
