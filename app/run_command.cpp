@@ -12,6 +12,7 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/view/report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -114,7 +115,9 @@ int run_seeds(const RunArguments& arguments) {
   if (interrupted()) report_interrupt("");
   const Json json = seeds_json(scenario, std::move(rows));
   print(arguments, json, seeds_table(scenario, json));
-  return enough_succeeded(scenario, json) ? kPassed : kFailed;
+  if (enough_succeeded(scenario, json)) return kPassed;
+  const auto stopped = [](const Json& row) { return row.value("safety_stop", false); };
+  return std::ranges::any_of(json.at("runs"), stopped) ? kSafetyStop : kFailed;
 }
 
 }  // namespace

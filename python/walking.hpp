@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/truth_estimator.hpp"
 #include "python/level_outcome.hpp"
 #include "python/signals.hpp"
 #include "surefoot/config/data_file.hpp"
@@ -8,6 +7,7 @@
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/simulation/plant.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <nanobind/stl/vector.h>
 

@@ -1,4 +1,4 @@
-"""Holds every #include of surefoot/ and app/ against tools/layers.toml; prints what breaks it."""
+"""Holds every #include of surefoot/, app/ and python/ against tools/layers.toml; prints what breaks it."""
 
 import pathlib
 import re
@@ -8,6 +8,7 @@ import tomllib
 root = pathlib.Path(__file__).resolve().parent.parent
 rules = tomllib.loads((root / "tools/layers.toml").read_text())
 folders, fences = rules["folders"], rules["fences"]
+fronts = ("app", "python")  # may include every folder; no one includes them
 complaints = []
 
 # An order in which every folder stands below the ones that may include it: none exists in a cycle.
@@ -18,21 +19,21 @@ while free := [folder for folder, allowed in remaining.items() if not allowed & 
 if remaining:
     complaints.append(f"tools/layers.toml: a cycle among {', '.join(remaining)}")
 
-sources = [path for top in ("surefoot", "app") for path in sorted((root / top).rglob("*.[hc]pp"))]
+sources = [path for top in ("surefoot", *fronts) for path in sorted((root / top).rglob("*.[hc]pp"))]
 for source in sources:
     place = source.relative_to(root)
-    folder = "app" if place.parts[0] == "app" else place.parts[1]
-    if folder != "app" and folder not in folders:
+    folder = place.parts[0] if place.parts[0] in fronts else place.parts[1]
+    if folder not in fronts and folder not in folders:
         complaints.append(f"{place}: folder {folder} is not in tools/layers.toml")
         continue
-    allowed = folders if folder == "app" else [folder, *folders[folder]]
+    allowed = folders if folder in fronts else [folder, *folders[folder]]
     for number, line in enumerate(source.read_text().splitlines(), 1):
         if not (match := re.match(r'\s*#\s*include\s*[<"]([^>"]+)', line)):
             continue
         header = match[1]
         parts = header.split("/")
-        if parts[0] == "app" and folder != "app":
-            complaints.append(f"{place}:{number}: nothing includes app/ ({header})")
+        if parts[0] in fronts and folder != parts[0]:
+            complaints.append(f"{place}:{number}: nothing includes {parts[0]}/ ({header})")
         if parts[0] == "surefoot" and parts[1] not in allowed:
             complaints.append(f"{place}:{number}: {folder} must not include {header}")
         for fence, users in fences.items():

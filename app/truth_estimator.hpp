@@ -1,3 +1,0 @@
-#pragma once
-
-#include "surefoot/simulation/truth_estimator.hpp"
