@@ -37,8 +37,4 @@ struct CertificateOptions {
 /// Largest stationarity of all levels; 0 for a hierarchy without levels.
 [[nodiscard]] double worst_stationarity(const std::vector<LevelCertificate>& levels);
 
-/// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23).
-[[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
-                                                         const Eigen::VectorXd& b);
-
 }  // namespace surefoot

@@ -1,0 +1,129 @@
+#include "surefoot/solver/optimality_conditions.hpp"
+
+#include "surefoot/solver/null_space.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Signed violation of a row: positive above, negative below.
+double violation(double value, double lower, double upper) {
+  return std::max(0.0, value - upper) - std::max(0.0, lower - value);
+}
+
+/// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
+/// the first becomes zero, takes it out and returns false.
+bool move_to_minimum(const MatrixXd& A, const VectorXd& b, std::vector<Index>& passive,
+                     VectorXd& mu) {
+  MatrixXd columns(A.rows(), static_cast<Index>(passive.size()));
+  for (Index k = 0; k < columns.cols(); ++k)
+    columns.col(k) = A.col(passive[static_cast<std::size_t>(k)]);
+  const VectorXd target = columns.completeOrthogonalDecomposition().solve(b);
+  double length = 1.0;
+  auto first = passive.end();
+  for (auto j = passive.begin(); j != passive.end(); ++j) {
+    const double goal = target[j - passive.begin()];
+    const double here = mu[*j];
+    if (goal > 0.0) continue;
+    const double zero_at = here > 0.0 ? here / (here - goal) : 0.0;
+    if (zero_at >= length) continue;
+    length = zero_at;
+    first = j;
+  }
+  for (std::size_t k = 0; k < passive.size(); ++k) {
+    double& here = mu[passive[k]];
+    here = std::max(0.0, here + length * (target[static_cast<Index>(k)] - here));
+  }
+  if (first == passive.end()) return true;
+  mu[*first] = 0.0;
+  passive.erase(first);
+  return false;
+}
+
+}  // namespace
+
+void RowSet::add(const VectorXd& row, RowIndex from) {
+  rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
+  rows.bottomRows(1) = row.transpose();
+  origin.push_back(from);
+}
+
+void RowSet::add(const RowSet& other) {
+  rows.conservativeResize(rows.rows() + other.rows.rows(), Eigen::NoChange);
+  rows.bottomRows(other.rows.rows()) = other.rows;
+  origin.insert(origin.end(), other.origin.begin(), other.origin.end());
+}
+
+LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
+                                      double tight) {
+  const Index n = hierarchy.unknowns();
+  LevelConditions result{.gradient = VectorXd::Zero(n), .fixed = RowSet(n), .touching = RowSet(n)};
+  const Level& level = hierarchy.level(k);
+  double sum_of_squares = 0.0;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const VectorXd row = level.A().row(i).transpose();
+    const double value = row.dot(x);
+    const double lower = level.lower()[i];
+    const double upper = level.upper()[i];
+    const double v = violation(value, lower, upper);
+    const double size = row.norm();
+    const double near = tight * size * (1.0 + x.norm());
+    result.gradient += v * row;
+    result.scale += size * std::abs(v);
+    sum_of_squares += v * v;
+    if (size == 0.0) continue;
+    if (lower == upper || std::abs(v) > near) {
+      result.fixed.add(row / size, {k, i});
+      continue;
+    }
+    if (value >= upper - near) result.touching.add(row / size, {k, i});
+    if (value <= lower + near) result.touching.add(-row / size, {k, i});
+  }
+  result.residual = std::sqrt(sum_of_squares);
+  return result;
+}
+
+Multipliers multipliers(const VectorXd& gradient, const RowSet& fixed, const RowSet& touching,
+                        double rank) {
+  Multipliers result;
+  result.fixed = VectorXd::Zero(fixed.rows.rows());
+  result.touching = VectorXd::Zero(touching.rows.rows());
+  const MatrixXd Z = null_space(fixed.rows, rank);
+  if (Z.cols() > 0) {
+    const VectorXd target = -Z.transpose() * gradient;
+    const MatrixXd generators = (touching.rows * Z).transpose();
+    result.touching = non_negative_least_squares(generators, target);
+    result.distance = (generators * result.touching - target).norm();
+  }
+  if (fixed.rows.rows() > 0) {
+    const VectorXd rest = -gradient - touching.rows.transpose() * result.touching;
+    result.fixed = fixed.rows.transpose().completeOrthogonalDecomposition().solve(rest);
+  }
+  return result;
+}
+
+VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b) {
+  VectorXd mu = VectorXd::Zero(A.cols());
+  std::vector<Index> passive;  // where mu may be positive
+  const double tolerance = 1e-14 * (1.0 + b.norm());
+  for (Index iteration = 0; iteration < 3 * A.cols() + 10; ++iteration) {
+    VectorXd ascent = A.transpose() * (b - A * mu);
+    for (const Index j : passive) ascent[j] = -1.0;
+    Index best = -1;
+    if (ascent.size() == 0 || !(ascent.maxCoeff(&best) > tolerance)) break;
+    passive.push_back(best);
+    while (!passive.empty() && !move_to_minimum(A, b, passive, mu)) {
+    }
+  }
+  return mu;
+}
+
+}  // namespace surefoot

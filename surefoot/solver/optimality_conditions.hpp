@@ -1,0 +1,56 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace surefoot {
+
+/// A row of a hierarchy.
+struct RowIndex {
+  std::size_t level = 0;
+  Eigen::Index row = 0;
+};
+
+/// Rows of length 1 and where they come from.
+struct RowSet {
+  explicit RowSet(Eigen::Index unknowns) : rows(0, unknowns) {}
+  void add(const Eigen::VectorXd& row, RowIndex from);
+  void add(const RowSet& other);
+
+  Eigen::MatrixXd rows;
+  std::vector<RowIndex> origin;
+};
+
+/// What decides whether x is optimal for a level, see `certify`: the gradient g of the level, and
+/// its own rows as they bind the levels after it. Allocates.
+struct LevelConditions {
+  Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
+  double residual = 0.0;     ///< √Σ violation²
+  double scale = 1.0;        ///< 1 + Σ ‖aᵢ‖ |vᵢ|
+  RowSet fixed;              ///< E: equality rows and violated rows
+  RowSet touching;           ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
+};
+
+/// `tight`: a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it.
+[[nodiscard]] LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t level,
+                                                    const Eigen::VectorXd& x, double tight);
+
+/// Multipliers that come closest to −g = Eᵀ λ + Tᵀ μ, μ ≥ 0.
+struct Multipliers {
+  Eigen::VectorXd fixed;     ///< λ, one for each row of E
+  Eigen::VectorXd touching;  ///< μ, one for each row of T
+  double distance = 0.0;     ///< ‖g + Eᵀ λ + Tᵀ μ‖
+};
+
+/// `rank`: relative length below which a row of E depends on others.
+[[nodiscard]] Multipliers multipliers(const Eigen::VectorXd& gradient, const RowSet& fixed,
+                                      const RowSet& touching, double rank);
+
+/// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23).
+[[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
+                                                         const Eigen::VectorXd& b);
+
+}  // namespace surefoot

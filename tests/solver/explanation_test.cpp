@@ -1,0 +1,120 @@
+#include "surefoot/solver/explanation.hpp"
+
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVector2d;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+VectorXd number(double b) { return VectorXd::Constant(1, b); }
+
+std::vector<LevelExplanation> explanation(Index unknowns, const HierarchyData& levels) {
+  return explain(make_hierarchy(unknowns, levels), solve(unknowns, levels).x);
+}
+
+/// A mass of 2 kg, x = (acceleration, force), a limit on the force, a wish for the acceleration.
+HierarchyData pushed_mass(double wish) {
+  return {equalities(RowVector2d(2.0, -1.0), number(0.0)),
+          between(RowVector2d(0.0, 1.0), number(-10.0), number(10.0)),
+          equalities(RowVector2d(1.0, 0.0), number(wish))};
+}
+
+TEST(Explanation, NamesTheLimitThatAWishRunsIntoAndWhatItCosts) {
+  const auto levels = explanation(2, pushed_mass(8.0));
+  ASSERT_EQ(levels[2].blocked_by.size(), 2u);  // the limit, then the dynamics
+  const Blocker& limit = levels[2].blocked_by[0];
+  EXPECT_EQ(limit.at.level, 1u);
+  EXPECT_EQ(limit.at.row, 0);
+  EXPECT_NEAR(levels[2].residual, 3.0, 1e-12);
+  EXPECT_NEAR(limit.cost, 3.0, 1e-12);
+  EXPECT_NEAR(limit.multiplier, 1.5, 1e-12);  // ½ (8 − f / 2)² by f, at f = 10
+  EXPECT_EQ(levels[2].cost_of_level.size(), 2u);
+  EXPECT_NEAR(levels[2].cost_of_level[1], 3.0, 1e-12);
+}
+
+TEST(Explanation, IsEmptyWhereTheWishIsMet) {
+  for (const LevelExplanation& level : explanation(2, pushed_mass(4.0))) {
+    EXPECT_TRUE(level.blocked_by.empty());
+    EXPECT_LE(level.residual, 1e-12);
+  }
+}
+
+TEST(Explanation, DoesNotBlameALevelForItsOwnContradiction) {
+  const MatrixXd twice = MatrixXd::Ones(2, 1);
+  const auto levels = explanation(1, {equalities(twice, Vector2d(0.0, 2.0))});
+  EXPECT_NEAR(levels[0].residual, std::sqrt(2.0), 1e-12);
+  EXPECT_TRUE(levels[0].blocked_by.empty());
+}
+
+TEST(Explanation, GivesTheCostOfDuplicatedRowsToTheirLevel) {
+  const MatrixXd twice = MatrixXd::Ones(2, 1);
+  const auto levels = explanation(
+      1, {at_most(twice, Vector2d(1.0, 1.0)), equalities(MatrixXd::Ones(1, 1), number(3.0))});
+  for (const Blocker& blocker : levels[1].blocked_by) EXPECT_NEAR(blocker.cost, 0.0, 1e-12);
+  EXPECT_NEAR(levels[1].cost_of_level[0], 2.0, 1e-12);
+}
+
+TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
+  int blocked = 0;
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
+    for (const LevelExplanation& level : explanation(6, levels)) {
+      for (const Blocker& blocker : level.blocked_by) {
+        ++blocked;
+        ASSERT_GE(blocker.cost, 0.0);
+        ASSERT_LE(blocker.cost, level.residual + 1e-12);
+        ASSERT_GE(level.cost_of_level[blocker.at.level], blocker.cost - 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(blocked, 100);
+}
+
+TEST(Explanation, ALevelWithoutBlockersDoesNoBetterAlone) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 4, .max_rows = 4});
+    const auto explained = explanation(6, levels);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      if (!explained[k].blocked_by.empty()) continue;
+      ASSERT_NEAR(explained[k].residual, solve(6, {levels[k]}).levels[0].residual, 1e-7);
+    }
+  }
+}
+
+TEST(Explanation, MultipliersAreHowFastTheResidualFallsAsTheBoundGivesWay) {
+  constexpr double kStep = 1e-5;
+  int compared = 0;
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels{at_most(random.matrix(3, 6), random.vector(3)),
+                         equalities(random.matrix(5, 6), 3.0 * random.vector(5))};
+    const LevelExplanation before = explanation(6, levels)[1];
+    for (const Blocker& blocker : before.blocked_by) {
+      levels[0].upper[blocker.at.row] += kStep;
+      const double after = solve(6, levels).levels[1].residual;
+      levels[0].upper[blocker.at.row] -= kStep;
+      const double fall = 0.5 * (before.residual * before.residual - after * after) / kStep;
+      ASSERT_NEAR(fall, blocker.multiplier, 1e-3 * (1.0 + blocker.multiplier));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 30);
+}
+
+}  // namespace
+}  // namespace surefoot::test
