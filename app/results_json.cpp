@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps
 Json heading(const Scenario& scenario) {
   return {{"scenario", scenario.name},
           {"stack", scenario.controller.stack.name},
-          {"estimation", "truth"},
+          {"estimation", name(scenario.estimation)},
           {"foot_force_sensor", scenario.controller.contact_force.use_foot_sensor}};
 }
 

@@ -2,6 +2,7 @@
 
 #include "surefoot/config/randomise.hpp"
 #include "surefoot/control/controller.hpp"
+#include "surefoot/estimation/estimation.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/user_command.hpp"
@@ -13,11 +14,6 @@
 #include <vector>
 
 namespace surefoot {
-
-/// Where the controller's state comes from.
-enum class Estimation {
-  truth,  ///< base state from the simulator's truth, joint positions from the encoders
-};
 
 /// What the operator asks for from a time on.
 struct TimedCommand {
