@@ -170,9 +170,10 @@ void read_body(Section& top, Scenario& scenario) {
   top.section("criteria", [&](Section& s) { read_criteria(s, scenario.criteria); });
   top.number("success_rate", scenario.success_rate, kShare);
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
-  if (scenario.controller.contact_force.use_foot_sensor && !scenario.plant.sensors.foot_force) {
+  if (scenario.controller.contact_force.use_foot_sensor &&
+      !scenario.plant.sensors.foot_force.present) {
     fail_at(*top.node("contact_force"), "contact_force.use_foot_sensor",
-            "the robot has none; sensors.foot_force: true gives it one");
+            "the robot has none; sensors.foot_force.present: true gives it one");
   }
   for (const char* key : {"base", "robot", "stack", "tasks", "randomise"}) (void)top.node(key);
   top.finish();
