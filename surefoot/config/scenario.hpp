@@ -56,7 +56,7 @@ struct Scenario {
   Goal goal;
   std::vector<RandomDraw> drawn;    ///< what the seed chose
   std::vector<Criterion> criteria;  ///< that the metrics must meet
-  double success_rate = 1.0;        ///< share of several seeds that must succeed
+  double success_rate = 1.0;        ///< share of the runs that must succeed, of one or many
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
   std::string options_json;  ///< the whole scenario as it was read, assignments and draws included
