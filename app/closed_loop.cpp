@@ -6,11 +6,10 @@
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
-#include "surefoot/simulation/truth_estimator.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
 
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace surefoot {
@@ -44,7 +43,8 @@ class ClosedLoop {
         model_(scenario.robot),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, scenario.controller,
-                    std::make_unique<TruthEstimator>(plant_.truth())),
+                    make_estimator(scenario.estimation,
+                                   {scenario.robot, scenario.controller.period, plant_})),
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);

@@ -84,8 +84,8 @@ DemoRow summarise(const Experiment& experiment, const Scenario& scenario,
               .report = {}};
   bool passed = rows.front().value("succeeded", false);
   if (rows.size() > 1) {
-    const Json seeds = seeds_json(scenario, std::vector<Json>(rows.begin() + 1, rows.end()));
-    row.seeds = seeds_line(scenario, seeds);
+    const std::vector<Json> seeds(rows.begin() + 1, rows.end());
+    row.seeds = seeds_line(scenario, seeds_json(scenario, seeds));
     passed = passed && enough_succeeded(scenario, seeds);
   }
   row.verdict = experiment.as_found ? "as found" : passed ? "✓" : "✗";

@@ -4,10 +4,10 @@ namespace surefoot {
 
 /// What the program tells its caller.
 enum ExitCode : int {
-  kPassed = 0,      ///< the scenario's criteria hold
+  kPassed = 0,      ///< enough runs meet the scenario's criteria, by its success_rate
   kFailed = 1,      ///< they do not
   kWrongInput = 2,  ///< the input is wrong, or the run was interrupted
-  kSafetyStop = 3,  ///< the controller stopped for safety
+  kSafetyStop = 3,  ///< they do not, and the controller stopped for safety
 };
 
 }  // namespace surefoot

@@ -20,8 +20,10 @@ namespace surefoot {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit codes: 0 the scenario's criteria hold, 1 they don't, 2 the input is wrong or the run was
-interrupted, 3 the controller stopped for safety.
+Exit codes: 0 enough runs meet the scenario's criteria, 1 they don't, 2 the input is wrong or the
+run was interrupted, 3 they don't, and the controller stopped for safety.
+Enough is the scenario's success_rate, of one run as of --seeds: all, where it names none. Scenarios
+that show what happens, as found, have success_rate 0: they end with 0 even if the robot falls.
 
 Examples:
   surefoot run walk_flat                                 once, a table of results

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps
 Json heading(const Scenario& scenario) {
   return {{"scenario", scenario.name},
           {"stack", scenario.controller.stack.name},
-          {"estimation", "truth"},
+          {"estimation", name(scenario.estimation)},
           {"foot_force_sensor", scenario.controller.contact_force.use_foot_sensor}};
 }
 
@@ -103,10 +103,10 @@ Json seeds_json(const Scenario& scenario, std::vector<Json> runs) {
   return json;
 }
 
-bool enough_succeeded(const Scenario& scenario, const Json& seeds) {
-  const Json& rate = seeds.at("rates").at("succeeded");
-  return rate.at("successes").get<double>() >=
-         scenario.success_rate * rate.at("trials").get<double>();
+bool enough_succeeded(const Scenario& scenario, const std::vector<Json>& runs) {
+  const auto succeeded =
+      std::ranges::count_if(runs, [](const Json& run) { return run.value("succeeded", false); });
+  return static_cast<double>(succeeded) >= scenario.success_rate * static_cast<double>(runs.size());
 }
 
 }  // namespace surefoot

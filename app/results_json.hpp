@@ -22,7 +22,8 @@ namespace surefoot {
 [[nodiscard]] nlohmann::ordered_json seeds_json(const Scenario& scenario,
                                                 std::vector<nlohmann::ordered_json> runs);
 
-/// Did as large a share of the seeds succeed as the scenario asks for?
-[[nodiscard]] bool enough_succeeded(const Scenario& scenario, const nlohmann::ordered_json& seeds);
+/// Did as large a share of the runs succeed as the scenario asks for?
+[[nodiscard]] bool enough_succeeded(const Scenario& scenario,
+                                    const std::vector<nlohmann::ordered_json>& runs);
 
 }  // namespace surefoot

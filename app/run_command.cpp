@@ -49,6 +49,13 @@ void print(const RunArguments& arguments, const Json& json, const std::string& t
   std::cout << (arguments.json ? json.dump() + "\n" : table) << std::flush;
 }
 
+/// The same rule for one run and for many.
+int exit_code(const Scenario& scenario, const std::vector<Json>& runs) {
+  if (enough_succeeded(scenario, runs)) return kPassed;
+  const auto stopped = [](const Json& run) { return run.value("safety_stop", false); };
+  return std::ranges::any_of(runs, stopped) ? kSafetyStop : kFailed;
+}
+
 int run_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
@@ -70,8 +77,7 @@ int run_one(const RunArguments& arguments) {
   }
   const Json json = run_json(scenario, result);
   print(arguments, json, run_table(scenario, json));
-  if (result.safety_stop) return kSafetyStop;
-  return result.metrics.succeeded ? kPassed : kFailed;
+  return exit_code(scenario, {json});
 }
 
 std::vector<PlannedRun> plan_runs(const RunArguments& arguments) {
@@ -113,11 +119,9 @@ int run_seeds(const RunArguments& arguments) {
     });
   }
   if (interrupted()) report_interrupt("");
-  const Json json = seeds_json(scenario, std::move(rows));
+  const Json json = seeds_json(scenario, rows);
   print(arguments, json, seeds_table(scenario, json));
-  if (enough_succeeded(scenario, json)) return kPassed;
-  const auto stopped = [](const Json& row) { return row.value("safety_stop", false); };
-  return std::ranges::any_of(json.at("runs"), stopped) ? kSafetyStop : kFailed;
+  return exit_code(scenario, rows);
 }
 
 }  // namespace

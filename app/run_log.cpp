@@ -81,7 +81,7 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.version = build_info().version;
   header.scenario = scenario.name;
   header.stack = stack.name;
-  header.estimation = "truth";
+  header.estimation = name(scenario.estimation);
   header.options = scenario.options_json;
   header.seed = scenario.seed;
   header.control_period = scenario.controller.period;

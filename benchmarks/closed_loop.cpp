@@ -10,8 +10,8 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
 #include "surefoot/simulation/plant.hpp"
-#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <CLI/CLI.hpp>
 #include <Eigen/QR>
@@ -151,7 +151,8 @@ class Loop {
       : scenario_(scenario),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, scenario.controller,
-                    std::make_unique<TruthEstimator>(plant_.truth())),
+                    make_estimator(scenario.estimation,
+                                   {scenario.robot, scenario.controller.period, plant_})),
         physics_(plant_, scenario.controller.period) {
     controller_.set_stage_observer(&timer_);
   }

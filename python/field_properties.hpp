@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/evaluation/truth_fields.hpp"  // fields() must be known where signal() calls it
 #include "surefoot/logging/message_codec.hpp"
 
 #include <nanobind/nanobind.h>

@@ -6,24 +6,24 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
 #include "surefoot/simulation/plant.hpp"
-#include "surefoot/simulation/truth_estimator.hpp"
 
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace surefoot::python {
 
-/// A controller that sees the plant's truth, and the time that its stages take.
+/// A scenario's controller with its estimator, and the time that its stages take.
 class TimedController {
  public:
   TimedController(const Scenario& scenario, const Plant& plant)
       : controller(scenario.robot, scenario.controller,
-                   std::make_unique<TruthEstimator>(plant.truth())) {
+                   make_estimator(scenario.estimation,
+                                  {scenario.robot, scenario.controller.period, plant})) {
     controller.set_stage_observer(&timer);
   }
 
@@ -70,6 +70,9 @@ inline void bind_scenario(nb::module_& module) {
           "period", [](const Scenario& self) { return self.controller.period; },
           "of the control loop [s]")
       .def_prop_ro("robot", [](const Scenario& self) { return self.robot.name; })
+      .def_prop_ro(
+          "estimation", [](const Scenario& self) { return name(self.estimation); },
+          "where the controller's state comes from")
       .def_prop_ro("joint_names", &joint_names,
                    "in the order of every array of 12: HAA, HFE, KFE of LF, RF, LH, RH")
       .def_prop_ro(
@@ -128,8 +131,8 @@ inline void bind_controller(nb::module_& module) {
   nb::class_<Self>(
       module, "Controller",
       "The whole-body controller of a scenario: one step() a tick turns readings into torques.\n\n"
-      "The base's pose and velocity are the plant's truth (`estimation: truth`); the plant must be "
-      "the one that the readings come from.")
+      "Its state comes from where the scenario's `estimation` says; the plant must be the one that "
+      "the readings come from.")
       .def(nb::init<const Scenario&, const Plant&>(), nb::arg("scenario"), nb::arg("plant"),
            nb::keep_alive<1, 3>())
       .def(

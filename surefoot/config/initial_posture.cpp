@@ -1,6 +1,7 @@
 #include "surefoot/config/initial_posture.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/planning/foothold_planner.hpp"
 
 #include <string>
 
@@ -16,8 +17,8 @@ Vec3 knee_side(Leg leg, KneeConfiguration knees) {
 JointVector stance_posture(const RobotModel& model, const StanceOptions& stance) {
   JointVector q = JointVector::Zero();
   for (const Leg leg : kLegs) {
-    const Vec3 p_BF(is_front(leg) ? stance.half_length : -stance.half_length,
-                    is_left(leg) ? stance.half_width : -stance.half_width, -stance.height);
+    Vec3 p_BF;
+    p_BF << nominal_offset(stance, leg), -stance.height;
     Vec3 q_leg = Vec3::Zero();
     if (!model.inverse_kinematics(leg, p_BF, knee_side(leg, stance.knees), q_leg)) {
       throw Error(

@@ -27,15 +27,27 @@ void read_actuators(Section& section, ActuatorOptions& actuators) {
 }
 
 void read_sensors(Section& section, SensorOptions& sensors) {
-  section.number("encoder_resolution", sensors.encoder_resolution, kNotNegative);
-  section.number("torque_noise", sensors.torque_noise, kNotNegative);
-  section.number("gyro_noise", sensors.gyro_noise, kNotNegative);
-  section.number("gyro_bias", sensors.gyro_bias, kNotNegative);
-  section.number("accelerometer_noise", sensors.accelerometer_noise, kNotNegative);
-  section.number("accelerometer_bias", sensors.accelerometer_bias, kNotNegative);
-  section.number("rate_hz", sensors.rate_hz, kPositive);
-  section.flag("foot_force", sensors.foot_force);
-  section.number("foot_force_noise", sensors.foot_force_noise, kNotNegative);
+  section.section("encoders", [&](Section& encoders) {
+    encoders.number("resolution", sensors.encoders.resolution, kNotNegative);
+    encoders.number("noise", sensors.encoders.noise, kNotNegative);
+    encoders.number("rate_hz", sensors.encoders.rate_hz, kPositive);
+  });
+  section.section("joint_torques", [&](Section& torques) {
+    torques.number("noise", sensors.joint_torques.noise, kNotNegative);
+    torques.number("rate_hz", sensors.joint_torques.rate_hz, kPositive);
+  });
+  section.section("imu", [&](Section& imu) {
+    imu.number("gyro_noise", sensors.imu.gyro_noise, kNotNegative);
+    imu.number("gyro_bias", sensors.imu.gyro_bias, kNotNegative);
+    imu.number("accelerometer_noise", sensors.imu.accelerometer_noise, kNotNegative);
+    imu.number("accelerometer_bias", sensors.imu.accelerometer_bias, kNotNegative);
+    imu.number("rate_hz", sensors.imu.rate_hz, kPositive);
+  });
+  section.section("foot_force", [&](Section& feet) {
+    feet.flag("present", sensors.foot_force.present);
+    feet.number("noise", sensors.foot_force.noise, kNotNegative);
+    feet.number("rate_hz", sensors.foot_force.rate_hz, kPositive);
+  });
 }
 
 /// A push has a force, or an impulse that is spread over its duration.

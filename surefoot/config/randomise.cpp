@@ -1,25 +1,10 @@
 #include "surefoot/config/randomise.hpp"
 
 #include "surefoot/config/section.hpp"
+#include "surefoot/math/random_bits.hpp"
 
 namespace surefoot {
 namespace {
-
-/// FNV-1a.
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t value = 0xcbf29ce484222325u;
-  for (const char letter : text) {
-    value = (value ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
-  }
-  return value;
-}
-
-/// The output function of splitmix64.
-std::uint64_t mix(std::uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-  return value ^ (value >> 31);
-}
 
 RandomDraw draw(const ConfigNode& range, const std::string& path, std::uint64_t seed) {
   const std::string key = "randomise." + path;
@@ -34,8 +19,7 @@ RandomDraw draw(const ConfigNode& range, const std::string& path, std::uint64_t 
 
 double uniform_of(std::uint64_t seed, const std::string& name) {
   constexpr double kScale = 0x1.0p-53;
-  const std::uint64_t bits = mix(mix(seed + 0x9e3779b97f4a7c15u) ^ hash(name));
-  return static_cast<double>(bits >> 11) * kScale;
+  return static_cast<double>(named_bits(seed, name) >> 11U) * kScale;
 }
 
 std::vector<RandomDraw> draw_random(const ConfigNode& scenario, std::uint64_t seed) {

@@ -2,6 +2,7 @@
 
 #include "surefoot/config/randomise.hpp"
 #include "surefoot/control/controller.hpp"
+#include "surefoot/estimation/estimation.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/user_command.hpp"
@@ -13,11 +14,6 @@
 #include <vector>
 
 namespace surefoot {
-
-/// Where the controller's state comes from.
-enum class Estimation {
-  truth,  ///< base state from the simulator's truth, joint positions from the encoders
-};
 
 /// What the operator asks for from a time on.
 struct TimedCommand {
@@ -60,7 +56,7 @@ struct Scenario {
   Goal goal;
   std::vector<RandomDraw> drawn;    ///< what the seed chose
   std::vector<Criterion> criteria;  ///< that the metrics must meet
-  double success_rate = 1.0;        ///< share of several seeds that must succeed
+  double success_rate = 1.0;        ///< share of the runs that must succeed, of one or many
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
   std::string options_json;  ///< the whole scenario as it was read, assignments and draws included

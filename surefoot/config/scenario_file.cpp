@@ -142,6 +142,13 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
+template <typename Choices>
+auto named(const Choices& choices) {
+  std::vector<std::pair<std::string, typename Choices::value_type>> result;
+  for (const auto choice : choices) result.emplace_back(name(choice), choice);
+  return result;
+}
+
 void read_controller(Section& top, ControllerOptions& controller) {
   top.number("period", controller.period, kPositive);
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
@@ -154,7 +161,7 @@ void read_body(Section& top, Scenario& scenario) {
   top.text("name", scenario.name);
   top.text("description", scenario.description);
   top.number("duration", scenario.duration, kPositive);
-  top.choice<Estimation>("estimation", scenario.estimation, {{"truth", Estimation::truth}});
+  top.choice<Estimation>("estimation", scenario.estimation, named(kEstimations));
   read_controller(top, scenario.controller);
   read_plant(top, scenario.plant);
   top.section("initial", [&](Section& s) { read_initial(s, scenario.plant.initial); });
@@ -163,9 +170,10 @@ void read_body(Section& top, Scenario& scenario) {
   top.section("criteria", [&](Section& s) { read_criteria(s, scenario.criteria); });
   top.number("success_rate", scenario.success_rate, kShare);
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
-  if (scenario.controller.contact_force.use_foot_sensor && !scenario.plant.sensors.foot_force) {
+  if (scenario.controller.contact_force.use_foot_sensor &&
+      !scenario.plant.sensors.foot_force.present) {
     fail_at(*top.node("contact_force"), "contact_force.use_foot_sensor",
-            "the robot has none; sensors.foot_force: true gives it one");
+            "the robot has none; sensors.foot_force.present: true gives it one");
   }
   for (const char* key : {"base", "robot", "stack", "tasks", "randomise"}) (void)top.node(key);
   top.finish();

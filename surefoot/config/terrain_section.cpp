@@ -1,5 +1,7 @@
 #include "surefoot/config/terrain_section.hpp"
 
+#include "surefoot/math/rotation.hpp"
+
 #include <algorithm>
 
 namespace surefoot {
@@ -106,11 +108,9 @@ struct Slope {
 void add_slope(const Slope& slope, Elements& elements) {
   const Vec3 size(kPlatform, kPlatform, kFloorDepth);
   const Vec3 rpy(slope.roll, -slope.pitch, 0.0);
-  const Quat R =
-      Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) * Eigen::AngleAxisd(rpy.x(), Vec3::UnitX());
   const Vec3 level(slope.start - kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
-  const Vec3 tilted =
-      Vec3(slope.start, 0.0, 0.0) + R * Vec3(kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
+  const Vec3 tilted = Vec3(slope.start, 0.0, 0.0) +
+                      from_roll_pitch_yaw(rpy) * Vec3(kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
   elements.push_back(TerrainBox{level, size, Vec3::Zero(), slope.friction});
   elements.push_back(TerrainBox{tilted, size, rpy, slope.friction});
 }

@@ -11,10 +11,14 @@ namespace surefoot {
 /// The last stage of a tick: whatever came before, the command is finite and inside the torque
 /// limits.
 ///
-/// Ladder: optimal → degraded (the solver ended early, but after the levels that keep the physics)
-/// → hold (joint PD about the last good posture, on top of the last good torques; about the first
-/// posture that was seen, if there never was a good tick) → damping (τ = −k_d q̇), which is latched:
-/// after repeated failures, non-finite readings that last, or a torso tilted too far.
+/// Ladder:
+///
+///     optimal
+///     degraded   the solver ended early, but after the levels that keep the physics
+///     hold       joint PD about the last good posture, on top of the last good torques; about the
+///                first posture that was seen, if there never was a good tick
+///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
+///                a torso tilted too far
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable.

@@ -8,8 +8,8 @@ namespace surefoot {
 
 struct ContactForceOptions {
   double cutoff_hz = 40.0;  ///< low-pass of the generalized residual
-  bool use_foot_sensor =
-      false;  ///< take the normal force of a foot force sensor instead, where there is one
+  /// Take the normal force of a foot force sensor instead, where there is one.
+  bool use_foot_sensor = false;
 };
 
 /// Ground forces on the feet from joint torques alone, without foot sensors:

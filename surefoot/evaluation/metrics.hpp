@@ -40,8 +40,8 @@ struct Metrics {
   double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
 
   int steps_taken = 0;        ///< swings that ended on the ground
-  int no_ground_events = 0;   ///< feet that were taken back because there was no ground in reach
   int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)
+  int no_ground_events = 0;   ///< feet that were taken back because there was no ground in reach
   double search_max_s = 0.0;  ///< longest time in which a foot looked for ground
   double foot_slip_max_m =
       0.0;  ///< longest tangential path of a stance foot's contact point in one stance

@@ -148,7 +148,8 @@ void fields(Archive& field, T& row) {
 
 template <typename Archive, Is<Hierarchy> T>
 void fields(Archive& field, T& hierarchy) {
-  field("status", hierarchy.status, "0 optimal, 1 ended at the iteration cap, 2 invalid input");
+  field("status", hierarchy.status,
+        "0 optimal, 1 ended at the iteration cap, 2 invalid input, or no state was believed");
   field("levels", hierarchy.levels, "how each level came out");
   field("active", hierarchy.active, "inequality rows at or beyond a bound");
 }

@@ -1,6 +1,6 @@
 #include "surefoot/planning/com_planner.hpp"
 
-#include "surefoot/math/smoothstep.hpp"
+#include "surefoot/planning/force_ramp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,10 +180,7 @@ double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
 
 double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
   if (!phase.down[leg]) return 0.0;
-  if (!force_.ramps) return force_.max / weight_;
-  const double up = smooth_ramp(phase.loaded_for[leg] + t, force_.ramp_up);
-  const double down = smooth_ramp(phase.lifts_in[leg] - t, force_.ramp_down);
-  return std::min(up, down) * force_.max / weight_;
+  return ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t) / weight_;
 }
 
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {

@@ -14,9 +14,9 @@ constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead 
 
 }  // namespace
 
-Vec2 FootholdPlanner::nominal_offset(Leg leg) const {
-  return {is_front(leg) ? stance_.half_length : -stance_.half_length,
-          is_left(leg) ? stance_.half_width : -stance_.half_width};
+Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
+  return {is_front(leg) ? stance.half_length : -stance.half_length,
+          is_left(leg) ? stance.half_width : -stance.half_width};
 }
 
 Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
@@ -24,12 +24,12 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   const Mat2 R = rotation_about_z(yaw).topLeftCorner<2, 2>();
   Vec2 center = Vec2::Zero();
   for (const Leg other : kLegs) {
-    center += (footholds[index(other)].head<2>() - R * nominal_offset(other)) / kNumLegs;
+    center += (footholds[index(other)].head<2>() - R * nominal_offset(stance_, other)) / kNumLegs;
   }
   const double ahead = kStrideShare * cycle_duration;
   const Mat2 R_ahead = rotation_about_z(yaw + ahead * user.yaw_rate).topLeftCorner<2, 2>();
   const Vec3& from = footholds[index(leg)];
-  const Vec2 goal = center + R_ahead * nominal_offset(leg) + ahead * (R * user.velocity);
+  const Vec2 goal = center + R_ahead * nominal_offset(stance_, leg) + ahead * (R * user.velocity);
   const Vec2 step = clip_norm<2>(goal - from.head<2>(), options_.max_step);
   Vec3 nominal;
   nominal << from.head<2>() + step, 0.0;

@@ -8,15 +8,15 @@
 
 namespace surefoot {
 
+/// Foot of the nominal stance relative to the stance's centre, in heading axes [m].
+[[nodiscard]] Vec2 nominal_offset(const StanceOptions& stance, Leg leg);
+
 /// Where the next foot goes: the nominal stance carried along with the commanded velocity; hind
 /// feet take the footprints that the front feet found, heights included.
 class FootholdPlanner {
  public:
   FootholdPlanner(const StanceOptions& stance, const FootholdOptions& options)
       : stance_(stance), options_(options) {}
-
-  /// Foot k of the nominal stance relative to its centre, in heading axes [m].
-  [[nodiscard]] Vec2 nominal_offset(Leg leg) const;
 
   /// Foothold of a leg that lifts off from `footholds[leg]`, with the gait's full cycle lasting
   /// `cycle_duration`. In a steady walk the feet stand ±1/8 and ±3/8 of a stride about their

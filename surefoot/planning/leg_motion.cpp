@@ -1,6 +1,6 @@
 #include "surefoot/planning/leg_motion.hpp"
 
-#include "surefoot/math/smoothstep.hpp"
+#include "surefoot/planning/force_ramp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,11 +98,7 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
 }
 
 double LegMotion::force_max(double time) const {
-  if (!down()) return 0.0;
-  if (!force_.ramps) return force_.max;
-  const double up = smooth_ramp(since(time), force_.ramp_up);
-  const double down_again = smooth_ramp(lift_off_time_ - time, force_.ramp_down);
-  return force_.max * std::min(up, down_again);
+  return down() ? ramped_force_max(force_, since(time), lift_off_time_ - time) : 0.0;
 }
 
 FootPlan LegMotion::plan(double time) const {

@@ -119,14 +119,18 @@ void check(const ActuatorOptions& actuators) {
 }
 
 void check(const SensorOptions& sensors) {
-  require_not_negative("sensors.encoder_resolution", sensors.encoder_resolution);
-  require_not_negative("sensors.torque_noise", sensors.torque_noise);
-  require_not_negative("sensors.gyro_noise", sensors.gyro_noise);
-  require_not_negative("sensors.gyro_bias", sensors.gyro_bias);
-  require_not_negative("sensors.accelerometer_noise", sensors.accelerometer_noise);
-  require_not_negative("sensors.accelerometer_bias", sensors.accelerometer_bias);
-  require_positive("sensors.rate_hz", sensors.rate_hz);
-  require_not_negative("sensors.foot_force_noise", sensors.foot_force_noise);
+  require_not_negative("sensors.encoders.resolution", sensors.encoders.resolution);
+  require_not_negative("sensors.encoders.noise", sensors.encoders.noise);
+  require_positive("sensors.encoders.rate_hz", sensors.encoders.rate_hz);
+  require_not_negative("sensors.joint_torques.noise", sensors.joint_torques.noise);
+  require_positive("sensors.joint_torques.rate_hz", sensors.joint_torques.rate_hz);
+  require_not_negative("sensors.imu.gyro_noise", sensors.imu.gyro_noise);
+  require_not_negative("sensors.imu.gyro_bias", sensors.imu.gyro_bias);
+  require_not_negative("sensors.imu.accelerometer_noise", sensors.imu.accelerometer_noise);
+  require_not_negative("sensors.imu.accelerometer_bias", sensors.imu.accelerometer_bias);
+  require_positive("sensors.imu.rate_hz", sensors.imu.rate_hz);
+  require_not_negative("sensors.foot_force.noise", sensors.foot_force.noise);
+  require_positive("sensors.foot_force.rate_hz", sensors.foot_force.rate_hz);
 }
 
 void check(const DisturbanceOptions& disturbances) {

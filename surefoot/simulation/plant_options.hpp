@@ -76,16 +76,40 @@ struct ActuatorOptions {
   double torque_gain = 1.0;     ///< true torque per commanded
 };
 
-struct SensorOptions {
-  double encoder_resolution = 4.4e-4;  ///< [rad], 0.025°; 0 = exact
-  double torque_noise = 0.2;           ///< standard deviation [N·m]
-  double gyro_noise = 2.5e-3;          ///< per sample [rad/s]
+// Sensors, one by one. Noise is white, the standard deviation of a sample. A rate is that of the
+// samples; one above the control rate counts as the control rate, below it a sample is held until
+// the next.
+
+struct EncoderOptions {
+  double resolution = 4.4e-4;  ///< [rad], 0.025°; 0 = exact
+  double noise = 0.0;          ///< before it is rounded [rad]
+  double rate_hz = 400.0;
+};
+
+struct JointTorqueSensorOptions {
+  double noise = 0.2;  ///< [N·m]
+  double rate_hz = 400.0;
+};
+
+struct ImuOptions {
+  double gyro_noise = 2.5e-3;          ///< [rad/s]
   double gyro_bias = 1e-3;             ///< standard deviation of the constant bias [rad/s]
-  double accelerometer_noise = 0.015;  ///< per sample [m/s²]
+  double accelerometer_noise = 0.015;  ///< [m/s²]
   double accelerometer_bias = 0.08;    ///< standard deviation of the constant bias [m/s²]
-  double rate_hz = 400.0;              ///< all sensors; at most the control rate
-  bool foot_force = false;             ///< an optional foot force sensor
-  double foot_force_noise = 1.0;       ///< [N]
+  double rate_hz = 400.0;
+};
+
+struct FootForceSensorOptions {
+  bool present = false;  ///< ANYmal B has none
+  double noise = 1.0;    ///< [N]
+  double rate_hz = 400.0;
+};
+
+struct SensorOptions {
+  EncoderOptions encoders;
+  JointTorqueSensorOptions joint_torques;
+  ImuOptions imu;
+  FootForceSensorOptions foot_force;
 };
 
 /// A push: a force on a body over a time, or an impulse spread over it.

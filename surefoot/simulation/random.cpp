@@ -1,25 +1,15 @@
 #include "surefoot/simulation/random.hpp"
 
+#include "surefoot/math/random_bits.hpp"
+
 #include <bit>
 #include <cmath>
 #include <numbers>
 
 namespace surefoot::simulation {
 
-namespace {
-
-std::uint64_t splitmix64(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15ULL;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31U);
-}
-
-}  // namespace
-
 Random::Random(std::uint64_t seed) : state_{} {
-  for (std::uint64_t& word : state_) word = splitmix64(seed);
+  for (std::uint64_t& word : state_) word = mixed_bits(seed += kGoldenStep);
 }
 
 std::uint64_t Random::bits() {

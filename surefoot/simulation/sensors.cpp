@@ -1,31 +1,27 @@
 #include "surefoot/simulation/sensors.hpp"
 
+#include "surefoot/math/random_bits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace surefoot::simulation {
 
-Sensors::Sensors(const SensorOptions& options, double control_period, std::uint64_t seed)
-    : options_(options),
-      samples_per_tick_(std::min(1.0, options.rate_hz * control_period)),
-      random_(seed),
-      gyro_bias_(options.gyro_bias * normal_vector()),
-      accelerometer_bias_(options.accelerometer_bias * normal_vector()) {}
+namespace {
 
-void Sensors::accumulate(const Vec3& specific_force) noexcept {
-  force_sum_ += specific_force;
-  ++num_forces_;
+template <typename Vector>
+Vector normal_vector(Random& random) {
+  Vector result;
+  for (double& value : result) value = random.normal();
+  return result;
 }
 
-void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
-  reading.time = truth.time;
-  if (!sample_is_due()) return;
-  read_joints(truth, reading);
-  read_imu(truth, reading);
-  if (options_.foot_force) read_feet(truth, reading);
-}
+}  // namespace
 
-bool Sensors::sample_is_due() noexcept {
+SampleClock::SampleClock(double rate_hz, double control_period)
+    : samples_per_tick_(std::min(1.0, rate_hz * control_period)) {}
+
+bool SampleClock::is_due() noexcept {
   constexpr double kRounding = 1e-9;
   const double due = static_cast<double>(tick_++) * samples_per_tick_ + kRounding;
   const auto samples = static_cast<std::int64_t>(std::floor(due));
@@ -34,36 +30,72 @@ bool Sensors::sample_is_due() noexcept {
   return true;
 }
 
-Vec3 Sensors::normal_vector() noexcept {
-  const double x = random_.normal();
-  const double y = random_.normal();
-  const double z = random_.normal();
-  return {x, y, z};
+Sensors::Sensors(const SensorOptions& options, double control_period, std::uint64_t seed)
+    : options_(options),
+      encoder_clock_(options.encoders.rate_hz, control_period),
+      torque_clock_(options.joint_torques.rate_hz, control_period),
+      imu_clock_(options.imu.rate_hz, control_period),
+      foot_clock_(options.foot_force.rate_hz, control_period),
+      random_(seed),
+      encoder_random_(named_bits(seed, "encoders")),
+      foot_random_(named_bits(seed, "foot_force")),
+      gyro_bias_(options.imu.gyro_bias * normal_vector<Vec3>(random_)),
+      accelerometer_bias_(options.imu.accelerometer_bias * normal_vector<Vec3>(random_)) {}
+
+void Sensors::accumulate(const Vec3& specific_force) noexcept {
+  force_sum_ += specific_force;
+  ++num_forces_;
 }
 
-void Sensors::read_joints(const GroundTruth& truth, SensorReading& reading) noexcept {
-  const double step = options_.encoder_resolution;
-  for (Eigen::Index i = 0; i < truth.q.size(); ++i) {
-    reading.q[i] = step > 0.0 ? step * std::round(truth.q[i] / step) : truth.q[i];
-    reading.torque[i] = truth.torque[i] + options_.torque_noise * random_.normal();
+// Noise is drawn at every tick, due or not, so that a rate changes no other noise.
+void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
+  const Noise noise = draw();
+  reading.time = truth.time;
+  read_encoders(truth, reading);
+  if (torque_clock_.is_due()) {
+    reading.torque = truth.torque + options_.joint_torques.noise * noise.torque;
   }
+  if (imu_clock_.is_due()) read_imu(truth, noise, reading);
+  if (options_.foot_force.present) read_feet(truth, reading);
 }
 
-void Sensors::read_imu(const GroundTruth& truth, SensorReading& reading) noexcept {
+Sensors::Noise Sensors::draw() noexcept {
+  Noise noise;
+  noise.torque = normal_vector<JointVector>(random_);
+  noise.gyro = normal_vector<Vec3>(random_);
+  noise.accelerometer = normal_vector<Vec3>(random_);
+  return noise;
+}
+
+void Sensors::read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept {
+  const EncoderOptions& encoders = options_.encoders;
+  JointVector q = truth.q;
+  if (encoders.noise > 0.0) q += encoders.noise * normal_vector<JointVector>(encoder_random_);
+  if (!encoder_clock_.is_due()) return;
+  const double step = encoders.resolution;
+  for (double& angle : q) angle = step > 0.0 ? step * std::round(angle / step) : angle;
+  reading.q = q;
+}
+
+void Sensors::read_imu(const GroundTruth& truth, const Noise& noise,
+                       SensorReading& reading) noexcept {
+  const ImuOptions& imu = options_.imu;
   const Vec3 at_rest = truth.q_WB.conjugate() * Vec3(0.0, 0.0, kGravity);
   const Vec3 specific_force = num_forces_ > 0 ? Vec3(force_sum_ / num_forces_) : at_rest;
   force_sum_.setZero();
   num_forces_ = 0;
-  reading.gyro = truth.w_WB_B + gyro_bias_ + options_.gyro_noise * normal_vector();
+  reading.gyro = truth.w_WB_B + gyro_bias_ + imu.gyro_noise * noise.gyro;
   reading.accelerometer =
-      specific_force + accelerometer_bias_ + options_.accelerometer_noise * normal_vector();
+      specific_force + accelerometer_bias_ + imu.accelerometer_noise * noise.accelerometer;
 }
 
 void Sensors::read_feet(const GroundTruth& truth, SensorReading& reading) noexcept {
+  const auto noise = normal_vector<PerLeg<double>>(foot_random_);
+  if (!foot_clock_.is_due()) return;
   for (const Leg leg : kLegs) {
     const TrueContact& contact = truth.feet[index(leg)];
     reading.foot_force[index(leg)] =
-        contact.force.dot(contact.normal) + options_.foot_force_noise * random_.normal();
+        contact.force.dot(contact.normal) + options_.foot_force.noise * noise[index(leg)];
   }
 }
 

@@ -7,13 +7,30 @@
 
 namespace surefoot::simulation {
 
-/// What the robot's sensors make of the truth: quantised encoders, noisy torques, an IMU at the
-/// base frame with constant biases drawn from the seed, optional foot force sensors.
+/// Says at each control tick whether a sensor has a new sample.
+class SampleClock {
+ public:
+  SampleClock(double rate_hz, double control_period);
+
+  /// Asked once a tick; always true at the first.
+  [[nodiscard]] bool is_due() noexcept;
+
+ private:
+  double samples_per_tick_;
+  std::int64_t tick_ = 0;
+  std::int64_t samples_ = -1;
+};
+
+/// What the robot's sensors make of the truth: encoders with noise that round, noisy torques, an
+/// IMU at the base frame with constant biases drawn from the seed, optional foot force sensors.
+/// Each has its rate, and a sample is held until the next one is due.
 ///
 /// The gyroscope gives the angular velocity at the moment of the sample. The accelerometer gives
 /// the mean specific force since its last sample, as strapdown IMUs do, so that its integral is the
-/// change of velocity also through impacts; before the first step the robot is held at rest. With a
-/// rate below the control rate a sample is held until the next one is due.
+/// change of velocity also through impacts; before the first step the robot is held at rest.
+///
+/// A sensor's noise at a tick depends on the seed alone: neither noise, nor rate, nor presence of
+/// the others changes it.
 class Sensors {
  public:
   Sensors(const SensorOptions& options, double control_period, std::uint64_t seed);
@@ -24,21 +41,24 @@ class Sensors {
   void read(const GroundTruth& truth, SensorReading& reading) noexcept;
 
  private:
-  [[nodiscard]] bool sample_is_due() noexcept;
-  [[nodiscard]] Vec3 normal_vector() noexcept;
-  void read_joints(const GroundTruth& truth, SensorReading& reading) noexcept;
-  void read_imu(const GroundTruth& truth, SensorReading& reading) noexcept;
+  /// Standard normal deviates of one tick.
+  struct Noise {
+    JointVector torque;
+    Vec3 gyro, accelerometer;
+  };
+  [[nodiscard]] Noise draw() noexcept;
+  void read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept;
+  void read_imu(const GroundTruth& truth, const Noise& noise, SensorReading& reading) noexcept;
   void read_feet(const GroundTruth& truth, SensorReading& reading) noexcept;
 
   SensorOptions options_;
-  double samples_per_tick_;
-  Random random_;
+  SampleClock encoder_clock_, torque_clock_, imu_clock_, foot_clock_;
+  Random random_;  // of biases, torques and IMU
+  Random encoder_random_, foot_random_;
   Vec3 gyro_bias_;
   Vec3 accelerometer_bias_;
   Vec3 force_sum_ = Vec3::Zero();
   int num_forces_ = 0;
-  std::int64_t tick_ = 0;
-  std::int64_t samples_ = -1;
 };
 
 }  // namespace surefoot::simulation

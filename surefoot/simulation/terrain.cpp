@@ -1,5 +1,6 @@
 #include "surefoot/simulation/terrain.hpp"
 
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/simulation/terrain_generators.hpp"
 #include "surefoot/simulation/text.hpp"
 
@@ -67,9 +68,7 @@ class TerrainWriter {
   mjsGeom* add_geom(mjtGeom type, const Vec3& position, const Vec3& rpy, double friction) {
     mjsGeom* geom = mjs_addGeom(world_, nullptr);
     mjs_setName(geom->element, text("terrain_", ++num_geoms_).c_str());
-    const Quat orientation = Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
-                             Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
-                             Eigen::AngleAxisd(rpy.x(), Vec3::UnitX());
+    const Quat orientation = from_roll_pitch_yaw(rpy);
     geom->type = type;
     for (int i = 0; i < 3; ++i) geom->pos[i] = position[i];
     geom->quat[0] = orientation.w();

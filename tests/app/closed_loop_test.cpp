@@ -107,8 +107,10 @@ TEST(ClosedLoop, a_robot_that_is_knocked_over_ends_the_run_as_fallen) {
       short_walk({"duration=6",
                   "disturbances.pushes.hard={time: 0.1, duration: 0.3, force: [0, 900, 0]}"}),
       {});
-  EXPECT_TRUE(result.ending == Ending::fell || result.safety_stop);
-  EXPECT_LT(result.metrics.duration_s, 6.0);
+  EXPECT_EQ(result.ending, Ending::fell);
+  EXPECT_TRUE(result.metrics.fell);
+  EXPECT_TRUE(test::holds(result.metrics.reason, "fell at")) << result.metrics.reason;
+  EXPECT_LT(result.metrics.duration_s, 1.0);
   EXPECT_FALSE(result.metrics.succeeded);
 }
 

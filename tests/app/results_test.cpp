@@ -55,10 +55,19 @@ TEST(SeedsJson, the_median_of_an_even_number_lies_between) {
 
 TEST(SeedsJson, enough_succeed_or_they_do_not) {
   Scenario scenario;
+  const auto runs = four_seeds().at("runs").get<std::vector<Json>>();
   scenario.success_rate = 0.75;
-  EXPECT_TRUE(enough_succeeded(scenario, four_seeds()));
+  EXPECT_TRUE(enough_succeeded(scenario, runs));
   scenario.success_rate = 0.76;
-  EXPECT_FALSE(enough_succeeded(scenario, four_seeds()));
+  EXPECT_FALSE(enough_succeeded(scenario, runs));
+}
+
+TEST(SeedsJson, one_run_is_one_of_one_and_what_is_as_found_asks_for_none) {
+  Scenario scenario;
+  EXPECT_TRUE(enough_succeeded(scenario, {row(true, 0.001, 0.2)}));
+  EXPECT_FALSE(enough_succeeded(scenario, {row(false, 0.001, 0.2)}));
+  scenario.success_rate = 0.0;
+  EXPECT_TRUE(enough_succeeded(scenario, {row(false, 0.001, 0.2)}));
 }
 
 TEST(RunJson, holds_every_metric_the_criteria_and_what_was_drawn) {

@@ -33,5 +33,10 @@ TEST(Randomise, draws_two_paths_of_a_seed_without_correlation) {
   EXPECT_NEAR(product / kSeeds, 0.0, 0.005);
 }
 
+TEST(Randomise, draws_the_same_from_the_same_seed_on_every_machine) {
+  EXPECT_EQ(uniform_of(1, "initial.x"), 0.5039935001863055);
+  EXPECT_EQ(uniform_of(3, "terrain.friction"), 0.18727137029717278);
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -206,8 +206,9 @@ TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
 TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
   EXPECT_TRUE(holds(complaint("contact_force: {use_foot_sensor: true}\n"),
                     "trial.yaml:2: contact_force.use_foot_sensor"));
-  EXPECT_TRUE(read("contact_force: {use_foot_sensor: true}\nsensors: {foot_force: true}\n")
-                  .plant.sensors.foot_force);
+  EXPECT_TRUE(
+      read("contact_force: {use_foot_sensor: true}\nsensors: {foot_force: {present: true}}\n")
+          .plant.sensors.foot_force.present);
 }
 
 TEST_F(ScenarioFile, that_looks_further_ahead_than_the_com_planner_can_says_so) {

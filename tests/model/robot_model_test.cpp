@@ -126,14 +126,13 @@ TEST(RobotModel, has_velocities_that_are_the_rates_of_its_positions) {
   for (int trial = 0; trial < 10; ++trial) {
     const RobotState state = random.state();
     const Dynamics dynamics = model.update(state, kUp);
-    const auto rate = [&](const auto& position) { return derivative(model, state, kUp, position); };
-    EXPECT_LT(difference(rate([](const Dynamics& d) { return d.com.p; }), dynamics.com.v), 1e-8);
+    const auto expect_rate = [&](const Vec3& v, const auto& position) {
+      EXPECT_LT(difference(derivative(model, state, kUp, position), v), 1e-8);
+    };
+    expect_rate(dynamics.com.v, [](const Dynamics& d) { return d.com.p; });
     for (std::size_t k = 0; k < kNumLegs; ++k) {
-      EXPECT_LT(difference(rate([&](const Dynamics& d) { return d.hip[k].p; }), dynamics.hip[k].v),
-                1e-8);
-      EXPECT_LT(
-          difference(rate([&](const Dynamics& d) { return d.foot[k].p; }), dynamics.foot[k].v),
-          1e-8);
+      expect_rate(dynamics.hip[k].v, [k](const Dynamics& d) { return d.hip[k].p; });
+      expect_rate(dynamics.foot[k].v, [k](const Dynamics& d) { return d.foot[k].p; });
     }
   }
 }
@@ -145,25 +144,19 @@ TEST(RobotModel, has_drifts_that_are_the_rates_of_its_velocities_at_constant_u) 
     const RobotState state = random.state();
     const Vec3 normal = random.small_rotation(0.5) * kUp;
     const Dynamics d = model.update(state, normal);
-    const auto rate = [&](const auto& v) { return derivative(model, state, normal, v); };
-    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.base.v; }), d.base.Jdot_u), 1e-7);
-    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.base_rotation.w; }),
-                         d.base_rotation.Jdot_u),
-              1e-7);
-    EXPECT_LT(difference(rate([](const Dynamics& x) { return x.com.v; }), d.com.Jdot_u), 1e-7);
+    const auto expect_rate = [&](const Vec3& Jdot_u, const auto& velocity) {
+      EXPECT_LT(difference(derivative(model, state, normal, velocity), Jdot_u), 1e-7);
+    };
+    expect_rate(d.base.Jdot_u, [](const Dynamics& x) { return x.base.v; });
+    expect_rate(d.base_rotation.Jdot_u, [](const Dynamics& x) { return x.base_rotation.w; });
+    expect_rate(d.com.Jdot_u, [](const Dynamics& x) { return x.com.v; });
     for (std::size_t k = 0; k < kNumLegs; ++k) {
-      EXPECT_LT(difference(rate([&](const Dynamics& x) { return x.hip[k].v; }), d.hip[k].Jdot_u),
-                1e-7);
-      EXPECT_LT(difference(rate([&](const Dynamics& x) { return x.foot[k].v; }), d.foot[k].Jdot_u),
-                1e-7);
-      EXPECT_LT(
-          difference(rate([&](const Dynamics& x) { return x.shank[k].w; }), d.shank[k].Jdot_u),
-          1e-7);
+      expect_rate(d.hip[k].Jdot_u, [k](const Dynamics& x) { return x.hip[k].v; });
+      expect_rate(d.foot[k].Jdot_u, [k](const Dynamics& x) { return x.foot[k].v; });
+      expect_rate(d.shank[k].Jdot_u, [k](const Dynamics& x) { return x.shank[k].w; });
       // v of the contact point is that of the lowest point at each instant, so its rate at constant
       // u is the drift of rolling.
-      EXPECT_LT(
-          difference(rate([&](const Dynamics& x) { return x.contact[k].v; }), d.contact[k].Jdot_u),
-          1e-7);
+      expect_rate(d.contact[k].Jdot_u, [k](const Dynamics& x) { return x.contact[k].v; });
     }
   }
 }

@@ -35,7 +35,7 @@ struct Walker {
   void stand(const Vec2& center, double heading) {
     yaw = heading;
     for (const Leg leg : kLegs) {
-      feet[index(leg)] << center + turned(yaw, planner.nominal_offset(leg)), ground;
+      feet[index(leg)] << center + turned(yaw, nominal_offset(stance, leg)), ground;
     }
   }
   [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground), 0.0}; }
@@ -56,7 +56,7 @@ struct Walker {
   }
   /// Where the stance's middle is, from a foot's own place in it.
   [[nodiscard]] Vec2 center_by(Leg leg) const {
-    return feet[index(leg)].head<2>() - turned(yaw, planner.nominal_offset(leg));
+    return feet[index(leg)].head<2>() - turned(yaw, nominal_offset(stance, leg));
   }
   [[nodiscard]] Vec2 center() const {
     Vec2 sum = Vec2::Zero();
@@ -80,11 +80,11 @@ struct Walker {
 };
 
 TEST(FootholdPlanner, TheNominalStanceIsARectangle) {
-  const FootholdPlanner planner({.half_length = 0.3, .half_width = 0.2}, {});
-  EXPECT_EQ(planner.nominal_offset(Leg::LF), Vec2(0.3, 0.2));
-  EXPECT_EQ(planner.nominal_offset(Leg::RF), Vec2(0.3, -0.2));
-  EXPECT_EQ(planner.nominal_offset(Leg::LH), Vec2(-0.3, 0.2));
-  EXPECT_EQ(planner.nominal_offset(Leg::RH), Vec2(-0.3, -0.2));
+  const StanceOptions stance{.half_length = 0.3, .half_width = 0.2};
+  EXPECT_EQ(nominal_offset(stance, Leg::LF), Vec2(0.3, 0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::RF), Vec2(0.3, -0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::LH), Vec2(-0.3, 0.2));
+  EXPECT_EQ(nominal_offset(stance, Leg::RH), Vec2(-0.3, -0.2));
 }
 
 TEST(FootholdPlanner, SteppingOnTheSpotStaysOnTheSpot) {
@@ -224,7 +224,7 @@ struct Hind {
   explicit Hind(const std::vector<Vec3>& prints, const FootholdOptions& options = {})
       : walker(options) {
     walker.ground = 0.0;
-    walker.stand(-walker.planner.nominal_offset(Leg::LH), 0.0);
+    walker.stand(-nominal_offset(walker.stance, Leg::LH), 0.0);
     for (const Vec3& print : prints) walker.planner.remember(Leg::LF, print);
   }
   /// Nominally at x = 0.15.

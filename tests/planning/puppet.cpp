@@ -25,12 +25,11 @@ Ground step_at(double edge, double height) {
 
 Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
     : ground(std::move(terrain)), planner_(options, kWeight, kPeriod) {
-  const FootholdPlanner stance(options.stance, options.foothold);
   const Mat3 R = rotation_about_z(heading);
   double mean = 0.0;
   for (const Leg leg : kLegs) {
     Vec3& p = dynamics_.foot[index(leg)].p;
-    p.head<2>() = position + R.topLeftCorner<2, 2>() * stance.nominal_offset(leg);
+    p.head<2>() = position + R.topLeftCorner<2, 2>() * nominal_offset(options.stance, leg);
     p.z() = ground(p.head<2>());
     mean += 0.25 * p.z();
     state_.foot_force[index(leg)] = kCarried * Vec3::UnitZ();

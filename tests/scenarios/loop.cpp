@@ -1,7 +1,7 @@
 #include "tests/scenarios/loop.hpp"
 
 #include "surefoot/config/scenario_file.hpp"
-#include "surefoot/simulation/truth_estimator.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
 #include "tests/support/malloc_counter.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ Loop::Loop(const Scenario& scenario)
     : scenario_(scenario),
       plant_(scenario.robot, scenario.plant),
       controller_(scenario.robot, scenario.controller,
-                  std::make_unique<TruthEstimator>(plant_.truth())) {}
+                  make_estimator(scenario.estimation,
+                                 {scenario.robot, scenario.controller.period, plant_})) {}
 
 PlanEvent Loop::tick() {
   const SensorReading& reading = plant_.read();

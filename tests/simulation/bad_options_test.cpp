@@ -33,6 +33,14 @@ void set_element(PlantOptions& options, const Element& element) {
   options.terrain.elements = {TerrainLevel{}, element};
 }
 
+TerrainHeightField height_field(int columns, int rows, const std::vector<double>& heights) {
+  TerrainHeightField field;
+  field.columns = columns;
+  field.rows = rows;
+  field.heights = heights;
+  return field;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Wrong, Options,
     testing::Values(
@@ -53,44 +61,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"plane_rpy",
                   [](auto& o) { set_element(o, TerrainLevel{Vec3::Zero(), Vec3(kInf, 0.0, 0.0)}); },
                   "terrain.elements[1].rpy[0] is inf"},
-        BadOption{"field_heights",
-                  [](auto& o) {
-                    TerrainHeightField field;
-                    field.columns = 3;
-                    field.rows = 2;
-                    field.heights = {1.0, 2.0};
-                    set_element(o, field);
-                  },
+        BadOption{"field_heights", [](auto& o) { set_element(o, height_field(3, 2, {1.0, 2.0})); },
                   "terrain.elements[1].heights has 2 numbers; rows × columns is 2 × 3 = 6"},
-        BadOption{"field_points",
-                  [](auto& o) {
-                    TerrainHeightField field;
-                    field.columns = 1;
-                    field.rows = 5;
-                    set_element(o, field);
-                  },
+        BadOption{"field_points", [](auto& o) { set_element(o, height_field(1, 5, {})); },
                   "terrain.elements[1].columns is 1; it must be at least 2"},
         BadOption{"field_nan",
-                  [](auto& o) {
-                    TerrainHeightField field;
-                    field.columns = field.rows = 2;
-                    field.heights = {0.0, 0.0, kNaN, 0.0};
-                    set_element(o, field);
-                  },
+                  [](auto& o) { set_element(o, height_field(2, 2, {0.0, 0.0, kNaN, 0.0})); },
                   "terrain.elements[1].heights[2] is nan"},
-        BadOption{"boxes_cell",
-                  [](auto& o) {
-                    TerrainRandomBoxes boxes;
-                    boxes.cell = 0.001;
-                    set_element(o, boxes);
-                  },
+        BadOption{"boxes_cell", [](auto& o) { set_element(o, TerrainRandomBoxes{.cell = 0.001}); },
                   "terrain.elements[1].cell is 0.001; it must be large enough"},
         BadOption{"boxes_height",
-                  [](auto& o) {
-                    TerrainRandomBoxes boxes;
-                    boxes.max_height = -0.1;
-                    set_element(o, boxes);
-                  },
+                  [](auto& o) { set_element(o, TerrainRandomBoxes{.max_height = -0.1}); },
                   "terrain.elements[1].max_height is -0.1"},
         BadOption{"solref", [](auto& o) { o.contact.solref_time = 0.0005; },
                   "contact.solref_time is 0.0005; it must be at least two timesteps, 0.001 s"},
@@ -103,11 +84,20 @@ INSTANTIATE_TEST_SUITE_P(
                   "actuators.bandwidth_hz is 0"},
         BadOption{"gain", [](auto& o) { o.actuators.torque_gain = kNaN; },
                   "actuators.torque_gain is nan"},
-        BadOption{"encoder", [](auto& o) { o.sensors.encoder_resolution = -1.0; },
-                  "sensors.encoder_resolution is -1"},
-        BadOption{"rate", [](auto& o) { o.sensors.rate_hz = 0.0; }, "sensors.rate_hz is 0"},
-        BadOption{"noise", [](auto& o) { o.sensors.gyro_noise = kInf; },
-                  "sensors.gyro_noise is inf"},
+        BadOption{"encoder", [](auto& o) { o.sensors.encoders.resolution = -1.0; },
+                  "sensors.encoders.resolution is -1"},
+        BadOption{"encoder_noise", [](auto& o) { o.sensors.encoders.noise = -0.1; },
+                  "sensors.encoders.noise is -0.1; it must be 0 or a finite number above"},
+        BadOption{"encoder_rate", [](auto& o) { o.sensors.encoders.rate_hz = 0.0; },
+                  "sensors.encoders.rate_hz is 0; it must be a finite number above 0"},
+        BadOption{"torque_rate", [](auto& o) { o.sensors.joint_torques.rate_hz = -1.0; },
+                  "sensors.joint_torques.rate_hz is -1"},
+        BadOption{"imu_rate", [](auto& o) { o.sensors.imu.rate_hz = kNaN; },
+                  "sensors.imu.rate_hz is nan"},
+        BadOption{"gyro_noise", [](auto& o) { o.sensors.imu.gyro_noise = kInf; },
+                  "sensors.imu.gyro_noise is inf"},
+        BadOption{"foot_rate", [](auto& o) { o.sensors.foot_force.rate_hz = kInf; },
+                  "sensors.foot_force.rate_hz is inf"},
         BadOption{"push_body",
                   [](auto& o) { o.disturbances.pushes = {{}, {"LF_SHNK", 0.0, 0.1, {}}}; },
                   "disturbances.pushes[1].body is \"LF_SHNK\"; the robot has: base base_inertia "

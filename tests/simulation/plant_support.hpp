@@ -18,11 +18,11 @@ inline constexpr double kMass = 30.475396462;  ///< sum over the URDF's links wi
 /// Sensors that add nothing to the truth.
 inline SensorOptions exact_sensors() {
   SensorOptions sensors;
-  sensors.encoder_resolution = 0.0;
-  sensors.torque_noise = 0.0;
-  sensors.gyro_noise = sensors.gyro_bias = 0.0;
-  sensors.accelerometer_noise = sensors.accelerometer_bias = 0.0;
-  sensors.foot_force_noise = 0.0;
+  sensors.encoders.resolution = 0.0;
+  sensors.joint_torques.noise = 0.0;
+  sensors.imu.gyro_noise = sensors.imu.gyro_bias = 0.0;
+  sensors.imu.accelerometer_noise = sensors.imu.accelerometer_bias = 0.0;
+  sensors.foot_force.noise = 0.0;
   return sensors;
 }
 

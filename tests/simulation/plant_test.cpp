@@ -12,7 +12,7 @@ PlantOptions noisy_options() {
   PlantOptions options;
   options.initial.q = test::anymal_b().q_nominal;
   options.actuators.model = ActuatorModel::sea;
-  options.sensors.foot_force = true;
+  options.sensors.foot_force.present = true;
   return options;
 }
 

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace surefoot::simulation {
 namespace {
@@ -58,7 +61,7 @@ TEST(Sensors, TheAccelerometerOfARobotAtRestReadsGravityUpwards) {
 
 TEST(Sensors, TheAccelerometerGivesTheMeanSinceItsLastSample) {
   SensorOptions options = test::exact_sensors();
-  options.rate_hz = 200.0;  // every second tick
+  options.imu.rate_hz = 200.0;  // every second tick
   Sensors sensors(options, kPeriod, 1);
   SensorReading reading;
   sensors.read({}, reading);
@@ -72,7 +75,7 @@ TEST(Sensors, TheAccelerometerGivesTheMeanSinceItsLastSample) {
 
 TEST(Sensors, EncodersGiveTheNearestWholeStep) {
   SensorOptions options = test::exact_sensors();
-  options.encoder_resolution = 4.4e-4;
+  options.encoders.resolution = 4.4e-4;
   Sensors sensors(options, kPeriod, 1);
   GroundTruth truth = some_truth();
   SensorReading reading;
@@ -86,34 +89,37 @@ TEST(Sensors, EncodersGiveTheNearestWholeStep) {
 
 TEST(Sensors, NoiseHasTheChosenDeviations) {
   SensorOptions options;
-  options.foot_force = true;
-  options.gyro_bias = options.accelerometer_bias = 0.0;
+  options.encoders = {.resolution = 0.0, .noise = 1e-3};
+  options.foot_force.present = true;
+  options.imu.gyro_bias = options.imu.accelerometer_bias = 0.0;
   Sensors sensors(options, kPeriod, 5);
   const GroundTruth truth = some_truth();
   const Vec3 up_B = truth.q_WB.conjugate() * Vec3::UnitZ();
-  Statistics torque, gyro, accelerometer, foot;
+  Statistics angle, torque, gyro, accelerometer, foot;
   for (int tick = 0; tick < 20000; ++tick) {
     SensorReading reading;
     sensors.read(truth, reading);
+    angle.add(reading.q[4] - truth.q[4]);
     torque.add(reading.torque[7] - truth.torque[7]);
     gyro.add(reading.gyro.y() - truth.w_WB_B.y());
     accelerometer.add(reading.accelerometer.z() - kGravity * up_B.z());
     foot.add(reading.foot_force[2] - 70.0);
   }
-  EXPECT_NEAR(torque.deviation() / options.torque_noise, 1.0, 0.03);
-  EXPECT_NEAR(gyro.deviation() / options.gyro_noise, 1.0, 0.03);
-  EXPECT_NEAR(accelerometer.deviation() / options.accelerometer_noise, 1.0, 0.03);
-  EXPECT_NEAR(foot.deviation() / options.foot_force_noise, 1.0, 0.03);
-  EXPECT_NEAR(torque.mean() / options.torque_noise, 0.0, 0.03);
-  EXPECT_NEAR(gyro.mean() / options.gyro_noise, 0.0, 0.03);
-  EXPECT_NEAR(accelerometer.mean() / options.accelerometer_noise, 0.0, 0.03);
-  EXPECT_NEAR(foot.mean() / options.foot_force_noise, 0.0, 0.03);
+  const auto expect_white = [](const Statistics& noise, double deviation) {
+    EXPECT_NEAR(noise.deviation() / deviation, 1.0, 0.03);
+    EXPECT_NEAR(noise.mean() / deviation, 0.0, 0.03);
+  };
+  expect_white(angle, options.encoders.noise);
+  expect_white(torque, options.joint_torques.noise);
+  expect_white(gyro, options.imu.gyro_noise);
+  expect_white(accelerometer, options.imu.accelerometer_noise);
+  expect_white(foot, options.foot_force.noise);
 }
 
 TEST(Sensors, BiasesStayConstantInARunAndVaryWithTheSeed) {
   SensorOptions options = test::exact_sensors();
-  options.gyro_bias = 1e-3;
-  options.accelerometer_bias = 0.08;
+  options.imu.gyro_bias = 1e-3;
+  options.imu.accelerometer_bias = 0.08;
   Statistics gyro, accelerometer;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     Sensors sensors(options, kPeriod, seed);
@@ -130,9 +136,25 @@ TEST(Sensors, BiasesStayConstantInARunAndVaryWithTheSeed) {
   EXPECT_NEAR(gyro.mean(), 0.0, 1e-4);
 }
 
+TEST(Sensors, EncodersRoundWhatTheirNoiseMadeOfTheAngle) {
+  SensorOptions options = test::exact_sensors();
+  options.encoders = {.resolution = 1e-3, .noise = 2e-3};
+  Sensors sensors(options, kPeriod, 1);
+  GroundTruth truth;
+  Statistics steps;
+  for (int tick = 0; tick < 20000; ++tick) {
+    SensorReading reading;
+    sensors.read(truth, reading);
+    const double step = reading.q[3] / 1e-3;
+    EXPECT_NEAR(step, std::round(step), 1e-9);
+    steps.add(step);
+  }
+  EXPECT_NEAR(steps.deviation(), std::sqrt(2.0 * 2.0 + 1.0 / 12.0), 0.05);
+}
+
 TEST(Sensors, HoldASampleUntilTheNextIsDue) {
   SensorOptions options = test::exact_sensors();
-  options.rate_hz = 100.0;  // every fourth tick
+  options.encoders.rate_hz = 100.0;  // every fourth tick
   Sensors sensors(options, kPeriod, 1);
   SensorReading reading;
   for (int tick = 0; tick < 40; ++tick) {
@@ -145,9 +167,78 @@ TEST(Sensors, HoldASampleUntilTheNextIsDue) {
   }
 }
 
+/// Truth in which every sensor sees the number of the tick.
+GroundTruth counting(int tick) {
+  GroundTruth truth;
+  truth.q.setConstant(tick);
+  truth.torque.setConstant(tick);
+  truth.w_WB_B.setConstant(tick);
+  for (TrueContact& foot : truth.feet) foot.force = tick * Vec3::UnitZ();
+  return truth;
+}
+
+TEST(Sensors, EachHaveARateOfTheirOwn) {
+  SensorOptions options = test::exact_sensors();
+  options.foot_force.present = true;
+  options.encoders.rate_hz = 200.0;
+  options.joint_torques.rate_hz = 100.0;
+  options.imu.rate_hz = 80.0;
+  options.foot_force.rate_hz = 50.0;
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  for (int tick = 0; tick < 80; ++tick) {
+    sensors.accumulate(Vec3::Constant(tick));
+    sensors.read(counting(tick), reading);
+    EXPECT_EQ(reading.q[11], tick - tick % 2);
+    EXPECT_EQ(reading.torque[5], tick - tick % 4);
+    EXPECT_EQ(reading.gyro.y(), tick - tick % 5);
+    EXPECT_EQ(reading.accelerometer.z(), tick < 5 ? 0.0 : tick - tick % 5 - 2);  // mean of five
+    EXPECT_EQ(reading.foot_force[3], tick - tick % 8);
+  }
+}
+
+TEST(Sensors, FasterThanTheControlLoopGiveASampleAtEveryTick) {
+  SensorOptions options = test::exact_sensors();
+  options.encoders.rate_hz = 5000.0;
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  for (int tick = 0; tick < 10; ++tick) {
+    sensors.read(counting(tick), reading);
+    EXPECT_EQ(reading.q[0], tick);
+  }
+}
+
+TEST(Sensors, TheNoiseOfOneIsTheSameWhateverTheOthersAre) {
+  SensorOptions plain;
+  plain.encoders.noise = 1e-3;
+  plain.foot_force.present = true;
+  const std::vector<std::function<void(SensorOptions&)>> changes{
+      [](SensorOptions& o) { o.encoders = {.resolution = 0.1, .noise = 0.0, .rate_hz = 30.0}; },
+      [](SensorOptions& o) { o.joint_torques = {.noise = 0.0, .rate_hz = 90.0}; },
+      [](SensorOptions& o) { o.imu = {0.0, 0.0, 0.0, 0.0, 70.0}; },
+      [](SensorOptions& o) { o.foot_force.present = false; }};
+  for (std::size_t changed = 0; changed < changes.size(); ++changed) {
+    SensorOptions options = plain;
+    changes[changed](options);
+    Sensors first(plain, kPeriod, 8);
+    Sensors second(options, kPeriod, 8);
+    for (int tick = 0; tick < 50; ++tick) {
+      SensorReading a, b;
+      first.read(some_truth(), a);
+      second.read(some_truth(), b);
+      const std::array<bool, 4> same{a.q == b.q, a.torque == b.torque,
+                                     a.gyro == b.gyro && a.accelerometer == b.accelerometer,
+                                     a.foot_force == b.foot_force};
+      for (std::size_t sensor = 0; sensor < same.size(); ++sensor) {
+        EXPECT_EQ(same[sensor], sensor != changed) << sensor << " where " << changed << " changed";
+      }
+    }
+  }
+}
+
 TEST(Sensors, AtARateThatDoesNotDivideTheControlRateSamplesKeepTheirMeanRate) {
   SensorOptions options = test::exact_sensors();
-  options.rate_hz = 150.0;
+  options.encoders.rate_hz = 150.0;
   Sensors sensors(options, kPeriod, 1);
   SensorReading reading;
   int samples = 0;
@@ -205,7 +296,7 @@ TEST(Sensors, APlantsGyroGivesTheAngularVelocityInTheBaseFrame) {
 
 TEST(Sensors, APlantsFootForceSensorReadsItsNormalForce) {
   PlantOptions options = test::standing_options();
-  options.sensors.foot_force = true;
+  options.sensors.foot_force.present = true;
   test::HeldRobot robot(options);
   robot.run(0.5);
   double sum = 0.0;

@@ -21,13 +21,22 @@ HierarchyData shortened(HierarchyData levels, Index rows) {
   return levels;
 }
 
-void expect_agreement(const RandomOptions& options, int num_seeds, Index max_rows) {
-  for (int seed = 0; seed < num_seeds; ++seed) {
+struct Hierarchies {
+  std::string name;
+  RandomOptions options;
+  int num_seeds;
+  Index max_rows;
+};
+
+class CascadeAgainstBruteForce : public testing::TestWithParam<Hierarchies> {};
+
+TEST_P(CascadeAgainstBruteForce, AgreesOn) {
+  for (int seed = 0; seed < GetParam().num_seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
-    RandomOptions sized = options;
+    RandomOptions sized = GetParam().options;
     sized.unknowns = random.integer(1, 4);
-    const HierarchyData levels = shortened(random_levels(random, sized), max_rows);
+    const HierarchyData levels = shortened(random_levels(random, sized), GetParam().max_rows);
     const Solution solution = solve(sized.unknowns, levels);
     const std::vector<double> truth = brute_force_residuals(sized.unknowns, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
@@ -37,38 +46,36 @@ void expect_agreement(const RandomOptions& options, int num_seeds, Index max_row
   }
 }
 
-TEST(CascadeAgainstBruteForce, AgreesOnMixedHierarchies) {
-  expect_agreement({.levels = 4, .max_rows = 3, .inequality_share = 0.7}, 400, 7);
-}
-
-TEST(CascadeAgainstBruteForce, AgreesOnManyLevelsOfOneRow) {
-  expect_agreement({.levels = 8, .max_rows = 1, .inequality_share = 0.9}, 300, 7);
-}
-
-TEST(CascadeAgainstBruteForce, AgreesOnOneCrowdedLevel) {
-  expect_agreement({.levels = 1, .max_rows = 6, .inequality_share = 0.8, .two_sided_share = 0.2},
-                   150, 6);
-}
-
-TEST(CascadeAgainstBruteForce, AgreesOnDuplicatedDependentAndZeroRows) {
-  expect_agreement({.levels = 4,
-                    .max_rows = 3,
-                    .inequality_share = 0.7,
-                    .duplicate_share = 0.3,
-                    .dependent_share = 0.2,
-                    .zero_share = 0.1},
-                   400, 7);
-}
-
-TEST(CascadeAgainstBruteForce, AgreesWhereManyBoundsShareAVertex) {
-  expect_agreement({.levels = 3,
-                    .max_rows = 4,
-                    .inequality_share = 0.9,
-                    .two_sided_share = 0.1,
-                    .tight_share = 0.8,
-                    .integer_share = 1.0},
-                   400, 7);
-}
+INSTANTIATE_TEST_SUITE_P(
+    Random, CascadeAgainstBruteForce,
+    testing::Values(
+        Hierarchies{
+            "MixedHierarchies", {.levels = 4, .max_rows = 3, .inequality_share = 0.7}, 400, 7},
+        Hierarchies{
+            "ManyLevelsOfOneRow", {.levels = 8, .max_rows = 1, .inequality_share = 0.9}, 300, 7},
+        Hierarchies{"OneCrowdedLevel",
+                    {.levels = 1, .max_rows = 6, .inequality_share = 0.8, .two_sided_share = 0.2},
+                    150,
+                    6},
+        Hierarchies{"DuplicatedDependentAndZeroRows",
+                    {.levels = 4,
+                     .max_rows = 3,
+                     .inequality_share = 0.7,
+                     .duplicate_share = 0.3,
+                     .dependent_share = 0.2,
+                     .zero_share = 0.1},
+                    400,
+                    7},
+        Hierarchies{"ManyBoundsThatShareAVertex",
+                    {.levels = 3,
+                     .max_rows = 4,
+                     .inequality_share = 0.9,
+                     .two_sided_share = 0.1,
+                     .tight_share = 0.8,
+                     .integer_share = 1.0},
+                    400,
+                    7}),
+    [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace surefoot::test

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace surefoot {
+
+/// Where the controller's state comes from: what a scenario's `estimation:` chooses.
+enum class Estimation : int {
+  truth = 0,  ///< base state from the simulator's truth, joint positions from the encoders
+};
+
+inline constexpr std::array kEstimations{Estimation::truth};
+
+/// As scenarios, logs and results have it.
+[[nodiscard]] constexpr std::string_view name(Estimation estimation) {
+  switch (estimation) {
+    case Estimation::truth:
+      return "truth";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot

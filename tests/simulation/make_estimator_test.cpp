@@ -1,0 +1,39 @@
+#include "surefoot/simulation/make_estimator.hpp"
+
+#include "tests/simulation/plant_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace surefoot {
+namespace {
+
+TEST(MakeEstimator, MakesOneOfEveryKindThatFollowsThePlant) {
+  Plant plant(test::anymal_b(), test::falling_options());
+  for (const Estimation estimation : kEstimations) {
+    const auto estimator = make_estimator(estimation, {test::anymal_b(), 0.0025, plant});
+    ASSERT_NE(estimator, nullptr) << name(estimation);
+    for (int tick = 0; tick < 10; ++tick) plant.write({});
+    const RobotState& state = estimator->update(plant.read());
+    EXPECT_EQ(state.time, plant.time()) << name(estimation);
+    EXPECT_LT((state.q - plant.truth().q).norm(), 0.01) << name(estimation);
+    EXPECT_LT((state.v_WB - plant.truth().v_WB).norm(), 0.01) << name(estimation);
+  }
+}
+
+TEST(MakeEstimator, ForAKindThatThereIsNotIsAnError) {
+  const Plant plant(test::anymal_b(), test::falling_options());
+  EXPECT_THROW((void)make_estimator(static_cast<Estimation>(99), {test::anymal_b(), 0.0025, plant}),
+               Error);
+}
+
+TEST(Estimation, EveryKindHasItsOwnName) {
+  std::set<std::string_view> names{"unknown"};
+  for (const Estimation estimation : kEstimations) {
+    EXPECT_TRUE(names.insert(name(estimation)).second) << name(estimation);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
