@@ -8,8 +8,10 @@
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace surefoot {
@@ -87,6 +89,7 @@ class ClosedLoop {
     TickTiming timing = timer_.timing();
     timing.time = plant_.time();
     evaluator_.add(plant_.truth(), controller_.record());
+    events_.add(timing.time, controller_.record().plan);
     evaluator_.add(timing);
     if (!recorder_) return;
     recorder_->record(controller_.record());
@@ -96,9 +99,10 @@ class ClosedLoop {
 
   std::optional<Ending> check_end(const JointCommand& command) {
     const double time = plant_.time();
-    if (command.mode == CommandMode::damping && std::isnan(stopped_at_)) stopped_at_ = time;
     if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
+    // Of a fall and a stop at the same tick the fall counts: the controller came too late.
     if (evaluator_.fell()) return Ending::fell;
+    if (command.mode == CommandMode::damping && std::isnan(stopped_at_)) stopped_at_ = time;
     if (time - stopped_at_ > kAfterSafetyStop) return Ending::safety;
     if (goal_.update(plant_.truth())) return Ending::goal_reached;
     return std::nullopt;
@@ -110,6 +114,14 @@ class ClosedLoop {
     options_.progress(plant_.time());
   }
 
+  /// What came first comes first: it decides the exit code.
+  std::string safety_reason(const std::string& fall) const {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "the controller stopped for safety at %.2f s",
+                  stopped_at_);
+    return text.data() + (fall.empty() ? "" : ", then " + fall);
+  }
+
   RunResult finish(Ending ending, double wall_seconds) {
     RunResult result;
     result.ending = ending;
@@ -119,13 +131,26 @@ class ClosedLoop {
                                          .seed = scenario_.seed,
                                          .version = std::string(build_info().version),
                                          .goal_reached = goal_.reached()});
+    if (result.safety_stop && ending != Ending::interrupted) {
+      result.metrics.reason = safety_reason(evaluator_.fall());
+    }
     result.criteria = evaluate(scenario_.criteria, result.metrics);
     result.metrics.succeeded =
         all_passed(result.criteria) && !result.safety_stop && ending != Ending::interrupted;
+    result.events = events_.counts();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(controller_, plant_);
-    if (recorder_) recorder_->close(summary_json(result.metrics, result.criteria));
+    if (recorder_) close_log(result);
     return result;
+  }
+
+  void close_log(const RunResult& result) {
+    const std::string summary = summary_json(result.metrics, result.criteria);
+    if (result.ending == Ending::interrupted) {
+      recorder_->close_partial(summary);
+    } else {
+      recorder_->close(summary);
+    }
   }
 
   const Scenario& scenario_;
@@ -135,6 +160,7 @@ class ClosedLoop {
   Controller controller_;
   GoalWatch goal_;
   Evaluator evaluator_;
+  EventCounter events_;
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;

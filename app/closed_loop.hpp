@@ -2,6 +2,7 @@
 
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/evaluation/criteria.hpp"
+#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/metrics.hpp"
 
 #include <functional>
@@ -20,16 +21,18 @@ enum class Ending {
 };
 
 struct ClosedLoopOptions {
-  std::string record_path;                    ///< log to write; empty: none
+  std::string record_path;  ///< log to write; empty: none; of a run cut off: partial_path of it
   std::function<void(double time)> progress;  ///< called about every 0.1 s of simulated time
   std::function<bool()> interrupted;          ///< asked at every tick
 };
 
 struct RunResult {
   Ending ending = Ending::finished;
-  bool safety_stop = false;  ///< the controller damped all joints at some time
+  bool safety_stop =
+      false;  ///< the controller damped all joints, and the robot had not fallen before
   Metrics metrics;
   std::vector<CriterionResult> criteria;
+  std::vector<EventCount> events;  ///< notable ones of the walk
   std::vector<RandomDraw> drawn;
   std::vector<std::string> notes;  ///< of model, plant and controller
 };

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <numeric>
 
 namespace surefoot {
 namespace {
@@ -93,15 +94,56 @@ DemoRow summarise(const Experiment& experiment, const Scenario& scenario,
   return row;
 }
 
-std::vector<Json> run_with_progress(const std::vector<PlannedRun>& runs, int jobs) {
+/// An experiment with its runs and what came of them.
+struct Trial {
+  Experiment experiment;
+  std::vector<PlannedRun> runs;
+  std::vector<Json> rows;
+
+  [[nodiscard]] bool is_whole() const { return std::ranges::all_of(rows, surefoot::is_whole); }
+};
+
+/// Also makes room for them: what an interrupted demo leaves behind must not look like results.
+std::vector<Trial> plan_all(const DemoArguments& arguments, const fs::path& out) {
+  prepare_folder(out);
+  for (const char* result : {"index.html", "results.json"}) fs::remove(out / result);
+  std::vector<Trial> trials;
+  for (const Experiment& experiment : experiments()) {
+    trials.push_back({experiment, plan(experiment, arguments, out), {}});
+    prepare_folder(out / experiment.name);
+    remove_outdated(trials.back().runs.front().report, trials.back().runs.front().log);
+  }
+  return trials;
+}
+
+void run_with_progress(std::vector<Trial>& trials, int jobs) {
+  std::vector<PlannedRun> runs;
+  for (const Trial& trial : trials) std::ranges::copy(trial.runs, std::back_inserter(runs));
   Progress progress("experiments", static_cast<double>(runs.size()), "runs");
   double done = 0.0;
-  return run_all(runs, jobs, [&](std::size_t number, const Json& row) {
+  const std::vector<Json> rows = run_all(runs, jobs, [&](std::size_t number, const Json& row) {
     progress.update(++done);
-    if (!runs[number].report.empty() && !interrupted()) {
+    if (!runs[number].report.empty() && is_whole(row)) {
       progress.say(runs[number].report.filename().string() + ": " + row.value("reason", ""));
     }
   });
+  auto next = rows.begin();
+  for (Trial& trial : trials) {
+    const auto end = next + static_cast<std::ptrdiff_t>(trial.runs.size());
+    trial.rows.assign(next, end);
+    next = end;
+  }
+}
+
+/// Removes what an interrupt left of the experiments that it cut off, and these.
+void drop_unfinished(std::vector<Trial>& trials) {
+  for (const Trial& trial : trials) {
+    if (trial.is_whole()) continue;
+    const PlannedRun& nominal = trial.runs.front();
+    remove_outdated(nominal.report, nominal.log);
+    remove_if_empty(nominal.report);
+  }
+  std::erase_if(trials, [](const Trial& trial) { return !trial.is_whole(); });
 }
 
 /// Each experiment as a block, so that a line fits a terminal.
@@ -115,43 +157,49 @@ void print(const std::vector<DemoRow>& rows) {
   std::cout << "\n" << aligned(table);
 }
 
+void write_index(const fs::path& out, const std::vector<Trial>& trials,
+                 const std::vector<DemoRow>& rows) {
+  std::vector<Json> results;
+  for (const Trial& trial : trials) std::ranges::copy(trial.rows, std::back_inserter(results));
+  write_file(out / "results.json", Json(results).dump(1) + "\n");
+  const std::string cut = trials.size() == experiments().size() ? "" : "interrupted; ";
+  write_file(out / "index.html",
+             demo_page(rows, cut + "Bellicoso et al., Humanoids 2016, in simulation; surefoot " +
+                                 std::string(build_info().version)));
+  std::cout << "\nreport: " << (out / "index.html").string() << "\n";
+}
+
 }  // namespace
 
 int demo_command(const DemoArguments& arguments) {
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);
-  prepare_folder(out);
-  // What an interrupted demo leaves behind must not look like its results.
-  for (const char* result : {"index.html", "results.json"}) fs::remove(out / result);
-  std::vector<PlannedRun> runs;
-  std::vector<std::size_t> first;
-  for (const Experiment& experiment : experiments()) {
-    prepare_folder(out / experiment.name);
-    first.push_back(runs.size());
-    std::ranges::move(plan(experiment, arguments, out), std::back_inserter(runs));
+  const bool is_new = !fs::exists(out);
+  std::vector<Trial> trials = plan_all(arguments, out);
+  const auto count = [](int sum, const Trial& trial) {
+    return sum + static_cast<int>(trial.runs.size());
+  };
+  std::fprintf(stderr, "%zu experiments of the paper in %d runs, %d at a time; reports go to %s\n",
+               trials.size(), std::accumulate(trials.begin(), trials.end(), 0, count),
+               arguments.jobs, out.c_str());
+  run_with_progress(trials, arguments.jobs);
+  drop_unfinished(trials);
+  if (trials.empty()) {
+    if (is_new) remove_if_empty(out);
+    throw Error("interrupted: no results");
   }
-  first.push_back(runs.size());
-  for (const PlannedRun& run : runs) {
-    if (!run.report.empty()) remove_outdated(run.report, run.log);
-  }
-  std::fprintf(stderr, "%zu experiments of the paper in %zu runs, %d at a time; reports go to %s\n",
-               experiments().size(), runs.size(), arguments.jobs, out.c_str());
-  const std::vector<Json> results = run_with_progress(runs, arguments.jobs);
-  if (interrupted()) throw Error("interrupted: no results");
 
   std::vector<DemoRow> rows;
-  for (std::size_t i = 0; i < experiments().size(); ++i) {
-    const auto begin = results.begin() + static_cast<std::ptrdiff_t>(first[i]);
-    const auto end = results.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
+  for (const Trial& trial : trials) {
     rows.push_back(
-        summarise(experiments()[i], load_scenario(runs[first[i]].request), {begin, end}));
+        summarise(trial.experiment, load_scenario(trial.runs.front().request), trial.rows));
   }
   print(rows);
-  write_file(out / "results.json", Json(results).dump(1) + "\n");
-  write_file(out / "index.html",
-             demo_page(rows, "Bellicoso et al., Humanoids 2016, in simulation; surefoot " +
-                                 std::string(build_info().version)));
-  std::cout << "\nreport: " << (out / "index.html").string() << "\n";
+  write_index(out, trials, rows);
+  if (trials.size() < experiments().size()) {
+    throw Error("interrupted: " + std::to_string(trials.size()) + " of " +
+                std::to_string(experiments().size()) + " experiments are whole");
+  }
   return std::ranges::any_of(rows, [](const DemoRow& row) { return row.verdict == "✗"; }) ? kFailed
                                                                                           : kPassed;
 }

@@ -5,6 +5,10 @@
 
 namespace surefoot {
 
+std::optional<bool> GoalWatch::reached() const {
+  return has_goal() ? std::optional<bool>(reached_) : std::nullopt;
+}
+
 bool GoalWatch::has_goal() const { return std::isfinite(goal_.feet_beyond_x); }
 
 bool GoalWatch::all_feet_beyond(const GroundTruth& truth) const {

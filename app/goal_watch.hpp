@@ -3,6 +3,9 @@
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
+#include <limits>
+#include <optional>
+
 namespace surefoot {
 
 /// Says when a run has reached its scenario's goal, on the simulator's truth.
@@ -13,11 +16,11 @@ class GoalWatch {
   /// One tick. True from the one on at which the goal is reached; without a goal never.
   bool update(const GroundTruth& truth);
 
-  [[nodiscard]] bool has_goal() const;
-  /// True also without a goal.
-  [[nodiscard]] bool reached() const { return reached_ || !has_goal(); }
+  /// Empty without a goal.
+  [[nodiscard]] std::optional<bool> reached() const;
 
  private:
+  [[nodiscard]] bool has_goal() const;
   [[nodiscard]] bool all_feet_beyond(const GroundTruth& truth) const;
 
   Goal goal_;

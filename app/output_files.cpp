@@ -1,6 +1,7 @@
 #include "app/output_files.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/recorder.hpp"
 
 #include <unistd.h>
 
@@ -63,7 +64,12 @@ void remove_outdated(const fs::path& report_folder, const fs::path& log) {
   remove_file(report_folder / "index.html");
   if (log.empty()) return;
   remove_file(log);
-  remove_file(log.string() + ".partial");
+  remove_file(partial_path(log.string()));
+}
+
+void remove_if_empty(const fs::path& folder) {
+  std::error_code not_empty;
+  if (fs::is_directory(folder, not_empty)) fs::remove(folder, not_empty);
 }
 
 fs::path with_seed(const fs::path& file, std::uint64_t seed) {

@@ -18,6 +18,9 @@ void prepare_folder(const std::filesystem::path& folder);
 /// run's never lie beside what the next one leaves. A log without a name stays. Throws FileError.
 void remove_outdated(const std::filesystem::path& report_folder, const std::filesystem::path& log);
 
+/// Removes the folder if nothing is in it.
+void remove_if_empty(const std::filesystem::path& folder);
+
 /// "run.mcap" → "run-seed7.mcap"
 [[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file,
                                               std::uint64_t seed);

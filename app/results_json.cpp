@@ -1,11 +1,14 @@
 #include "app/results_json.hpp"
 
+#include "surefoot/base/build_info.hpp"
 #include "surefoot/evaluation/interval.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
 #include <string_view>
 
 namespace surefoot {
@@ -14,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Counted over several seeds.
-constexpr std::array<const char*, 5> kRates{"succeeded", "fell", "goal_reached", "safety_stop",
-                                            "crashed"};
+constexpr std::array<std::string_view, 5> kRates{"succeeded", "fell", "goal_reached", "safety_stop",
+                                                 "crashed"};
 
 /// Of these the smallest value is the worst.
 constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps",
@@ -44,9 +47,15 @@ Json criteria_json(const std::vector<CriterionResult>& results) {
   return list;
 }
 
+/// Also where the key is missing, or null: then it is not.
+bool is(const Json& run, const char* key) {
+  const auto found = run.find(key);
+  return found != run.end() && found->is_boolean() && found->get<bool>();
+}
+
 Json rate_json(const std::vector<Json>& runs, const char* name) {
   const auto successes =
-      std::ranges::count_if(runs, [&](const Json& run) { return run.value(name, false); });
+      std::ranges::count_if(runs, [&](const Json& run) { return is(run, name); });
   const auto trials = static_cast<int>(runs.size());
   const Interval interval = wilson_interval(static_cast<int>(successes), trials);
   return {
@@ -61,21 +70,73 @@ Json summary_json(std::vector<double> values, bool more_is_better) {
   return {{"median", median}, {"worst", more_is_better ? values.front() : values.back()}};
 }
 
+/// Paths of the metrics that are numbers; of a distribution each member, as criteria call them.
+std::vector<std::string> numeric_metrics() {
+  std::vector<std::string> names;
+  for (const auto& [name, example] : values(Metrics())) {
+    const std::string metric(name);
+    if (std::holds_alternative<double>(example) || std::holds_alternative<int>(example))
+      names.push_back(metric);
+    if (std::holds_alternative<Quantiles>(example))
+      for (const char* member : {".median", ".p99", ".max"}) names.push_back(metric + member);
+  }
+  return names;
+}
+
 /// Median and worst of every metric that is a number.
 Json metrics_json(const std::vector<Json>& runs) {
   Json summaries = Json::object();
-  for (const auto& [name, example] : values(Metrics())) {
-    if (!std::holds_alternative<double>(example) && !std::holds_alternative<int>(example)) continue;
+  for (const std::string& name : numeric_metrics()) {
+    std::string path = "/" + name;
+    std::ranges::replace(path, '.', '/');
+    const Json::json_pointer pointer(path);
     std::vector<double> values;
     for (const Json& run : runs) {
-      const auto value = run.find(std::string(name));
-      if (value != run.end() && value->is_number()) values.push_back(value->get<double>());
+      if (run.contains(pointer) && run.at(pointer).is_number())
+        values.push_back(run.at(pointer).get<double>());
     }
     if (values.empty()) continue;
     const bool more_is_better = std::ranges::find(kMoreIsBetter, name) != kMoreIsBetter.end();
-    summaries[std::string(name)] = summary_json(std::move(values), more_is_better);
+    summaries[name] = summary_json(std::move(values), more_is_better);
   }
   return summaries;
+}
+
+Json events_json(const std::vector<EventCount>& events) {
+  Json list = Json::array();
+  for (const EventCount& event : events) {
+    list.push_back({{"event", name(event.event)},
+                    {"leg", event.leg ? Json(kLegNames[index(*event.leg)]) : Json()},
+                    {"count", event.count},
+                    {"first_s", event.first}});
+  }
+  return list;
+}
+
+/// Each kind of event of several runs, all legs together: in how many runs, and how often in all.
+Json event_totals_json(const std::vector<Json>& runs) {
+  Json totals = Json::array();
+  for (const Json& run : runs) {
+    std::set<std::string> seen;
+    for (const Json& event : run.value("events", Json::array())) {
+      const auto same = [&](const Json& total) { return total["event"] == event["event"]; };
+      auto total = std::ranges::find_if(totals, same);
+      if (total == totals.end()) {
+        totals.push_back({{"event", event["event"]}, {"runs", 0}, {"count", 0}});
+        total = totals.end() - 1;
+      }
+      (*total)["count"] = (*total)["count"].get<int>() + event["count"].get<int>();
+      if (seen.insert(event["event"].get<std::string>()).second)
+        (*total)["runs"] = (*total)["runs"].get<int>() + 1;
+    }
+  }
+  return totals;
+}
+
+/// Without what differs between any two runs.
+Json outcome_of(Json run) {
+  for (const char* key : {"seed", "tick_us", "solve_us", "realtime_factor"}) run.erase(key);
+  return run;
 }
 
 }  // namespace
@@ -85,6 +146,7 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json.update(Json::parse(to_json(result.metrics)));
   json["safety_stop"] = result.safety_stop;
   json["criteria"] = criteria_json(result.criteria);
+  json["events"] = events_json(result.events);
   json["drawn"] = Json::object();
   for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;
@@ -97,10 +159,22 @@ Json crash_json(std::uint64_t seed, const std::string& reason) {
 
 Json seeds_json(const Scenario& scenario, std::vector<Json> runs) {
   Json json = heading(scenario);
-  for (const char* rate : kRates) json["rates"][rate] = rate_json(runs, rate);
+  json["version"] = build_info().version;
+  const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
+  for (const std::string_view rate : kRates) {
+    if (rate == "goal_reached" && !has_goal) continue;
+    json["rates"][std::string(rate)] = rate_json(runs, rate.data());
+  }
   json["metrics"] = metrics_json(runs);
+  json["events"] = event_totals_json(runs);
   json["runs"] = std::move(runs);
   return json;
+}
+
+bool all_the_same(const std::vector<Json>& runs) {
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](const Json& run) {
+           return !run.contains("crashed") && outcome_of(run) == outcome_of(runs.front());
+         });
 }
 
 bool enough_succeeded(const Scenario& scenario, const std::vector<Json>& runs) {

@@ -18,16 +18,26 @@ using Table = std::vector<std::vector<std::string>>;
 struct Unit {
   const char* suffix;
   const char* name;
+  double scale = 1.0;  // from the metric's own unit
 };
-constexpr std::array<Unit, 6> kUnits{
-    {{"_mps", "m/s"}, {"_nm", "N·m"}, {"_rad", "rad"}, {"_us", "µs"}, {"_m", "m"}, {"_s", "s"}}};
+constexpr std::array<Unit, 6> kUnits{{{"_mps", "m/s"},
+                                      {"_nm", "N·m"},
+                                      {"_rad", "rad"},
+                                      {"_us", "µs"},
+                                      {"_m", "mm", 1e3},
+                                      {"_s", "s"}}};
+/// Lengths of the robot's own size and more; all others are errors and the like.
+constexpr std::array<std::string_view, 3> kInMetres{"distance_m", "base_height_end_m",
+                                                    "limb_extension_max_m"};
 
-std::string unit_of(const std::string& metric) {
+/// Of a metric always the same, so that two runs compare.
+Unit unit_of(const std::string& metric) {
   const std::string stem = metric.substr(0, metric.find('.'));
+  if (std::ranges::find(kInMetres, stem) != kInMetres.end()) return {"_m", "m"};
   for (const Unit& unit : kUnits) {
-    if (stem.ends_with(unit.suffix)) return unit.name;
+    if (stem.ends_with(unit.suffix)) return unit;
   }
-  return "";
+  return {"", ""};
 }
 
 std::string number(double value, const char* format = "%.3g") {
@@ -36,11 +46,14 @@ std::string number(double value, const char* format = "%.3g") {
   return text.data();
 }
 
-std::string with_unit(double value, const std::string& unit) {
+std::string rounded(double value) {
   if (std::abs(value) < 1e-12) value = 0.0;
-  if (unit == "m" && std::abs(value) < 0.1) return number(1e3 * value) + " mm";
-  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g") +
-         (unit.empty() ? "" : " " + unit);
+  return number(value, std::abs(value) >= 100.0 ? "%.0f" : "%.3g");
+}
+
+std::string with_unit(double value, const Unit& unit) {
+  const std::string name = unit.name;
+  return rounded(unit.scale * value) + (name.empty() ? "" : " " + name);
 }
 
 std::size_t letters(const std::string& text) {
@@ -49,7 +62,7 @@ std::size_t letters(const std::string& text) {
 }
 
 std::string asked(const Json& criterion) {
-  const std::string unit = unit_of(criterion.at("metric").get<std::string>());
+  const Unit unit = unit_of(criterion.at("metric").get<std::string>());
   std::string text;
   if (criterion.contains("equals")) text = criterion["equals"].get<bool>() ? "yes" : "no";
   if (criterion.contains("min")) text = "≥ " + with_unit(criterion["min"].get<double>(), unit);
@@ -90,6 +103,37 @@ std::string rate_text(const Json& rate) {
          std::to_string(rate.at("trials").get<int>()) +
          " (95 %: " + number(100.0 * interval[0].get<double>(), "%.0f") + " … " +
          number(100.0 * interval[1].get<double>(), "%.0f") + " %)";
+}
+
+std::string times(int count) { return count == 1 ? "once" : std::to_string(count) + " times"; }
+
+std::string events_of_run(const Json& run) {
+  Table table;
+  for (const Json& event : run.value("events", Json::array())) {
+    table.push_back({event.at("event").get<std::string>(),
+                     event.at("leg").is_null() ? "" : event.at("leg").get<std::string>(),
+                     times(event.at("count").get<int>()),
+                     "first at " + number(event.at("first_s").get<double>(), "%.2f") + " s"});
+  }
+  return table.empty() ? "" : "\n" + aligned(table);
+}
+
+std::string events_of_seeds(const Json& seeds) {
+  Table table;
+  for (const Json& event : seeds.at("events")) {
+    table.push_back({event.at("event").get<std::string>(),
+                     "in " + std::to_string(event.at("runs").get<int>()) + " of " +
+                         std::to_string(seeds.at("runs").size()) + " runs",
+                     times(event.at("count").get<int>()) + " in all"});
+  }
+  return table.empty() ? "" : "\n" + aligned(table);
+}
+
+/// What the name of a metric leaves open.
+std::string remark(const std::string& metric) {
+  if (metric == "friction_margin_min") return "of any foot; 0: one slid, be it at a touchdown";
+  if (metric == "friction_margin_loaded_min") return "of feet that carry a tenth of the weight";
+  return "";
 }
 
 std::string failures(const Json& runs) {
@@ -134,13 +178,13 @@ std::string pretty(const std::string& metric, const Json& value) {
   if (value.is_null()) return "–";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_integer() && unit_of(metric).empty())
-    return std::to_string(value.get<std::int64_t>());
+  const bool has_unit = *unit_of(metric).name != '\0';
+  if (value.is_number_integer() && !has_unit) return std::to_string(value.get<std::int64_t>());
   if (value.is_number()) return with_unit(value.get<double>(), unit_of(metric));
   if (value.at("median").is_null()) return "–";
   const auto member = [&](const char* name) { return value.at(name).get<double>(); };
-  return "median " + with_unit(member("median"), "") + ", 99 % " + with_unit(member("p99"), "") +
-         ", max " + with_unit(member("max"), unit_of(metric));
+  return "median " + rounded(member("median")) + ", 99 % " + rounded(member("p99")) + ", max " +
+         with_unit(member("max"), unit_of(metric));
 }
 
 std::string asked_of(const Json& run, const std::string& metric) {
@@ -155,16 +199,16 @@ std::string asked_of(const Json& run, const std::string& metric) {
 
 std::string run_table(const Scenario& scenario, const Json& run) {
   constexpr std::array<std::string_view, 4> kInTitle{"succeeded", "reason", "seed", "version"};
-  Table table{{"", "measured", "must be", "paper"}};
+  Table table{{"", "measured", "must be", "paper", ""}};
   for (const auto& [name, value] : values(Metrics())) {
     const std::string metric(name);
     const auto found = run.find(metric);
     if (found == run.end() || std::ranges::find(kInTitle, name) != kInTitle.end()) continue;
-    table.push_back(
-        {metric, pretty(metric, *found), asked_of(run, metric), paper_of(scenario, metric)});
+    table.push_back({metric, pretty(metric, *found), asked_of(run, metric),
+                     paper_of(scenario, metric), remark(metric)});
   }
   return title(scenario, run) + "seed " + std::to_string(run.at("seed").get<std::uint64_t>()) +
-         drawn_values(run) + "\n" + verdict(run) + "\n" + aligned(table);
+         drawn_values(run) + "\n" + verdict(run) + "\n" + aligned(table) + events_of_run(run);
 }
 
 std::string seeds_line(const Scenario& scenario, const Json& seeds) {
@@ -179,14 +223,14 @@ std::string seeds_table(const Scenario& scenario, const Json& seeds) {
   Table rates;
   for (const auto& [name, rate] : seeds.at("rates").items())
     rates.push_back({name, rate_text(rate)});
-  Table table{{"", "median", "worst", "paper"}};
+  Table table{{"", "median", "worst", "paper", ""}};
   for (const auto& [metric, summary] : seeds.at("metrics").items()) {
     table.push_back({metric, with_unit(summary.at("median").get<double>(), unit_of(metric)),
                      with_unit(summary.at("worst").get<double>(), unit_of(metric)),
-                     paper_of(scenario, metric)});
+                     paper_of(scenario, metric), remark(metric)});
   }
   return title(scenario, seeds) + "\n" + failures(seeds.at("runs")) + aligned(rates) + "\n" +
-         aligned(table);
+         aligned(table) + events_of_seeds(seeds);
 }
 
 }  // namespace surefoot

@@ -10,6 +10,7 @@
 #include "app/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/logging/recorder.hpp"
 #include "surefoot/view/report.hpp"
 
 #include <algorithm>
@@ -40,9 +41,46 @@ void remove_outdated_of(const RunArguments& arguments, const PlannedRun& run) {
   remove_outdated(run.report, arguments.record.empty() ? run.log : std::filesystem::path());
 }
 
+/// Leaves no folder behind that this call made for nothing.
+class ReportFolder {
+ public:
+  explicit ReportFolder(std::filesystem::path folder)
+      : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {}
+  ~ReportFolder() {
+    if (is_new_) remove_if_empty(folder_);
+  }
+  ReportFolder(const ReportFolder&) = delete;
+  ReportFolder& operator=(const ReportFolder&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+  bool is_new_;
+};
+
 [[noreturn]] void report_interrupt(const std::string& log) {
   throw Error("interrupted: no results" +
-              (log.empty() ? "" : "; the log " + log + " holds the run so far"));
+              (log.empty() ? "" : "; the log " + partial_path(log) + " holds the run so far"));
+}
+
+/// The logs that an interrupt cut off.
+std::string cut_logs(const std::vector<PlannedRun>& runs) {
+  std::string names;
+  for (const PlannedRun& run : runs) {
+    const std::string log = partial_path(run.log.string());
+    if (!run.log.empty() && std::filesystem::exists(log)) {
+      names += (names.empty() ? "" : ", ") + log;
+    }
+  }
+  return names;
+}
+
+[[noreturn]] void report_interrupt(const std::vector<PlannedRun>& runs, std::size_t finished) {
+  const std::string logs = cut_logs(runs);
+  throw Error("interrupted: " +
+              (finished == 0 ? "no results"
+                             : std::to_string(finished) + " of " + std::to_string(runs.size()) +
+                                   " seeds are finished and shown") +
+              (logs.empty() ? "" : "; logs that are not whole: " + logs));
 }
 
 void print(const RunArguments& arguments, const Json& json, const std::string& table) {
@@ -62,6 +100,7 @@ int run_one(const RunArguments& arguments) {
                                            .assignments = arguments.assignments});
   const std::string log = log_path(arguments).string();
   if (!arguments.report.empty()) check_setup(scenario);
+  const ReportFolder folder(arguments.report);
   check_outputs(arguments);
   remove_outdated_of(arguments, {.request = {}, .log = log, .report = arguments.report});
   RunResult result;
@@ -107,6 +146,7 @@ int run_seeds(const RunArguments& arguments) {
   const std::vector<PlannedRun> runs = plan_runs(arguments);
   const Scenario scenario = load_scenario(runs.front().request);
   check_setup(scenario);
+  const ReportFolder folder(arguments.report);
   check_outputs(arguments);
   for (const PlannedRun& run : runs) remove_outdated_of(arguments, run);
   std::vector<Json> rows;
@@ -115,12 +155,21 @@ int run_seeds(const RunArguments& arguments) {
     double done = 0.0;
     rows = run_all(runs, arguments.jobs, [&](std::size_t, const Json& row) {
       progress.update(++done);
-      if (!interrupted()) progress.say(outcome(row));
+      if (is_whole(row)) progress.say(outcome(row));
     });
   }
-  if (interrupted()) report_interrupt("");
-  const Json json = seeds_json(scenario, rows);
+  const auto not_whole = std::erase_if(rows, [](const Json& row) { return !is_whole(row); });
+  if (rows.empty()) report_interrupt(runs, 0);
+  if (all_the_same(rows)) {
+    std::fputs(
+        "surefoot: warning: all runs are the same: the scenario draws nothing at random, so "
+        "rates and their intervals mean nothing\n",
+        stderr);
+  }
+  Json json = seeds_json(scenario, rows);
+  if (not_whole > 0) json["interrupted"] = true;
   print(arguments, json, seeds_table(scenario, json));
+  if (not_whole > 0) report_interrupt(runs, rows.size());
   return exit_code(scenario, rows);
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kInterrupted = "interrupted";
+
 std::string run_here(const PlannedRun& run) {
   const Scenario scenario = load_scenario(run.request);
   ClosedLoopOptions options;
@@ -20,7 +22,9 @@ std::string run_here(const PlannedRun& run) {
   if (!run.report.empty() && result.ending != Ending::interrupted) {
     write_report(run.log.string(), run.report.string());
   }
-  return run_json(scenario, result).dump();
+  Json json = run_json(scenario, result);
+  if (result.ending == Ending::interrupted) json[kInterrupted] = true;
+  return json.dump();
 }
 
 Json row(const PlannedRun& run, const JobOutcome& outcome) {
@@ -29,6 +33,8 @@ Json row(const PlannedRun& run, const JobOutcome& outcome) {
 }
 
 }  // namespace
+
+bool is_whole(const Json& row) { return !row.is_null() && !row.contains(kInterrupted); }
 
 std::vector<Json> run_all(const std::vector<PlannedRun>& runs, int jobs,
                           const std::function<void(std::size_t run, const Json& row)>& finished) {

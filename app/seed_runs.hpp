@@ -18,8 +18,12 @@ struct PlannedRun {
   std::filesystem::path report;  ///< folder; empty: none; needs a log
 };
 
+/// Did the run come to its end? Not so a row of one that was cut off by an interrupt, or that never
+/// began.
+[[nodiscard]] bool is_whole(const nlohmann::ordered_json& row);
+
 /// Runs them, `jobs` at a time. The result has a row (run_json, or crash_json) for each, in their
-/// order. After an interrupt the rows mean nothing.
+/// order. After an interrupt some are not whole.
 [[nodiscard]] std::vector<nlohmann::ordered_json> run_all(
     const std::vector<PlannedRun>& runs, int jobs,
     const std::function<void(std::size_t run, const nlohmann::ordered_json& row)>& finished);

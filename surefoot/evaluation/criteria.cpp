@@ -21,6 +21,8 @@ std::vector<Limitable> limitables(const Metrics& metrics) {
     const std::string name(metric);
     if (const bool* truth = std::get_if<bool>(&value))
       all.push_back({name, *truth ? 1.0 : 0.0, true});
+    if (const auto* perhaps = std::get_if<std::optional<bool>>(&value))
+      all.push_back({name, perhaps->has_value() ? double(**perhaps) : kNaN, true});
     if (const int* count = std::get_if<int>(&value)) all.push_back({name, double(*count), false});
     if (const double* number = std::get_if<double>(&value)) all.push_back({name, *number, false});
     if (const Quantiles* times = std::get_if<Quantiles>(&value)) {

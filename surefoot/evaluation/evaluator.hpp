@@ -6,6 +6,7 @@
 #include "surefoot/simulation/ground_truth.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct RunEnd {
   double wall_seconds = kNaN;
   std::uint64_t seed = 0;
   std::string version = {};
-  bool goal_reached = true;  ///< also where there is no goal
+  std::optional<bool> goal_reached = {};  ///< empty where there is no goal
 };
 
 /// Judges a run tick by tick.

@@ -14,6 +14,8 @@ void write(JsonText& json, const MetricValue& value) {
           json.member("max", content.max).end_object();
         } else if constexpr (std::is_same_v<T, std::string>) {
           json.value(std::string_view(content));
+        } else if constexpr (std::is_same_v<T, std::optional<bool>>) {
+          content ? json.value(*content) : json.null();
         } else {
           json.value(content);
         }

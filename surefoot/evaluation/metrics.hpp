@@ -3,6 +3,7 @@
 #include "surefoot/signals/sensor_reading.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,9 +21,9 @@ struct Quantiles {
 /// criteria; each carries its unit. All of it is measured on the simulator's truth, except what is
 /// called commanded or planned. What could not be measured is NaN.
 struct Metrics {
-  bool succeeded = false;     ///< all criteria hold
-  std::string reason;         ///< why the run ended
-  bool goal_reached = false;  ///< what the scenario is for was done; true if it names no goal
+  bool succeeded = false;            ///< all criteria hold
+  std::string reason;                ///< why the run ended
+  std::optional<bool> goal_reached;  ///< what the scenario is for was done; empty if it names none
   bool fell =
       false;  ///< torso on the ground, base < 0.12 m above the mean stance foot, or tilt > 60°
   double duration_s = 0.0;
@@ -68,7 +69,8 @@ struct Metrics {
   std::string version;
 };
 
-using MetricValue = std::variant<bool, int, double, std::uint64_t, std::string, Quantiles>;
+using MetricValue =
+    std::variant<bool, std::optional<bool>, int, double, std::uint64_t, std::string, Quantiles>;
 
 /// All metrics under their names, in the order above.
 [[nodiscard]] std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metrics);

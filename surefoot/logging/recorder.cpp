@@ -32,7 +32,7 @@ McapWriter open(const std::string& path) {
     throw FileError(path + " is a folder; the name of a file would be valid, e.g. " + path +
                     "/run.mcap");
   }
-  return McapWriter(path + ".partial", {.profile = "surefoot"});
+  return McapWriter(partial_path(path), {.profile = "surefoot"});
 }
 
 // Gives HierarchyReport its names.
@@ -232,6 +232,8 @@ struct Recorder::Implementation {
   std::thread thread;
 };
 
+std::string partial_path(const std::string& path) { return path + ".partial"; }
+
 Recorder::Recorder(std::string path, LogHeader header, RecorderOptions options)
     : path_(std::move(path)),
       implementation_(std::make_unique<Implementation>(path_, header, options)) {}
@@ -268,12 +270,16 @@ void Recorder::record(Channel channel, double time, Encode encode) {
   });
 }
 
-void Recorder::close(std::string_view summary) {
+void Recorder::close_partial(std::string_view summary) {
   const std::unique_ptr<Implementation> implementation = std::move(implementation_);
   implementation->stop();
   implementation->finish(summary);
+}
+
+void Recorder::close(std::string_view summary) {
+  close_partial(summary);
   std::error_code error;
-  std::filesystem::rename(path_ + ".partial", path_, error);
+  std::filesystem::rename(partial_path(path_), path_, error);
   if (error) throw FileError(path_ + ": can't get its name (" + error.message() + ")");
 }
 

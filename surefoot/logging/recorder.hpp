@@ -10,6 +10,9 @@
 
 namespace surefoot {
 
+/// Where a log stands until it is whole.
+[[nodiscard]] std::string partial_path(const std::string& path);
+
 struct RecorderOptions {
   std::size_t queue_ticks = 256;  ///< ticks that wait for the writer before `record` waits
 };
@@ -46,8 +49,10 @@ class Recorder {
   void record(Channel channel, double time, Encode encode);
 
   /// Writes everything that waits, the timings and the summary (JSON), and gives the file its name.
-  /// For a run that was interrupted too: the summary says how it ended.
   void close(std::string_view summary = "{}");
+  /// The same for a run that was cut off: the file is whole as a file, and keeps the name that says
+  /// that the run is not.
+  void close_partial(std::string_view summary);
 
   [[nodiscard]] const std::string& path() const { return path_; }
 

@@ -3,6 +3,7 @@
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/recorder.hpp"
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
@@ -58,7 +59,7 @@ TEST(ClosedLoop, the_same_seed_gives_the_same_run) {
   EXPECT_EQ(first.metrics.torque_step_max_nm, again.metrics.torque_step_max_nm);
 }
 
-TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_says_so) {
+TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_does_not_look_whole) {
   const test::TemporaryFolder folder;
   int ticks = 0;
   ClosedLoopOptions options;
@@ -68,7 +69,8 @@ TEST(ClosedLoop, an_interrupt_ends_the_run_with_a_readable_log_that_says_so) {
   EXPECT_EQ(result.ending, Ending::interrupted);
   EXPECT_FALSE(result.metrics.succeeded);
 
-  LogReader log(folder / "run.mcap");
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.mcap"));
+  LogReader log(partial_path(folder / "run.mcap"));
   TickRecord tick;
   int read = 0;
   while (log.next(tick)) ++read;
@@ -112,6 +114,22 @@ TEST(ClosedLoop, a_robot_that_is_knocked_over_ends_the_run_as_fallen) {
   EXPECT_TRUE(test::holds(result.metrics.reason, "fell at")) << result.metrics.reason;
   EXPECT_LT(result.metrics.duration_s, 1.0);
   EXPECT_FALSE(result.metrics.succeeded);
+}
+
+TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
+  const std::string push =
+      "disturbances.pushes.hard={time: 0.1, duration: 0.3, force: [0, 900, 0]}";
+  const RunResult stopped =
+      run_closed_loop(short_walk({"duration=6", "safety.max_tilt=0.1", push}), {});
+  EXPECT_TRUE(stopped.metrics.fell);
+  EXPECT_TRUE(stopped.safety_stop);
+  EXPECT_TRUE(test::holds(stopped.metrics.reason, "the controller stopped for safety at 0."));
+  EXPECT_TRUE(test::holds(stopped.metrics.reason, " s, then fell at 0."));
+  // By default the controller gives up at about the tilt that is a fall, at the same tick perhaps.
+  const RunResult fell = run_closed_loop(short_walk({"duration=6", push}), {});
+  EXPECT_TRUE(fell.metrics.fell);
+  EXPECT_FALSE(fell.safety_stop);
+  EXPECT_EQ(fell.metrics.reason.find("fell at 0."), 0u) << fell.metrics.reason;
 }
 
 TEST(ClosedLoop, standing_finds_the_height_of_best_manipulability) {

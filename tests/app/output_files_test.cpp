@@ -52,6 +52,16 @@ TEST(OutputFiles, what_can_not_be_removed_is_named) {
   EXPECT_TRUE(holds(message_of([&] { remove_outdated(folder.path(), {}); }), "index.html"));
 }
 
+TEST(OutputFiles, a_folder_with_something_in_it_stays) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "empty");
+  std::filesystem::create_directories(folder / "full");
+  test::write_file(folder / "full/notes.txt", "mine");
+  for (const char* name : {"empty", "full", "none"}) remove_if_empty(folder / name);
+  EXPECT_FALSE(std::filesystem::exists(folder / "empty"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "full"));
+}
+
 TEST(OutputFiles, a_seed_stands_before_the_extension) {
   EXPECT_EQ(with_seed("out/run.mcap", 7), "out/run-seed7.mcap");
 }

@@ -99,6 +99,78 @@ TEST(Pretty, says_units_after_the_metrics_name) {
   EXPECT_EQ(pretty("com_error_max_m", nullptr), "–");
 }
 
+TEST(Pretty, says_a_metric_in_one_unit_whatever_its_value) {
+  EXPECT_EQ(pretty("com_lateral_sway_m", 0.139), "139 mm");
+  EXPECT_EQ(pretty("com_lateral_sway_m", 0.0317), "31.7 mm");
+  EXPECT_EQ(pretty("distance_m", 0.0317), "0.0317 m");
+  EXPECT_EQ(pretty("base_height_end_m", 0.468), "0.468 m");
+}
+
+/// A run in which a foot found no ground.
+RunResult with_event(std::uint64_t seed, int count) {
+  RunResult result;
+  result.metrics.seed = seed;
+  result.metrics.tick_us = {.median = 100.0 * double(seed), .p99 = 300.0, .max = 400.0};
+  result.events = {{PlanEvent::no_ground, Leg::LF, count, 5.25}};
+  return result;
+}
+
+TEST(RunJson, tells_the_events_in_words_with_leg_count_and_first_time) {
+  const Json json = run_json(Scenario{}, with_event(1, 3));
+  ASSERT_EQ(json.at("events").size(), 1u);
+  EXPECT_EQ(json.at("events")[0].at("event"), "no ground within reach: foot taken back");
+  EXPECT_EQ(json.at("events")[0].at("leg"), "LF");
+  EXPECT_EQ(json.at("events")[0].at("count"), 3);
+  EXPECT_EQ(json.at("events")[0].at("first_s"), 5.25);
+  const std::string table = run_table(Scenario{}, json);
+  EXPECT_NE(table.find("no ground within reach: foot taken back   LF   3 times   first at 5.25 s"),
+            std::string::npos)
+      << table;
+}
+
+TEST(RunJson, of_a_scenario_without_a_goal_says_nothing_of_one) {
+  const Json run = run_json(Scenario{}, RunResult{});
+  EXPECT_TRUE(run.at("goal_reached").is_null());
+  const Json seeds = seeds_json(Scenario{}, {run, run});
+  EXPECT_FALSE(seeds.at("rates").contains("goal_reached"));
+  Scenario scenario;
+  scenario.goal.feet_beyond_x = 1.0;
+  RunResult reached;
+  reached.metrics.goal_reached = true;
+  const Json with_goal = seeds_json(scenario, {run_json(scenario, reached)});
+  EXPECT_EQ(with_goal.at("rates").at("goal_reached").at("successes"), 1);
+}
+
+TEST(SeedsJson, sums_the_events_up) {
+  const Json seeds = seeds_json(
+      Scenario{}, {run_json(Scenario{}, with_event(1, 3)), run_json(Scenario{}, with_event(2, 1)),
+                   run_json(Scenario{}, RunResult{}), crash_json(9, "crash")});
+  ASSERT_EQ(seeds.at("events").size(), 1u);
+  EXPECT_EQ(seeds.at("events")[0].at("runs"), 2);
+  EXPECT_EQ(seeds.at("events")[0].at("count"), 4);
+  const std::string table = seeds_table(Scenario{}, seeds);
+  EXPECT_NE(table.find("in 2 of 4 runs   4 times in all"), std::string::npos) << table;
+}
+
+TEST(SeedsJson, has_the_version_and_sums_the_times_up) {
+  const Json seeds = seeds_json(
+      Scenario{}, {run_json(Scenario{}, with_event(1, 1)), run_json(Scenario{}, with_event(3, 1))});
+  EXPECT_TRUE(seeds.at("version").is_string());
+  EXPECT_EQ(seeds.at("metrics").at("tick_us.median").at("median"), 200.0);
+  EXPECT_EQ(seeds.at("metrics").at("tick_us.median").at("worst"), 300.0);
+  EXPECT_EQ(seeds.at("metrics").at("tick_us.p99").at("worst"), 300.0);
+}
+
+TEST(SeedsJson, runs_that_differ_in_seed_and_time_alone_are_the_same) {
+  const Json one = run_json(Scenario{}, with_event(1, 1)),
+             two = run_json(Scenario{}, with_event(2, 1)),
+             other = run_json(Scenario{}, with_event(2, 2));
+  EXPECT_TRUE(all_the_same({one, two}));
+  EXPECT_FALSE(all_the_same({one, other}));
+  EXPECT_FALSE(all_the_same({one}));
+  EXPECT_FALSE(all_the_same({crash_json(1, "crash"), crash_json(2, "crash")}));
+}
+
 TEST(Aligned, columns_start_together_whatever_the_letters_bytes) {
   EXPECT_EQ(aligned({{"µ", "x"}, {"abc", "y"}}), "µ     x\nabc   y\n");
 }

@@ -54,6 +54,15 @@ TEST(Criteria, WhatWasNotMeasuredNeverPasses) {
   EXPECT_FALSE(passes(limit("limb_extension_max_m", -10.0, {})));
 }
 
+TEST(Criteria, AGoalThatThereIsNotIsNeitherReachedNorMissed) {
+  EXPECT_FALSE(passes(must_be("goal_reached", true)));
+  EXPECT_FALSE(passes(must_be("goal_reached", false)));
+  EXPECT_TRUE(json::parse(to_json(some_metrics())).at("goal_reached").is_null());
+  Metrics metrics = some_metrics();
+  metrics.goal_reached = true;
+  EXPECT_TRUE(evaluate({must_be("goal_reached", true)}, metrics).at(0).passed);
+}
+
 TEST(Criteria, AnUnknownMetricIsNamedWithThoseThatExist) {
   for (const char* name : {"com_error", "tick_us", "succeeded", "reason", ""}) {
     try {

@@ -1,0 +1,57 @@
+#include "surefoot/evaluation/event_counter.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+MotionPlan plan_of(const PerLeg<LegPhase>& phases, PlanEvent event = PlanEvent::none) {
+  MotionPlan plan;
+  for (const Leg leg : kLegs) plan.feet[index(leg)].phase = phases[index(leg)];
+  plan.event = static_cast<int>(event);
+  return plan;
+}
+
+constexpr LegPhase kStance = LegPhase::stance, kUnloading = LegPhase::unloading,
+                   kSwing = LegPhase::swing, kSearch = LegPhase::search;
+
+TEST(EventCounter, tells_leg_count_and_first_time_of_a_foot_that_found_no_ground) {
+  EventCounter events;
+  for (const double time : {1.0, 4.0, 9.5}) {
+    events.add(time - 0.1, plan_of({kStance, kStance, kSearch, kStance}));
+    events.add(time, plan_of({kStance, kStance, kSwing, kStance}, PlanEvent::no_ground));
+  }
+  ASSERT_EQ(events.counts().size(), 1u);
+  EXPECT_EQ(events.counts()[0].event, PlanEvent::no_ground);
+  EXPECT_EQ(events.counts()[0].leg, Leg::LH);
+  EXPECT_EQ(events.counts()[0].count, 3);
+  EXPECT_EQ(events.counts()[0].first, 1.0);
+}
+
+TEST(EventCounter, of_several_legs_in_the_air_takes_the_one_that_it_happened_to) {
+  EventCounter events;
+  events.add(0.0, plan_of({kSearch, kStance, kStance, kUnloading}));
+  events.add(1.0, plan_of({kSearch, kSearch, kStance, kStance}, PlanEvent::lost_contact));
+  events.add(2.0, plan_of({kSearch, kSwing, kStance, kStance}, PlanEvent::no_ground));
+  events.add(3.0, plan_of({kSearch, kStance, kStance, kUnloading}));
+  events.add(4.0, plan_of({kSearch, kStance, kStance, kStance}, PlanEvent::lift_off_aborted));
+  ASSERT_EQ(events.counts().size(), 3u);
+  EXPECT_EQ(events.counts()[0].leg, Leg::RF);
+  EXPECT_EQ(events.counts()[1].leg, Leg::RF);
+  EXPECT_EQ(events.counts()[2].leg, Leg::RH);
+}
+
+TEST(EventCounter, counts_the_legs_apart_and_leaves_the_usual_steps_out) {
+  EventCounter events;
+  events.add(1.0, plan_of({kSwing, kStance, kStance, kStance}, PlanEvent::lift_off));
+  events.add(2.0, plan_of({kSearch, kStance, kStance, kStance}, PlanEvent::late));
+  events.add(3.0, plan_of({kStance, kStance, kStance, kStance}, PlanEvent::touchdown));
+  events.add(4.0, plan_of({kStance, kSearch, kStance, kStance}, PlanEvent::late));
+  events.add(5.0, plan_of({kStance, kSwing, kStance, kStance}, PlanEvent::probe_same_ground));
+  ASSERT_EQ(events.counts().size(), 2u);
+  EXPECT_EQ(events.counts()[0].leg, Leg::LF);
+  EXPECT_EQ(events.counts()[1].leg, Leg::RF);
+}
+
+}  // namespace
+}  // namespace surefoot
