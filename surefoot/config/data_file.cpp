@@ -20,6 +20,19 @@ bool is_file(const fs::path& path) {
 /// "scenarios" → "scenario"
 std::string singular(const std::string& folder) { return folder.substr(0, folder.size() - 1); }
 
+/// A path that leads to something, only not to a file that could be meant.
+void refuse_other_files(const std::string& folder, const std::string& name,
+                        const fs::path& beside) {
+  std::error_code ignored;
+  for (const fs::path& place : {fs::path(name), beside / name}) {
+    if (!fs::exists(place, ignored)) continue;
+    throw UnknownNameError("\"" + name + "\" is " +
+                           (fs::is_directory(place, ignored) ? "a folder" : "not a YAML file") +
+                           "; the name of a " + singular(folder) +
+                           " or a file that ends in .yaml would be valid");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> list_data(const std::string& folder) {
@@ -46,12 +59,14 @@ fs::path find_data_file(const std::string& folder, const std::string& name,
     if (is_file(name)) return name;
     if (!beside.empty() && is_file(beside / name)) return beside / name;
     if (is_file(data_directory() / folder / name)) return data_directory() / folder / name;
+    refuse_other_files(folder, name, beside);
     throw UnknownNameError("there is no file \"" + name + "\"; " +
                            valid_names(fs::path(name).stem().string(), list_data(folder)));
   }
   const fs::path file = data_directory() / folder / (name + ".yaml");
   // A name with a slash would leave the folder.
   if (name.find('/') == std::string::npos && is_file(file)) return file;
+  refuse_other_files(folder, name, beside);
   throw UnknownNameError("unknown " + singular(folder) + " \"" + name + "\"; " +
                          valid_names(name, list_data(folder)));
 }

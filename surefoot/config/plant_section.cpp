@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-void read_foot_contact(Section& section, ContactOptions& contact) {
+void read_foot_contact(Section& section, double timestep, ContactOptions& contact) {
   constexpr NumberRange kImpedance{.min = 1e-4, .max = 0.9999, .words = "a number between 0 and 1"};
   section.number("solref_time", contact.solref_time, kPositive);
   section.number("solref_damping", contact.solref_damping, kPositive);
@@ -13,6 +13,10 @@ void read_foot_contact(Section& section, ContactOptions& contact) {
   section.number("solimp_max", contact.solimp_max, kImpedance);
   section.number("solimp_width", contact.solimp_width, kPositive);
   section.number("impratio", contact.impratio, kPositive);
+  if (contact.solref_time < 2.0 * timestep)
+    section.fail("solref_time", "must be at least two timesteps");
+  if (contact.solimp_max < contact.solimp_min)
+    section.fail("solimp_max", "must not be below solimp_min");
 }
 
 void read_actuators(Section& section, ActuatorOptions& actuators) {
@@ -73,9 +77,16 @@ void read_pushes(Section& section, std::vector<Push>& pushes) {
   }
 }
 
+/// Also if it is empty; nothing behind the name takes away what a base has.
+bool is_map(Section& section, const char* key) {
+  const ConfigNode* given = section.node(key);
+  return given != nullptr && given->kind == ConfigNode::Kind::map;
+}
+
 void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
   section.section("pushes", [&](Section& s) { read_pushes(s, disturbances.pushes); });
   section.section("payload", [&](Section& payload) {
+    if (is_map(section, "payload")) payload.require("mass");
     payload.number("mass", disturbances.payload.mass, kNotNegative);
     payload.vector("position", disturbances.payload.position);
   });
@@ -89,7 +100,8 @@ void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
 void read_plant(Section& scenario, PlantOptions& options) {
   scenario.number("timestep", options.timestep, kPositive);
   scenario.section("terrain", [&](Section& s) { read_terrain(s, options.terrain); });
-  scenario.section("foot_contact", [&](Section& s) { read_foot_contact(s, options.contact); });
+  scenario.section("foot_contact",
+                   [&](Section& s) { read_foot_contact(s, options.timestep, options.contact); });
   scenario.section("actuators", [&](Section& s) { read_actuators(s, options.actuators); });
   scenario.section("sensors", [&](Section& s) { read_sensors(s, options.sensors); });
   scenario.section("disturbances", [&](Section& s) { read_disturbances(s, options.disturbances); });

@@ -5,9 +5,13 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/section.hpp"
+#include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <map>
+#include <sstream>
 
 namespace surefoot {
 namespace {
@@ -78,8 +82,7 @@ class NameReader {
     if (section.node(key) != nullptr) check(section, key, "frame", value, links_);
   }
 
-  void joints(Section& section, const char* key,
-              std::array<std::string, kJointsPerLeg>& names) const {
+  void joints(Section& section, const char* key, std::array<std::string, kJointsPerLeg>& names) {
     section.require(key);
     const ConfigNode* given = section.node(key);
     if (given == nullptr) return;
@@ -88,10 +91,24 @@ class NameReader {
     for (std::size_t i = 0; i < names.size(); ++i) {
       names[i] = read_text(given->items[i], section.path_of(key));
       check(section, key, "joint", names[i], joints_);
+      check_hinge(section, key, names[i]);
     }
   }
 
  private:
+  /// A leg's joints are hinges, and each stands at one place.
+  void check_hinge(const Section& section, const char* key, const std::string& name) {
+    const auto joint = std::ranges::find(urdf_.joints, name, &UrdfJoint::name);
+    if (joint->type != "revolute" && joint->type != "continuous") {
+      section.fail(key, "joint \"" + name + "\" is " + joint->type + " (" + urdf_.path + ":" +
+                            std::to_string(joint->line) + "); a leg's joint must be revolute");
+    }
+    const auto [first, is_new] = places_.emplace(name, section.path_of(key));
+    if (!is_new) {
+      section.fail(key, "joint \"" + name + "\" stands at two places, also in " + first->second);
+    }
+  }
+
   void check(const Section& section, const char* key, const char* what, const std::string& name,
              const std::vector<std::string>& valid) const {
     if (std::ranges::find(valid, name) != valid.end()) return;
@@ -101,9 +118,10 @@ class NameReader {
 
   const Urdf& urdf_;
   std::vector<std::string> links_, joints_;
+  std::map<std::string, std::string> places_;  // of the joints so far
 };
 
-void read_leg(Section& section, LegDescription& leg, const NameReader& names) {
+void read_leg(Section& section, LegDescription& leg, NameReader& names) {
   names.joints(section, "joints", leg.joints);
   names.frame(section, "hip", leg.hip_frame);
   names.frame(section, "thigh", leg.thigh_link);
@@ -124,6 +142,37 @@ Urdf read_urdf_of(const Section& top, const std::string& path) {
   } catch (const Error& error) {
     top.fail("urdf", error.what());
   }
+}
+
+/// With the nominal posture each foot stands in its own quadrant: two legs that were exchanged
+/// would be walked with, and fall.
+void check_quadrants(const ConfigNode& legs, const RobotModel& model) {
+  for (const Leg leg : kLegs) {
+    const Vec3 p_BF =
+        model.foot_in_base(leg, model.description().q_nominal.segment<3>(first_joint(leg)));
+    if (is_front(leg) == (p_BF.x() > 0.0) && is_left(leg) == (p_BF.y() > 0.0)) continue;
+    const std::string name(kLegNames[index(leg)]);
+    std::ostringstream message;
+    message << std::setprecision(3) << "in the nominal posture its foot is at x = " << p_BF.x()
+            << ", y = " << p_BF.y() << " m from the base, but the leg " << name << " belongs at x "
+            << (is_front(leg) ? ">" : "<") << " 0, y " << (is_left(leg) ? ">" : "<")
+            << " 0; are two legs exchanged, or does the base not look along x?";
+    fail_at(*legs.find(name), "legs." + name, message.str());
+  }
+}
+
+/// What no key shows by itself: whether the parts make a robot.
+void check_robot(const Section& top, const ConfigNode& legs, const RobotDescription& robot) {
+  const auto model = [&] {
+    try {
+      return RobotModel(robot);
+    } catch (const FileError& error) {
+      top.fail("urdf", error.what());
+    } catch (const Error& error) {
+      top.fail("legs", error.what());
+    }
+  }();
+  check_quadrants(legs, model);
 }
 
 }  // namespace
@@ -147,7 +196,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   robot.urdf_path = resolve_urdf(urdf_name, file);
   robot.mesh_root = robot_package_directory().string();
   const Urdf urdf = read_urdf_of(top, robot.urdf_path);
-  const NameReader names(urdf);
+  NameReader names(urdf);
   names.frame(top, "base", robot.base_link);
   top.section("legs", [&](Section& legs) {
     for (const Leg leg : kLegs) {
@@ -162,6 +211,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   top.section("posture", [&](Section& posture) { read_posture(posture, robot.q_nominal); });
   top.number("max_leg_length", robot.max_leg_length, kPositive);
   top.section("gains", [&](Section& gains) { read_gains(gains, robot); });
+  check_robot(top, *tree.find("legs"), robot);
   return robot;
 }
 

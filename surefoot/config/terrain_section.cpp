@@ -31,6 +31,7 @@ void read_size(Section& section, Vec3& size) {
 
 void read_box(Section& section, Elements& elements) {
   TerrainBox box;
+  section.require("size");
   section.vector("position", box.position);
   read_size(section, box.size);
   section.vector("rpy", box.rpy);
@@ -38,8 +39,26 @@ void read_box(Section& section, Elements& elements) {
   elements.push_back(box);
 }
 
+/// Heights of its own, or the amplitude of generated ones.
+void check_heights(Section& section, const TerrainHeightField& field) {
+  const bool has_heights = section.node("heights") != nullptr;
+  if (has_heights == (section.node("amplitude") != nullptr)) {
+    section.fail("heights",
+                 "a height field has either heights, with columns and rows, or the "
+                 "amplitude of generated ones");
+  }
+  if (!has_heights) return;
+  for (const char* key : {"columns", "rows"}) section.require(key);
+  const long points = long{field.columns} * field.rows;
+  if (static_cast<long>(field.heights.size()) == points) return;
+  section.fail("heights", std::to_string(field.heights.size()) +
+                              " numbers are not columns × rows = " + std::to_string(points));
+}
+
 void read_field(Section& section, Elements& elements) {
   TerrainHeightField field;
+  section.require("size_x");
+  section.require("size_y");
   section.vector("position", field.position);
   section.number("size_x", field.size_x, kPositive);
   section.number("size_y", field.size_y, kPositive);
@@ -50,11 +69,13 @@ void read_field(Section& section, Elements& elements) {
   section.number("wavelength", field.wavelength, kPositive);
   section.integer("seed", field.seed);
   read_friction(section, field.friction);
+  check_heights(section, field);
   elements.push_back(field);
 }
 
 void read_random_boxes(Section& section, Elements& elements) {
   TerrainRandomBoxes boxes;
+  for (const char* key : {"size_x", "size_y", "max_height"}) section.require(key);
   section.vector("position", boxes.position);
   section.number("size_x", boxes.size_x, kPositive);
   section.number("size_y", boxes.size_y, kPositive);
@@ -89,6 +110,7 @@ void add_steps(const Steps& steps, Elements& elements) {
 
 void read_steps(Section& section, Elements& elements) {
   Steps steps;
+  section.require("height");
   section.number("edge", steps.edge);
   section.number("height", steps.height);
   section.integer("count", steps.count, 1);
@@ -121,6 +143,8 @@ void read_slope(Section& section, Elements& elements) {
   section.number("start", slope.start);
   section.number("pitch", slope.pitch, kAngle);
   section.number("roll", slope.roll, kAngle);
+  if (section.node("pitch") == nullptr && section.node("roll") == nullptr)
+    section.fail("pitch", "a slope has a pitch, a roll or both");
   read_friction(section, slope.friction);
   add_slope(slope, elements);
 }

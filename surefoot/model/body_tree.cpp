@@ -2,6 +2,8 @@
 
 #include "surefoot/base/error.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <map>
 
@@ -91,8 +93,8 @@ class Builder {
     const auto described = bodies_.find(joint.name);
     if (described == bodies_.end()) {
       if (joint.type != "fixed") {
-        throw Error(urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
-                    "\" can move but is not a joint of a leg of the description");
+        throw FileError(urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
+                        "\" can move but is not a joint of a leg of the description");
       }
       add_link(joint.child, {parent.body, R, p});
       return;
@@ -104,6 +106,18 @@ class Builder {
     }
     leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {R, p, joint.axis};
     add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
+    check_mass(*urdf_.find_link(joint.child), inertia_of(body));
+  }
+
+  /// `inertia`: of the link with all that is fixed to it.
+  void check_mass(const UrdfLink& link, const Inertia& inertia) const {
+    const Vec3 moments =
+        Eigen::SelfAdjointEigenSolver<Mat3>(inertia.about_com, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    if (inertia.mass > 0.0 && moments[0] > 0.0) return;
+    throw FileError(urdf_.path + ":" + std::to_string(link.line) + ": link \"" + link.name +
+                    "\" moves, but with all that is fixed to it has no " +
+                    (inertia.mass > 0.0 ? "inertia" : "mass") + "; it must be above 0");
   }
 
   LegTree& leg_of(int body) {

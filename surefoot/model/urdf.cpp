@@ -50,7 +50,8 @@ class Reader {
 
   UrdfLink link(const XMLElement& element) const {
     const XMLElement* inertial = element.FirstChildElement("inertial");
-    return {name(element), inertial == nullptr ? Inertia() : inertia(*inertial, name(element))};
+    if (inertial == nullptr) return {name(element), Inertia(), element.GetLineNum()};
+    return {name(element), inertia(*inertial, name(element)), inertial->GetLineNum()};
   }
 
   UrdfJoint joint(const XMLElement& element) const {
@@ -148,7 +149,8 @@ class Reader {
 std::string find_root(const Reader& reader, const Urdf& urdf) {
   std::set<std::string> roots;
   for (const UrdfLink& link : urdf.links) {
-    if (!roots.insert(link.name).second) reader.fail(1, "link \"" + link.name + "\" stands twice");
+    if (!roots.insert(link.name).second)
+      reader.fail(link.line, "link \"" + link.name + "\" stands twice");
   }
   for (const UrdfJoint& joint : urdf.joints) {
     for (const std::string& link : {joint.parent, joint.child}) {
@@ -177,7 +179,7 @@ void check_inertias(const Reader& reader, Urdf& urdf) {
       urdf.notes.push_back(placeholder_note(link.name, link.inertia.mass));
       link.inertia = Inertia();
     } else if (moments(link.inertia)[0] < 0.0) {
-      reader.fail(1, "link \"" + link.name + "\": its inertia has a negative eigenvalue");
+      reader.fail(link.line, "link \"" + link.name + "\": its inertia has a negative eigenvalue");
     }
   }
 }

@@ -22,6 +22,7 @@ struct Inertia {
 struct UrdfLink {
   std::string name;
   Inertia inertia;
+  int line = 0;  ///< where its inertia stands in the file, or the link if it has none
 };
 
 struct UrdfJoint {

@@ -138,9 +138,12 @@ void add_motor(mjSpec& spec, const std::string& joint) {
   mjs_setString(motor->target, joint.c_str());
 }
 
-ModelHandle compile(mjSpec& spec) {
+ModelHandle compile(mjSpec& spec, const std::string& urdf) {
   ModelHandle model(mj_compile(&spec, nullptr));
-  if (!model) throw Error(text("the physics model can't be compiled: ", mjs_getError(&spec)));
+  if (!model) {
+    throw FileError(text(urdf, ": the physics model of this robot and its terrain can't be made: ",
+                         one_line(mjs_getError(&spec))));
+  }
   return model;
 }
 
@@ -181,7 +184,7 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
   }
   disturb_masses(*spec, base, options.disturbances);
   add_terrain(*spec, options.terrain, options.contact);
-  static_cast<void>(compile(*spec));
+  static_cast<void>(compile(*spec, description.urdf_path));
 
   // The model that runs is the one that is logged: compiled from the same text.
   std::string xml = saved_with_full_precision(*spec);
@@ -189,7 +192,7 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
   const SpecHandle saved(
       mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!saved) throw Error(text("the physics model can't be read back: ", error.data()));
-  return {compile(*saved), std::move(xml)};
+  return {compile(*saved, description.urdf_path), std::move(xml)};
 }
 
 }  // namespace surefoot::simulation

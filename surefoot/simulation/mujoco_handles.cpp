@@ -1,6 +1,7 @@
 #include "surefoot/simulation/mujoco_handles.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/simulation/text.hpp"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ thread_local std::vector<std::string>* current_notes = nullptr;
 
 // MuJoCo ends the process when an error handler returns, so this one throws.
 void handle(const mjLogMessage* message) {
-  const std::string line = std::string("MuJoCo: ") + message->subject;
+  const std::string line = "MuJoCo: " + one_line(message->subject);
   if (message->level == mjLOG_ERROR) throw Error(line);
   if (message->level != mjLOG_WARNING || current_notes == nullptr) return;
   if (std::find(current_notes->begin(), current_notes->end(), line) == current_notes->end()) {

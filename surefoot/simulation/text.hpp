@@ -14,6 +14,14 @@ template <typename... Parts>
   return stream.str();
 }
 
+/// MuJoCo's messages have lines; ours are one.
+[[nodiscard]] inline std::string one_line(std::string message) {
+  while (message.ends_with('\n')) message.pop_back();
+  for (std::size_t end = 0; (end = message.find('\n')) != std::string::npos;)
+    message.replace(end, 1, ", ");
+  return message;
+}
+
 /// Names with a space between, for messages that say what would be valid.
 [[nodiscard]] inline std::string listed(const std::vector<std::string>& names) {
   std::string line;

@@ -37,7 +37,7 @@ SpecHandle parse(const RobotDescription& description) {
   std::array<char, 1024> error{};
   SpecHandle spec(
       mj_parseXMLString(urdf.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!spec) throw FileError(text(description.urdf_path, ": ", error.data()));
+  if (!spec) throw FileError(text(description.urdf_path, ": ", one_line(error.data())));
   return spec;
 }
 

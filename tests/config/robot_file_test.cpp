@@ -105,6 +105,52 @@ TEST_F(RobotFile, with_limits_upside_down_says_so) {
   EXPECT_TRUE(holds(complaint(), "limits.position_max"));
 }
 
+TEST_F(RobotFile, whose_moving_link_has_no_mass_names_the_urdfs_line) {
+  use_own_urdf();
+  change(urdf_, "<mass value=\"1.634976467\"", "<mass value=\"0\"");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:3: urdf: "));
+  EXPECT_TRUE(holds(message, "robot.urdf:194: link \"LF_THIGH\" moves"));
+  EXPECT_TRUE(holds(message, "no mass"));
+}
+
+TEST_F(RobotFile, with_an_inertia_that_no_body_can_have_names_the_urdfs_line) {
+  use_own_urdf();
+  const std::size_t thigh = urdf_.find("<link name=\"LF_THIGH\"");
+  urdf_.replace(urdf_.find("ixx=\"", thigh), 5, "ixx=\"-");
+  EXPECT_TRUE(holds(complaint(), "robot.urdf:194: link \"LF_THIGH\": its inertia"));
+}
+
+TEST_F(RobotFile, that_names_a_joint_for_two_places_gives_the_second_ones_line) {
+  change(text_, "[RF_HAA, RF_HFE", "[LF_HAA, RF_HFE");
+  EXPECT_TRUE(holds(complaint(),
+                    "robot.yaml:7: legs.RF.joints: joint \"LF_HAA\" stands at two places, also in "
+                    "legs.LF.joints"));
+}
+
+TEST_F(RobotFile, whose_joint_is_no_hinge_gives_both_lines) {
+  use_own_urdf();
+  change(urdf_, "<joint name=\"LF_HAA\" type=\"revolute\"",
+         "<joint name=\"LF_HAA\" type=\"spherical\"");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.joints: joint \"LF_HAA\" is spherical"));
+  EXPECT_TRUE(holds(message, "robot.urdf:154"));
+}
+
+TEST_F(RobotFile, with_legs_that_were_exchanged_says_so) {
+  change(text_, "  LH:", "  XX:");
+  change(text_, "  RH:", "  LH:");
+  change(text_, "  XX:", "  RH:");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:9: legs.LH: in the nominal posture its foot is at x = -"));
+  EXPECT_TRUE(holds(message, "y > 0; are two legs exchanged"));
+}
+
+TEST_F(RobotFile, with_a_foot_on_another_leg_names_the_robot_file) {
+  change(text_, "foot: LF_FOOT", "foot: RF_FOOT");
+  EXPECT_TRUE(holds(complaint(), "robot.yaml:5: legs: frame \"RF_FOOT\" is not on"));
+}
+
 TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
                     "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));
