@@ -43,13 +43,22 @@ std::vector<std::string> metric_names() {
   return names;
 }
 
-void read_criteria(Section& section, std::vector<Criterion>& criteria) {
+void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& criteria) {
+  const auto by_default = [&](const char* metric, bool expected) {
+    if (section.node(metric) != nullptr) return;
+    criteria.push_back({.metric = metric, .min = {}, .max = {}, .equals = expected});
+  };
+  by_default("fell", false);
+  if (has_goal) by_default("goal_reached", true);
   for (const std::string& metric : section.keys()) {
     const ConfigNode& given = *section.node(metric.c_str());
-    // A criterion of the base file is taken away by `metric:` with nothing behind it.
+    // `metric:` with nothing behind it takes away what is asked by default.
     if (given.kind == ConfigNode::Kind::null) continue;
     if (!is_metric(metric)) {
       section.fail(metric, "unknown metric; " + valid_names(metric, metric_names()));
+    }
+    if (metric == "goal_reached" && !has_goal) {
+      section.fail(metric, "the scenario has no goal; goal.feet_beyond_x gives it one");
     }
     criteria.push_back(read_criterion(section, metric));
     try {

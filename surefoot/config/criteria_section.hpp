@@ -10,8 +10,10 @@ namespace surefoot {
 /// Reads limits on metrics, under the metrics' names:
 ///
 ///     com_error_max_m: {max: 0.0005}
-///     fell: false
-void read_criteria(Section& section, std::vector<Criterion>& criteria);
+///
+/// Two are always asked, if nothing else is said of them: `fell: false`, and of a scenario that has
+/// a goal `goal_reached: true`.
+void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& criteria);
 
 /// The metrics that criteria and the paper's figures can name.
 [[nodiscard]] std::vector<std::string> metric_names();

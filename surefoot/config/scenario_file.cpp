@@ -11,10 +11,13 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/model/urdf.hpp"
+#include "surefoot/simulation/check_options.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -24,6 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFiles = 4;
+
+/// What a file says of its own experiment; nothing that holds of another one made from it.
+constexpr std::array<std::string_view, 4> kOfOneFile{"description", "criteria", "success_rate",
+                                                     "paper"};
 
 /// The file laid over its `base:`, which may have one too. `files` gets all of them.
 ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
@@ -36,11 +43,26 @@ ConfigNode read_with_base(const fs::path& file, std::vector<fs::path>& files) {
   try {
     ConfigNode below = read_with_base(
         find_data_file("scenarios", read_text(*base, "base"), file.parent_path()), files);
+    std::erase_if(below.members, [](const ConfigNode::Member& member) {
+      return std::ranges::find(kOfOneFile, member.first) != kOfOneFile.end();
+    });
     merge(below, std::move(tree));
     return below;
   } catch (const UnknownNameError& error) {
     fail_at(*base, "base", error.what());
   }
+}
+
+/// What the paper says of a scenario it does not say of one that --set turned into another.
+void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& assignments) {
+  constexpr std::array<std::string_view, 6> kExperiment{"robot", "stack", "terrain",
+                                                        "user",  "goal",  "disturbances"};
+  const bool is_another = std::ranges::any_of(assignments, [&](const std::string& assignment) {
+    const std::string path = assigned_path(assignment);
+    return std::ranges::find(kExperiment, path.substr(0, path.find('.'))) != kExperiment.end();
+  });
+  if (is_another)
+    std::erase_if(tree.members, [](const auto& member) { return member.first == "paper"; });
 }
 
 std::string shortest(double value) {
@@ -136,7 +158,7 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
       section.fail(metric, "unknown metric; " + valid_names(metric, names));
     }
     const ConfigNode& text = *section.node(metric.c_str());
-    // A figure of the base file is taken away by `metric:` with nothing behind it.
+    // --set takes a figure away by nothing behind its name.
     if (text.kind == ConfigNode::Kind::null) continue;
     paper.push_back({.metric = metric, .text = read_text(text, section.path_of(metric))});
   }
@@ -157,6 +179,19 @@ void read_controller(Section& top, ControllerOptions& controller) {
   top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
 }
 
+/// The control period is made of physics steps.
+void check_period(const Section& top, Scenario& scenario) {
+  scenario.plant.control_period = scenario.controller.period;
+  try {
+    (void)simulation::steps_per_period(scenario.plant);
+  } catch (const Error&) {
+    std::ostringstream message;
+    message << scenario.controller.period << " s is not a whole multiple of the timestep, "
+            << scenario.plant.timestep << " s";
+    top.fail("period", message.str());
+  }
+}
+
 void read_body(Section& top, Scenario& scenario) {
   top.text("name", scenario.name);
   top.text("description", scenario.description);
@@ -164,10 +199,12 @@ void read_body(Section& top, Scenario& scenario) {
   top.choice<Estimation>("estimation", scenario.estimation, named(kEstimations));
   read_controller(top, scenario.controller);
   read_plant(top, scenario.plant);
+  check_period(top, scenario);
   top.section("initial", [&](Section& s) { read_initial(s, scenario.plant.initial); });
   read_user(top, scenario.commands);
   top.section("goal", [&](Section& s) { read_goal(s, scenario.goal); });
-  top.section("criteria", [&](Section& s) { read_criteria(s, scenario.criteria); });
+  const bool has_goal = std::isfinite(scenario.goal.feet_beyond_x);
+  top.section("criteria", [&](Section& s) { read_criteria(s, has_goal, scenario.criteria); });
   top.number("success_rate", scenario.success_rate, kShare);
   top.section("paper", [&](Section& s) { read_paper(s, scenario.paper); });
   if (scenario.controller.contact_force.use_foot_sensor &&
@@ -203,6 +240,21 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
   }
 }
 
+/// Pushes go to the robot's links; their names come from its URDF.
+void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
+  const ConfigNode* disturbances = tree.find("disturbances");
+  const ConfigNode* pushes = disturbances == nullptr ? nullptr : disturbances->find("pushes");
+  if (pushes == nullptr || pushes->members.empty()) return;
+  std::vector<std::string> links;
+  for (const UrdfLink& link : read_urdf(scenario.robot.urdf_path).links) links.push_back(link.name);
+  for (const auto& [name, push] : pushes->members) {
+    const ConfigNode* body = push.find("body");
+    if (body == nullptr || std::ranges::find(links, body->text) != links.end()) continue;
+    fail_at(*body, "disturbances.pushes." + name + ".body",
+            "the robot has no link \"" + body->text + "\"; " + valid_names(body->text, links));
+  }
+}
+
 }  // namespace
 
 const UserCommand& Scenario::user(double time) const {
@@ -214,6 +266,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   const fs::path file = find_data_file("scenarios", request.name_or_path);
   std::vector<fs::path> files;
   ConfigNode tree = read_with_base(file, files);
+  drop_paper_of_another(tree, request.assignments);
   for (const std::string& assignment : request.assignments) apply_assignment(tree, assignment);
 
   Scenario scenario;
@@ -232,9 +285,15 @@ Scenario load_scenario(const ScenarioRequest& request) {
   read_robot_and_stack(top, file, scenario);
 
   scenario.plant.seed = request.seed;
-  scenario.plant.control_period = scenario.controller.period;
+  check_pushes(tree, scenario);
   const RobotModel model(scenario.robot);
-  scenario.plant.initial.q = stance_posture(model, scenario.controller.planner.stance);
+  try {
+    scenario.plant.initial.q = stance_posture(model, scenario.controller.planner.stance);
+  } catch (const Error& error) {
+    const ConfigNode* planner = tree.find("planner");
+    const ConfigNode* stance = planner == nullptr ? nullptr : planner->find("stance");
+    fail_at(stance == nullptr ? tree : *stance, "", error.what());
+  }
   return scenario;
 }
 

@@ -17,8 +17,9 @@ struct ScenarioRequest {
 };
 
 /// Reads scenarios/*.yaml with its robot and stack. `base:` names a file that this one is laid
-/// over. Throws Error, naming file, line and key, on everything that is unknown, misspelt, of the
-/// wrong type or out of range.
+/// over; what that says of its own experiment (description, criteria, success_rate, paper) is not
+/// taken over. Throws Error, naming file, line and key, on everything that is unknown, misspelt, of
+/// the wrong type or out of range.
 [[nodiscard]] Scenario load_scenario(const ScenarioRequest& request);
 
 }  // namespace surefoot

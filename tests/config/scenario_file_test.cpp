@@ -52,12 +52,52 @@ TEST_F(ScenarioFile, keeps_what_its_base_says_and_changes_what_it_names) {
   EXPECT_EQ(scenario.controller.planner.swing.apex, 0.12);
   EXPECT_EQ(scenario.controller.planner.stance.half_length,
             base.controller.planner.stance.half_length);
-  EXPECT_EQ(scenario.criteria.size(), base.criteria.size());
+}
+
+std::vector<std::string> criteria_of(const Scenario& scenario) {
+  std::vector<std::string> metrics;
+  for (const Criterion& criterion : scenario.criteria) metrics.push_back(criterion.metric);
+  return metrics;
+}
+
+TEST_F(ScenarioFile, does_not_take_over_what_its_base_says_of_its_own_experiment) {
+  const Scenario base = load_scenario({"step_down", 0, {}});
+  EXPECT_FALSE(base.paper.empty());
+  test::write_file(folder_ / "stairs.yaml", "base: step_down\n");
+  const Scenario scenario = load_scenario({folder_ / "stairs.yaml", 0, {}});
+  EXPECT_EQ(scenario.description, "");
+  EXPECT_TRUE(scenario.paper.empty());
+  EXPECT_EQ(scenario.success_rate, 1.0);
+  EXPECT_EQ(scenario.goal.feet_beyond_x, base.goal.feet_beyond_x);
+  // A walk of another speed is not judged by the base's.
+  EXPECT_EQ(criteria_of(read("user: [{time: 0, walk: true, velocity: [0.0, 0.08]}]\n")),
+            std::vector<std::string>{"fell"});
+}
+
+TEST_F(ScenarioFile, asks_by_default_not_to_fall_and_to_reach_the_goal_that_there_is) {
+  EXPECT_EQ(criteria_of(read("")), std::vector<std::string>{"fell"});
+  EXPECT_EQ(criteria_of(read("goal: {feet_beyond_x: 1}\ncriteria: {speed_mps: {min: 0}}\n")),
+            (std::vector<std::string>{"fell", "goal_reached", "speed_mps"}));
+  const Scenario scenario = read("goal: {feet_beyond_x: 1}\ncriteria: {goal_reached: false}\n");
+  EXPECT_EQ(criteria_of(scenario), (std::vector<std::string>{"fell", "goal_reached"}));
+  EXPECT_EQ(scenario.criteria.back().equals, false);
 }
 
 TEST_F(ScenarioFile, takes_a_criterion_away_by_naming_nothing) {
-  const Scenario scenario = read("criteria:\n  fell:\n");
-  EXPECT_EQ(std::ranges::count(scenario.criteria, "fell", &Criterion::metric), 0);
+  EXPECT_TRUE(read("criteria:\n  fell:\n").criteria.empty());
+}
+
+TEST_F(ScenarioFile, that_asks_for_a_goal_which_it_has_not_says_so) {
+  EXPECT_TRUE(holds(complaint("criteria: {goal_reached: true}\n"),
+                    "trial.yaml:2: criteria.goal_reached: the scenario has no goal"));
+}
+
+TEST_F(ScenarioFile, shows_no_figures_of_the_paper_beside_another_experiment) {
+  EXPECT_FALSE(load_scenario({"walk_flat", 0, {"tasks.com_xy.kp=150"}}).paper.empty());
+  for (const char* other : {"terrain.friction=0.5", "stack=terrain_adaptation",
+                            "user=[{time: 0, walk: true, velocity: [0.1, 0]}]"}) {
+    EXPECT_TRUE(load_scenario({"walk_flat", 0, {other}}).paper.empty()) << other;
+  }
 }
 
 TEST_F(ScenarioFile, with_a_misspelt_key_names_line_path_and_the_nearest) {
@@ -190,6 +230,53 @@ TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
 
 TEST_F(ScenarioFile, whose_stance_is_out_of_reach_says_so) {
   EXPECT_TRUE(holds(complaint("planner: {stance: {height: 0.9}}\n"), "planner.stance"));
+}
+
+TEST_F(ScenarioFile, that_is_no_yaml_file_is_not_called_unknown) {
+  test::write_file(folder_ / "bad.txt", "hello");
+  const auto complaint_of = [](const std::string& name) {
+    return message_of([&] { (void)load_scenario({name, 0, {}}); });
+  };
+  EXPECT_TRUE(holds(complaint_of(folder_ / "bad.txt"), "bad.txt\" is not a YAML file"));
+  EXPECT_TRUE(holds(complaint_of(folder_.path()), "is a folder"));
+  std::filesystem::create_directories(folder_ / "folder.yaml");
+  EXPECT_TRUE(holds(complaint_of(folder_ / "folder.yaml"), "is a folder"));
+  EXPECT_TRUE(holds(complaint("stack: bad.txt\n"), "trial.yaml:2: stack: \"bad.txt\" is not"));
+}
+
+TEST_F(ScenarioFile, whose_period_is_not_made_of_timesteps_names_the_key) {
+  EXPECT_TRUE(holds(complaint("period: 0.0023\n"),
+                    "trial.yaml:2: period: 0.0023 s is not a whole multiple of the timestep"));
+}
+
+TEST_F(ScenarioFile, with_a_push_on_an_unknown_link_names_the_push_and_the_nearest) {
+  const std::string message =
+      complaint("disturbances:\n  pushes:\n    kick: {time: 1, force: [0, 9, 0], body: LF_TIGH}\n");
+  EXPECT_TRUE(holds(message, "trial.yaml:4: disturbances.pushes.kick.body"));
+  EXPECT_TRUE(holds(message, "did you mean \"LF_THIGH\"?"));
+}
+
+TEST_F(ScenarioFile, says_what_a_shape_or_payload_needs) {
+  const auto element = [&](const std::string& text) {
+    return complaint("terrain: {elements: {a: {" + text + "}}}\n");
+  };
+  EXPECT_TRUE(holds(element("shape: box"), "trial.yaml:2: terrain.elements.a.size: this key is"));
+  EXPECT_TRUE(holds(element("shape: height_field"), "either heights, with columns and rows, or"));
+  EXPECT_TRUE(holds(element("shape: height_field, amplitude: 0.02"), "terrain.elements.a.size_x"));
+  EXPECT_TRUE(holds(element("shape: height_field, size_x: 1, size_y: 1, columns: 2, rows: 2, "
+                            "heights: [0, 0, 0]"),
+                    "3 numbers are not columns × rows = 4"));
+  EXPECT_TRUE(holds(element("shape: random_boxes, size_x: 1, size_y: 1"), "a.max_height"));
+  EXPECT_TRUE(holds(element("shape: steps"), "a.height: this key is missing"));
+  EXPECT_TRUE(holds(element("shape: slope"), "a pitch, a roll or both"));
+  EXPECT_TRUE(holds(complaint("disturbances: {payload: {}}\n"),
+                    "trial.yaml:2: disturbances.payload.mass: this key is missing"));
+  EXPECT_EQ(read("disturbances: {payload: }\n").plant.disturbances.payload.mass, 0.0);
+}
+
+TEST_F(ScenarioFile, whose_foot_contact_is_too_stiff_for_the_timestep_names_the_key) {
+  EXPECT_TRUE(holds(complaint("foot_contact: {solref_time: 0.0001}\n"),
+                    "trial.yaml:2: foot_contact.solref_time: must be at least two timesteps"));
 }
 
 TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
