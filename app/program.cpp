@@ -2,6 +2,7 @@
 
 #include "app/demo.hpp"
 #include "app/exit_code.hpp"
+#include "app/experiments.hpp"
 #include "app/list_command.hpp"
 #include "app/output_files.hpp"
 #include "app/run_command.hpp"
@@ -20,8 +21,18 @@ namespace surefoot {
 namespace {
 
 constexpr const char* kFooter = R"(
+Exit codes: 0 all is as it should be, 1 a result is not, 2 the input is wrong or the run was
+interrupted; run has 3, too. `surefoot COMMAND --help` says more.
+
+Examples:
+  surefoot list scenarios
+  surefoot run walk_flat
+  surefoot demo
+)";
+
+constexpr const char* kRunFooter = R"(
 Exit codes: 0 enough runs meet the scenario's criteria, 1 they don't, 2 the input is wrong or the
-run was interrupted, 3 they don't, and the controller stopped for safety.
+run was interrupted, 3 they don't, and the controller stopped for safety before the robot fell.
 Enough is the scenario's success_rate, of one run as of --seeds: all, where it names none. Scenarios
 that show what happens, as found, have success_rate 0: they end with 0 even if the robot falls.
 
@@ -29,8 +40,38 @@ Examples:
   surefoot run walk_flat                                 once, a table of results
   surefoot run step_down --seeds 100 --jobs 2            success rate over 100 random trials
   surefoot run step_down --set terrain.elements.ground.height=-0.20 --report out
-  surefoot list scenarios
+  surefoot run my_scenario.yaml --record run.mcap        a file of your own, and its log
 )";
+
+constexpr const char* kListFooter = R"(
+Examples:
+  surefoot list scenarios
+  surefoot list tasks                                    with parameters, defaults and units
+)";
+
+constexpr const char* kReportFooter = R"(
+Exit codes: 0 the report is written, 2 the log can't be read or the folder not be written.
+
+Example:
+  surefoot run walk_flat --record run.mcap && surefoot report run.mcap --out out
+)";
+
+std::string demo_footer() {
+  std::string text = "\nExperiments, each with a report:\n";
+  for (const Experiment& experiment : experiments()) {
+    text += "  " + experiment.name + (experiment.seeds ? ", and over --seeds" : "") +
+            (experiment.as_found ? " (as found: any result is one)" : "") + "\n";
+  }
+  return text + R"(
+They take about 8 minutes on two cores, with --seeds 10; most of it goes to those over seeds.
+
+Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
+was interrupted (experiments that were whole by then stay, with their index).
+
+Example:
+  surefoot demo --seeds 3 --jobs 2 --out out
+)";
+}
 
 /// A command: fills its arguments while parsing, then runs.
 using Command = std::function<int()>;
@@ -49,6 +90,7 @@ CLI::Validator whole_number(int min) {
 
 void add_run(CLI::App& app, Command& chosen) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
+  run->footer(kRunFooter);
   const auto arguments = std::make_shared<RunArguments>();
   run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")
       ->required();
@@ -60,7 +102,8 @@ void add_run(CLI::App& app, Command& chosen) {
       ->check(whole_number(1));
   run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
   run->add_option("--set", arguments->assignments,
-                  "path.to.key=value: change a key of the scenario; may be repeated")
+                  "path.to.key=value …: change keys of the scenario. Several behind one --set, or "
+                  "each with its own; the scenario's name stands before it")
       ->take_all()
       ->expected(1);
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
@@ -72,6 +115,7 @@ void add_run(CLI::App& app, Command& chosen) {
 void add_list(CLI::App& app, Command& chosen) {
   CLI::App* list =
       app.add_subcommand("list", "Show what there is: robots, stacks, scenarios or tasks");
+  list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
   list->add_option("what", *what, "robots, stacks, scenarios or tasks")
       ->required()
@@ -81,6 +125,7 @@ void add_list(CLI::App& app, Command& chosen) {
 
 void add_report(CLI::App& app, Command& chosen) {
   CLI::App* report = app.add_subcommand("report", "Write the HTML report of a log");
+  report->footer(kReportFooter);
   const auto log = std::make_shared<std::string>();
   const auto folder = std::make_shared<std::string>();
   report->add_option("log", *log, "Log of a run (MCAP)")->required();
@@ -106,6 +151,7 @@ void add_solve(CLI::App& app, Command& chosen) {
 void add_demo(CLI::App& app, Command& chosen) {
   CLI::App* demo =
       app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
+  demo->footer(demo_footer());
   const auto arguments = std::make_shared<DemoArguments>();
   demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default");
   demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
@@ -160,7 +206,6 @@ int tell_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 int run_program(int argc, char** argv) {
   CLI::App app("Whole-body control of legged robots by strict task hierarchies.", "surefoot");
   app.set_version_flag("--version", std::string(build_info().version));
-  app.footer(kFooter);
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help on all commands");
   Command chosen;
@@ -169,6 +214,7 @@ int run_program(int argc, char** argv) {
   add_report(app, chosen);
   add_solve(app, chosen);
   add_demo(app, chosen);
+  app.footer(kFooter);  // only now: commands that are added later would have it, too
   try {
     app.parse(argc, argv);
     return chosen();

@@ -93,8 +93,13 @@ std::string drawn_values(const Json& run) {
 }
 
 std::string verdict(const Json& run) {
+  std::string missed;
+  for (const Json& criterion : run.at("criteria")) {
+    if (criterion.at("passed").get<bool>()) continue;
+    missed += (missed.empty() ? "; missed: " : ", ") + criterion.at("metric").get<std::string>();
+  }
   return (run.at("succeeded").get<bool>() ? "succeeded: " : "did not succeed: ") +
-         run.at("reason").get<std::string>() + "\n";
+         run.at("reason").get<std::string>() + missed + "\n";
 }
 
 std::string rate_text(const Json& rate) {

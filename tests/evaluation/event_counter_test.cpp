@@ -41,6 +41,14 @@ TEST(EventCounter, of_several_legs_in_the_air_takes_the_one_that_it_happened_to)
   EXPECT_EQ(events.counts()[2].leg, Leg::RH);
 }
 
+TEST(EventCounter, of_an_event_of_no_leg_names_none) {
+  EventCounter events;
+  const auto unknown_here = static_cast<PlanEvent>(1000);
+  events.add(1.0, plan_of({kStance, kSwing, kStance, kStance}, unknown_here));
+  ASSERT_EQ(events.counts().size(), 1u);
+  EXPECT_EQ(events.counts()[0].leg, std::nullopt);
+}
+
 TEST(EventCounter, counts_the_legs_apart_and_leaves_the_usual_steps_out) {
   EventCounter events;
   events.add(1.0, plan_of({kSwing, kStance, kStance, kStance}, PlanEvent::lift_off));
