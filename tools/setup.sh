@@ -102,6 +102,13 @@ build() {
   ninja -C "$build" "$@" || give_up "the build failed: the first error above says where."
 }
 
+# Builds the program again; says so in one line, if there is anything to build.
+rebuild_program() {
+  ninja -C "$build" surefoot 2>&1 | tee -a "$log" |
+    awk '!said && / (Building|Linking) / { print "surefoot: building…"; fflush(); said = 1 }' ||
+    { sed -n '/^FAILED/,$p' "$log" >&2 && give_up "the build failed: the first error above says where."; }
+}
+
 # Builds the program when a source is newer than the last time.
 build_program() {
   local stamp=$build/program.stamp
@@ -113,7 +120,7 @@ build_program() {
   start_log
   mkdir -p "$build"
   touch "$build/started.stamp"
-  build surefoot
+  if is_configured && [[ -x $build/app/surefoot ]]; then rebuild_program; else build surefoot; fi
   mv "$build/started.stamp" "$stamp"
 }
 

@@ -1,0 +1,64 @@
+"""What bin/surefoot and ./demo do before the program starts, on a tree with a ninja of ours."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def build_program(tmp_path):
+    """Sets a tree up that was built before, and builds it again by a ninja that prints what is given."""
+    (tmp_path / "tools").mkdir()
+    shutil.copy(ROOT / "tools/setup.sh", tmp_path / "tools")
+    for folder in ["dependencies", "cmake", "surefoot", "app", ".venv", "bin", "build/release/app"]:
+        (tmp_path / folder).mkdir(parents=True)
+    for file in ["CMakeLists.txt", "CMakePresets.json", "tools/layers.toml", ".venv/dependencies.stamp"]:
+        (tmp_path / file).touch()
+    build = tmp_path / "build/release"
+    (build / "build.ninja").touch()
+    (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={tmp_path}\n")
+    os.utime(tmp_path / ".venv/dependencies.stamp", (1, 1))
+    (build / "app/surefoot").touch(mode=0o755)
+
+    def run(printed, status=0):
+        (tmp_path / "printed").write_text(printed)
+        (tmp_path / "bin/ninja").write_text(f"#!/bin/sh\ncat {tmp_path}/printed\nexit {status}\n")
+        (tmp_path / "bin/ninja").chmod(0o755)
+        return subprocess.run(
+            ["bash", "-c", "source tools/setup.sh; locked build_program >&2"],
+            env={**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"},
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+        )
+
+    return run
+
+
+CHATTER = "ninja: Entering directory\n[0/2] Re-checking globbed directories...\n-- Configuring done\n"
+
+
+def test_a_build_says_one_line(build_program):
+    result = build_program(CHATTER + "[1/2] Building CXX object a.o\n[2/2] Linking CXX executable surefoot\n")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "surefoot: building…\n")
+
+
+def test_where_nothing_is_built_nothing_is_said(build_program):
+    result = build_program(CHATTER + "ninja: no work to do.\n")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    # It is known then, and asked only once.
+    assert build_program("[1/1] Building CXX object a.o\n").stderr == ""
+
+
+def test_a_build_that_fails_shows_the_error(build_program):
+    result = build_program(CHATTER + "[1/2] Building CXX object a.o\nFAILED: a.o\na.cpp:3: error: no\n", status=1)
+    assert result.returncode == 2
+    lines = result.stderr.splitlines()
+    assert lines[0] == "surefoot: building…" and "a.cpp:3: error: no" in lines
+    assert lines[-1] == "surefoot: the build failed: the first error above says where."
+    assert "Configuring" not in result.stderr
