@@ -1,7 +1,14 @@
 """What the documents quote is what stands in the files that they name."""
 
+import json
+import os
 import pathlib
 import re
+import shutil
+import subprocess
+import sys
+
+import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -26,3 +33,38 @@ def test_the_cpp_of_the_readme_stands_line_by_line_in_the_example_that_it_names(
         remaining = iter(lines((ROOT / example).read_text()))
         for line in lines(block):
             assert line in remaining, f"{example} has no such line, or not there: {line}"
+
+
+def blocks_of(document, language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", (ROOT / document).read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("document", ["docs/log.md", "docs/getting_started.md"])
+def test_the_python_of_a_document_runs_alone_beside_a_log(document, log, tmp_path):
+    shutil.copy(log, tmp_path / "run.mcap")
+    blocks = blocks_of(document, "python")
+    assert blocks
+    for block in blocks:
+        done = subprocess.run([sys.executable, "-c", block], cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout
+
+
+def test_the_numbers_in_a_stack_file_count_its_levels():
+    for file in sorted((ROOT / "stacks").glob("*.yaml")):
+        numbers = re.findall(r"^  - task: \w+ *# *(\d+)", file.read_text(), re.MULTILINE)
+        levels = re.findall(r"^  - ", file.read_text(), re.MULTILINE)
+        assert [int(number) for number in numbers] == list(range(1, len(levels) + 1)), file.name
+
+
+@pytest.mark.slow
+def test_the_stairs_of_getting_started_are_walked_down_and_that_is_a_success(tmp_path):
+    (stairs,) = [block for block in blocks_of("docs/getting_started.md", "yaml") if "# stairs.yaml" in block]
+    (tmp_path / "stairs.yaml").write_text(stairs)
+    program = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "bin" / "surefoot"))
+    done = subprocess.run([program, "run", "stairs.yaml", "--json"], cwd=tmp_path, capture_output=True, text=True)
+    result = json.loads(done.stdout)
+    assert done.returncode == 0 and result["succeeded"] and result["goal_reached"], result["criteria"]
+    assert {c["metric"] for c in result["criteria"]} == {"fell", "goal_reached", "max_tilt_rad"}
+    table = subprocess.run([program, "run", "stairs.yaml", "--set", "duration=0.1"], cwd=tmp_path, capture_output=True, text=True)
+    assert "14 cm" not in table.stdout
