@@ -75,6 +75,42 @@ def test_help_version_and_lists_are_on_stdout():
         assert result.returncode == 0 and name in result.stdout
 
 
+def test_the_help_of_a_command_is_its_own():
+    helps = {command: surefoot(command, "--help").stdout for command in ["run", "list", "report", "demo"]}
+    for command, text in helps.items():
+        others = [other for other in ["run", "list", "solve", "demo"] if other != command and command != "report"]
+        examples = text[text.index("Example") :]
+        assert f"surefoot {command} " in examples
+        assert not any(f"surefoot {other} " in examples for other in others), command
+    assert "controller stopped for safety" in helps["run"]
+    assert "controller stopped" not in helps["demo"] + helps["list"] + helps["report"]
+    for part in ["step_down_regular_stack", "minutes", "1 one did not"]:
+        assert part in helps["demo"]
+
+
+@pytest.mark.parametrize("words", [["--set", "duration=0.1", "terrain.friction=0.7"], [*SHORT, "--set", "terrain.friction=0.7"]])
+def test_several_keys_are_set_behind_one_option_or_behind_each_its_own(words):
+    run = json.loads(surefoot("run", "walk_flat", "--json", *words).stdout)
+    assert run["duration_s"] == pytest.approx(0.1) and run["friction_margin_min"] <= 0.7
+
+
+def test_a_foot_that_finds_no_ground_is_told_when_the_run_is_over():
+    words = "no ground within reach: foot taken back"
+    arguments = ["run", "step_down_regular_stack", "--seed", 2, "--set", "duration=16"]
+    assert words in surefoot(*arguments).stdout
+    events = json.loads(surefoot(*arguments, "--json").stdout)["events"]
+    events = [event for event in events if event["event"] == words]
+    assert {event["leg"] for event in events} == {"LF", "RF"}
+    assert all(event["count"] >= 1 and 0 < event["first_s"] < 16 for event in events)
+
+
+def test_seeds_that_change_nothing_are_warned_of():
+    result = surefoot("run", "walk_flat", "--seeds", 2, "--jobs", 2, "--json", *SHORT)
+    (warning,) = [line for line in result.stderr.splitlines() if "warning" in line]
+    assert "draws nothing at random" in warning
+    assert "warning" not in surefoot("run", "step_down", "--seeds", 2, "--jobs", 2, *SHORT).stderr
+
+
 def test_json_is_exactly_one_object_on_stdout():
     result = surefoot("run", "walk_flat", "--json", *SHORT)
     run = json.loads(result.stdout)
@@ -86,18 +122,18 @@ def test_json_is_exactly_one_object_on_stdout():
 
 
 def test_exit_code_says_whether_the_criteria_hold(scenario):
-    passes = scenario("duration: 0.1\ncriteria: {speed_mps: , steps_taken: }\n")
+    passes = scenario("duration: 0.1\n")
     assert surefoot("run", passes, "--json").returncode == 0
-    fails = scenario("duration: 0.1\ncriteria: {distance_m: {min: 100}, speed_mps: , steps_taken: }\n")
+    fails = scenario("duration: 0.1\ncriteria: {distance_m: {min: 100}}\n")
     result = surefoot("run", fails)
     assert result.returncode == 1
-    assert "✗" in result.stdout
+    assert "✗" in result.stdout and "missed: distance_m" in result.stdout
 
 
 @pytest.mark.parametrize("rate, stop, code", [(1, False, 1), (1, True, 3), (0, False, 0), (0, True, 0)])
 def test_one_run_and_several_seeds_end_by_the_same_rule(scenario, rate, stop, code):
     safety = "safety: {max_tilt: 1.0e-9}\n" if stop else ""
-    text = f"duration: 0.1\n{safety}success_rate: {rate}\ncriteria: {{distance_m: {{min: 100}}, speed_mps: , steps_taken: }}\n"
+    text = f"duration: 0.1\n{safety}success_rate: {rate}\ncriteria: {{distance_m: {{min: 100}}}}\n"
     file = scenario(text)
     for arguments in [[], ["--seed", 1], ["--seeds", 2]]:
         result = surefoot("run", file, "--json", *arguments)
@@ -207,6 +243,11 @@ def test_a_negative_mass_is_told_with_its_line(robot):
     assert "robot.urdf:" in message and "-1.42462064" in message
 
 
+def test_an_inertia_that_physics_refuses_is_told_in_one_line(robot):
+    message = complaint("run", robot(urdf_change=('ixx="0.0120367944369"', 'ixx="5"')))
+    assert "robot.urdf" in message and "LF_THIGH" in message
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -265,8 +306,10 @@ def test_an_interrupt_closes_the_log_and_leaves_no_results(tmp_path, which):
     assert code == 2
     assert out == ""
     assert [line for line in err.splitlines() if line.startswith("surefoot: ")] == err.splitlines()[-1:]
-    assert "interrupted" in err and str(log) in err
-    with log.open("rb") as stream:
+    partial = pathlib.Path(f"{log}.partial")
+    assert "interrupted" in err and str(partial) in err
+    assert not log.exists()
+    with partial.open("rb") as stream:
         assert sum(1 for _ in make_reader(stream).iter_messages(topics=["/command"])) > 10
     assert list((tmp_path / "out").iterdir()) == []
 
@@ -336,3 +379,66 @@ def test_an_interrupt_of_several_seeds_ends_all_of_them(tmp_path):
     assert code == 2
     assert out == ""
     assert err.strip().splitlines()[-1].startswith("surefoot: interrupted")
+
+
+@pytest.mark.parametrize("arguments", [[], ["--seeds", 2, "--jobs", 2]])
+def test_an_interrupt_leaves_no_report_folder_that_was_made_for_nothing(tmp_path, arguments):
+    log = tmp_path / "run.mcap"
+    folder = tmp_path / "out"
+    code, _, err = interrupt(
+        ["run", "walk_flat", *arguments, "--report", folder, "--record", log, "--set", "duration=1000"], 1.5
+    )
+    assert code == 2 and not folder.exists()
+    left = sorted(file.name for file in tmp_path.iterdir())
+    assert left and all(name.endswith(".mcap.partial") for name in left)
+    assert all(name in err.splitlines()[-1] for name in left)
+
+
+def interrupt_after(words, arguments):
+    """Sends ^C as soon as a line on stderr begins with these words."""
+    process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    for line in process.stderr:
+        if line.startswith(words):
+            break
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=120)
+    return process.returncode, out, err
+
+
+def test_an_interrupt_shows_the_seeds_that_are_finished_and_no_cut_log_looks_whole(tmp_path):
+    code, out, err = interrupt_after(
+        "seed ",
+        ["run", "walk_flat_sea", "--seeds", 100, "--jobs", 2, "--json", "--set", "duration=2", "--record", tmp_path / "m.mcap"],
+    )
+    assert code == 2
+    result = json.loads(out)
+    finished = {run["seed"] for run in result["runs"]}
+    assert result["interrupted"] and 0 < len(finished) < 100
+    assert not any(run["reason"] == "interrupted" for run in result["runs"])
+    assert result["rates"]["succeeded"]["trials"] == len(finished)
+    message = err.splitlines()[-1]
+    assert f"interrupted: {len(finished)} of 100 seeds are finished" in message
+    whole = {f"m-seed{seed}.mcap" for seed in finished}
+    left = {file.name for file in tmp_path.iterdir()}
+    assert whole <= left
+    cut = left - whole
+    assert all(name.endswith(".partial") and name in message for name in cut)
+
+
+def test_an_interrupted_demo_leaves_whole_experiments_and_their_index(tmp_path):
+    out = tmp_path / "demo"
+    code, printed, err = interrupt_after("walk_flat: ", ["demo", "--out", out, "--seeds", 1, "--jobs", 2])
+    assert code == 2 and "experiments are whole" in err.splitlines()[-1]
+    folders = {entry.name for entry in out.iterdir() if entry.is_dir()}
+    index = (out / "index.html").read_text()
+    assert "walk_flat" in folders and "interrupted" in index
+    for folder in folders:
+        assert f'href="{folder}/index.html"' in index and (out / folder / "index.html").exists()
+        assert {file.name for file in (out / folder).iterdir()} == {"index.html", "run.mcap"}
+    assert index.count("href=") == len(folders) < 15
+
+
+def test_a_demo_interrupted_at_once_leaves_nothing(tmp_path):
+    code, printed, err = interrupt(["demo", "--out", tmp_path / "demo"], 0.5)
+    assert code == 2 and printed == ""
+    assert not (tmp_path / "demo").exists()
