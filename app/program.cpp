@@ -141,11 +141,20 @@ void add_report(CLI::App& app, Command& chosen) {
 
 void add_solve(CLI::App& app, Command& chosen) {
   CLI::App* solve = app.add_subcommand("solve", "Solve task hierarchies, one JSON object a line");
-  const auto file = std::make_shared<std::string>();
-  solve->add_option("file", *file, "JSON lines: {\"levels\":[{\"A\":…,\"b\":…,\"D\":…,\"f\":…},…]}")
+  const auto arguments = std::make_shared<SolveArguments>();
+  solve
+      ->add_option(
+          "file", arguments->file,
+          "JSON lines: {\"levels\":[{\"A\":…,\"b\":…,\"D\":…,\"f\":…},…]}; - reads standard input")
       ->required();
-  solve->callback(
-      [&chosen, file] { chosen = [file] { return run_solve(*file, std::cout, std::cerr); }; });
+  solve->add_flag("--certify", arguments->certify,
+                  "Check each answer against the optimality conditions, without the solver");
+  solve->add_flag(
+      "--explain", arguments->explain,
+      "Tables instead of JSON: what each level missed, and which rows above cost it how much");
+  solve->callback([&chosen, arguments] {
+    chosen = [arguments] { return run_solve(*arguments, std::cout, std::cerr); };
+  });
 }
 
 void add_demo(CLI::App& app, Command& chosen) {

@@ -1,11 +1,15 @@
 #include "app/solve_command.hpp"
 
+#include "app/exit_code.hpp"
+#include "app/explanation_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/certificate.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,47 +19,79 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string format_solution(const Solution& solution, std::size_t num_levels) {
-  Json levels = Json::array();
-  for (std::size_t k = 0; k < num_levels; ++k) {
-    levels.push_back({{"residual", solution.levels[k].residual}});
-  }
-  const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());
-  Json line = {{"x", x}, {"levels", std::move(levels)}};
-  if (solution.status == SolveStatus::iteration_cap) line["status"] = "iteration_cap";
-  return line.dump();
-}
+constexpr double kProven = 1e-8;  // a certificate below it is rounding
 
-std::string solve_line(const std::string& line, const std::string& place) {
-  const Hierarchy hierarchy = parse_hierarchy(line, place);
-  CascadeSolver solver(hierarchy);
-  const Solution& solution = solver.solve(hierarchy);
-  if (solution.status == SolveStatus::invalid_input) {
-    throw FileError(place + ": numbers too large to compute with; expected at most about 1e100");
-  }
-  return format_solution(solution, hierarchy.num_levels());
-}
+class SolveCommand {
+ public:
+  SolveCommand(const SolveArguments& arguments, std::ostream& out, std::ostream& err)
+      : arguments_(arguments), out_(out), err_(err) {}
 
-int solve_lines(std::istream& input, const std::string& name, std::ostream& out,
-                std::ostream& err) {
-  int exit_code = 0;
-  std::string line;
-  for (int number = 1; std::getline(input, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      out << solve_line(line, name + ":" + std::to_string(number)) << '\n' << std::flush;
-    } catch (const FileError& error) {
-      err << error.what() << '\n';
-      exit_code = 2;
+  int solve_lines(std::istream& input, const std::string& name) {
+    std::string line;
+    for (int number = 1; std::getline(input, line); ++number) {
+      if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+      try {
+        solve_line(line, name + ":" + std::to_string(number));
+      } catch (const FileError& error) {
+        err_ << error.what() << '\n';
+        exit_code_ = kWrongInput;
+      }
     }
+    return exit_code_;
   }
-  return exit_code;
-}
+
+ private:
+  void solve_line(const std::string& line, const std::string& place) {
+    const NamedHierarchy question = parse_hierarchy(line, place);
+    CascadeSolver solver(question.hierarchy);
+    const Solution& solution = solver.solve(question.hierarchy);
+    if (solution.status == SolveStatus::invalid_input) {
+      throw FileError(place + ": numbers too large to compute with; expected at most about 1e100");
+    }
+    std::vector<LevelCertificate> certificates;
+    if (arguments_.certify) certificates = certify(question.hierarchy, solution.x);
+    if (arguments_.explain) {
+      out_ << place << "\n" << explanation_text(question, solution);
+      if (arguments_.certify) out_ << "certificate: " << worst_stationarity(certificates) << "\n";
+      out_ << std::endl;
+    } else {
+      out_ << json_line(question, solution, certificates) << std::endl;
+    }
+    if (worst_stationarity(certificates) > kProven) tell_unproven(place, certificates);
+  }
+
+  void tell_unproven(const std::string& place, const std::vector<LevelCertificate>& levels) {
+    err_ << place << ": not optimal, distance " << worst_stationarity(levels)
+         << " from the optimality conditions; expected at most " << kProven << '\n';
+    exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
+  }
+
+  static std::string json_line(const NamedHierarchy& question, const Solution& solution,
+                               const std::vector<LevelCertificate>& certificates) {
+    Json levels = Json::array();
+    for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
+      Json level = {{"residual", solution.levels[k].residual}};
+      if (!certificates.empty()) level["certificate"] = certificates[k].stationarity;
+      levels.push_back(std::move(level));
+    }
+    const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());
+    Json line = {{"x", x}, {"levels", std::move(levels)}};
+    if (solution.status == SolveStatus::iteration_cap) line["status"] = "iteration_cap";
+    return line.dump();
+  }
+
+  SolveArguments arguments_;
+  std::ostream& out_;
+  std::ostream& err_;
+  int exit_code_ = 0;
+};
 
 }  // namespace
 
-int run_solve(const std::string& file, std::ostream& out, std::ostream& err) {
-  if (file == "-") return solve_lines(std::cin, "standard input", out, err);
+int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err) {
+  const std::string& file = arguments.file;
+  SolveCommand command(arguments, out, err);
+  if (file == "-") return command.solve_lines(std::cin, "standard input");
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
     throw FileError(file + ": is a folder; expected a file with one JSON object a line");
@@ -63,7 +99,7 @@ int run_solve(const std::string& file, std::ostream& out, std::ostream& err) {
   std::ifstream input(file);
   if (!input)
     throw FileError(file + ": can't be read; expected a file with one JSON object a line");
-  return solve_lines(input, file, out, err);
+  return command.solve_lines(input, file);
 }
 
 }  // namespace surefoot

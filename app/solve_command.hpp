@@ -5,16 +5,26 @@
 
 namespace surefoot {
 
-/// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file ("-": standard input)
-/// and writes one line for each,
+struct SolveArguments {
+  std::string file;      ///< "-": standard input
+  bool certify = false;  ///< check each answer against the optimality conditions
+  bool explain = false;  ///< tables for people instead of JSON
+};
+
+/// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file and writes one line
+/// for each,
 ///
-///     {"x": […], "levels": [{"residual": …}, …]}        residual = √(‖A x − b‖² + ‖max(0, D x −
-///     f)‖²)
+///     {"x": […], "levels": [{"residual": …}, …]}
+///     residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²)
+///
+/// With `certify` each level has its "certificate", the distance from its optimality conditions
+/// that `LevelCertificate` defines, computed without the solver; with `explain` a table says which
+/// rows each level missed and which rows above held it back, at what cost.
 ///
 /// Blank lines are skipped. A line that can't be understood gives one message on `err`, with file
 /// and line, and nothing on `out`; the other lines are still solved. A line that ended at the cap
-/// of iterations has "status": "iteration_cap" in its result. Returns the exit code: 0, or 2 if the
-/// input is wrong. Throws FileError if the file can't be read.
-int run_solve(const std::string& file, std::ostream& out, std::ostream& err);
+/// of iterations has "status": "iteration_cap" in its result. Returns the exit code: 0; 1 if a
+/// certificate is above 1e-8; 2 if the input is wrong. Throws FileError if the file can't be read.
+int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -85,7 +86,29 @@ Matrix read_matrix(const Json& rows, std::size_t& unknowns, const Place& place) 
 struct Block {
   Matrix rows;
   Vector bounds;
+  std::vector<std::string> names;
 };
+
+/// "A 1", "A 2", … where the file gives no names.
+std::vector<std::string> read_names(const Json& level, const std::string& matrix_key,
+                                    std::size_t rows, const Place& place) {
+  const std::string key = matrix_key + "_names";
+  const auto found = level.find(key);
+  std::vector<std::string> names;
+  if (found == level.end()) {
+    for (std::size_t i = 1; i <= rows; ++i) names.push_back(matrix_key + " " + std::to_string(i));
+    return names;
+  }
+  const bool is_texts = found->is_array() && std::ranges::all_of(*found, [](const Json& name) {
+                          return name.is_string();
+                        });
+  if (!is_texts || found->size() != rows) {
+    place.fail(key + " is " + quoted(*found) + "; expected an array of " + count(rows, "text") +
+               ", one for each row of " + matrix_key);
+  }
+  for (const Json& name : *found) names.push_back(name.get<std::string>());
+  return names;
+}
 
 Block read_block(const Json& level, const char* matrix_key, const char* vector_key,
                  std::size_t& unknowns, const Place& place) {
@@ -97,6 +120,7 @@ Block read_block(const Json& level, const char* matrix_key, const char* vector_k
                matrix_key + " has " + count(result.rows.size(), "row") +
                "; expected one element for each row");
   }
+  result.names = read_names(level, matrix_key, result.rows.size(), place);
   return result;
 }
 
@@ -150,7 +174,8 @@ void append(const Block& block, bool is_equality, Level& level) {
 
 /// The four blocks of a level while it is written.
 struct JsonBlocks {
-  Json A = Json::array(), b = Json::array(), D = Json::array(), f = Json::array();
+  Json A = Json::array(), b = Json::array(), A_names = Json::array();
+  Json D = Json::array(), f = Json::array(), D_names = Json::array();
 
   static void add(Json& rows, Json& bounds, const Eigen::RowVectorXd& row, double bound) {
     Json numbers = Json::array();
@@ -162,42 +187,58 @@ struct JsonBlocks {
 
 }  // namespace
 
-Hierarchy parse_hierarchy(std::string_view line, const std::string& place_name) {
+NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_name) {
   const Place place(place_name);
   std::size_t unknowns = 0;
   const std::vector<LevelBlocks> levels = read_levels(parse_line(line, place), unknowns, place);
   if (unknowns == 0) place.fail("has no unknowns; expected at least one row in A or D of a level");
-  Hierarchy hierarchy(static_cast<Index>(unknowns));
+  NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}};
   for (const LevelBlocks& level : levels) {
     const auto rows = static_cast<Index>(level.equal.rows.size() + level.at_most.rows.size());
-    const std::size_t k = hierarchy.add_level(level.name, rows);
-    append(level.equal, true, hierarchy.level(k));
-    append(level.at_most, false, hierarchy.level(k));
+    const std::size_t k = result.hierarchy.add_level(level.name, rows);
+    append(level.equal, true, result.hierarchy.level(k));
+    append(level.at_most, false, result.hierarchy.level(k));
+    result.row_names.push_back(level.equal.names);
+    result.row_names.back().insert(result.row_names.back().end(), level.at_most.names.begin(),
+                                   level.at_most.names.end());
   }
-  return hierarchy;
+  return result;
 }
 
-std::string format_hierarchy(const Hierarchy& hierarchy) {
+std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name) {
   Json levels = Json::array();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const Level& level = hierarchy.level(k);
     JsonBlocks blocks;
     for (Index i = 0; i < level.num_rows(); ++i) {
       const Eigen::RowVectorXd row = level.A().row(i);
+      const std::string name = row_name ? row_name(k, i) : "";
       const double lower = level.lower()[i];
       const double upper = level.upper()[i];
       if (lower == upper) {
         JsonBlocks::add(blocks.A, blocks.b, row, upper);
+        blocks.A_names.push_back(name);
         continue;
       }
-      if (upper < kInfinity) JsonBlocks::add(blocks.D, blocks.f, row, upper);
-      if (lower > -kInfinity) JsonBlocks::add(blocks.D, blocks.f, -row, -lower);
+      if (upper < kInfinity) {
+        JsonBlocks::add(blocks.D, blocks.f, row, upper);
+        blocks.D_names.push_back(name);
+      }
+      if (lower > -kInfinity) {
+        JsonBlocks::add(blocks.D, blocks.f, -row, -lower);
+        blocks.D_names.push_back(name);
+      }
     }
-    levels.push_back({{"name", level.name()},
-                      {"A", std::move(blocks.A)},
-                      {"b", std::move(blocks.b)},
-                      {"D", std::move(blocks.D)},
-                      {"f", std::move(blocks.f)}});
+    Json object = {{"name", level.name()},
+                   {"A", std::move(blocks.A)},
+                   {"b", std::move(blocks.b)},
+                   {"D", std::move(blocks.D)},
+                   {"f", std::move(blocks.f)}};
+    if (row_name) {
+      object["A_names"] = std::move(blocks.A_names);
+      object["D_names"] = std::move(blocks.D_names);
+    }
+    levels.push_back(std::move(object));
   }
   return Json{{"levels", std::move(levels)}}.dump();
 }

@@ -2,24 +2,37 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace surefoot {
+
+/// A hierarchy and what people call its rows.
+struct NamedHierarchy {
+  Hierarchy hierarchy;
+  std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
+};
 
 /// A hierarchy from one line of a .jsonl file:
 ///
 ///     {"levels": [{"A": [[…]], "b": […], "D": [[…]], "f": […]}, …]}      A x = b and D x ≤ f (Eq.
 ///     8)
 ///
-/// An empty or missing block has no rows; other members are ignored. The number of unknowns is the
-/// length of the rows. `place` ("file:line") starts the message of the FileError that is thrown for
-/// anything else.
-[[nodiscard]] Hierarchy parse_hierarchy(std::string_view line, const std::string& place);
+/// An empty or missing block has no rows. A level may have a "name", its blocks "A_names" and
+/// "D_names", a text for each row; without them rows are called "A 1", "D 3". Other members are
+/// ignored. The number of unknowns is the length of the rows. `place` ("file:line") starts the
+/// message of the FileError that is thrown for anything else.
+[[nodiscard]] NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place);
+
+/// What a row is called: level and row, as indices.
+using RowName = std::function<std::string(std::size_t, Eigen::Index)>;
 
 /// The line for a hierarchy, without a line break. Numbers read back to the same doubles. A row
 /// between two bounds becomes two rows of D, lower ≤ a x as −a x ≤ −lower. Beside the blocks each
-/// level has its "name".
-[[nodiscard]] std::string format_hierarchy(const Hierarchy& hierarchy);
+/// level has its "name", and with `row_name` its rows have theirs.
+[[nodiscard]] std::string format_hierarchy(const Hierarchy& hierarchy,
+                                           const RowName& row_name = nullptr);
 
 }  // namespace surefoot

@@ -72,6 +72,7 @@ void read_swing(Section& section, SwingOptions& swing) {
   section.number("touchdown_speed", swing.touchdown_speed, kPositive);
   section.number("search_depth_max", swing.search_depth_max, kNotNegative);
   section.number("reach_max", swing.reach_max, kPositive);
+  section.number("speed_max", swing.speed_max, kPositive);
   section.number("armed_after", swing.armed_after, kShare);
   if (swing.horizontal_end <= swing.horizontal_start) {
     section.fail("horizontal_end", "must be above horizontal_start");
@@ -109,6 +110,7 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.number("print_radius", foothold.print_radius, kNotNegative);
   section.number("same_height", foothold.same_height, kPositive);
   section.number("max_step", foothold.max_step, kPositive);
+  section.number("max_side_step", foothold.max_side_step, kPositive);
 }
 
 }  // namespace

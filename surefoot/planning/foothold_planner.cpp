@@ -12,6 +12,14 @@ constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
+// Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
+// hip, forward or backward, whichever is shorter; 0 outside it.
+double longest_stride(const Vec2& offset, const Vec2& direction, double reach) {
+  const double along = offset.dot(direction);
+  const double square = along * along - offset.squaredNorm() + reach * reach;
+  return 2.0 * std::max(0.0, std::sqrt(std::max(0.0, square)) - std::abs(along));
+}
+
 }  // namespace
 
 Vec2 nominal_offset(const StanceOptions& stance, Leg leg) {
@@ -37,6 +45,23 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   if (is_front(leg) || !options_.hind_use_front_prints) return nominal;
   return on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from,
                    R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0));
+}
+
+double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
+                                       const StrideLimits& limits, double cycle_duration) const {
+  double share = 1.0;
+  for (const Leg leg : kLegs) {
+    const Vec2 foot = nominal_offset(stance_, leg);
+    const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
+    const Vec2 stride = cycle_duration * (user.velocity + turning);
+    const double within_reach =
+        longest_stride(foot - hips[index(leg)], stride.normalized(), limits.reach);
+    const double longest = std::min({options_.max_step, limits.length, within_reach});
+    const double excess =
+        std::hypot(stride.x() / longest, stride.y() / std::min(longest, options_.max_side_step));
+    if (excess > 1.0) share = std::min(share, 1.0 / excess);
+  }
+  return share;
 }
 
 void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {

@@ -11,6 +11,12 @@ namespace surefoot {
 /// Foot of the nominal stance relative to the stance's centre, in heading axes [m].
 [[nodiscard]] Vec2 nominal_offset(const StanceOptions& stance, Leg leg);
 
+/// What strides are limited by, beside the options of the footholds.
+struct StrideLimits {
+  double reach = 0.0;   ///< of a foot from its hip, horizontally [m]
+  double length = 0.0;  ///< that a swing can do in its time [m]
+};
+
 /// Where the next foot goes: the nominal stance carried along with the commanded velocity; hind
 /// feet take the footprints that the front feet found, heights included.
 class FootholdPlanner {
@@ -24,6 +30,16 @@ class FootholdPlanner {
   /// centre.
   [[nodiscard]] Vec3 foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
                               double yaw, const UserCommand& user, double cycle_duration) const;
+
+  /// Share of the commanded velocity, at most 1, that the strides of all legs allow. A foot makes
+  /// one step a cycle, so its stride is velocity × cycle:
+  ///
+  ///     (stride_x / longest)² + (stride_y / max_side_step)² ≤ 1
+  ///
+  /// with `longest` at most `max_step`, `limits.length`, and twice the way from the foot's nominal
+  /// place to `limits.reach` from the hip. Hips are about the torso's centre, in heading axes.
+  [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
+                                      const StrideLimits& limits, double cycle_duration) const;
 
   /// A front foot has found ground here.
   void remember(Leg leg, const Vec3& p_WF);

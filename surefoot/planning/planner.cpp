@@ -10,7 +10,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGrace = 0.04;        // a touchdown this late is still on time [s]
+constexpr double kGrace = 0.06;        // a touchdown this late is still on time: it takes as
+                                       // long to be noticed [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
@@ -32,11 +33,12 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
             LegMotion(options.swing, options.contact, options.force, period),
             LegMotion(options.swing, options.contact, options.force, period)} {}
 
-const MotionPlan& Planner::update(const UserCommand& user, const RobotState& state,
+const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
                                   const Dynamics& dynamics) noexcept {
   time_ = state.time;
   event_ = PlanEvent::none;
   if (!initialised_) initialise(state, dynamics);
+  const UserCommand user = within_strides(command);
   if (mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
   observe_legs(user, state, dynamics);
   advance(user, dynamics);
@@ -50,10 +52,27 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   for (const Leg k : kLegs) {
     leg(k).plant(time_, dynamics.foot[index(k)].p, true);
     foothold_planner_.remember(k, dynamics.foot[index(k)].p);
+    const Vec3 hip = rotation_about_z(-yaw_) * (dynamics.hip[index(k)].p - state.p_WB);
+    hips_[index(k)] = hip.head<2>();
   }
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
   torso_.restart(state);
   replan_com(UserCommand{}, dynamics);
+}
+
+UserCommand Planner::within_strides(const UserCommand& user) {
+  const double height = options_.stance.height + user.height;
+  const double square = options_.swing.reach_max * options_.swing.reach_max - height * height;
+  const StrideLimits limits{.reach = std::sqrt(std::max(0.0, square)),
+                            .length = options_.swing.speed_max * options_.gait.swing_duration};
+  const double share =
+      user.walk ? foothold_planner_.feasible_share(user, hips_, limits, cycle_duration()) : 1.0;
+  if (share < 1.0 && !slowed_) event_ = PlanEvent::slowed;
+  slowed_ = share < 1.0;
+  UserCommand result = user;
+  result.velocity *= share;
+  result.yaw_rate *= share;
+  return result;
 }
 
 void Planner::observe_legs(const UserCommand& user, const RobotState& state,
@@ -91,7 +110,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
   if (was_swinging) {
     ++steps_taken_;
     cursor_ = (cursor_ + 1) % kNumLegs;
-    begin_support(support_duration());
+    begin_support(user, support_duration());
   }
   replan_com(user, dynamics);
 }
@@ -181,7 +200,7 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
   switch (mode_) {
     case Mode::stand:
       if (user.walk && all_down()) {
-        begin_support(options_.gait.start_duration);
+        begin_support(user, options_.gait.start_duration);
         replan_com(user, dynamics);
       }
       break;
@@ -221,7 +240,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
   } else if (time_ > lift_time_ + kLiftOffPatience) {
     event_ = PlanEvent::lift_off_aborted;
     next.reload(time_);
-    begin_support(options_.gait.switch_duration);
+    begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
 }
@@ -259,7 +278,8 @@ bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {
   return SupportRegion(feet, share).margin(capture_point) > kLiftOffMargin;
 }
 
-void Planner::begin_support(double duration) {
+void Planner::begin_support(const UserCommand& user, double duration) {
+  backward_ = user.velocity.x() < 0.0;
   mode_ = Mode::support;
   lift_time_ = time_ + duration;
 }
@@ -342,7 +362,8 @@ void Planner::write_plan(const UserCommand& user) {
 }
 
 Leg Planner::next_leg(int ahead) const {
-  return options_.gait.order[static_cast<std::size_t>((cursor_ + ahead) % kNumLegs)];
+  const Leg k = options_.gait.order[static_cast<std::size_t>((cursor_ + ahead) % kNumLegs)];
+  return backward_ ? same_side(k) : k;
 }
 
 double Planner::support_duration(int ahead) const {

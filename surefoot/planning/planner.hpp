@@ -24,7 +24,7 @@ class Planner {
   Planner(const PlannerOptions& options, double weight, double period);
 
   /// One tick. Allocates nothing, throws nothing.
-  const MotionPlan& update(const UserCommand& user, const RobotState& state,
+  const MotionPlan& update(const UserCommand& command, const RobotState& state,
                            const Dynamics& dynamics) noexcept;
 
   /// Unit normal of the terrain as believed, in W.
@@ -35,6 +35,8 @@ class Planner {
   enum class Mode { stand, support, swing };
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
+  /// The command with a velocity that the legs can follow.
+  [[nodiscard]] UserCommand within_strides(const UserCommand& user);
   void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   void on_touchdown(Leg leg, const UserCommand& user, const RobotState& state,
                     const Dynamics& dynamics);
@@ -50,7 +52,7 @@ class Planner {
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
-  void begin_support(double duration);
+  void begin_support(const UserCommand& user, double duration);
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
   void write_plan(const UserCommand& user);
 
@@ -77,11 +79,14 @@ class Planner {
   TerrainPlane plane_;
   MotionPlan plan_;
 
+  PerLeg<Vec2> hips_{};  // about the torso's centre, in heading axes
   bool initialised_ = false;
+  bool slowed_ = false;  // strides are too short for the commanded velocity
   double time_ = 0.0;
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
   int cursor_ = 0;          // place of the next leg in the gait's order
+  bool backward_ = false;   // the gait's order is mirrored, fore and hind
   double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
   double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
   bool probing_ = false;    // the swinging foot makes its first touch

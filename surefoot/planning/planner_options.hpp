@@ -21,6 +21,7 @@ struct StanceOptions {
 
 /// Order and timing of the walk.
 struct GaitOptions {
+  /// For walking forward. Backward, the hind legs take the places of the front legs.
   PerLeg<Leg> order{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
   double swing_duration = 0.5;      ///< lift-off to expected touchdown [s]
   double same_side_duration = 0.3;  ///< four feet down before a leg on the same side swings [s]
@@ -58,6 +59,8 @@ struct SwingOptions {
   double search_depth_max = 0.30;  ///< below the expected ground [m]
   double reach_max =
       0.56;  ///< hip to foot that a swing foot is asked for: short of a straight leg [m]
+  double speed_max =
+      1.4;  ///< of a stride over its swing's duration; longer strides walk slower [m/s]
   double armed_after = 0.5;  ///< touchdown is believed after this share of the swing
 };
 
@@ -96,6 +99,7 @@ struct FootholdOptions {
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
   double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
   double max_step = 0.30;     ///< [m]
+  double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
 };
 
 struct PlannerOptions {

@@ -32,6 +32,10 @@ using GeneralizedVector = Eigen::Matrix<double, kNumVelocities, 1>;
 [[nodiscard]] constexpr std::size_t index(Leg leg) { return static_cast<std::size_t>(leg); }
 [[nodiscard]] constexpr bool is_front(Leg leg) { return leg == Leg::LF || leg == Leg::RF; }
 [[nodiscard]] constexpr bool is_left(Leg leg) { return leg == Leg::LF || leg == Leg::LH; }
+/// The leg on the same side at the other end.
+[[nodiscard]] constexpr Leg same_side(Leg leg) {
+  return static_cast<Leg>((static_cast<int>(leg) + 2) % kNumLegs);
+}
 /// First joint of a leg in a JointVector.
 [[nodiscard]] constexpr int first_joint(Leg leg) { return kJointsPerLeg * static_cast<int>(leg); }
 

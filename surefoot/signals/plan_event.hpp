@@ -16,6 +16,7 @@ enum class PlanEvent : int {
   lost_contact = 7,       ///< a stance foot lost its ground
   lift_off_aborted = 8,   ///< the leg did not unload or the balance was not over the others
   collision = 9,          ///< a hind leg met something above the ground that it steps onto
+  slowed = 10,            ///< the commanded velocity asks for longer strides than the legs have
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -38,6 +39,8 @@ enum class PlanEvent : int {
       return "stance foot lost contact: searching";
     case PlanEvent::collision:
       return "leg met the edge: up and further on";
+    case PlanEvent::slowed:
+      return "strides too long for the legs: walking slower than commanded";
     case PlanEvent::lift_off_aborted:
       return "lift-off aborted: shifting again";
   }

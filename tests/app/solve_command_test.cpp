@@ -19,15 +19,18 @@ using Json = nlohmann::json;
 
 /// Runs the command on a file with these lines.
 struct CommandRun {
-  explicit CommandRun(const std::string& text) {
+  explicit CommandRun(const std::string& text, SolveArguments arguments = {}) {
     file = std::filesystem::path(testing::TempDir()) /
            (std::string("solve_command_") +
             testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl");
     std::ofstream(file) << text;
-    exit_code = run_solve(file.string(), out, err);
+    arguments.file = file.string();
+    exit_code = run_solve(arguments, out, err);
     std::filesystem::remove(file);
     std::istringstream lines(out.str());
-    for (std::string line; std::getline(lines, line);) results.push_back(Json::parse(line));
+    for (std::string line; !arguments.explain && std::getline(lines, line);) {
+      results.push_back(Json::parse(line));
+    }
   }
   std::filesystem::path file;
   int exit_code = -1;
@@ -77,9 +80,37 @@ TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
 
 TEST(SolveCommand, AFileThatCannotBeReadIsAnError) {
   std::ostringstream out, err;
-  EXPECT_THROW((void)run_solve("/no/such/file.jsonl", out, err), FileError);
-  EXPECT_THROW((void)run_solve(testing::TempDir(), out, err), FileError);
+  EXPECT_THROW((void)run_solve({.file = "/no/such/file.jsonl"}, out, err), FileError);
+  EXPECT_THROW((void)run_solve({.file = testing::TempDir()}, out, err), FileError);
   EXPECT_EQ(out.str(), "");
+}
+
+const std::string kLimitedWish =
+    R"({"levels":[{"name":"limit","D":[[1]],"f":[1],"D_names":["LF torque"]},)"
+    R"({"name":"wish","A":[[1]],"b":[3]}]})";
+
+TEST(SolveCommand, CertifiesEachLevel) {
+  const CommandRun run(kLimitedWish, {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 0);
+  ASSERT_EQ(run.results.size(), 1u);
+  for (const Json& level : run.results[0]["levels"]) {
+    EXPECT_LE(level.at("certificate").get<double>(), 1e-12);
+  }
+}
+
+TEST(SolveCommand, WithoutBeingAskedCertifiesNothing) {
+  const CommandRun run(kLimitedWish);
+  EXPECT_FALSE(run.results.at(0)["levels"][0].contains("certificate"));
+}
+
+TEST(SolveCommand, ExplainsByNameWhichRowCostALevelHowMuch) {
+  const CommandRun run(kLimitedWish, {.file = "", .explain = true});
+  EXPECT_EQ(run.exit_code, 0);
+  const std::string text = run.out.str();
+  for (const char* part : {"2 wish", "A 1 is 2 too low", "held back by 1 limit",
+                           "LF torque, at its upper bound, costs 2 (multiplier 2)"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
 }
 
 }  // namespace

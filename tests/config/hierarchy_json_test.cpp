@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Hierarchy parse(const std::string& line) { return parse_hierarchy(line, "stack.jsonl:3"); }
+Hierarchy parse(const std::string& line) {
+  return parse_hierarchy(line, "stack.jsonl:3").hierarchy;
+}
 
 /// Message of the error that a line gives.
 std::string error_of(const std::string& line) {
@@ -143,6 +145,30 @@ TEST(HierarchyJson, WhatIsNoNumberIsNamed) {
   expect_error(R"({"levels":[{"A":[1,2],"b":[1]}]})", "level 1: A: row 1: is 1; expected an array");
   expect_error(R"({"levels":[{"A":{},"b":[1]}]})", "level 1: A is {}; expected an array");
   expect_error(R"({"levels":[7]})", "level 1: is 7; expected an object");
+}
+
+TEST(HierarchyJson, RowsHaveTheNamesOfTheFileOrTheirPlace) {
+  const auto named = parse_hierarchy(
+      R"({"levels":[{"A":[[1]],"b":[1],"A_names":["height"],"D":[[1],[2]],"f":[1,1]}]})", "f:1");
+  EXPECT_EQ(named.row_names, (std::vector<std::vector<std::string>>{{"height", "D 1", "D 2"}}));
+}
+
+TEST(HierarchyJson, NamesAreWrittenAndReadBack) {
+  Hierarchy hierarchy(1);
+  hierarchy.add_level("limits", 1);
+  Rows rows = hierarchy.level(0).add(1, 0);
+  rows.A(0, 0) = 1.0;
+  rows.lower[0] = -1.0;
+  rows.upper[0] = 2.0;
+  const auto name = [](std::size_t, Eigen::Index) { return std::string("force"); };
+  const auto read = parse_hierarchy(format_hierarchy(hierarchy, name), "f:1");
+  EXPECT_EQ(read.row_names, (std::vector<std::vector<std::string>>{{"force", "force"}}));
+}
+
+TEST(HierarchyJson, NamesThatDoNotFitTheRowsAreNamed) {
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":["a","b"]}]})",
+               "level 1: A_names is [\"a\",\"b\"]; expected an array of 1 text");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":[3]}]})", "A_names");
 }
 
 }  // namespace

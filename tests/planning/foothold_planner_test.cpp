@@ -287,5 +287,45 @@ TEST(FootholdPlanner, WithoutPrintsInUseHindFeetGoWhereTheyNominallyWould) {
   EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
 }
 
+constexpr StrideLimits kAmple{.reach = 1.0, .length = 1.0};
+const PerLeg<Vec2> kHips{Vec2(0.3, 0.2), Vec2(0.3, -0.2), Vec2(-0.3, 0.2), Vec2(-0.3, -0.2)};
+
+double share(const UserCommand& user, const FootholdOptions& options,
+             const StrideLimits& limits = kAmple) {
+  const StanceOptions stance{.half_length = 0.3, .half_width = 0.2};
+  return FootholdPlanner(stance, options).feasible_share(user, kHips, limits, kCycle);
+}
+
+TEST(FootholdPlanner, KeepsACommandWhoseStridesTheLegsHave) {
+  EXPECT_EQ(share(command(0.0), {}), 1.0);
+  EXPECT_EQ(share(command(0.07), {.max_step = 0.30}), 1.0);
+  EXPECT_EQ(share(command(0.0, 0.05), {.max_side_step = 0.22}), 1.0);
+  EXPECT_EQ(share(command(0.0, 0.0, 0.1), {}), 1.0);
+}
+
+TEST(FootholdPlanner, SlowsToTheLongestStride) {
+  for (const double forward : {0.15, -0.15, 100.0}) {
+    const double stride = kCycle * std::abs(forward);
+    EXPECT_NEAR(share(command(forward), {.max_step = 0.30}) * stride, 0.30, 1e-12);
+    // About feet that stand below their hips: half of the stride to either side.
+    EXPECT_NEAR(share(command(forward), {.max_step = 0.30}, {.reach = 0.1, .length = 1.0}) * stride,
+                0.20, 1e-12);
+    EXPECT_NEAR(share(command(forward), {.max_step = 0.30}, {.reach = 1.0, .length = 0.1}) * stride,
+                0.10, 1e-12);
+  }
+}
+
+TEST(FootholdPlanner, SlowsSidewaysAndTurningStridesMore) {
+  const FootholdOptions options{.max_step = 0.30, .max_side_step = 0.10};
+  EXPECT_NEAR(share(command(0.0, 1.0), options) * kCycle, 0.10, 1e-12);
+  EXPECT_LT(share(command(0.07, 0.02), options), 1.0);
+  const double turning = share(command(0.0, 0.0, 1.0), options) * kCycle;
+  EXPECT_NEAR(std::hypot(0.2 * turning / 0.30, 0.3 * turning / 0.10), 1.0, 1e-12);
+}
+
+TEST(FootholdPlanner, AHipOutOfReachAllowsNoStride) {
+  EXPECT_EQ(share(command(0.1), {}, {.reach = 0.0, .length = 1.0}), 0.0);
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -135,6 +135,27 @@ TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
   }
 }
 
+TEST(Planner, WalksBackwardWithForeAndHindExchanged) {
+  Puppet puppet = walker();
+  puppet.user = walking(-0.06);
+  puppet.run(16.0);
+  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  const PerLeg<Leg> order = GaitOptions{}.order;
+  ASSERT_GT(lifts.size(), 4u);
+  for (std::size_t i = 0; i < lifts.size(); ++i) {
+    EXPECT_EQ(lifts[i].leg, same_side(order[i % order.size()])) << i;
+  }
+}
+
+TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
+  Puppet puppet = walker();
+  puppet.user = walking(5.0);
+  puppet.run(16.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::slowed).size(), 1u);
+  EXPECT_GT(puppet.happenings(PlanEvent::lift_off).size(), 12u);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lift_off_aborted).size(), 0u);
+}
+
 TEST(Planner, TheZmpNeverHasToLeaveTheSupportOfAWalkOnLevelGround) {
   Puppet puppet = walker();
   double slack = 0.0;

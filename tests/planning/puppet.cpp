@@ -31,6 +31,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
     Vec3& p = dynamics_.foot[index(leg)].p;
     p.head<2>() = position + R.topLeftCorner<2, 2>() * nominal_offset(options.stance, leg);
     p.z() = ground(p.head<2>());
+    dynamics_.hip[index(leg)].p = p + kLegLength * Vec3::UnitZ();
     mean += 0.25 * p.z();
     state_.foot_force[index(leg)] = kCarried * Vec3::UnitZ();
   }
