@@ -105,6 +105,15 @@ TEST_F(RobotFile, with_limits_upside_down_says_so) {
   EXPECT_TRUE(holds(complaint(), "limits.position_max"));
 }
 
+TEST_F(RobotFile, whose_nominal_posture_bends_no_knee_says_so) {
+  for (const char* straight : {"0.0, -0.8]", "0.4, 0.8]", "0.4, 0.0]"}) {
+    const std::string before = text_;
+    change(text_, "0.4, -0.8]", straight);
+    EXPECT_TRUE(holds(complaint(), "posture.nominal: HFE and KFE must bend the knee")) << straight;
+    text_ = before;
+  }
+}
+
 TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
                     "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));
