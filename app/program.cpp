@@ -3,7 +3,6 @@
 #include "app/demo.hpp"
 #include "app/exit_code.hpp"
 #include "app/list_command.hpp"
-#include "app/output_files.hpp"
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -85,7 +84,6 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required();
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
-      prepare_folder(*folder);
       std::cout << write_report(*log, *folder) << "\n";
       return static_cast<int>(kPassed);
     };
