@@ -21,6 +21,12 @@ json member(const json& object, const char* name) {
   return found != object.end() && found->is_object() ? *found : json::object();
 }
 
+/// Null where the run had no such thing, as a goal.
+bool is_true(const json& metrics, const char* name) {
+  const auto found = metrics.find(name);
+  return found != metrics.end() && found->is_boolean() && found->get<bool>();
+}
+
 Metric metric_of(const std::string& name, const json& value) {
   if (value.is_boolean()) return {name, value.get<bool>()};
   if (value.is_number()) return {name, value.get<double>()};
@@ -119,9 +125,9 @@ Outcome read_outcome(const std::string& summary_text, const std::string& options
   if (!outcome.known) return outcome;
   const json metrics = member(summary, "metrics");
   outcome.metrics = read_metrics(metrics);
-  outcome.succeeded = metrics.value("succeeded", false);
+  outcome.succeeded = is_true(metrics, "succeeded");
   outcome.reason = metrics.value("reason", "");
-  outcome.goal_reached = metrics.value("goal_reached", false);
+  outcome.goal_reached = is_true(metrics, "goal_reached");
   outcome.interrupted = outcome.reason == "interrupted";
   if (outcome.interrupted) {
     for (Requirement& one : outcome.criteria) one.passed.reset();
