@@ -39,7 +39,8 @@ std::string map_caption(const RunData& run) {
   if (run.header.terrain.empty()) return text + ".";
   return text +
          ", over the ground under the left and the right feet. Heavy lines are edges of the "
-         "ground, dashed ones changes of its slope, thin ones its contours; the lower, the darker.";
+         "ground, lighter ones changes of its slope, grey ones its contours; the lower, the "
+         "darker.";
 }
 
 std::string residual_caption(const RunData& run) {

@@ -146,7 +146,7 @@ void draw_contours(plot::Svg& svg, const Raster& raster) {
       const GroundPoint &a = raster.point(i, 1), &b = raster.point(i + 1, 1);
       const double x = raster.pixel(i, 1).x;
       if (a.face != b.face || (a.z < level.value) == (b.z < level.value)) continue;
-      if (x < label_end) continue;
+      if (x < label_end || x + kLabelSpace > raster.frame.corner.x + raster.frame.width) continue;
       svg.text({x + 9.0, raster.frame.corner.y + 12.0}, level.label + " m", "note");
       label_end = x + kLabelSpace;
       break;

@@ -154,7 +154,7 @@ std::string provenance(const LogHeader& header) {
         (header.seed == 0 ? " (nominal: the scenario's random values are not drawn)" : "")}}};
   for (const LogDraw& draw : header.drawn)
     rows.push_back({{"drawn: " + draw.path}, {decimal(draw.value, 6)}});
-  return out + table({"", ""}, rows);
+  return out + table({}, rows);
 }
 
 }  // namespace surefoot::report

@@ -86,7 +86,8 @@ Cell required(const Requirement* criterion, const Quantity& quantity) {
   if (criterion == nullptr) return {""};
   const std::string text = limits(*criterion, quantity);
   if (!criterion->passed) return {text + "  (not judged)", "soft"};
-  return *criterion->passed ? Cell{text + "  ✓ holds", "good"} : Cell{text + "  ✗ missed", "bad"};
+  return *criterion->passed ? Cell{text + "  ✓ holds", "good nowrap"}
+                            : Cell{text + "  ✗ missed", "bad nowrap"};
 }
 
 bool is_compared(const Outcome& outcome, const std::string& metric) {

@@ -41,6 +41,7 @@ td.number, th.number { text-align: right; white-space: nowrap; }
 tr.group td { border-bottom: 1px solid var(--ink); }
 .troubles { margin: .5rem 0; padding: .5rem 1rem .5rem 2rem; background: var(--card); border-left: 4px solid var(--c1); }
 pre { background: var(--card); padding: .6rem .9rem; overflow-x: auto; font-size: .9rem; }
+td.nowrap { white-space: nowrap; }
 .scroll { overflow-x: auto; }
 figure { margin: 1.75rem 0 2.5rem; }
 figcaption { font-size: .9rem; color: var(--soft); margin-top: .4rem; max-width: 50rem; }
@@ -65,7 +66,7 @@ svg text.panel-title { font-weight: 600; }
 .support { fill: none; stroke: var(--soft); stroke-opacity: .45; stroke-width: .8; }
 .wide { stroke-width: 3.2; stroke-opacity: .5; } .fine { stroke-width: .9; }
 .edge { fill: none; stroke: var(--ink); stroke-width: 2.2; }
-.crease { fill: none; stroke: var(--ink); stroke-width: 1.3; stroke-dasharray: 7 3; }
+.crease { fill: none; stroke: var(--ink); stroke-width: 1.2; }
 .contour { fill: none; stroke: var(--soft); stroke-width: .8; }
 .ground { fill: var(--soft); fill-opacity: .09; } .ground-line { fill: none; stroke: var(--ink); stroke-width: 1.8; }
 .dot { stroke: var(--ground); stroke-width: 1.2; }

@@ -102,7 +102,8 @@ TEST(ClosedLoop, the_log_says_how_to_make_the_run_again) {
   const test::TemporaryFolder folder;
   ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";
-  const Scenario scenario = short_walk({"description=it's me"});
+  const Scenario scenario =
+      short_walk({"randomise={initial.yaw: [0.0, 0.1]}", "description=it's me"});
   (void)run_closed_loop(scenario, options);
   const LogHeader header = LogReader(folder / "run.mcap").header();
   EXPECT_TRUE(header.command.starts_with("bin/surefoot run walk_flat_sea --seed 3 --set "));
