@@ -37,7 +37,6 @@ LogRobot robot_of(const RobotModel& model) {
   }
   robot.torque_limit = description.torque_limit;
   robot.mass = model.mass();
-  robot.max_leg_length = description.max_leg_length;
   robot.foot_radius = description.foot_radius;
   return robot;
 }

@@ -5,9 +5,9 @@
 
 namespace surefoot {
 
-/// Joint angles on a knee side from which the inverse kinematics of a leg starts: HAA, HFE, KFE
-/// [rad].
-[[nodiscard]] Vec3 knee_side(Leg leg, KneeConfiguration knees);
+/// Joint angles from which the inverse kinematics of a leg starts: HAA, HFE, KFE [rad], on the side
+/// that the configuration asks for, as the robot's nominal posture has its knees in X.
+[[nodiscard]] Vec3 knee_side(const RobotDescription& robot, Leg leg, KneeConfiguration knees);
 
 /// Joint angles of the nominal stance: level torso, feet at ±half_length and ±half_width, the base
 /// `height` above the centres of the foot spheres. Throws Error if a leg can't reach.

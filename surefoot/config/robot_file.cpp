@@ -47,11 +47,14 @@ void read_limits(Section& limits, RobotDescription& robot) {
   }
 }
 
-/// The posture of a front leg; hind legs mirror HFE and KFE (X-configuration).
+/// The posture of a front leg, its knee backward; hind legs mirror HFE and KFE (X-configuration).
 void read_posture(Section& posture, JointVector& q) {
   posture.require("nominal");
   Vec3 front = Vec3::Zero();
   posture.vector("nominal", front);
+  if (front.y() * front.z() >= 0.0) {
+    posture.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
+  }
   for (const Leg leg : kLegs) {
     const double side = is_front(leg) ? 1.0 : -1.0;
     q.segment<3>(first_joint(leg)) = Vec3(front.x(), side * front.y(), side * front.z());
@@ -182,8 +185,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   const ConfigNode tree = parse_yaml_file(file);
   Section top(tree, "");
   RobotDescription robot;
-  for (const char* key :
-       {"name", "urdf", "base", "legs", "foot", "limits", "posture", "max_leg_length"}) {
+  for (const char* key : {"name", "urdf", "base", "legs", "foot", "limits", "posture"}) {
     top.require(key);
     (void)top.node(key);
   }
@@ -209,7 +211,6 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   top.section("foot", [&](Section& foot) { read_foot(foot, robot); });
   top.section("limits", [&](Section& limits) { read_limits(limits, robot); });
   top.section("posture", [&](Section& posture) { read_posture(posture, robot.q_nominal); });
-  top.number("max_leg_length", robot.max_leg_length, kPositive);
   top.section("gains", [&](Section& gains) { read_gains(gains, robot); });
   check_robot(top, *tree.find("legs"), robot);
   return robot;

@@ -112,10 +112,26 @@ void override_task(StackOptions& stack, const std::string& name, const ConfigNod
 
 namespace {
 
-void read_levels(const ConfigNode& levels, StackOptions& stack) {
+/// A level of the base, by its name.
+LevelSpec take_level(const ConfigNode& name, const std::string& path,
+                     const std::vector<LevelSpec>& base) {
+  const auto found = std::ranges::find(base, name.text, &LevelSpec::name);
+  if (found != base.end()) return *found;
+  fail_at(name, path,
+          "unknown level \"" + name.text + "\"" +
+              (base.empty() ? "; a level by its name needs a base: the stack that has it"
+                            : "; " + valid_names(name.text, names_of(base))));
+}
+
+/// Levels of the file's own, and those of the base that are named among them.
+void read_levels(const ConfigNode& levels, const std::vector<LevelSpec>& base,
+                 StackOptions& stack) {
   if (levels.items.empty()) fail_at(levels, "levels", "must be a list of at least one level");
   for (std::size_t i = 0; i < levels.items.size(); ++i) {
-    stack.levels.push_back(read_level(levels.items[i], "levels." + std::to_string(i)));
+    const ConfigNode& level = levels.items[i];
+    const std::string path = "levels." + std::to_string(i);
+    stack.levels.push_back(level.kind == ConfigNode::Kind::scalar ? take_level(level, path, base)
+                                                                  : read_level(level, path));
   }
 }
 
@@ -135,15 +151,14 @@ void leave_out(const ConfigNode& without, StackOptions& stack) {
   }
 }
 
-/// The levels of another stack, without some of them.
-void read_base(const Section& top, const ConfigNode& base, const ConfigNode* without,
-               const std::filesystem::path& folder, StackOptions& stack) {
+/// The levels of another stack.
+std::vector<LevelSpec> read_base(const Section& top, const ConfigNode& base,
+                                 const std::filesystem::path& folder) {
   try {
-    stack.levels = load_stack(read_text(base, "base"), folder).levels;
+    return load_stack(read_text(base, "base"), folder).levels;
   } catch (const UnknownNameError& error) {
     top.fail("base", error.what());
   }
-  if (without != nullptr) leave_out(*without, stack);
 }
 
 }  // namespace
@@ -164,13 +179,16 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
     top.fail("without", "needs a base: the stack whose levels it leaves out");
   if (base == nullptr) top.require("levels");
   top.finish();
-  if (base != nullptr && levels != nullptr)
-    top.fail("levels", "a stack has either levels or a base");
-  if (base == nullptr) {
-    read_levels(*levels, stack);
+  if (without != nullptr && levels != nullptr)
+    top.fail("without", "there are levels, too: what they don't name is left out already");
+  std::vector<LevelSpec> below;
+  if (base != nullptr) below = read_base(top, *base, file.parent_path());
+  if (levels != nullptr) {
+    read_levels(*levels, below, stack);
   } else {
-    read_base(top, *base, without, file.parent_path(), stack);
+    stack.levels = std::move(below);
   }
+  if (without != nullptr) leave_out(*without, stack);
   return stack;
 }
 

@@ -22,6 +22,14 @@ namespace surefoot {
 ///     base: terrain_adaptation
 ///     without: [limb_extension_limits]
 ///
+/// or in another order, with others between them; those of the base stand there by name:
+///
+///     base: terrain_adaptation
+///     levels:
+///       - com_xy
+///       - {task: body_height_limits, min: 0.3}
+///       - swing_foot
+///
 /// Unknown tasks and parameters are errors. Throws Error.
 [[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
                                       const std::filesystem::path& beside = {});

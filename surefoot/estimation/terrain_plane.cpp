@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -33,9 +32,6 @@ TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt) {
   const double steepest = std::tan(max_tilt);
   if (slope.norm() > steepest) slope *= steepest / slope.norm();
   plane.normal = Vec3(-slope.x(), -slope.y(), 1.0).normalized();
-  for (const Vec3& p : footholds) {
-    plane.residual = std::max(plane.residual, std::abs(plane.normal.dot(p - plane.point)));
-  }
   return plane;
 }
 

@@ -10,7 +10,6 @@ namespace surefoot {
 struct TerrainPlane {
   Vec3 normal = Vec3::UnitZ();  ///< unit, upward, in W
   Vec3 point = Vec3::Zero();    ///< mean of the footholds, in W [m]
-  double residual = 0.0;        ///< largest distance of a foothold from the plane [m]
 
   /// Height of the plane over (x, y) [m].
   [[nodiscard]] double height(const Vec2& xy) const {

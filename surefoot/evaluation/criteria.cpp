@@ -66,12 +66,6 @@ CriterionResult judge(const Criterion& criterion, const Limitable& metric) {
   return {criterion, metric.value, passed};
 }
 
-std::string number(double value) {
-  std::string text;
-  JsonText(text).value(value);
-  return text;
-}
-
 }  // namespace
 
 void check(const Criterion& criterion) {
@@ -91,20 +85,6 @@ std::vector<CriterionResult> evaluate(const std::vector<Criterion>& criteria,
 bool all_passed(const std::vector<CriterionResult>& results) {
   return std::all_of(results.begin(), results.end(),
                      [](const auto& result) { return result.passed; });
-}
-
-std::string to_string(const CriterionResult& result) {
-  const Criterion& criterion = result.criterion;
-  if (criterion.equals) {
-    const auto word = [](bool truth) { return truth ? "true" : "false"; };
-    return criterion.metric + " = " + word(result.value == 1.0) + " (must be " +
-           word(*criterion.equals) + ")";
-  }
-  std::string limits;
-  if (criterion.min) limits = "at least " + number(*criterion.min);
-  if (criterion.max)
-    limits += (limits.empty() ? "at most " : ", at most ") + number(*criterion.max);
-  return criterion.metric + " = " + number(result.value) + " (" + limits + ")";
 }
 
 std::string summary_json(const Metrics& metrics, const std::vector<CriterionResult>& results) {

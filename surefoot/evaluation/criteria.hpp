@@ -31,9 +31,6 @@ void check(const Criterion& criterion);
                                                     const Metrics& metrics);
 [[nodiscard]] bool all_passed(const std::vector<CriterionResult>& results);
 
-/// "com_error_max_m = 0.00061 (at most 0.0005)".
-[[nodiscard]] std::string to_string(const CriterionResult& result);
-
 /// The log's summary,
 /// {"metrics":{…},"criteria":[{"metric":…,"min":…,"max":…,"value":…,"passed":…},…]}.
 [[nodiscard]] std::string summary_json(const Metrics& metrics,

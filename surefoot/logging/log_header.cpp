@@ -18,10 +18,7 @@ void robot_member(JsonText& json, const LogRobot& robot) {
   json.key("torque_limit").array();
   for (const double limit : robot.torque_limit) json.value(limit);
   json.end_array();
-  json.member("mass", robot.mass)
-      .member("max_leg_length", robot.max_leg_length)
-      .member("foot_radius", robot.foot_radius)
-      .end_object();
+  json.member("mass", robot.mass).member("foot_radius", robot.foot_radius).end_object();
 }
 
 }  // namespace

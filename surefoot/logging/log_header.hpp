@@ -13,7 +13,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the first number changes when a reader must change.
-inline constexpr std::string_view kLogVersion = "1.1";
+inline constexpr std::string_view kLogVersion = "2.0";
 
 /// What the report needs to know of the robot and its limits.
 struct LogRobot {
@@ -21,7 +21,6 @@ struct LogRobot {
   std::array<std::string, kNumJoints> joint_names;  ///< of the URDF, joint j of leg k at 3 k + j
   JointVector torque_limit = JointVector::Constant(kNaN);  ///< [N·m]
   double mass = kNaN;                                      ///< [kg]
-  double max_leg_length = kNaN;                            ///< [m]
   double foot_radius = kNaN;                               ///< [m]
 };
 

@@ -25,7 +25,6 @@ LogRobot parse_robot(const json& robot) {
     result.torque_limit[static_cast<Eigen::Index>(i)] = number(robot.at("torque_limit").at(i));
   }
   result.mass = number(robot.at("mass"));
-  result.max_leg_length = number(robot.at("max_leg_length"));
   result.foot_radius = number(robot.at("foot_radius"));
   return result;
 }

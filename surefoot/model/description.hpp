@@ -28,11 +28,11 @@ struct RobotDescription {
   JointVector velocity_limit = JointVector::Zero();  ///< [rad/s]
   JointVector q_min = JointVector::Zero();           ///< [rad]
   JointVector q_max = JointVector::Zero();           ///< [rad]
-  JointVector q_nominal = JointVector::Zero();  ///< nominal standing posture, X-configuration [rad]
-  double max_leg_length = 0.0;                  ///< HFE axis to foot frame, knee straight [m]
-  double hold_kp = 0.0;                         ///< joint hold of the safety ladder [N·m/rad]
-  double hold_kd = 0.0;                         ///< [N·m·s/rad]
-  double damping_kd = 0.0;                      ///< damping mode [N·m·s/rad]
+  /// Nominal standing posture, X-configuration: front knees backward, hind knees forward [rad].
+  JointVector q_nominal = JointVector::Zero();
+  double hold_kp = 0.0;     ///< joint hold of the safety ladder [N·m/rad]
+  double hold_kd = 0.0;     ///< [N·m·s/rad]
+  double damping_kd = 0.0;  ///< damping mode [N·m·s/rad]
 };
 
 }  // namespace surefoot

@@ -19,9 +19,6 @@ struct TaskInput {
   const RobotDescription& robot;
 };
 
-/// Columns of x = (u̇, τ).
-inline constexpr int kFirstTorque = kNumVelocities;
-
 /// One objective or limit, as rows over x = (u̇, τ) (Eq. 14). A task is immutable: the same input
 /// gives the same rows.
 class Task {

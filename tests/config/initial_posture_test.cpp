@@ -36,6 +36,18 @@ TEST_P(InitialPosture, bends_the_knees_to_their_side) {
   }
 }
 
+TEST_P(InitialPosture, follows_the_knees_of_the_robots_nominal_posture) {
+  RobotDescription turned = test::anymal_b();
+  turned.q_nominal = -turned.q_nominal;
+  const JointVector q = stance_posture(model_, stance_);
+  const JointVector other = stance_posture(RobotModel(turned), stance_);
+  for (const Leg leg : kLegs) {
+    for (const int joint : {first_joint(leg) + 1, first_joint(leg) + 2}) {
+      EXPECT_LT(q[joint] * other[joint], 0.0) << kLegNames[index(leg)];
+    }
+  }
+}
+
 TEST_P(InitialPosture, out_of_reach_names_the_foot) {
   stance_.height = 0.7;
   EXPECT_TRUE(

@@ -114,6 +114,32 @@ TEST(StackFile, levels_can_only_be_left_out_of_a_base) {
   }
 }
 
+TEST(StackFile, levels_of_a_base_are_taken_by_name_in_any_order_with_others_between) {
+  const StackOptions stack = read(
+      "name: s\nbase: terrain_adaptation\nlevels:\n  - swing_foot\n"
+      "  - {task: body_height_limits, min: 0.25}\n  - com_xy\n");
+  EXPECT_EQ(level_names(stack),
+            (std::vector<std::string>{"swing_foot", "body_height_limits", "com_xy"}));
+  const StackOptions base = load_stack("terrain_adaptation");
+  EXPECT_EQ(stack.levels[0].tasks[0].numbers, base.levels[5].tasks[0].numbers);
+  EXPECT_EQ(stack.levels[1].tasks[0].numbers.at("min"), 0.25);
+  EXPECT_EQ(stack.levels[2].tasks[0].numbers, base.levels[4].tasks[0].numbers);
+}
+
+TEST(StackFile, a_level_by_a_name_that_the_base_has_not_lists_its_levels) {
+  const std::string message = complaint("name: s\nbase: walk\nlevels:\n  - swing_feet\n");
+  EXPECT_TRUE(holds(message, "s.yaml:4: levels.0: unknown level \"swing_feet\"")) << message;
+  EXPECT_TRUE(holds(message, "did you mean \"swing_foot\"?")) << message;
+  EXPECT_TRUE(
+      holds(complaint("name: s\nlevels: [com_xy]\n"),
+            "s.yaml:2: levels.0: unknown level \"com_xy\"; a level by its name needs a base"));
+}
+
+TEST(StackFile, what_levels_do_not_name_can_not_be_left_out_once_more) {
+  EXPECT_TRUE(holds(complaint("name: s\nbase: walk\nlevels: [com_xy]\nwithout: [swing_foot]\n"),
+                    "s.yaml:4: without: there are levels, too"));
+}
+
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");

@@ -84,13 +84,10 @@ TEST(Criteria, ALimitOfTheWrongKindIsRefused) {
   EXPECT_NO_THROW(check(must_be("fell", false)));
 }
 
-TEST(Criteria, AResultReadsAsASentence) {
+TEST(Criteria, AllMustPass) {
   const auto results = evaluate(
       {limit("com_error_max_m", {}, 0.0005), must_be("fell", false), limit("steps_taken", 1, 20)},
       some_metrics());
-  EXPECT_EQ(to_string(results[0]), "com_error_max_m = 4e-04 (at most 5e-04)");
-  EXPECT_EQ(to_string(results[1]), "fell = false (must be false)");
-  EXPECT_EQ(to_string(results[2]), "steps_taken = 12 (at least 1, at most 20)");
   EXPECT_TRUE(all_passed(results));
 }
 

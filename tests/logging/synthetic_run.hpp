@@ -47,7 +47,6 @@ class SyntheticRun {
     }
     header.robot.torque_limit.setConstant(40.0);
     header.robot.mass = 30.4;
-    header.robot.max_leg_length = 0.5865;
     header.robot.foot_radius = 0.031;
     header.limb = {6, "radial", 0.18, 0.535};
     header.notes = {"dropped the dummy inertia of the root link"};

@@ -38,7 +38,7 @@ struct Walker {
       feet[index(leg)] << center + turned(yaw, nominal_offset(stance, leg)), ground;
     }
   }
-  [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground), 0.0}; }
+  [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground)}; }
   [[nodiscard]] Vec3 next(Leg leg, const UserCommand& user) const {
     return planner.foothold(leg, feet, plane(), yaw, user, kCycle);
   }
@@ -167,7 +167,7 @@ TEST(FootholdPlanner, FootholdsLieOnTheTerrainPlane) {
   for (int trial = 0; trial < 50; ++trial) {
     Walker walker(kWithoutPrints);
     walker.stand(random.vector(1.0).head<2>(), random.uniform(-3.0, 3.0));
-    const TerrainPlane slope{random.small_rotation(0.2) * Vec3::UnitZ(), random.vector(1.0), 0.0};
+    const TerrainPlane slope{random.small_rotation(0.2) * Vec3::UnitZ(), random.vector(1.0)};
     for (const Leg leg : kLegs) {
       const Vec3 p =
           walker.planner.foothold(leg, walker.feet, slope, walker.yaw, command(0.05), kCycle);

@@ -28,7 +28,6 @@ RobotDescription anymal_b() {
   robot.foot_center = Vec3(0.0, 0.0, 0.02325);
   robot.torque_limit.setConstant(40.0);
   robot.velocity_limit.setConstant(15.0);
-  robot.max_leg_length = 0.5865;
   robot.hold_kp = 80.0;
   robot.hold_kd = 4.0;
   robot.damping_kd = 6.0;

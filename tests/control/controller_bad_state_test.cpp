@@ -1,0 +1,157 @@
+// The controller with states that make none: legal commands, and no trace left.
+#include "surefoot/signals/plan_event.hpp"
+#include "surefoot/solver/solution.hpp"
+#include "tests/control/statue.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace surefoot::test {
+namespace {
+
+/// Every number of a state, one after the other.
+std::vector<std::function<double&(RobotState&)>> numbers_of_a_state() {
+  std::vector<std::function<double&(RobotState&)>> numbers;
+  numbers.emplace_back([](RobotState& s) -> double& { return s.time; });
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.p_WB[i]; });
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.v_WB[i]; });
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.w_WB_B[i]; });
+  }
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.q_WB.coeffs()[i]; });
+  }
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.q[i]; });
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.qd[i]; });
+    numbers.emplace_back([i](RobotState& s) -> double& { return s.torque[i]; });
+  }
+  return numbers;
+}
+
+TEST(Controller, EveryReadingThatIsNotANumberGivesALegalCommandAndIsForgottenAtOnce) {
+  Statue statue;
+  statue.user = {.walk = true, .velocity = {0.05, 0.0}};
+  statue.run(20);
+  for (const auto& number : numbers_of_a_state()) {
+    for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+      RobotState believed = statue.state;
+      number(believed) = bad;
+      const JointCommand& command = statue.tick_with(believed);
+      ASSERT_NO_FATAL_FAILURE(expect_legal(command));
+      ASSERT_EQ(command.mode, CommandMode::hold);
+      ASSERT_EQ(statue.tick().mode, CommandMode::optimal);
+      ASSERT_TRUE(is_sound(statue.controller.record().plan));
+    }
+  }
+}
+
+TEST(Controller, EveryAbsurdReadingGivesALegalCommandAndIsForgottenSoon) {
+  for (const double absurd : {1e300, -1e300, 1e12, -1e5}) {
+    for (const auto& number : numbers_of_a_state()) {
+      Statue statue;
+      statue.run(3);
+      RobotState believed = statue.state;
+      number(believed) = absurd;
+      ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(believed)));
+      for (int i = 0; i < 40; ++i) ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick()));
+      const TickRecord& record = statue.controller.record();
+      ASSERT_EQ(record.command.mode, CommandMode::optimal);
+      ASSERT_TRUE(is_sound(record.plan));
+      for (const Vec3& force : record.state.foot_force) ASSERT_LT(force.norm(), 1e3);
+    }
+  }
+}
+
+TEST(Controller, AClockThatJumpsForATickIsNotBelieved) {
+  for (const double jump : {1e6, -1e6, 5.0}) {
+    Statue statue;
+    statue.user = {.walk = true, .velocity = {0.05, 0.0}};
+    statue.run(20);
+    RobotState believed = statue.state;
+    believed.time += jump;
+    EXPECT_EQ(statue.tick_with(believed).mode, CommandMode::hold);
+    EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
+    EXPECT_EQ(statue.controller.record().plan.time, statue.state.time);
+  }
+}
+
+TEST(Controller, HoldsThroughTicksWithoutAStateAndGoesOn) {
+  Statue statue;
+  statue.run(20);
+  const JointVector before = statue.controller.record().command.torque;
+  for (int i = 0; i < 40; ++i) {
+    const JointCommand& command = statue.tick_with(RobotState{});
+    ASSERT_EQ(command.mode, CommandMode::hold);
+    ASSERT_EQ(command.torque, before);
+  }
+  EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
+  EXPECT_LT((statue.controller.record().command.torque - before).norm(), 1.0);
+}
+
+TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
+  Statue statue;
+  statue.user = {.walk = true, .velocity = {0.05, 0.0}};
+  const TickRecord& record = statue.controller.record();
+  for (int i = 0; i < 2000 && record.plan.event == 0; ++i) (void)statue.tick();
+  ASSERT_NE(record.plan.event, static_cast<int>(PlanEvent::none)) << "nothing ever happens";
+  ASSERT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+  const int num_levels = record.hierarchy.num_levels;
+  (void)statue.tick_with(RobotState{});
+  EXPECT_EQ(record.plan.event, static_cast<int>(PlanEvent::none));
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::invalid_input));
+  EXPECT_EQ(record.hierarchy.num_levels, num_levels);
+  EXPECT_EQ(record.hierarchy.num_active, 0);
+  for (const LevelReport& level : record.hierarchy.levels) {
+    EXPECT_EQ(level.residual, 0.0);
+    EXPECT_EQ(level.num_rows, 0);
+  }
+  (void)statue.tick();
+  EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
+}
+
+TEST(Controller, WithoutAStateForLongDampsAndStaysSo) {
+  Statue statue;
+  statue.run(5);
+  for (int i = 0; i <= SafetyOptions{}.damp_after_failures; ++i) statue.tick_with(RobotState{});
+  EXPECT_EQ(statue.tick().mode, CommandMode::damping);
+}
+
+TEST(Controller, StartsSafelyWithoutAState) {
+  Statue statue;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(RobotState{})));
+  }
+  EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
+}
+
+TEST(Controller, AnyGarbageGivesALegalCommand) {
+  const std::array<double, 10> odd{kNaN, kInfinity, -kInfinity, 1e308, -1e308,
+                                   1e30, -1e9,      1e-308,     0.0,   7.0};
+  RandomMatrices random(1);
+  const auto odd_one = [&] { return odd[static_cast<std::size_t>(random.integer(0, 9))]; };
+  const auto numbers = numbers_of_a_state();
+  ControllerOptions options = options_of();
+  options.safety = {.damp_after_failures = 1000000, .max_tilt = 4.0};  // never stop trying
+  Statue statue(options);
+  for (int tick = 0; tick < 1000; ++tick) {
+    RobotState believed = statue.state;
+    for (const auto& number : numbers) {
+      double& value = number(believed);
+      if (random.chance(0.05)) value = odd_one();
+      if (random.chance(0.1)) value += random.normal();
+    }
+    believed.q_WB.coeffs() += random.chance(0.5) ? 0.3 * random.vector(4) : VecX::Zero(4).eval();
+    statue.user.walk = random.chance(0.7);
+    statue.user.velocity = {odd_one(), random.normal()};
+    statue.user.yaw_rate = random.chance(0.1) ? odd_one() : random.normal();
+    statue.user.height = random.chance(0.1) ? odd_one() : 0.1 * random.normal();
+    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick_with(believed))) << tick;
+    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.tick())) << tick;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,136 @@
+// What the planner of the centre of mass does with hard, wrong or too many phases.
+#include "surefoot/signals/sensor_reading.hpp"
+#include "tests/planning/com_plans.hpp"
+#include "tests/support/malloc_counter.hpp"
+
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
+  RandomMatrices random(10);
+  ComPlanner planner = make_planner();
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    Phases phases;
+    const int count = random.integer(1, ComPlanner::kMaxPhases);
+    for (int i = 0; i < count; ++i) {
+      SupportPhase phase = standing(random.uniform(0.0, 1.0), nominal_feet());
+      for (std::size_t k = 0; k < kNumLegs; ++k) {
+        phase.feet[k] = random.chance(0.2) ? phase.feet[0] : Vec2(random.vector(2));
+        phase.down[k] = random.chance(0.6);
+        phase.loaded_for[k] = random.uniform(-0.1, 0.2);
+        phase.lifts_in[k] = random.chance(0.5) ? kInfinity : random.uniform(-0.5, 0.5);
+      }
+      phase.must_rest = random.chance(0.5);
+      phases.push_back(phase);
+    }
+    plan(planner, phases, 1.0, {random.vector(2), random.vector(2), random.vector(2)},
+         random.vector(2));
+    EXPECT_TRUE(std::isfinite(planner.zmp_slack()));
+    EXPECT_GE(planner.zmp_slack(), 0.0);
+    for (double t = 0.9; t < planner.end_time() + 0.1; t += 0.05) {
+      const ComPlan at = planner.at(t);
+      ASSERT_TRUE(at.p.allFinite() && at.v.allFinite() && at.a.allFinite() && at.zmp.allFinite());
+    }
+  }
+}
+
+TEST(ComPlanner, WithoutAnyPhaseKeepsTheLastPlan) {
+  ComPlanner planner = make_planner();
+  EXPECT_EQ(planner.at(3.0).p, Vec2::Zero());
+  plan(planner, walk(1, nominal_feet(), {0.1, 0.0}), 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+  const Vec2 before = planner.at(1.0).p;
+  plan(planner, {}, 0.5, {{9.0, 9.0}, {0, 0}, {0, 0}});
+  EXPECT_EQ(planner.at(1.0).p, before);
+}
+
+TEST(ComPlanner, KeepsTheLastPlanWhereTheNewOneWouldBeNoNumber) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    ComPlanner planner = make_planner();
+    const Phases phases = walk(1, nominal_feet(), {0.1, 0.0});
+    plan(planner, phases, 0.0, {{0.01, 0.02}, {0, 0}, {0, 0}});
+    const ComPlanner& now = planner;
+    const ComPlan before = now.at(1.0);
+    const double end = now.end_time();
+    plan(planner, phases, 0.5, {{bad, 0.0}, {0, 0}, {0, 0}});
+    plan(planner, phases, 0.5, {{0, 0}, {0.0, bad}, {0, 0}});
+    plan(planner, phases, 0.5, {{0, 0}, {0, 0}, {0, 0}}, {bad, 0.0});
+    EXPECT_EQ(now.at(1.0).p, before.p);
+    EXPECT_EQ(now.at(1.0).zmp, before.zmp);
+    EXPECT_EQ(now.end_time(), end);
+  }
+}
+
+TEST(ComPlanner, HoldsTheZmpInsideToTheEndOfAPhaseWhoseRegionHasManyEdges) {
+  RandomMatrices random(13);
+  ComPlanner planner = make_planner({.terminal_weight = 100.0});
+  const SupportPhase stand = standing(1.0, nominal_feet());
+  ASSERT_GT(region(planner, stand, 1.0).num_edges(), 6) << "all four corners are cut off";
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double angle = random.uniform(-3.0, 3.0);  // which asks for much at the end
+    plan(planner, {stand}, 0.0, {{0, 0}, {0, 0}, {0, 0}},
+         1.5 * Vec2(std::cos(angle), std::sin(angle)));
+    EXPECT_LT(planner.zmp_slack(), 1e-6);
+  }
+}
+
+TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
+  ComPlanner planner = make_planner();
+  const SupportPhase stand = standing(0.5, nominal_feet());
+  Phases phases{stand};
+  for (const double duration : {0.0, 1e-4, -1.0, kNaN}) {
+    phases.push_back(standing(duration, nominal_feet()));
+  }
+  plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
+  EXPECT_NEAR(planner.end_time(), 0.5, 1e-12);
+  plan(planner, Phases(ComPlanner::kMaxPhases + 5, stand), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+  EXPECT_NEAR(planner.end_time(), 0.5 * ComPlanner::kMaxPhases, 1e-12);
+}
+
+TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
+  const ForceOptions force{.max = 240.0, .ramp_up = 0.1, .ramp_down = 0.2};
+  const ComPlanner planner(ComPlannerOptions{}, force, kWeight);
+  SupportPhase phase = standing(1.0, nominal_feet());
+  phase.loaded_for[0] = 0.0;
+  phase.lifts_in[0] = 0.8;
+  EXPECT_NEAR(planner.share(phase, 0, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 0, 0.05), 0.4, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 0, 0.3), 0.8, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 0, 0.7), 0.4, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 0, 0.8), 0.0, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 0, 0.9), 0.0, 1e-12);
+  EXPECT_NEAR(planner.share(phase, 1, 0.5), 0.8, 1e-12);
+  phase.down[1] = false;
+  EXPECT_EQ(planner.share(phase, 1, 0.5), 0.0);
+}
+
+TEST(ComPlanner, WithoutRampsOrWithRampsOfNoLengthAFootCarriesAllAtOnce) {
+  for (const ForceOptions& force : {ForceOptions{.max = 240.0, .ramps = false},
+                                    ForceOptions{.max = 240.0, .ramp_up = 0.0, .ramp_down = 0.0}}) {
+    const ComPlanner planner(ComPlannerOptions{}, force, kWeight);
+    SupportPhase phase = standing(0.5, nominal_feet());
+    phase.loaded_for[0] = 0.0;
+    phase.lifts_in[0] = 0.5;
+    for (const double t : {0.001, 0.1, 0.499}) EXPECT_NEAR(planner.share(phase, 0, t), 0.8, 1e-12);
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.5)));
+    EXPECT_TRUE(std::isfinite(planner.share(phase, 0, 0.0)));
+  }
+}
+
+TEST(ComPlanner, AllocatesNothingWhilePlanning) {
+  RandomMatrices random(11);
+  ComPlanner planner = make_planner();
+  std::vector<Phases> walks;
+  for (int i = 0; i < 10; ++i) walks.push_back(random_walk(random));
+  const MallocCounter counter;
+  for (const Phases& phases : walks) {
+    plan(planner, phases, 0.0, {{0, 0}, {0, 0}, {0, 0}});
+    (void)planner.at(0.7);
+  }
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot::test

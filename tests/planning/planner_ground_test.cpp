@@ -1,0 +1,192 @@
+// The walk where the ground is not what was expected.
+#include "tests/planning/watch.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+TEST(Planner, WaitsWhileAFootLooksForGroundThatLiesLower) {
+  Puppet puppet = walker({}, step_at(0.40, -0.10));
+  run_watched(puppet, 40.0);
+  const std::vector<Happening> late = puppet.happenings(PlanEvent::late);
+  ASSERT_GE(late.size(), 2u);
+  for (const Happening& wait : late) {
+    const auto next = std::ranges::find_if(puppet.happenings(), [&](const Happening& h) {
+      return h.time > wait.time && h.event != PlanEvent::late;
+    });
+    ASSERT_NE(next, puppet.happenings().end());
+    EXPECT_EQ(next->event, PlanEvent::touchdown) << "nothing else happens meanwhile";
+    EXPECT_NEAR(next->p.z(), -0.10, 2e-3);
+  }
+  stop(puppet);
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), -0.10, 2e-3) << "all went down";
+  EXPECT_NEAR(puppet.plan().torso.height, -0.10 + StanceOptions{}.height, 2e-3);
+}
+
+TEST(Planner, StaysOverTheOtherFeetWhileItWaits) {
+  PlannerOptions options;
+  options.swing.search_depth_max = 2.0;  // a search of 20 s
+  Puppet puppet = walker(options, step_at(0.40, -1.5));
+  run_watched(puppet, 12.0);
+  ASSERT_GT(puppet.happenings(PlanEvent::late).size(), 5u);
+  EXPECT_EQ(puppet.happenings().back().event, PlanEvent::late) << "it still waits";
+  EXPECT_LT(puppet.plan().com.v.norm(), 0.05) << "it sways by some millimetres";
+  PerLeg<Vec2> feet;
+  PerLeg<double> share{1.0, 1.0, 1.0, 1.0};
+  for (const Leg leg : kLegs) {
+    feet[index(leg)] = puppet.foot(leg).head<2>();
+    share[index(leg)] = puppet.plan().contact(leg) ? 1.0 : 0.0;
+  }
+  EXPECT_GT(SupportRegion(feet, share).margin(puppet.plan().com.p), 0.02);
+}
+
+TEST(Planner, TakesAFootBackWhereThereIsNoGround) {
+  const double edge = 0.45;
+  Puppet puppet = walker({}, step_at(edge, kNoGround));
+  run_watched(puppet, 60.0);
+  const std::vector<Happening> back = puppet.happenings(PlanEvent::no_ground);
+  ASSERT_GE(back.size(), 2u);
+  for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+    EXPECT_LE(landing.p.x(), edge);
+    EXPECT_NEAR(landing.p.z(), 0.0, 1e-3);
+  }
+  const auto landed = std::ranges::find_if(puppet.happenings(), [&](const Happening& h) {
+    return h.time > back.front().time && h.event == PlanEvent::touchdown;
+  });
+  ASSERT_NE(landed, puppet.happenings().end());
+  EXPECT_EQ(landed->leg, back.front().leg) << "the foot that was taken back stands again";
+}
+
+TEST(Planner, GroundThatLiesHigherIsMetEarly) {
+  Puppet puppet = walker({}, step_at(0.40, 0.05));
+  run_watched(puppet, 40.0);
+  stop(puppet);
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.05, 2e-3) << "all went up";
+  EXPECT_NEAR(puppet.plan().torso.height, 0.05 + StanceOptions{}.height, 2e-3);
+}
+
+TEST(Planner, OnlyAHindFootThatKnowsTheGroundRefusesOneThatLiesHigher) {
+  PlannerOptions options;
+  options.foothold.hind_use_front_prints = false;
+  Puppet puppet = walker(options, step_at(0.40, 0.08));
+  puppet.run(40.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::collision).empty());
+  puppet.user.walk = false;
+  puppet.run(4.0);
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.08, 2e-3) << "all went up";
+}
+
+TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
+  const double slope = 0.15;
+  const Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };
+  Puppet puppet = walker({}, ramp);
+  run_watched(puppet, 60.0);
+  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
+  EXPECT_LT((puppet.planner().terrain_normal() - normal).norm(), 0.01);
+  EXPECT_LT((puppet.plan().torso.q_WB * Vec3::UnitZ() - normal).norm(), 0.01);
+  EXPECT_LT((puppet.plan().R_WC.col(2) - normal).norm(), 0.01);
+}
+
+TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
+  Puppet puppet;
+  puppet.run(0.5);
+  const double z = puppet.foot(Leg::RH).z();
+  puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? -0.05 : 0.0; };
+  puppet.run(2.0);
+  ASSERT_EQ(puppet.happenings(PlanEvent::lost_contact).size(), 1u);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lost_contact).front().leg, Leg::RH);
+  ASSERT_EQ(puppet.happenings(PlanEvent::touchdown).size(), 1u);
+  EXPECT_NEAR(puppet.foot(Leg::RH).z(), z - 0.05, 1e-3);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  puppet.user = walking();
+  run_watched(puppet, 10.0);
+  EXPECT_GT(puppet.planner().steps_taken(), 4);
+}
+
+TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
+  Puppet puppet = walker();
+  puppet.sticky[index(Leg::LH)] = true;
+  run_watched(puppet, 12.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
+  EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u);
+  EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  puppet.sticky = {};
+  run_watched(puppet, 5.0);
+  EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
+}
+
+TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
+  Puppet puppet = walker();
+  puppet.com_follows = false;  // stays in the middle, which lies on the triangle's edge
+  puppet.run(12.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
+  EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u);
+}
+
+/// The happenings that follow a lift-off, up to the landing.
+std::vector<PlanEvent> swing_from(const Puppet& puppet, const Happening& lift) {
+  std::vector<PlanEvent> events;
+  for (const Happening& h : puppet.happenings()) {
+    const bool ended = !events.empty() && events.back() == PlanEvent::touchdown;
+    if (h.time > lift.time && !ended) events.push_back(h.event);
+  }
+  return events;
+}
+
+TEST(Planner, AFrontFootTouchesTwiceWhereItProbesAndAHindFootOnce) {
+  Puppet puppet = walker(probing());
+  run_watched(puppet, 30.0);
+  const std::vector<PlanEvent> once{PlanEvent::touchdown};
+  const std::vector<PlanEvent> twice{PlanEvent::probe_same_ground, PlanEvent::touchdown};
+  const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
+  ASSERT_GT(lifts.size(), 12u);
+  for (std::size_t i = 0; i + 1 < lifts.size(); ++i) {
+    EXPECT_EQ(swing_from(puppet, lifts[i]), is_front(lifts[i].leg) ? twice : once);
+  }
+  const std::vector<Happening> probes = puppet.happenings(PlanEvent::probe_same_ground);
+  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  for (std::size_t i = 0; i + 1 < probes.size(); ++i) {
+    const auto landing =
+        std::ranges::find_if(landings, [&](const Happening& h) { return h.time > probes[i].time; });
+    EXPECT_EQ(landing->leg, probes[i].leg);
+    EXPECT_NEAR(probes[i].p.x() - landing->p.x(), ProbeOptions{}.ahead, 0.01);
+  }
+}
+
+TEST(Planner, NoFootLandsOnAnEdgeThatItsProbesCanFind) {
+  RandomMatrices random(2);
+  for (int trial = 0; trial < 10; ++trial) {
+    const double edge = random.uniform(0.40, 0.62), height = random.uniform(-0.15, -0.05);
+    SCOPED_TRACE("edge of " + std::to_string(height) + " m at " + std::to_string(edge));
+    Puppet puppet = walker(probing(), step_at(edge, height));
+    puppet.user = walking(0.03);
+    run_watched(puppet, 60.0);
+    EXPECT_GE(puppet.happenings(PlanEvent::probe_edge).size(), 1u);
+    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+      EXPECT_GT(std::abs(landing.p.x() - edge), 0.03) << "at " << landing.time;
+    }
+    stop(puppet);
+    for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), height, 2e-3);
+  }
+}
+
+TEST(Planner, AnEdgeThatAProbeFindsIsLeftBehind) {
+  Puppet puppet = walker(probing(), step_at(0.45, -0.10));
+  puppet.user = walking(0.03);
+  puppet.run(40.0);
+  const std::vector<Happening> edges = puppet.happenings(PlanEvent::probe_edge);
+  ASSERT_FALSE(edges.empty());
+  const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
+  const auto landing = std::ranges::find_if(
+      landings, [&](const Happening& h) { return h.time > edges.front().time; });
+  ASSERT_NE(landing, landings.end());
+  EXPECT_NEAR(landing->p.x() - edges.front().p.x(), ProbeOptions{}.beyond, 0.01);
+  EXPECT_NEAR(landing->p.z(), -0.10, 2e-3);
+}
+
+}  // namespace
+}  // namespace surefoot::test
