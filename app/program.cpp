@@ -4,7 +4,6 @@
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
-#include "app/output_files.hpp"
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -132,7 +131,6 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required();
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
-      prepare_folder(*folder);
       std::cout << write_report(*log, *folder) << "\n";
       return static_cast<int>(kPassed);
     };

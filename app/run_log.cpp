@@ -1,5 +1,6 @@
 #include "app/run_log.hpp"
 
+#include "app/log_terrain.hpp"
 #include "app/stack_text.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
@@ -59,6 +60,16 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return quoted + "'";
+}
+
 std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOptions& stack,
                                        const Plant& plant) {
   std::vector<LogAttachment> files{
@@ -73,21 +84,35 @@ std::vector<LogAttachment> attachments(const Scenario& scenario, const StackOpti
 
 }  // namespace
 
+std::string run_again(const Scenario& scenario) {
+  std::string command = "bin/surefoot run " + shell_word(scenario.requested);
+  if (scenario.seed != 0) command += " --seed " + std::to_string(scenario.seed);
+  for (const std::string& assignment : scenario.assignments) {
+    command += " --set " + shell_word(assignment);
+  }
+  return command;
+}
+
 LogHeader log_header(const Scenario& scenario, const Controller& controller, const Plant& plant,
                      const RobotModel& model) {
   const StackOptions stack = with_defaults(scenario.controller.stack);
   LogHeader header;
   header.version = build_info().version;
+  header.commit = build_info().commit;
+  header.command = run_again(scenario);
   header.scenario = scenario.name;
+  header.description = scenario.description;
   header.stack = stack.name;
   header.estimation = name(scenario.estimation);
   header.options = scenario.options_json;
   header.seed = scenario.seed;
+  for (const RandomDraw& draw : scenario.drawn) header.drawn.push_back({draw.path, draw.value});
   header.control_period = scenario.controller.period;
   header.level_names = controller.level_names();
   header.event_names = event_names();
   header.robot = robot_of(model);
   header.limb = limb_limits(stack);
+  header.terrain = log_terrain(scenario.plant.terrain);
   header.notes = run_notes(controller, plant);
   header.attachments = attachments(scenario, stack, plant);
   header.row_name = [&controller](int level, std::int32_t id) {

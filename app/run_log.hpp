@@ -11,6 +11,9 @@ namespace surefoot {
 /// What model and plant changed in the robot, each line once.
 [[nodiscard]] std::vector<std::string> run_notes(const Controller& controller, const Plant& plant);
 
+/// The command that makes this run again, for a shell in the source tree.
+[[nodiscard]] std::string run_again(const Scenario& scenario);
+
 /// What the log of a run says before its first tick. The controller must outlive the log.
 [[nodiscard]] LogHeader log_header(const Scenario& scenario, const Controller& controller,
                                    const Plant& plant, const RobotModel& model);

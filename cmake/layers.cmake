@@ -45,7 +45,15 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
-set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES COMPILE_DEFINITIONS
+# The commit is that of the build, not of the configuration: asked each time, written when it is another one.
+set(commit_header ${PROJECT_BINARY_DIR}/generated/surefoot_commit.hpp)
+add_custom_target(surefoot_commit BYPRODUCTS ${commit_header}
+                  COMMAND ${CMAKE_COMMAND} -D source=${PROJECT_SOURCE_DIR} -D header=${commit_header}
+                          -P ${PROJECT_SOURCE_DIR}/cmake/commit.cmake
+                  COMMENT "")
+add_dependencies(surefoot_base surefoot_commit)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp PROPERTIES
+  INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/generated COMPILE_DEFINITIONS
   "SUREFOOT_VERSION=\"${PROJECT_VERSION}\";\
 SUREFOOT_SOURCE_DATA=\"${PROJECT_SOURCE_DIR}\";\
 SUREFOOT_INSTALLED_DATA=\"${CMAKE_INSTALL_FULL_DATADIR}/surefoot\";\

@@ -45,7 +45,9 @@ struct SourceFile {
 struct Scenario {
   std::string name;
   std::string description;
-  std::string file;  ///< that it was read from
+  std::string file;                      ///< that it was read from
+  std::string requested;                 ///< the name or path that it was asked for by
+  std::vector<std::string> assignments;  ///< "path.to.key=value", as they were asked for
   std::uint64_t seed = 0;
   double duration = 20.0;  ///< longest [s]
   Estimation estimation = Estimation::truth;

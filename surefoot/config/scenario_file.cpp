@@ -271,6 +271,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
 
   Scenario scenario;
   scenario.file = file.string();
+  scenario.requested = request.name_or_path;
+  scenario.assignments = request.assignments;
   scenario.name = file.stem().string();
   scenario.seed = request.seed;
   if (request.seed == 0) check_random_paths(tree, request);

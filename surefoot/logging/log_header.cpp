@@ -21,6 +21,37 @@ void robot_member(JsonText& json, const LogRobot& robot) {
   json.member("mass", robot.mass).member("foot_radius", robot.foot_radius).end_object();
 }
 
+void numbers(JsonText& json, std::string_view name, const double* first, std::size_t count) {
+  json.key(name).array();
+  for (std::size_t i = 0; i < count; ++i) json.value(first[i]);
+  json.end_array();
+}
+
+void drawn_member(JsonText& json, const std::vector<LogDraw>& drawn) {
+  json.key("drawn").array();
+  for (const LogDraw& draw : drawn) {
+    json.object().member("path", std::string_view(draw.path)).member("value", draw.value);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
+  json.key("terrain").array();
+  for (const LogTerrain& piece : terrain) {
+    const Quat& q = piece.q_WT;
+    const std::array<double, 4> wxyz{q.w(), q.x(), q.y(), q.z()};
+    json.object().member("shape", std::string_view(piece.shape));
+    numbers(json, "position", piece.position.data(), 3);
+    numbers(json, "q_WT", wxyz.data(), wxyz.size());
+    numbers(json, "size", piece.size.data(), 3);
+    json.member("columns", piece.columns).member("rows", piece.rows);
+    numbers(json, "heights", piece.heights.data(), piece.heights.size());
+    json.end_object();
+  }
+  json.end_array();
+}
+
 }  // namespace
 
 std::string to_json(const LogHeader& header) {
@@ -29,11 +60,15 @@ std::string to_json(const LogHeader& header) {
   json.object()
       .member("log_version", kLogVersion)
       .member("version", std::string_view(header.version))
+      .member("commit", std::string_view(header.commit))
+      .member("command", std::string_view(header.command))
       .member("scenario", std::string_view(header.scenario))
       .member("stack", std::string_view(header.stack))
+      .member("description", std::string_view(header.description))
       .member("estimation", std::string_view(header.estimation))
       .member("seed", header.seed)
       .member("control_period", header.control_period);
+  drawn_member(json, header.drawn);
   list(json, "level_names", header.level_names);
   list(json, "event_names", header.event_names);
   robot_member(json, header.robot);
@@ -42,6 +77,7 @@ std::string to_json(const LogHeader& header) {
       .member("level", header.limb.level)
       .member("form", std::string_view(header.limb.form));
   json.member("min", header.limb.min).member("max", header.limb.max).end_object();
+  terrain_member(json, header.terrain);
   list(json, "notes", header.notes);
   json.key("options");
   if (header.options.empty()) {

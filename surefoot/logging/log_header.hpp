@@ -31,6 +31,22 @@ struct LogLimbLimits {
   double min = kNaN, max = kNaN;  ///< [m]
 };
 
+/// A piece of the simulated ground; the highest of them at a place is what feet meet there.
+struct LogTerrain {
+  std::string shape;              ///< "plane" (endless), "box", or "heights" on a level grid
+  Vec3 position = Vec3::Zero();   ///< of its centre in W [m]
+  Quat q_WT = Quat::Identity();   ///< takes its coordinates to W; a plane's z is its normal
+  Vec3 size = Vec3::Zero();       ///< full edge lengths; of a grid along x and y [m]
+  int columns = 0, rows = 0;      ///< points of the grid along x and y
+  std::vector<double> heights{};  ///< above `position`, row by row along y [m]
+};
+
+/// A value that the seed chose.
+struct LogDraw {
+  std::string path;  ///< of the scenario's key
+  double value = kNaN;
+};
+
 /// A file that the run was made from, kept in the log as an attachment.
 struct LogAttachment {
   std::string name, media_type, data;
@@ -40,15 +56,20 @@ struct LogAttachment {
 /// ran.
 struct LogHeader {
   std::string version;          ///< of the program
+  std::string commit;           ///< that it was built from; empty: not known
+  std::string command;          ///< that makes this run again; empty: not known
   std::string scenario, stack;  ///< names
+  std::string description;      ///< what the scenario is about, in a line
   std::string estimation;       ///< e.g. "truth"
   std::string options;          ///< everything that was set, as JSON; empty: none
   std::uint64_t seed = 0;
+  std::vector<LogDraw> drawn;            ///< what the seed chose, besides the sensors' noise
   double control_period = 0.0025;        ///< [s]
   std::vector<std::string> level_names;  ///< of the hierarchy, highest first
   std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
   LogRobot robot;
   LogLimbLimits limb;
+  std::vector<LogTerrain> terrain;
   std::vector<std::string> notes;  ///< e.g. what was changed in the robot's model
   /// The physics model as MJCF; scenario, stack and robot as they were read; the stack with
   /// everything worked in, and the robot's URDF.

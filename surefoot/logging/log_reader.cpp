@@ -29,6 +29,39 @@ LogRobot parse_robot(const json& robot) {
   return result;
 }
 
+template <int n>
+Eigen::Matrix<double, n, 1> parse_vector(const json& list) {
+  Eigen::Matrix<double, n, 1> result;
+  for (int i = 0; i < n; ++i) result[i] = number(list.at(static_cast<std::size_t>(i)));
+  return result;
+}
+
+LogTerrain parse_terrain(const json& piece) {
+  const Eigen::Vector4d q = parse_vector<4>(piece.at("q_WT"));
+  return {.shape = piece.at("shape").get<std::string>(),
+          .position = parse_vector<3>(piece.at("position")),
+          .q_WT = Quat(q[0], q[1], q[2], q[3]),
+          .size = parse_vector<3>(piece.at("size")),
+          .columns = piece.at("columns").get<int>(),
+          .rows = piece.at("rows").get<int>(),
+          .heights = piece.at("heights").get<std::vector<double>>()};
+}
+
+// What logs have since version 1.2.
+void parse_newer(const json& header, LogHeader& result) {
+  result.commit = header.value("commit", "");
+  result.command = header.value("command", "");
+  result.description = header.value("description", "");
+  const json drawn = header.value("drawn", json::array());
+  for (const json& draw : drawn) {
+    result.drawn.push_back({draw.at("path").get<std::string>(), number(draw.at("value"))});
+  }
+  const json terrain = header.value("terrain", json::array());
+  for (const json& piece : terrain) {
+    result.terrain.push_back(parse_terrain(piece));
+  }
+}
+
 LogHeader parse_header(const json& header) {
   LogHeader result;
   result.version = header.at("version").get<std::string>();
@@ -45,6 +78,7 @@ LogHeader parse_header(const json& header) {
   result.limb = {limb.at("level").get<int>(), limb.at("form").get<std::string>(),
                  number(limb.at("min")), number(limb.at("max"))};
   result.notes = header.at("notes").get<std::vector<std::string>>();
+  parse_newer(header, result);
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 // How the levels of the hierarchy came out.
 namespace surefoot::report {
@@ -13,71 +12,84 @@ namespace {
 using plot::Frame;
 using plot::Svg;
 
-constexpr double kRowHeight = 18.0, kNames = 190.0, kHead = 34.0;
-constexpr int kClasses = 7;  // of colour: residuals from 1e-9 to 1e3 in steps of two decades …
-constexpr double kLowest = -8.0, kDecades = 2.0;  // … all below 1e-8 in the first class
+constexpr double kRowHeight = 27.0, kNames = 205.0, kMaxima = 118.0, kHead = 24.0;
+constexpr double kZero = 1e-6;  // what is below is rounding, in every unit of below
 
-int colour_class(double residual) {
-  if (!(residual > 0.0)) return 0;
-  const double steps = (std::log10(residual) - kLowest) / kDecades;
-  return std::clamp(static_cast<int>(std::floor(steps)) + 1, 0, kClasses - 1);
+// A task of a level, by the beginning of its name: its rows' unit.
+struct Unit {
+  std::string_view task, unit;
+};
+constexpr std::array kUnits{
+    Unit{"no_contact_motion", "m/s²"},  Unit{"torque_limits", "N·m"},
+    Unit{"friction_cone", "N"},         Unit{"com_xy", "m/s²"},
+    Unit{"swing_foot", "m/s²"},         Unit{"limb_extension_limits", "m/s²"},
+    Unit{"torso_yaw", "rad/s²"},        Unit{"torso_height", "m/s²"},
+    Unit{"torso_roll_pitch", "rad/s²"}, Unit{"contact_force_minimisation", "N"},
+    Unit{"torque_minimisation", "N·m"}};
+
+std::string task_of(const RunData& run, std::size_t level) {
+  const auto& names = run.header.level_names;
+  return level < names.size() ? names[level] : "";
 }
+
+std::string unit_of(const std::string& task) {
+  const auto found = std::ranges::find(kUnits, task, &Unit::task);
+  return found == kUnits.end() ? "" : " " + std::string(found->unit);
+}
+
+// What asks for no force or torque at all is never content.
+bool never_zero(const std::string& task) { return task.ends_with("_minimisation"); }
 
 std::string superscript(int number) {
   constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  return (number < 0 ? "⁻" : "") +
-         std::string(kDigits[static_cast<std::size_t>(std::abs(number) % 10)]);
+  std::string digits;
+  for (const char digit : std::to_string(std::abs(number)))
+    digits += kDigits[static_cast<std::size_t>(digit - '0')];
+  return (number < 0 ? "⁻" : "") + digits;
 }
 
-std::string level_name(const RunData& run, std::size_t level) {
-  const auto& names = run.header.level_names;
-  std::string name = level < names.size() ? names[level] : "";
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return std::to_string(level + 1) + "  " + name;
+// With two digits: "0.42", "1.3·10⁻⁴".
+std::string two_digits(double value) {
+  const int power = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
+  if (power >= -2) return plot::decimal(value, std::max(0, 1 - power));
+  return plot::decimal(value / std::pow(10.0, power), 1) + "·10" + superscript(power);
 }
 
-Frame rows_frame(const RunData& run, std::size_t rows) {
-  return {
-      .corner = {kNames, kHead},
-      .width = plot::kFigureWidth - kNames - plot::kRightMargin,
-      .height = kRowHeight * static_cast<double>(rows),
-      .x = plot::Range{run.ticks.front().time, run.ticks.back().time + run.header.control_period},
-      .y = {0.0, 1.0}};
+std::vector<double> residuals(const RunData& run, std::size_t level) {
+  std::vector<double> result;
+  for (const TickSample& tick : run.ticks) result.push_back(tick.residuals[level]);
+  return result;
 }
 
-// The largest residual of each pixel column, drawn as bars of equal colour class.
+// The curve from 0 to its own largest value, filled; level ground where it is zero throughout.
+void draw_curve(Svg& svg, Frame frame, const RunData& run, const std::vector<double>& values,
+                const char* style) {
+  const double largest = *std::ranges::max_element(values);
+  if (!(largest > kZero)) return;
+  frame.y = {0.0, 1.06 * largest};
+  std::vector<double> times;
+  for (const TickSample& tick : run.ticks) times.push_back(tick.time);
+  std::vector<plot::Point> points = plot::thinned_curve(frame, times, values);
+  points.insert(points.begin(), frame.at(times.front(), 0.0));
+  points.push_back(frame.at(times.back(), 0.0));
+  svg.path(plot::path_through(points), style);
+}
+
 void draw_level(Svg& svg, const Frame& frame, const RunData& run, std::size_t level) {
-  const auto columns = static_cast<std::size_t>(frame.width);
-  std::vector<int> classes(columns, -1);
-  for (const TickSample& tick : run.ticks) {
-    const double position =
-        (tick.time - frame.x.low) / frame.x.span() * static_cast<double>(columns);
-    int& here = classes[std::min(static_cast<std::size_t>(position), columns - 1)];
-    here = std::max(here, colour_class(tick.residuals[level]));
-  }
-  // Runs shorter than a column's tick leave holes: the last value goes on.
-  for (std::size_t i = 1; i < columns; ++i)
-    classes[i] = classes[i] < 0 ? classes[i - 1] : classes[i];
-  const double y = frame.corner.y + kRowHeight * static_cast<double>(level);
-  for (std::size_t begin = 0; begin < columns;) {
-    std::size_t end = begin;
-    while (end < columns && classes[end] == classes[begin]) ++end;
-    svg.rectangle({frame.corner.x + static_cast<double>(begin), y + 1.0},
-                  static_cast<double>(end - begin), kRowHeight - 2.0,
-                  "heat h" + std::to_string(std::max(classes[begin], 0)));
-    begin = end;
-  }
-}
-
-void draw_key(Svg& svg, double right) {
-  double x = right - 42.0 * kClasses;
-  svg.text({x - 8.0, 15.0}, "residual", "legend", plot::Anchor::end);
-  for (int i = 0; i < kClasses; ++i, x += 42.0) {
-    svg.rectangle({x, 5.0}, 42.0, 11.0, "heat h" + std::to_string(i));
-    const int power = static_cast<int>(kLowest + kDecades * i);
-    if (i + 1 < kClasses)
-      svg.text({x + 42.0, 28.0}, "10" + superscript(power), "tick", plot::Anchor::middle);
-  }
+  const std::string task = task_of(run, level);
+  const bool restless = never_zero(task);
+  const std::vector<double> values = residuals(run, level);
+  const double largest = *std::ranges::max_element(values);
+  draw_curve(svg, frame, run, values, restless ? "area restless" : "area");
+  const double bottom = frame.corner.y + frame.height;
+  svg.line({frame.corner.x, bottom}, {frame.corner.x + frame.width, bottom}, "grid");
+  std::string words = task;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  svg.text({kNames - 8.0, bottom - 7.0}, std::to_string(level + 1) + "  " + words, "tick",
+           plot::Anchor::end);
+  const std::string size = largest > kZero ? two_digits(largest) + unit_of(task) : "0";
+  svg.text({frame.corner.x + frame.width + 8.0, bottom - 7.0}, size + (restless ? "  *" : ""),
+           largest > kZero ? "label" : "tick");
 }
 
 }  // namespace
@@ -85,17 +97,20 @@ void draw_key(Svg& svg, double right) {
 std::string residual_figure(const RunData& run) {
   const auto levels = static_cast<std::size_t>(run.ticks.back().num_levels);
   if (levels == 0) return "";
-  const Frame frame = rows_frame(run, levels);
+  Frame frame{.corner = {kNames, kHead},
+              .width = plot::kFigureWidth - kNames - kMaxima,
+              .height = kRowHeight * static_cast<double>(levels),
+              .x = time_range(run),
+              .y = {0.0, 1.0}};
   Svg svg(plot::kFigureWidth, kHead + frame.height + 42.0);
-  draw_key(svg, frame.corner.x + frame.width);
-  for (std::size_t level = 0; level < levels; ++level) {
-    draw_level(svg, frame, run, level);
-    svg.text({kNames - 8.0, frame.corner.y + kRowHeight * (static_cast<double>(level) + 0.7)},
-             level_name(run, level), "tick", plot::Anchor::end);
-  }
   plot::draw_x_axis(svg, frame, "time [s]");
+  svg.text({frame.corner.x + frame.width + 8.0, kHead - 8.0}, "largest", "legend");
+  Frame row = frame;
+  row.height = kRowHeight;
+  for (std::size_t level = 0; level < levels; ++level, row.corner.y += kRowHeight)
+    draw_level(svg, row, run, level);
   plot::outline(svg, frame);
-  return svg.image("Residual of each level of the hierarchy over time");
+  return svg.image("Residual of each level of the hierarchy over time, on its own scale");
 }
 
 }  // namespace surefoot::report

@@ -1,10 +1,12 @@
+#include "surefoot/view/ground_lines.hpp"
 #include "surefoot/view/report_figures.hpp"
+#include "surefoot/view/side_view.hpp"
 #include "surefoot/view/time_figure.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-// The view from above.
+// The walk in space, from above and from the side.
 namespace surefoot::report {
 namespace {
 
@@ -12,11 +14,7 @@ using plot::Frame;
 using plot::Point;
 using plot::Svg;
 
-struct Footprint {
-  std::size_t leg;
-  double time;
-  Vec2 p;
-};
+constexpr double kHead = 44.0, kBetween = 66.0, kFoot = 42.0;  // around the two views [px]
 
 // The feet that carry the robot without a change, for at least a tenth of a second.
 struct Support {
@@ -25,22 +23,7 @@ struct Support {
   std::vector<Vec2> feet;
 };
 
-Vec2 foot(const TickSample& tick, std::size_t leg) {
-  return (std::isnan(tick.truth.time) ? tick.model.p_WF[leg] : tick.truth.p_WF[leg]).head<2>();
-}
-
-std::vector<Footprint> footprints(const RunData& run) {
-  std::vector<Footprint> result;
-  PerLeg<bool> down{};
-  for (const TickSample& tick : run.ticks) {
-    for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
-      const bool contact = in_contact(tick.plan.feet[leg].phase);
-      if (contact && !down[leg]) result.push_back({leg, tick.time, foot(tick, leg)});
-      down[leg] = contact;
-    }
-  }
-  return result;
-}
+Vec2 foot(const TickSample& tick, std::size_t leg) { return foot_centre(tick, leg).head<2>(); }
 
 // Around the polygon of the legs LF, RF, RH, LH.
 std::vector<Vec2> corners(const TickSample& tick, const std::array<bool, kNumLegs>& legs) {
@@ -76,11 +59,22 @@ Frame fit(const plot::Range& x, const plot::Range& y) {
   const double width = plot::kFigureWidth - plot::kLeftMargin - plot::kRightMargin;
   const double metres_per_px = std::max(x.span() / width, y.span() / kMaxHeight);
   const double spare = (metres_per_px * width - x.span()) / 2.0;
-  return {.corner = {plot::kLeftMargin, 26.0},
+  return {.corner = {plot::kLeftMargin, kHead},
           .width = width,
           .height = y.span() / metres_per_px,
           .x = {x.low - spare, x.high + spare},
           .y = y};
+}
+
+// Around the footprints.
+Frame frame_above(const std::vector<Footprint>& prints) {
+  constexpr double kAround = 0.08;  // [m]
+  plot::Range x, y;
+  for (const Footprint& print : prints) {
+    x.add(print.p.x());
+    y.add(print.p.y());
+  }
+  return fit({x.low - kAround, x.high + kAround}, {y.low - kAround, y.high + kAround});
 }
 
 void draw_path(Svg& svg, const Frame& frame, const RunData& run, const char* style,
@@ -93,34 +87,8 @@ void draw_path(Svg& svg, const Frame& frame, const RunData& run, const char* sty
   svg.path(plot::path_through(plot::thinned_curve(frame, x, y)), style);
 }
 
-}  // namespace
-
-std::string footprint_figure(const RunData& run) {
-  const std::vector<Footprint> prints = footprints(run);
-  plot::Range x, y;
-  for (const Footprint& print : prints) {
-    x.add(print.p.x());
-    y.add(print.p.y());
-  }
-  if (x.empty()) return "";
-  x = {x.low - 0.08, x.high + 0.08};
-  y = {y.low - 0.08, y.high + 0.08};
-  const Frame frame = fit(x, y);
-  Svg svg(plot::kFigureWidth, frame.corner.y + frame.height + 42.0);
-  plot::draw_x_axis(svg, frame, "x [m]");
-  plot::draw_y_axis(svg, frame, "y [m]");
-  svg.begin_clip(frame.corner, frame.width, frame.height);
-  for (const Support& support : supports(run)) {
-    std::vector<Point> polygon;
-    for (const Vec2& p : support.feet) polygon.push_back(frame.at(p.x(), p.y()));
-    svg.polygon(polygon, "support");
-  }
-  draw_path(svg, frame, run, "line c1 dashed",
-            [](const TickSample& tick) { return tick.plan.com.p; });
-  draw_path(svg, frame, run, "line ink", [](const TickSample& tick) -> Vec2 {
-    return (std::isnan(tick.truth.time) ? tick.model.p_WCom : tick.truth.p_WCom).head<2>();
-  });
-  // Front feet below and larger: a hind foot that steps into their print stays visible in it.
+// Front feet below and larger: a hind foot that steps into their print stays visible in it.
+void draw_prints(Svg& svg, const Frame& frame, const std::vector<Footprint>& prints) {
   for (const bool front : {true, false}) {
     for (const Footprint& print : prints) {
       if (is_front(kLegs[print.leg]) != front) continue;
@@ -129,15 +97,71 @@ std::string footprint_figure(const RunData& run) {
                  std::string(kLegNames[print.leg]) + " at " + plot::decimal(print.time, 2) + " s");
     }
   }
+}
+
+void draw_above(Svg& svg, const Frame& frame, const RunData& run,
+                const std::vector<Footprint>& prints) {
+  svg.begin_clip(frame.corner, frame.width, frame.height);
+  draw_ground(svg, frame, Ground(run.header.terrain));
+  svg.end_clip();
+  plot::draw_x_axis(svg, frame, "x [m]");
+  plot::draw_y_axis(svg, frame, "y [m]");
+  svg.begin_clip(frame.corner, frame.width, frame.height);
+  for (const Support& support : supports(run)) {
+    std::vector<Point> polygon;
+    for (const Vec2& p : support.feet) polygon.push_back(frame.at(p.x(), p.y()));
+    svg.polygon(polygon, "support");
+  }
+  draw_path(svg, frame, run, "line ink",
+            [](const TickSample& tick) -> Vec2 { return centre_of_mass(tick).head<2>(); });
+  draw_path(svg, frame, run, "line c1 dashed",
+            [](const TickSample& tick) { return tick.plan.com.p; });
+  draw_prints(svg, frame, prints);
   svg.end_clip();
   plot::outline(svg, frame);
-  std::vector<plot::LegendEntry> legend{{run.has_truth ? "true COM" : "estimated COM", "line ink"},
-                                        {"desired COM", "line c1 dashed"}};
+}
+
+std::vector<plot::LegendEntry> legend(const RunData& run) {
+  const std::string source = run.has_truth ? "true" : "estimated";
+  std::vector<plot::LegendEntry> entries{
+      {"base (side)", "line c5"}, {source + " COM", "line ink"}, {"desired COM", "line c1 dashed"}};
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
-    legend.push_back({std::string(kLegNames[leg]), "line thick c" + std::to_string(leg)});
+    entries.push_back({std::string(kLegNames[leg]), "line thick c" + std::to_string(leg)});
   }
-  plot::draw_legend(svg, frame.corner.x + frame.width, 16.0, legend);
-  return svg.image("Footprints, path of the centre of mass and support triangles from above");
+  return entries;
+}
+
+}  // namespace
+
+std::vector<Footprint> footprints(const RunData& run) {
+  std::vector<Footprint> result;
+  PerLeg<bool> down{};
+  for (const TickSample& tick : run.ticks) {
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+      const bool contact = in_contact(tick.plan.feet[leg].phase);
+      if (contact && !down[leg]) result.push_back({leg, tick.time, foot_centre(tick, leg)});
+      down[leg] = contact;
+    }
+  }
+  return result;
+}
+
+std::string map_figure(const RunData& run) {
+  const std::vector<Footprint> prints = footprints(run);
+  if (prints.empty()) return "";
+  const Frame above = frame_above(prints);
+  const Frame side = side_frame(run, above, above.corner.y + above.height + kBetween);
+  Svg svg(plot::kFigureWidth, side.corner.y + side.height + kFoot);
+  draw_above(svg, above, run, prints);
+  draw_side(svg, side, run, prints);
+  for (const auto& [frame, name] :
+       {std::pair{&above, "(a) from above"}, std::pair{&side, "(b) from the side"}}) {
+    svg.text({frame->corner.x, frame->corner.y - 7.0}, name, "panel-title");
+  }
+  plot::draw_legend(svg, above.corner.x + above.width, 14.0, legend(run));
+  return svg.image(
+      "Ground, footprints, path of the centre of mass and support triangles from above; below, "
+      "ground, paths of the feet, base and centre of mass from the side");
 }
 
 }  // namespace surefoot::report

@@ -27,11 +27,6 @@ std::vector<double> times(const RunData& run) {
   return column(run, [](const TickSample& tick) { return tick.time; });
 }
 
-// Truth where the log has it, else what the controller believed.
-Vec3 com(const TickSample& tick) {
-  return std::isnan(tick.truth.time) ? tick.model.p_WCom : tick.truth.p_WCom;
-}
-
 std::string source(const RunData& run) { return run.has_truth ? "true" : "estimated"; }
 
 // Torso against its reference as a rotation vector in C: roll, pitch, yaw.
@@ -76,6 +71,23 @@ std::vector<Span> limit_spans(const RunData& run) {
   return spans;
 }
 
+// Distances of all legs, so that they can be compared, with the limits that are near them: one
+// that is far from the curves would squeeze them.
+plot::Range limb_range(const RunData& run) {
+  const bool vertical = run.header.limb.form == "vertical";
+  plot::Range range;
+  for (const TickSample& tick : run.ticks) {
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg)
+      range.add(hip_foot_distance(tick, leg, vertical));
+  }
+  const plot::Range data = range;
+  const double near = 0.5 * data.span();
+  for (const double limit : {run.header.limb.min, run.header.limb.max}) {
+    if (limit > data.low - near && limit < data.high + near) range.add(limit);
+  }
+  return range.padded(0.08);
+}
+
 Panel limb_panel(const RunData& run, std::size_t leg) {
   const LogLimbLimits& limits = run.header.limb;
   const bool vertical = limits.form == "vertical";
@@ -88,22 +100,31 @@ Panel limb_panel(const RunData& run, std::size_t leg) {
                                    return hip_foot_distance(tick, leg, vertical);
                                  })}},
               .spans = phase_spans(run, leg, true, "stance"),
-              .height = 96.0};
+              .height = 96.0,
+              .y_range = limb_range(run)};
   const std::vector<Span> search = phase_spans(run, leg, false, "search");
   panel.spans.insert(panel.spans.end(), search.begin(), search.end());
   for (const double limit : {limits.min, limits.max}) {
     if (!std::isfinite(limit)) continue;
-    panel.bounds.push_back({limit, ""});
-    panel.note += (panel.note.empty() ? "limits " : " and ") + plot::decimal(limit, 3) + " m";
+    const bool shown = limit > panel.y_range.low && limit < panel.y_range.high;
+    if (shown) panel.bounds.push_back({limit, ""});
+    panel.note += (panel.note.empty() ? "limits " : " and ") + plot::decimal(limit, 3) + " m" +
+                  (shown ? "" : " (outside)");
   }
   return panel;
 }
 
 }  // namespace
 
+plot::Range time_range(const RunData& run) {
+  return {run.ticks.front().time, run.ticks.back().time + run.header.control_period};
+}
+
+bool limb_limits_acted(const RunData& run) { return !limit_spans(run).empty(); }
+
 std::string com_figure(const RunData& run) {
   const auto error = [](const TickSample& tick) {
-    return kMillimetres * (com(tick).head<2>() - tick.plan.com.p).norm();
+    return kMillimetres * (centre_of_mass(tick).head<2>() - tick.plan.com.p).norm();
   };
   // Forward and lateral as seen from the start.
   const Vec2 origin = run.ticks.front().plan.com.p;
@@ -117,7 +138,9 @@ std::string com_figure(const RunData& run) {
         .y_label = "position [m]",
         .curves = {{source(run), "line c0",
                     column(run,
-                           [&](const TickSample& t) { return along(com(t).head<2>(), axis); })},
+                           [&](const TickSample& t) {
+                             return along(centre_of_mass(t).head<2>(), axis);
+                           })},
                    {"desired", "line c1 dashed",
                     column(run, [&](const TickSample& t) { return along(t.plan.com.p, axis); })}},
         .height = 120.0};
@@ -125,6 +148,7 @@ std::string com_figure(const RunData& run) {
   return plot::draw({.description = "Desired and " + source(run) +
                                     " centre of mass over time, with the tracking error below",
                      .x = times(run),
+                     .x_range = time_range(run),
                      .panels = {position("(a) COM, lateral", 1),
                                 position("(b) COM, forward", 0),
                                 {.title = "(c) COM tracking error in the plane",
@@ -161,6 +185,7 @@ std::string adaptation_figure(const RunData& run) {
       {.description =
            "Errors of torso orientation and height, and hip to foot distances with their limits",
        .x = times(run),
+       .x_range = time_range(run),
        .panels = panels});
 }
 
@@ -184,6 +209,7 @@ std::string torque_figure(const RunData& run) {
   }
   return plot::draw({.description = "Commanded joint torques with their limits",
                      .x = times(run),
+                     .x_range = time_range(run),
                      .panels = panels});
 }
 
@@ -198,14 +224,16 @@ std::string force_figure(const RunData& run) {
     const auto truth = [k](const TickSample& tick) { return tick.truth.normal_force[k]; };
     panels.push_back({.title = std::string(kLegNames[k]),
                       .y_label = "force [N]",
-                      .curves = {{"solution", "line faint", column(run, solution)},
-                                 {"true", "line c" + std::to_string(k), column(run, truth)}},
+                      .curves = {{"true", "line wide c" + std::to_string(k), column(run, truth)},
+                                 {"solution", "line fine ink", column(run, solution)}},
                       .spans = phase_spans(run, k, true, "stance"),
                       .height = 84.0,
                       .from_zero = true});
   }
-  return plot::draw(
-      {.description = "Normal force of each foot", .x = times(run), .panels = panels});
+  return plot::draw({.description = "Normal force of each foot",
+                     .x = times(run),
+                     .x_range = time_range(run),
+                     .panels = panels});
 }
 
 }  // namespace surefoot::report

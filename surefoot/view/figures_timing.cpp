@@ -49,7 +49,9 @@ std::string timing_figure(const RunData& run) {
   if (totals.empty()) return "";
   std::sort(totals.begin(), totals.end());
   constexpr int kBins = 90;
-  const plot::Range x{std::log10(totals.front()) - 0.1, std::log10(totals.back()) + 0.1};
+  const double period = 1e6 * run.header.control_period;
+  const plot::Range x{std::log10(std::min(totals.front(), period)) - 0.1,
+                      std::log10(std::max(totals.back(), period)) + 0.1};
   std::vector<double> shares(kBins, 0.0);
   for (const double total : totals) {
     const auto bin = static_cast<std::size_t>((std::log10(total) - x.low) / x.span() * kBins);
@@ -76,6 +78,7 @@ std::string timing_figure(const RunData& run) {
   mark(svg, frame, quantile(totals, 0.5), "median", 0);
   mark(svg, frame, quantile(totals, 0.99), "99 %", 1);
   mark(svg, frame, totals.back(), "slowest", 2);
+  mark(svg, frame, period, "period", 3);
   plot::outline(svg, frame);
   return svg.image("Histogram of the time per tick");
 }

@@ -1,72 +1,69 @@
 #include "surefoot/view/report.hpp"
 
+#include "surefoot/view/captions.hpp"
+#include "surefoot/view/outcome.hpp"
 #include "surefoot/view/report_figures.hpp"
+#include "surefoot/view/report_head.hpp"
 #include "surefoot/view/report_numbers.hpp"
 #include "surefoot/view/report_page.hpp"
 #include "surefoot/view/run_data.hpp"
-#include "surefoot/view/svg.hpp"
 
 namespace surefoot {
 namespace {
 
-std::string head(const RunData& run) {
-  const LogHeader& header = run.header;
-  std::string out = "<h1>" + plot::escape(header.scenario) + "</h1>\n<p class=\"facts\">" +
-                    plot::escape(header.robot.name) + " · stack " + plot::escape(header.stack) +
-                    " · estimation " + plot::escape(header.estimation) + " · seed " +
-                    std::to_string(header.seed) + " · surefoot " + plot::escape(header.version) +
-                    "</p>\n";
-  if (!run.problem.empty()) {
-    out += "<p class=\"warning\">The log is not whole, so this shows only its beginning. " +
-           plot::escape(run.problem) + ".</p>\n";
+// Numbers the figures as they come.
+class Figures {
+ public:
+  std::string operator()(const std::string& image, std::string_view caption) {
+    return report::figure(number_, image, caption);
   }
-  out += report::verdict(run.summary);
-  for (const std::string& note : header.notes)
-    out += "<p class=\"soft\">" + plot::escape(note) + "</p>\n";
+
+ private:
+  int number_ = 0;
+};
+
+std::string motion(const RunData& run, Figures& figure) {
+  std::string out = "<h2>Motion</h2>\n";
+  out += figure(report::com_figure(run),
+                "Tracking of the centre of mass, as the paper's Fig. 4: lateral and forward "
+                "position against the plan, and the distance between the two in the plane.");
+  out += figure(report::adaptation_figure(run), report::adaptation_caption(run));
+  out += figure(report::map_figure(run), report::map_caption(run));
+  out += figure(report::event_figure(run), "What the planner did, how often, and when.");
   return out;
 }
 
-std::string figures(const RunData& run) {
-  int number = 0;
-  const auto figure = [&number](const std::string& image, const char* caption) {
-    return report::figure(number, image, caption);
-  };
-  std::string out = "<h2>Motion</h2>\n";
-  out +=
-      figure(report::com_figure(run),
-             "Tracking of the centre of mass, as the paper's Fig. 4: lateral and forward position "
-             "against the plan, and the distance between the two in the plane.");
-  out += figure(
-      report::adaptation_figure(run),
-      "Adaptation to the terrain, as the paper's Fig. 6. (a), (b) Errors of the torso against "
-      "its reference, in the control frame; orange: the limb limits act. Below, the distance of "
-      "each hip from its foot, with the limits; grey: the leg stands, orange: it searches for "
-      "ground, white: it swings.");
-  out += figure(report::event_figure(run), "What the planner did, and when.");
-  out +=
-      figure(report::footprint_figure(run),
-             "Seen from above: footprints in the leg's colour (front feet large, hind feet small), "
-             "the path of the centre of mass, and the triangles of three feet that carry the robot "
-             "while the fourth swings.");
-  out += "<h2>Forces</h2>\n";
+std::string forces(const RunData& run, Figures& figure) {
+  std::string out = "<h2>Forces</h2>\n";
   out += figure(report::torque_figure(run), "Commanded joint torques and their limits.");
-  out += figure(
-      report::force_figure(run),
-      "Normal force of the ground on each foot, true (coloured) and in the hierarchy's solution "
-      "(grey line). Shaded: the leg stands.");
-  out += "<h2>Hierarchy</h2>\n";
-  out += figure(
-      report::residual_figure(run),
-      "Residual of each level over time, the largest in each column, in the unit of the level's "
-      "rows. A level whose colour moves towards red is kept from its goal by those above it. The "
-      "last one, which asks for no contact force at all, never reaches it.");
-  out += figure(
-      report::active_rows_figure(run),
-      "Inequality rows at a bound or beyond it, with the number of their level; at most the 24 "
-      "that were active longest.");
-  out += figure(report::timing_figure(run),
-                "Wall-clock time of the controller's ticks, on a logarithmic axis. At 400 Hz there "
-                "are 2500 µs for one.");
+  out += figure(report::force_figure(run),
+                "Normal force of the ground on each foot: true (broad, coloured), and in the "
+                "hierarchy's solution (thin line). Shaded: the leg stands.");
+  return out;
+}
+
+std::string hierarchy(const RunData& run, Figures& figure) {
+  std::string out = "<h2>Hierarchy</h2>\n";
+  out += figure(report::residual_figure(run), report::residual_caption(run));
+  const std::string active = report::active_rows_figure(run);
+  out +=
+      figure(active,
+             "Inequalities that acted for 10 ms or longer, with the number of their level, by task "
+             "and leg. Friction and normal force are left out where a foot is lifted or set "
+             "down: there they hold by themselves.");
+  if (active.empty())
+    out += "<p class=\"soft\">No inequality acted but where a foot was lifted or set down.</p>\n";
+  return out + figure(report::timing_figure(run), report::timing_caption(run));
+}
+
+std::string body(const RunData& run) {
+  const report::Outcome outcome = report::read_outcome(run.summary, run.header.options);
+  Figures figure;
+  std::string out = report::title(run.header) + report::verdict(run, outcome);
+  out += "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run.header);
+  out += motion(run, figure);
+  out += forces(run, figure);
+  out += hierarchy(run, figure);
   return out;
 }
 
@@ -75,10 +72,7 @@ std::string figures(const RunData& run) {
 std::string write_report(const std::string& log_path, const std::string& output_dir) {
   const RunData run = read_run(log_path);
   const std::string path = output_dir + "/index.html";
-  report::write_page(
-      path, report::page(run.header.scenario + " – surefoot",
-                         head(run) + "<h2>Numbers</h2>\n" +
-                             report::numbers(run.summary, run.header.options) + figures(run)));
+  report::write_page(path, report::page(run.header.scenario + " – surefoot", body(run)));
   return path;
 }
 

@@ -3,154 +3,151 @@
 #include "surefoot/view/report_page.hpp"
 #include "surefoot/view/svg.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <vector>
+#include <string_view>
 
 namespace surefoot::report {
 namespace {
 
-using nlohmann::json;
-
-// A line of the table: a metric in the unit that people read it in.
+// A metric in the unit that people read it in.
 struct Quantity {
-  const char* metric;  // "tick_us/median": a member of a distribution
-  const char* name;
-  double scale;
-  int decimals;
-  const char* unit;
+  std::string_view metric;
+  std::string_view name;
+  double scale = 1.0;
+  int decimals = 3;
+  std::string_view unit = "";
+  bool always_shown = true;  // also where nothing is required of it
 };
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr std::array kQuantities{
+    Quantity{"goal_reached", "goal reached"},
+    Quantity{"fell", "fell"},
     Quantity{"com_error_max_m", "COM tracking error, largest", 1e3, 3, "mm"},
     Quantity{"com_error_rms_m", "COM tracking error, rms", 1e3, 3, "mm"},
     Quantity{"com_lateral_sway_m", "lateral COM sway", 1e3, 1, "mm"},
+    Quantity{"com_zmp_slack_max_m", "planned ZMP outside its polygon by", 1e3, 1, "mm", false},
     Quantity{"duration_s", "duration", 1.0, 2, "s"},
     Quantity{"distance_m", "distance", 1.0, 3, "m"},
     Quantity{"speed_mps", "speed", 1.0, 3, "m/s"},
-    Quantity{"steps_taken", "steps", 1.0, 0, ""},
-    Quantity{"no_ground_events", "feet taken back for want of ground", 1.0, 0, ""},
-    Quantity{"edge_landings", "landings on an edge", 1.0, 0, ""},
+    Quantity{"steps_taken", "steps", 1.0, 0},
+    Quantity{"no_ground_events", "feet taken back for want of ground", 1.0, 0},
+    Quantity{"edge_landings", "landings on an edge", 1.0, 0},
+    Quantity{"search_max_s", "longest search for ground", 1.0, 2, "s"},
     Quantity{"orientation_error_rms_rad", "torso orientation error, rms", kDegrees, 2, "°"},
     Quantity{"base_height_error_rms_m", "torso height error, rms", 1e3, 2, "mm"},
+    Quantity{"base_height_end_m", "torso above the feet at the end", 1.0, 3, "m", false},
     Quantity{"max_tilt_rad", "largest tilt", kDegrees, 1, "°"},
     Quantity{"limb_extension_max_m", "longest leg, hip to foot", 1.0, 3, "m"},
     Quantity{"torque_max_nm", "largest joint torque", 1.0, 1, "N·m"},
+    Quantity{"torque_command_max_nm", "largest commanded torque", 1.0, 1, "N·m", false},
     Quantity{"torque_step_max_nm", "largest torque step in a tick", 1.0, 2, "N·m"},
-    Quantity{"friction_margin_loaded_min", "smallest friction margin of a loaded foot", 1.0, 2, ""},
+    Quantity{"friction_margin_min", "smallest friction margin of any foot", 1.0, 2, "", false},
+    Quantity{"friction_margin_loaded_min", "smallest friction margin of a loaded foot", 1.0, 2},
     Quantity{"foot_slip_max_m", "longest slip in a stance", 1e3, 1, "mm"},
     Quantity{"penetration_max_m", "deepest penetration", 1e3, 2, "mm"},
-    Quantity{"shank_contacts", "shin or knee contacts", 1.0, 0, ""},
-    Quantity{"tick_us/median", "time per tick, median", 1.0, 0, "µs"},
-    Quantity{"tick_us/p99", "time per tick, 99 %", 1.0, 0, "µs"},
-    Quantity{"solve_us/median", "of it the solver, median", 1.0, 0, "µs"},
+    Quantity{"shank_contacts", "shin or knee contacts", 1.0, 0},
+    Quantity{"torso_contacts", "torso contacts", 1.0, 0, "", false},
+    Quantity{"fallback_ticks", "ticks without the hierarchy's optimum", 1.0, 0, "", false},
+    Quantity{"tick_us.median", "time per tick, median", 1.0, 0, "µs"},
+    Quantity{"tick_us.p99", "time per tick, 99 %", 1.0, 0, "µs"},
+    Quantity{"tick_us.max", "time per tick, longest", 1.0, 0, "µs", false},
+    Quantity{"solve_us.median", "of it the solver, median", 1.0, 0, "µs"},
+    Quantity{"solve_us.p99", "of it the solver, 99 %", 1.0, 0, "µs", false},
+    Quantity{"solve_us.max", "of it the solver, longest", 1.0, 0, "µs", false},
     Quantity{"realtime_factor", "speed of the simulation", 1.0, 1, "× real time"},
 };
 
-std::string measure(const json& value, double scale, int decimals, const std::string& unit) {
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (!value.is_number()) return "–";
-  return plot::decimal(scale * value.get<double>(), decimals) +
-         (unit.empty() || unit == "°" ? "" : " ") + unit;
+std::string measure(double value, const Quantity& quantity) {
+  return plot::decimal(quantity.scale * value, quantity.decimals) +
+         (quantity.unit.empty() || quantity.unit == "°" ? "" : " ") + std::string(quantity.unit);
 }
 
-const json* criterion_of(const json& summary, const std::string& metric) {
-  std::string name = metric;
-  std::replace(name.begin(), name.end(), '/', '.');
-  for (const json& criterion : summary.at("criteria")) {
-    if (criterion.at("metric") == name) return &criterion;
-  }
-  return nullptr;
+std::string yes_no(bool truth) { return truth ? "yes" : "no"; }
+
+std::string value_text(const Metric* metric, const Quantity& quantity) {
+  if (metric == nullptr) return "–";
+  if (const bool* truth = std::get_if<bool>(&metric->value)) return yes_no(*truth);
+  if (const double* number = std::get_if<double>(&metric->value)) return measure(*number, quantity);
+  if (const auto* text = std::get_if<std::string>(&metric->value)) return *text;
+  return "–";
 }
 
-std::string limits(const json& criterion, const Quantity& quantity) {
+std::string limits(const Requirement& criterion, const Quantity& quantity) {
+  if (criterion.equals) return yes_no(*criterion.equals);
   std::string text;
-  for (const auto& [member, sign] : {std::pair{"min", "≥ "}, std::pair{"max", "≤ "}}) {
-    const auto limit = criterion.find(member);
-    if (limit == criterion.end()) continue;
-    text += (text.empty() ? "" : ", ") + std::string(sign) +
-            measure(*limit, quantity.scale, quantity.decimals, quantity.unit);
-  }
+  if (criterion.min) text = "≥ " + measure(*criterion.min, quantity);
+  if (criterion.max) text += (text.empty() ? "≤ " : ", ≤ ") + measure(*criterion.max, quantity);
   return text;
 }
 
-// The scenario's figures of the paper, metric by metric, from all that was set.
-json paper_figures(const std::string& options) {
-  const json parsed = json::parse(options, nullptr, false);
-  const bool has_paper = parsed.is_object() && parsed.contains("paper");
-  return has_paper && parsed.at("paper").is_object() ? parsed.at("paper") : json::object();
+Cell required(const Requirement* criterion, const Quantity& quantity) {
+  if (criterion == nullptr) return {""};
+  const std::string text = limits(*criterion, quantity);
+  if (!criterion->passed) return {text + "  (not judged)", "soft"};
+  return *criterion->passed ? Cell{text + "  ✓ holds", "good"} : Cell{text + "  ✗ missed", "bad"};
 }
 
-// What the paper says of a metric; empty where it says nothing.
-std::string figure_of(const json& paper, const char* metric) {
-  const auto found = paper.find(metric);
-  if (found == paper.end() || found->is_null()) return "";
-  return found->is_string() ? found->get<std::string>() : found->dump();
+bool is_compared(const Outcome& outcome, const std::string& metric) {
+  return outcome.criterion(metric) != nullptr || outcome.figure_of_paper(metric) != nullptr;
 }
 
-std::vector<Cell> row(const json& summary, const json& paper, const Quantity& quantity,
-                      const json& value) {
-  Cell required;
-  if (const json* criterion = criterion_of(summary, quantity.metric)) {
-    const bool passed = criterion->at("passed").get<bool>();
-    required = {limits(*criterion, quantity) + (passed ? "  ✓ holds" : "  ✗ missed"),
-                passed ? "good" : "bad"};
-  }
-  return {{quantity.name},
-          {measure(value, quantity.scale, quantity.decimals, quantity.unit), "number"},
-          required,
-          {figure_of(paper, quantity.metric), "soft"}};
+// All quantities, and what criteria and paper name besides them, under its own name.
+std::vector<Quantity> quantities(const Outcome& outcome) {
+  std::vector<Quantity> all(kQuantities.begin(), kQuantities.end());
+  const auto add = [&all](const std::string& metric) {
+    const auto same = [&](const Quantity& quantity) { return quantity.metric == metric; };
+    if (std::ranges::none_of(all, same)) all.push_back({.metric = metric, .name = metric});
+  };
+  for (const Requirement& criterion : outcome.criteria) add(criterion.metric);
+  for (const auto& [metric, figure] : outcome.paper) add(metric);
+  std::ranges::stable_partition(all, [&](const Quantity& quantity) {
+    return is_compared(outcome, std::string(quantity.metric));
+  });
+  return all;
 }
 
-std::string all_metrics(const json& metrics) {
+std::vector<Cell> row(const Outcome& outcome, const Quantity& quantity) {
+  const std::string metric(quantity.metric);
+  const std::string* figure = outcome.figure_of_paper(metric);
+  return {{std::string(quantity.name)},
+          {value_text(outcome.metric(metric), quantity), "number"},
+          required(outcome.criterion(metric), quantity),
+          {figure == nullptr ? "" : *figure, "soft"}};
+}
+
+std::string all_metrics(const Outcome& outcome) {
   std::vector<std::vector<Cell>> rows;
-  for (const auto& [name, value] : metrics.items()) {
-    rows.push_back(
-        {{name}, {value.is_string() ? value.get<std::string>() : value.dump(), "number"}});
+  for (const Metric& metric : outcome.metrics) {
+    rows.push_back({{metric.name},
+                    {value_text(&metric, {.metric = "", .name = "", .decimals = 6}), "number"}});
   }
   return "<details><summary>All metrics under their names</summary>\n" +
          table({"metric", "value"}, rows) + "</details>\n";
 }
 
-// The summary if it is one of a finished run; null otherwise.
-json parse(const std::string& summary) {
-  json parsed = json::parse(summary, nullptr, false);
-  const bool usable =
-      parsed.is_object() && parsed.contains("metrics") && parsed.contains("criteria");
-  return usable ? parsed : json();
-}
-
 }  // namespace
 
-std::string numbers(const std::string& summary, const std::string& options) {
-  const json parsed = parse(summary);
-  if (parsed.is_null())
-    return "<p>The log holds no summary: its run did not end in the usual way.</p>\n";
-  const json& metrics = parsed.at("metrics");
-  const json paper = paper_figures(options);
-  std::vector<std::vector<Cell>> rows;
-  for (const Quantity& quantity : kQuantities) {
-    const json::json_pointer pointer("/" + std::string(quantity.metric));
-    if (!metrics.contains(pointer)) continue;
-    rows.push_back(row(parsed, paper, quantity, metrics.at(pointer)));
-  }
-  return table({"quantity", "this run", "required", "paper"}, rows) + all_metrics(metrics);
+std::string name_of(const std::string& metric) {
+  const auto found = std::ranges::find(kQuantities, metric, &Quantity::metric);
+  return found == kQuantities.end() ? metric : std::string(found->name);
 }
 
-std::string verdict(const std::string& summary) {
-  const json parsed = parse(summary);
-  if (parsed.is_null()) return "";
-  const json& metrics = parsed.at("metrics");
-  const bool succeeded = metrics.value("succeeded", false);
-  const std::string reason = metrics.value("reason", std::string());
-  return std::string("<div class=\"verdict ") +
-         (succeeded ? "good\">✓ all criteria hold" : "bad\">✗ not all criteria hold") +
-         "</div>\n<p>" + (reason.empty() ? "" : "How it ended: " + plot::escape(reason) + ".") +
-         "</p>\n";
+std::string numbers(const Outcome& outcome) {
+  std::vector<std::vector<Cell>> rows;
+  std::size_t compared = 0;
+  for (const Quantity& quantity : quantities(outcome)) {
+    const std::string metric(quantity.metric);
+    const bool asked = is_compared(outcome, metric);
+    const bool shown = quantity.always_shown && outcome.metric(metric) != nullptr;
+    // Without a goal it is said to be reached.
+    if (!asked && (!shown || (metric == "goal_reached" && outcome.goal.empty()))) continue;
+    rows.push_back(row(outcome, quantity));
+    compared += asked ? 1 : 0;
+  }
+  return table({"quantity", "this run", "required", "paper"}, rows, compared) +
+         (outcome.known ? all_metrics(outcome) : "");
 }
 
 }  // namespace surefoot::report

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "surefoot/view/outcome.hpp"
+
 #include <string>
 
 namespace surefoot::report {
 
-/// The run's numbers beside the paper's, as a table, and all of them below. From the log's summary;
-/// the paper's are those under `paper:` in the options of the log's header.
-[[nodiscard]] std::string numbers(const std::string& summary, const std::string& options);
+/// The run's numbers as a table: first each one that a criterion limits or the paper has a figure
+/// of, side by side, then what else matters; below, all metrics under their names.
+[[nodiscard]] std::string numbers(const Outcome& outcome);
 
-/// Whether the run's criteria hold, and why it ended, in a line.
-[[nodiscard]] std::string verdict(const std::string& summary);
+/// What people call a metric, e.g. "goal reached".
+[[nodiscard]] std::string name_of(const std::string& metric);
 
 }  // namespace surefoot::report

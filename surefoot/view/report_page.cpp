@@ -13,22 +13,23 @@ namespace {
 constexpr std::string_view kStyle = R"css(
 :root { color-scheme: light dark;
   --ground: #ffffff; --ink: #1c1f23; --soft: #5c636b; --rule: #d9dde1; --grid: #e8ebee; --card: #f6f7f8;
-  --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #aa4499; --bound: #7a1f1f;
+  --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #aa4499; --c5: #8a6d00; --bound: #7a1f1f;
   --good: #00704f; --bad: #b3261e; --stance: #5c636b1f; --search: #d55e0033;
-  --h0: #f1f3f5; --h1: #d6e2ee; --h2: #aecbe3; --h3: #7fabd3; --h4: #4f86bd; --h5: #8a4f9e; --h6: #c0392b; }
+  --g0: #ffffff; --g1: #f7f7f6; --g2: #f0f0ee; --g3: #e9e9e6; --g4: #e1e1dd; }
 @media (prefers-color-scheme: dark) { :root {
   --ground: #14171a; --ink: #e8eaed; --soft: #a3abb3; --rule: #363c42; --grid: #262b30; --card: #1c2024;
-  --c0: #56b4e9; --c1: #f5934e; --c2: #3fc99c; --c3: #e29bd3; --bound: #ff9b94;
+  --c0: #56b4e9; --c1: #f5934e; --c2: #3fc99c; --c3: #e29bd3; --c5: #e0c34a; --bound: #ff9b94;
   --good: #59d2a5; --bad: #ff8a80; --stance: #a3abb32b; --search: #f5934e47;
-  --h0: #1f2429; --h1: #22384c; --h2: #28506f; --h3: #356f98; --h4: #5596c4; --h5: #b07cc4; --h6: #ff7b6b; } }
+  --g0: #2b3137; --g1: #262b31; --g2: #20252a; --g3: #1a1e22; --g4: #0f1113; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 2.5rem 1.25rem 4rem; max-width: 60rem; background: var(--ground);
   color: var(--ink); font: 16px/1.5 system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; font-weight: 650; letter-spacing: -.01em; }
 h2 { font-size: 1.15rem; margin: 2.75rem 0 .75rem; font-weight: 650; }
 p { margin: .5rem 0; max-width: 46rem; }
+.lead { font-size: 1.05rem; margin: 0; }
 .facts { color: var(--soft); }
-.verdict { display: inline-block; margin: .75rem 0 .25rem; padding: .3rem .75rem; border: 1.5px solid currentColor;
+.verdict { display: inline-block; margin: .75rem .5rem .25rem 0; padding: .3rem .75rem; border: 1.5px solid currentColor;
   border-radius: .4rem; font-weight: 600; }
 .good { color: var(--good); } .bad { color: var(--bad); } .soft { color: var(--soft); }
 .warning { border-left: 4px solid var(--bad); background: var(--card); padding: .6rem .9rem; }
@@ -37,6 +38,9 @@ table { border-collapse: collapse; width: 100%; margin: .75rem 0; font-size: .92
 th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); padding: .35rem .6rem; }
 td { padding: .3rem .6rem; border-bottom: 1px solid var(--grid); vertical-align: top; }
 td.number, th.number { text-align: right; white-space: nowrap; }
+tr.group td { border-bottom: 1px solid var(--ink); }
+.troubles { margin: .5rem 0; padding: .5rem 1rem .5rem 2rem; background: var(--card); border-left: 4px solid var(--c1); }
+pre { background: var(--card); padding: .6rem .9rem; overflow-x: auto; font-size: .9rem; }
 .scroll { overflow-x: auto; }
 figure { margin: 1.75rem 0 2.5rem; }
 figcaption { font-size: .9rem; color: var(--soft); margin-top: .4rem; max-width: 50rem; }
@@ -55,17 +59,22 @@ svg text.panel-title { font-weight: 600; }
 .dashed { stroke-dasharray: 6 3.5; }
 .dotted { stroke-dasharray: 2 3; }
 .c0 { stroke: var(--c0); } .c1 { stroke: var(--c1); } .c2 { stroke: var(--c2); } .c3 { stroke: var(--c3); }
-.ink { stroke: var(--ink); }
+.c5 { stroke: var(--c5); } .ink { stroke: var(--ink); }
 .bound { fill: none; stroke: var(--bound); stroke-width: 1.1; stroke-dasharray: 8 3 2 3; }
 .stance { fill: var(--stance); } .search { fill: var(--search); }
-.support { fill: var(--soft); fill-opacity: .035; stroke: var(--soft); stroke-opacity: .35; stroke-width: .8; }
-.faint { stroke: var(--soft); stroke-width: 2.6; stroke-opacity: .55; }
+.support { fill: none; stroke: var(--soft); stroke-opacity: .45; stroke-width: .8; }
+.wide { stroke-width: 3.2; stroke-opacity: .5; } .fine { stroke-width: .9; }
+.edge { fill: none; stroke: var(--ink); stroke-width: 2.2; }
+.crease { fill: none; stroke: var(--ink); stroke-width: 1.3; stroke-dasharray: 7 3; }
+.contour { fill: none; stroke: var(--soft); stroke-width: .8; }
+.ground { fill: var(--soft); fill-opacity: .09; } .ground-line { fill: none; stroke: var(--ink); stroke-width: 1.8; }
 .dot { stroke: var(--ground); stroke-width: 1.2; }
 .f0 { fill: var(--c0); } .f1 { fill: var(--c1); } .f2 { fill: var(--c2); } .f3 { fill: var(--c3); }
 .column { fill: var(--c0); fill-opacity: .75; }
 .bar { fill: none; stroke-width: 9; } .b0 { stroke: var(--c0); } .b1 { stroke: var(--c1); }
-.h0 { fill: var(--h0); } .h1 { fill: var(--h1); } .h2 { fill: var(--h2); } .h3 { fill: var(--h3); }
-.h4 { fill: var(--h4); } .h5 { fill: var(--h5); } .h6 { fill: var(--h6); }
+.area { fill: var(--c0); fill-opacity: .35; stroke: var(--c0); stroke-width: .8; }
+.restless { fill: var(--soft); fill-opacity: .15; stroke: var(--soft); stroke-opacity: .6; }
+.g0 { fill: var(--g0); } .g1 { fill: var(--g1); } .g2 { fill: var(--g2); } .g3 { fill: var(--g3); } .g4 { fill: var(--g4); }
 @media print { body { max-width: none; padding: 0; font-size: 11pt; } figure { break-inside: avoid; } }
 )css";
 
@@ -84,24 +93,37 @@ std::string figure(int& number, const std::string& image, std::string_view capti
          plot::escape(caption) + "</figcaption>\n</figure>\n";
 }
 
-std::string table(const std::vector<std::string>& head,
-                  const std::vector<std::vector<Cell>>& rows) {
-  std::string out = "<div class=\"scroll\"><table>\n<tr>";
+namespace {
+
+std::string head_row(const std::vector<std::string>& head,
+                     const std::vector<std::vector<Cell>>& rows) {
+  std::string out = "<tr>";
   for (std::size_t i = 0; i < head.size(); ++i) {
     // A column's head stands where its cells do.
     const std::string style = rows.empty() || i >= rows[0].size() ? "" : rows[0][i].style;
     const bool right = style.find("number") != std::string::npos;
     out += std::string(right ? "<th class=\"number\">" : "<th>") + plot::escape(head[i]) + "</th>";
   }
-  out += "</tr>\n";
-  for (const auto& row : rows) {
-    out += "<tr>";
-    for (const Cell& cell : row) {
-      out += cell.style.empty() ? "<td>" : "<td class=\"" + cell.style + "\">";
-      out += (cell.is_html ? cell.text : plot::escape(cell.text)) + "</td>";
-    }
-    out += "</tr>\n";
+  return out + "</tr>\n";
+}
+
+std::string table_row(const std::vector<Cell>& row, bool ends_group) {
+  std::string out = ends_group ? "<tr class=\"group\">" : "<tr>";
+  for (const Cell& cell : row) {
+    out += cell.style.empty() ? "<td>" : "<td class=\"" + cell.style + "\">";
+    out += (cell.is_html ? cell.text : plot::escape(cell.text)) + "</td>";
   }
+  return out + "</tr>\n";
+}
+
+}  // namespace
+
+std::string table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows,
+                  std::size_t group) {
+  std::string out = "<div class=\"scroll\"><table>\n";
+  if (!head.empty()) out += head_row(head, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    out += table_row(rows[i], i + 1 == group && group < rows.size());
   return out + "</table></div>\n";
 }
 
@@ -109,11 +131,10 @@ void write_page(const std::string& path, std::string_view html) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(path).parent_path();
   std::error_code error;
-  if (!folder.empty()) fs::create_directory(folder, error);
-  if (!folder.empty() && !fs::is_directory(folder)) {
-    throw FileError(
-        folder.string() +
-        ": can't be made; a folder whose parent exists and may be written would be valid");
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (!folder.empty() && !fs::is_directory(folder, error)) {
+    throw FileError(folder.string() +
+                    ": can't be made; a folder where files may be written would be valid");
   }
   const std::string partial = path + ".partial";
   std::ofstream file(partial, std::ios::binary);

@@ -19,11 +19,12 @@ struct Cell {
   std::string style = {};  ///< CSS classes
   bool is_html = false;
 };
+/// `head` may be empty; the first `group` rows are set apart by a rule from those below.
 [[nodiscard]] std::string table(const std::vector<std::string>& head,
-                                const std::vector<std::vector<Cell>>& rows);
+                                const std::vector<std::vector<Cell>>& rows, std::size_t group = 0);
 
-/// Writes a file whole or not at all: under another name first. Makes the folder if its parent
-/// exists. Throws FileError.
+/// Writes a file whole or not at all: under another name first. Makes the folder if there
+/// is none. Throws FileError.
 void write_page(const std::string& path, std::string_view html);
 
 }  // namespace surefoot::report

@@ -49,11 +49,14 @@ TruthSample truth_sample(const McapMessage& message) {
 TickSample sample(const TickRecord& tick) {
   TickSample result{.time = tick.reading.time,
                     .plan = tick.plan,
+                    .p_WB = tick.state.p_WB,
                     .model = tick.model,
                     .torque = tick.command.torque,
                     .mode = tick.command.mode,
                     .residuals = {},
                     .num_levels = tick.hierarchy.num_levels,
+                    .active = {tick.hierarchy.active.begin(),
+                               tick.hierarchy.active.begin() + tick.hierarchy.num_active},
                     .truth = {}};
   for (std::size_t i = 0; i < kMaxLevels; ++i)
     result.residuals[i] = tick.hierarchy.levels[i].residual;
@@ -98,6 +101,18 @@ bool merge(const std::vector<TruthSample>& truths, std::vector<TickSample>& tick
 }
 
 }  // namespace
+
+Vec3 centre_of_mass(const TickSample& tick) {
+  return std::isnan(tick.truth.time) ? tick.model.p_WCom : tick.truth.p_WCom;
+}
+
+Vec3 base(const TickSample& tick) {
+  return std::isnan(tick.truth.time) ? tick.p_WB : tick.truth.p_WB;
+}
+
+Vec3 foot_centre(const TickSample& tick, std::size_t leg) {
+  return std::isnan(tick.truth.time) ? tick.model.p_WF[leg] : tick.truth.p_WF[leg];
+}
 
 RunData read_run(const std::string& log_path) {
   std::vector<TruthSample> truths;

@@ -28,11 +28,13 @@ struct TruthSample {
 struct TickSample {
   double time = 0.0;
   MotionPlan plan;
+  Vec3 p_WB = Vec3::Constant(kNaN);  ///< base, as the controller believed [m]
   ModelRecord model;
   JointVector torque = JointVector::Zero();  ///< commanded [N·m]
   CommandMode mode = CommandMode::optimal;
   std::array<double, kMaxLevels> residuals{};
   std::int32_t num_levels = 0;
+  std::vector<ActiveRow> active;  ///< inequality rows at or beyond a bound
   TruthSample truth;
 };
 
@@ -55,6 +57,12 @@ struct RunData {
   std::string problem;  ///< why the log could not be read to its end; empty if it is whole
   bool has_truth = false;
 };
+
+/// Position of a tick in W: the simulator's truth where the log has it, else what the controller
+/// believed.
+[[nodiscard]] Vec3 centre_of_mass(const TickSample& tick);
+[[nodiscard]] Vec3 base(const TickSample& tick);
+[[nodiscard]] Vec3 foot_centre(const TickSample& tick, std::size_t leg);
 
 /// Throws FileError as LogReader does, and if the log holds no tick.
 [[nodiscard]] RunData read_run(const std::string& log_path);

@@ -17,6 +17,7 @@ double letters(const std::string& text) {
 }
 
 Range y_range(const Panel& panel) {
+  if (!panel.y_range.empty()) return panel.y_range;
   Range range;
   for (const Curve& curve : panel.curves) range.add(curve.y);
   for (const Bound& bound : panel.bounds) range.add(bound.y);
@@ -67,8 +68,8 @@ std::string draw(const TimeFigure& figure) {
   double height = kBottom - kGap;
   for (const Panel& panel : figure.panels) height += kHead + panel.height + kGap;
   Svg svg(kFigureWidth, height);
-  Range x;
-  x.add(figure.x);
+  Range x = figure.x_range;
+  if (x.empty()) x.add(figure.x);
   double y = 0.0;
   for (const Panel& panel : figure.panels) {
     const Frame frame{.corner = {kLeftMargin, y + kHead},

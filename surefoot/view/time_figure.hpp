@@ -37,6 +37,7 @@ struct Panel {
   std::vector<Bound> bounds = {};
   double height = 120.0;   ///< [px]
   bool from_zero = false;  ///< the axis begins at 0
+  Range y_range = {};      ///< shown; empty: fits curves and bounds
 };
 
 /// Plots one above the other with the same time axis.
@@ -44,6 +45,7 @@ struct TimeFigure {
   std::string description;
   std::string x_label = "time [s]";
   std::vector<double> x;  ///< of all curves
+  Range x_range = {};     ///< shown; empty: all of x
   std::vector<Panel> panels;
 };
 

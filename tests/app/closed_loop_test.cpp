@@ -1,5 +1,6 @@
 #include "app/closed_loop.hpp"
 
+#include "app/log_terrain.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/log_reader.hpp"
@@ -95,6 +96,40 @@ TEST(ClosedLoop, the_log_names_what_the_run_was_made_from) {
   EXPECT_EQ(header.limb.form, "radial");
   EXPECT_EQ(header.limb.max, 0.535);
   EXPECT_EQ(header.event_names.at(2), "touchdown");
+}
+
+TEST(ClosedLoop, the_log_says_how_to_make_the_run_again) {
+  const test::TemporaryFolder folder;
+  ClosedLoopOptions options;
+  options.record_path = folder / "run.mcap";
+  const Scenario scenario = short_walk({"description=it's me"});
+  (void)run_closed_loop(scenario, options);
+  const LogHeader header = LogReader(folder / "run.mcap").header();
+  EXPECT_TRUE(header.command.starts_with("bin/surefoot run walk_flat_sea --seed 3 --set "));
+  EXPECT_TRUE(header.command.ends_with(R"( --set 'description=it'\''s me')")) << header.command;
+  EXPECT_EQ(header.description, "it's me");
+  ASSERT_EQ(header.drawn.size(), scenario.drawn.size());
+  ASSERT_FALSE(header.drawn.empty());
+  EXPECT_EQ(header.drawn[0].path, scenario.drawn[0].path);
+  EXPECT_EQ(header.drawn[0].value, scenario.drawn[0].value);
+}
+
+TEST(ClosedLoop, the_log_holds_the_ground_as_the_plant_has_it) {
+  const std::vector<LogTerrain> flat = log_terrain({});
+  ASSERT_EQ(flat.size(), 1u);
+  EXPECT_EQ(flat[0].shape, "plane");
+  TerrainRandomBoxes boxes;
+  boxes.size_x = 0.9;
+  boxes.size_y = 0.6;
+  boxes.cell = 0.3;
+  TerrainHeightField field;
+  field.amplitude = 0.02;
+  TerrainOptions terrain;
+  terrain.elements = {boxes, field};
+  const std::vector<LogTerrain> rough = log_terrain(terrain);
+  ASSERT_EQ(rough.size(), 7u) << "3 × 2 boxes, one field";
+  EXPECT_EQ(rough[0].size.x(), 0.3);
+  EXPECT_EQ(rough[6].heights.size(), static_cast<std::size_t>(rough[6].columns * rough[6].rows));
 }
 
 TEST(ClosedLoop, notes_tell_once_what_was_left_out_and_no_place_on_this_machine) {

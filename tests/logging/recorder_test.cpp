@@ -121,6 +121,16 @@ TEST(Recorder, TheHeaderIsReadBack) {
   EXPECT_EQ(header.robot.torque_limit, expected.robot.torque_limit);
   EXPECT_EQ(header.limb.level, expected.limb.level);
   EXPECT_EQ(header.limb.max, expected.limb.max);
+  EXPECT_EQ(header.commit, expected.commit);
+  EXPECT_EQ(header.command, expected.command);
+  EXPECT_EQ(header.description, expected.description);
+  ASSERT_EQ(header.drawn.size(), 1u);
+  EXPECT_EQ(header.drawn[0].path, expected.drawn[0].path);
+  EXPECT_EQ(header.drawn[0].value, expected.drawn[0].value);
+  ASSERT_EQ(header.terrain.size(), 2u);
+  EXPECT_EQ(header.terrain[0].shape, "box");
+  EXPECT_EQ(header.terrain[0].size, expected.terrain[0].size);
+  EXPECT_EQ(header.terrain[1].position, expected.terrain[1].position);
   EXPECT_EQ(header.notes, expected.notes);
   EXPECT_EQ(json::parse(header.options), json::parse(expected.options));
   ASSERT_EQ(header.attachments.size(), 1u);

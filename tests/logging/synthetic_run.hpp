@@ -26,7 +26,11 @@ class SyntheticRun {
   [[nodiscard]] static LogHeader header() {
     LogHeader header;
     header.version = "0.1.0";
+    header.commit = "0123456789ab";
+    header.command = "bin/surefoot run synthetic --seed 7 --set gait.swing_duration=0.5";
     header.scenario = "synthetic";
+    header.description = "a walk that never happened";
+    header.drawn = {{"initial.x", -0.05}};
     header.stack = "terrain_adaptation";
     header.estimation = "truth";
     header.options =
@@ -49,6 +53,9 @@ class SyntheticRun {
     header.robot.mass = 30.4;
     header.robot.foot_radius = 0.031;
     header.limb = {6, "radial", 0.18, 0.535};
+    // The ground ends 14 cm deeper at x = 0.5.
+    header.terrain = {{.shape = "box", .position = {-1.5, 0.0, -0.5}, .size = {4.0, 4.0, 1.0}},
+                      {.shape = "plane", .position = {0.0, 0.0, -0.14}}};
     header.notes = {"dropped the dummy inertia of the root link"};
     header.attachments = {{"model.xml", "application/xml", "<mujoco model=\"none\"/>"}};
     header.row_name = [](int level, std::int32_t id) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/simulation/plant_options.hpp"
+
+#include <vector>
+
+namespace surefoot {
+
+/// The ground as the plant makes it, piece by piece: random boxes one by one, generated heights
+/// filled in, the plane z = 0 if there is no element.
+[[nodiscard]] std::vector<LogTerrain> log_terrain(const TerrainOptions& terrain);
+
+}  // namespace surefoot

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "surefoot/view/run_data.hpp"
+
+#include <string>
+
+/// Captions that depend on what the run's stack has.
+namespace surefoot::report {
+
+[[nodiscard]] std::string adaptation_caption(const RunData& run);
+[[nodiscard]] std::string map_caption(const RunData& run);
+[[nodiscard]] std::string residual_caption(const RunData& run);
+[[nodiscard]] std::string timing_caption(const RunData& run);
+
+}  // namespace surefoot::report
