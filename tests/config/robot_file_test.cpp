@@ -149,21 +149,21 @@ TEST_F(RobotFile, with_legs_that_were_exchanged_says_so) {
 TEST_F(RobotFile, with_a_foot_on_another_leg_names_the_robot_file) {
   change(text_, "foot: LF_FOOT", "foot: RF_FOOT");
   EXPECT_TRUE(holds(complaint(), "robot.yaml:5: legs: frame \"RF_FOOT\" is not on"));
+}
 
-  TEST_F(RobotFile, whose_nominal_posture_bends_no_knee_says_so) {
-    for (const char* straight : {"0.0, -0.8]", "0.4, 0.8]", "0.4, 0.0]"}) {
-      const std::string before = text_;
-      change(text_, "0.4, -0.8]", straight);
-      EXPECT_TRUE(holds(complaint(), "posture.nominal: HFE and KFE must bend the knee"))
-          << straight;
-      text_ = before;
-    }
+TEST_F(RobotFile, whose_nominal_posture_bends_no_knee_says_so) {
+  for (const char* straight : {"0.0, -0.8]", "0.4, 0.8]", "0.4, 0.0]"}) {
+    const std::string before = text_;
+    change(text_, "0.4, -0.8]", straight);
+    EXPECT_TRUE(holds(complaint(), "posture.nominal: HFE and KFE must bend the knee")) << straight;
+    text_ = before;
   }
+}
 
-  TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
-    EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
-                      "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));
-  }
+TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
+  EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
+                    "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));
+}
 
 }  // namespace
 }  // namespace surefoot
