@@ -29,7 +29,9 @@ class ScenarioFile : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-const char* const kRandomFriction = "randomise:\n  terrain.friction: [0.4, 1.0]\n";
+/// Draws the friction and nothing of what walk_flat draws.
+const char* const kRandomFriction =
+    "randomise:\n  initial.yaw:\n  planner.gait.start_duration:\n  terrain.friction: [0.4, 1.0]\n";
 
 TEST_F(ScenarioFile, of_every_experiment_is_read_with_and_without_a_seed) {
   ASSERT_GE(list_data("scenarios").size(), 12u);

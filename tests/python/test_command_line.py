@@ -104,8 +104,9 @@ def test_a_foot_that_finds_no_ground_is_told_when_the_run_is_over():
     assert all(event["count"] >= 1 and 0 < event["first_s"] < 16 for event in events)
 
 
-def test_seeds_that_change_nothing_are_warned_of():
-    result = surefoot("run", "walk_flat", "--seeds", 2, "--jobs", 2, "--json", *SHORT)
+def test_seeds_that_change_nothing_are_warned_of(scenario):
+    same = scenario("duration: 0.1\nrandomise:\n  initial.yaw:\n  planner.gait.start_duration:\n")
+    result = surefoot("run", same, "--seeds", 2, "--jobs", 2, "--json")
     (warning,) = [line for line in result.stderr.splitlines() if "warning" in line]
     assert "draws nothing at random" in warning
     assert "warning" not in surefoot("run", "step_down", "--seeds", 2, "--jobs", 2, *SHORT).stderr
