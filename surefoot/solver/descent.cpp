@@ -32,6 +32,7 @@ Descent::Descent(const Hierarchy& capacity)
   const auto rows = static_cast<std::size_t>(rows_of(capacity) + capacity.unknowns());
   side_.assign(rows, 0);
   held_.reserve(rows);
+  fixed_.reserve(rows);
   free_.reserve(rows);
   constraints_.reserve(rows);
 }
@@ -143,8 +144,8 @@ void Descent::list_rows() {
 
 Descent::Move Descent::descend() {
   Sweep& t = memory_.sweep;
-  force_scale_ = 0.0;
-  if (rows_.num_counting() == 0) return Move::negligible;
+  has_swept_ = rows_.num_counting() > 0;
+  if (!has_swept_) return Move::negligible;
   list_rows();
   kernels_->run(t, 0, 2);
   kernels_->recover(t);
@@ -219,7 +220,7 @@ bool Descent::drop_worst() {
     force_scale_ += state_.scale[row] * std::abs(rows_.counting_residuals()[i]);
     force_noise_ += state_.scale[row] * state_.noise(row);
   }
-  if (held_.empty()) return false;
+  if (held_.empty() || !has_swept_) return false;
   list_rows();
   kernels_->run(t, 0, 2);
   kernels_->balance(t, 1, 0);
@@ -242,29 +243,14 @@ bool Descent::drop_worst() {
 // Rows that all optima of the level have at the same value leave: with them goes their direction.
 void Descent::retire(int level) {
   Sweep& t = memory_.sweep;
-  const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
-  int num_fixed = 0;
-  for (int column = 0; column < t.first_column[1] && !held_.empty(); ++column) {
-    const int row = t.pivot[column];
-    if (row < 0 || !(t.force[row] > strict)) continue;
-    side_[static_cast<std::size_t>(row)] = t.side[row];
-    t.order[num_fixed++] = row;
-  }
-  const int begin = t.level_begin[level];
   const int end = t.level_begin[level + 1];
-  for (int row = begin; row < end; ++row) {
-    const Side side = rows_.side(row - begin);
-    const bool is_violated =
-        std::abs(rows_.residuals()[row - begin]) > kViolated * state_.scale[row] * state_.x_size;
-    if (side == Side::equality || is_violated) {
-      side_[static_cast<std::size_t>(row)] =
-          side == Side::equality ? static_cast<signed char>(2) : static_cast<signed char>(side);
-      t.order[num_fixed++] = row;
-    }
+  const bool has_all = collect_fixed(level);
+  if (!has_all) {
+    t.num_taking_part = static_cast<int>(fixed_.size());
+    std::copy(fixed_.begin(), fixed_.end(), t.order);
+    kernels_->restart(t);
+    kernels_->fix(t, 0, t.num_taking_part);
   }
-  t.num_taking_part = num_fixed;
-  kernels_->restart(t);
-  kernels_->fix(t, 0, num_fixed);
   std::erase_if(free_,
                 [&](int row) { return row < end && side_[static_cast<std::size_t>(row)] != 0; });
   if (t.fixed > 0) kernels_->turn(t, free_.data(), static_cast<int>(free_.size()));
@@ -272,6 +258,32 @@ void Descent::retire(int level) {
   for (const int row : free_) {
     if (row < end) constraints_.push_back(row);
   }
+}
+
+// Lists held rows that push back, and rows of the level whose residual is the same at all of its
+// optima. True if these are the rows of the last sweep, so that its factorization can be used.
+bool Descent::collect_fixed(int level) {
+  const Sweep& t = memory_.sweep;
+  const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
+  fixed_.clear();
+  const int num_held = has_swept_ ? t.first_column[1] : 0;
+  for (int column = 0; column < num_held; ++column) {
+    const int row = t.pivot[column];
+    if (row >= 0 && t.force[row] > strict) fix(row, t.side[row]);
+  }
+  const int begin = t.level_begin[level];
+  for (int row = begin; row < t.level_begin[level + 1]; ++row) {
+    const Side side = rows_.side(row - begin);
+    const bool is_violated =
+        std::abs(rows_.residuals()[row - begin]) > kViolated * state_.scale[row] * state_.x_size;
+    if (side == Side::equality || is_violated) fix(row, static_cast<signed char>(side));
+  }
+  return has_swept_ && static_cast<int>(fixed_.size()) == t.num_taking_part;
+}
+
+void Descent::fix(int row, signed char side) {
+  side_[static_cast<std::size_t>(row)] = side;
+  fixed_.push_back(row);
 }
 
 }  // namespace surefoot

@@ -43,16 +43,19 @@ class Descent {
   [[nodiscard]] Block first_block() const;
   [[nodiscard]] bool drop_worst();
   void retire(int level);
+  [[nodiscard]] bool collect_fixed(int level);
+  void fix(int row, signed char side);
 
   SweepMemory memory_;
   const SweepKernels* kernels_ = nullptr;
   Tableau state_;  // values and bounds, by row; it has no columns
   LevelRows rows_;
   std::vector<signed char> side_;  // of rows that have been fixed
-  std::vector<int> held_;
+  std::vector<int> held_, fixed_;
   std::vector<int> free_;  // constraints and rows of the level, all that can still move
   std::vector<int> constraints_;
   double force_scale_ = 0.0, force_noise_ = 0.0;
+  bool has_swept_ = false;  // in the last step
   int num_levels_ = 0, num_steps_ = 0;
 };
 

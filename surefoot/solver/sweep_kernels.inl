@@ -43,6 +43,18 @@ SUREFOOT_INLINE Pack from(Pack p, int first) {
   return (Pack)((Bits)p & (Bits)(position >= (long long)first));
 }
 
+/// p with the element at `place` replaced.
+SUREFOOT_INLINE Pack with(Pack p, int place, double element) {
+#if SUREFOOT_PACK == 8
+  const Bits position = {0, 1, 2, 3, 4, 5, 6, 7};
+#elif SUREFOOT_PACK == 4
+  const Bits position = {0, 1, 2, 3};
+#else
+  const Bits position = {0, 1};
+#endif
+  return position == (long long)place ? Pack{} + element : p;
+}
+
 SUREFOOT_INLINE double dot(const double* a, const double* b, int size) {
   Pack s = Pack{};
   for (int i = 0; i < size; i += kPack) s += at(a + i) * at(b + i);
@@ -77,17 +89,32 @@ void evaluate(Sweep& s, int first, int end) {
 
 /// rows ← rows (I − β v vᵀ), for vectors of N packs; N = 0: of any number.
 template <int N>
-SUREFOOT_INLINE void reflect_packs(double* rows, int stride, const int* list, int count,
+static void reflect_packs(double* rows, int stride, const int* list, int count,
                                    const double* v, double beta, int packs) {
-  const int n = N > 0 ? N : packs;
-  Pack held[N > 0 ? N : 1];
-  for (int k = 0; k < N; ++k) held[k] = at(v + k * kPack);
-  for (int i = 0; i < count; ++i) {
-    double* row = rows + (long)list[i] * stride;
-    Pack along = Pack{};
-    for (int k = 0; k < n; ++k) along += at(row + k * kPack) * (N > 0 ? held[k] : at(v + k * kPack));
-    along = sum(along) * beta;
-    for (int k = 0; k < n; ++k) at(row + k * kPack) -= along * (N > 0 ? held[k] : at(v + k * kPack));
+  if constexpr (N > 0) {
+    Pack held[N];
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) held[k] = at(v + k * kPack);
+    for (int i = 0; i < count; ++i) {
+      double* row = rows + (long)list[i] * stride;
+      Pack here[N];
+#pragma GCC unroll 4
+      for (int k = 0; k < N; ++k) here[k] = at(row + k * kPack);
+      Pack along = here[0] * held[0];
+#pragma GCC unroll 4
+      for (int k = 1; k < N; ++k) along += here[k] * held[k];
+      along = sum(along) * beta;
+#pragma GCC unroll 4
+      for (int k = 0; k < N; ++k) at(row + k * kPack) = here[k] - along * held[k];
+    }
+  } else {
+    for (int i = 0; i < count; ++i) {
+      double* row = rows + (long)list[i] * stride;
+      Pack along = Pack{};
+      for (int k = 0; k < packs; ++k) along += at(row + k * kPack) * at(v + k * kPack);
+      along = sum(along) * beta;
+      for (int k = 0; k < packs; ++k) at(row + k * kPack) -= along * at(v + k * kPack);
+    }
   }
 }
 
@@ -122,20 +149,19 @@ SUREFOOT_INLINE double square_from(const double* row, int first, int stride) {
 }
 
 /// Turns `row` into (…, head, 0, …) by a reflection in the columns from `first` on. Returns β.
-static double make_reflection(double* row, double* v, int first, int stride, double square,
-                              double& head) {
+SUREFOOT_INLINE double make_reflection(double* row, double* v, int first, int stride, double square,
+                                       double& head) {
   const double norm = __builtin_sqrt(square);
   const double here = row[first];
   head = here > 0.0 ? -norm : norm;
   int k = first / kPack * kPack;
-  at(v + k) = from(at(row + k), first - k);
-  at(row + k) -= at(v + k);
+  const Pack tail = from(at(row + k), first - k);
+  at(v + k) = with(tail, first - k, here - head);
+  at(row + k) = with(at(row + k) - tail, first - k, head);
   for (k += kPack; k < stride; k += kPack) {
     at(v + k) = at(row + k);
     at(row + k) = Pack{};
   }
-  v[first] = here - head;
-  row[first] = head;
   return 1.0 / (square + norm * absolute(here));
 }
 
@@ -145,18 +171,28 @@ static void swap_rows(int* order, int i, int j) {
   order[j] = row;
 }
 
-/// The row at `position` takes the next column; in all rows after it the basis turns.
-static void eliminate(Sweep& s, int position, double square, bool usable) {
+/// The row at `position` takes the next column; in all rows after it the basis turns. Returns the
+/// squared length that is left of the next row: what it needs is begun before the others turn.
+static double eliminate(Sweep& s, int position, double square, bool usable) {
   const int row = s.order[position];
   const int column = s.fixed++;
   double* v = s.reflectors + (long)column * s.stride;
   double head = 0.0;
-  s.beta[column] =
+  const double beta =
       make_reflection(s.rows + (long)row * s.stride, v, column, s.stride, square, head);
+  s.beta[column] = beta;
   s.pivot[column] = usable ? row : -1;
   s.inverse_pivot[column] = usable ? 1.0 / head : 0.0;
-  reflect(s.rows, s.stride, s.order + position + 1, s.num_taking_part - position - 1, v,
-          s.beta[column], column);
+  const int* next = s.order + position + 1;
+  const int count = s.num_taking_part - position - 1;
+  if (count == 0 || s.fixed == s.columns) {
+    reflect(s.rows, s.stride, next, count, v, beta, column);
+    return 0.0;
+  }
+  reflect(s.rows, s.stride, next, 1, v, beta, column);
+  const double left = square_from(s.rows + (long)*next * s.stride, s.fixed, s.stride);
+  reflect(s.rows, s.stride, next + 1, count - 1, v, beta, column);
+  return left;
 }
 
 /// Rows that keep this share of their length are used as they come, in any order.
@@ -168,15 +204,19 @@ static int factorize_level(Sweep& s, int begin, int end) {
   int next = begin;
   int num_weak = 0;
   int untried = end;
+  double square = -1.0;  // of the next row; negative: not known
   while (next < untried && s.fixed < s.columns) {
     const int row = s.order[next];
-    const double square = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
+    if (square < 0.0) square = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
     const double clearly = kClearlyIndependent * s.scale[row];
     if (square > clearly * clearly) {
-      s.smallest_pivot = smaller(s.smallest_pivot, __builtin_sqrt(square) / s.scale[row]);
-      eliminate(s, next++, square, true);
+      if (square < s.smallest_pivot * s.smallest_pivot * s.scale[row] * s.scale[row]) {
+        s.smallest_pivot = __builtin_sqrt(square) / s.scale[row];
+      }
+      square = eliminate(s, next++, square, true);
     } else {
       swap_rows(s.order, next, --untried);
+      square = -1.0;
     }
   }
   while (next < end && s.fixed < s.columns) {  // the rest: the longest first
@@ -184,11 +224,11 @@ static int factorize_level(Sweep& s, int begin, int end) {
     double best_square = 0.0, best_relative = s.keep_tolerance;
     for (int i = next; i < end; ++i) {
       const int row = s.order[i];
-      const double square = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
-      const double relative = s.scale[row] > 0.0 ? __builtin_sqrt(square) / s.scale[row] : 0.0;
+      const double left = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
+      const double relative = s.scale[row] > 0.0 ? __builtin_sqrt(left) / s.scale[row] : 0.0;
       if (!(relative > best_relative)) continue;
       best = i;
-      best_square = square;
+      best_square = left;
       best_relative = relative;
     }
     if (best < 0) break;
@@ -196,7 +236,7 @@ static int factorize_level(Sweep& s, int begin, int end) {
     const bool usable = best_relative > s.solve_tolerance;
     if (usable) s.smallest_pivot = smaller(s.smallest_pivot, best_relative);
     num_weak += usable ? 0 : 1;
-    eliminate(s, next++, best_square, usable);
+    (void)eliminate(s, next++, best_square, usable);
   }
   return next - begin - num_weak;
 }
@@ -432,7 +472,7 @@ void run(Sweep& s, int first, int end) {
 
 /// rows of `basis` from `first` on ← (I − β v vᵀ) rows, for rows of N packs; N = 0: of any number.
 template <int N>
-SUREFOOT_INLINE void reflect_basis(Sweep& s, int stride, const double* v, double beta, int first) {
+static void reflect_basis(Sweep& s, int stride, const double* v, double beta, int first) {
   const int packs = N > 0 ? N : stride / kPack;
   for (int p = 0; p < packs; p += N > 0 ? N : 1) {
     constexpr int kWidth = N > 0 ? N : 1;
@@ -440,19 +480,27 @@ SUREFOOT_INLINE void reflect_basis(Sweep& s, int stride, const double* v, double
     int i = first;
     for (; i + 1 < s.unknowns; i += 2) {
       const double* row = s.basis + (long)i * stride + p * kPack;
-      for (int k = 0; k < kWidth; ++k) {
+      
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) {
         even[k] += v[i] * at(row + k * kPack);
         odd[k] += v[i + 1] * at(row + stride + k * kPack);
       }
     }
     if (i < s.unknowns) {
       const double* row = s.basis + (long)i * stride + p * kPack;
-      for (int k = 0; k < kWidth; ++k) even[k] += v[i] * at(row + k * kPack);
+      
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) even[k] += v[i] * at(row + k * kPack);
     }
-    for (int k = 0; k < kWidth; ++k) even[k] = (even[k] + odd[k]) * beta;
+    
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) even[k] = (even[k] + odd[k]) * beta;
     for (i = first; i < s.unknowns; ++i) {
       double* row = s.basis + (long)i * stride + p * kPack;
-      for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * even[k];
+      
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * even[k];
     }
   }
 }
@@ -469,10 +517,18 @@ void reduce(Sweep& s) {
   }
   for (int j = fixed - 1; j >= 0; --j) {
     const double* v = s.reflectors + (long)j * s.stride;
-    if (stride == 2 * kPack) {
-      reflect_basis<2>(s, stride, v, s.beta[j], j);
-    } else {
-      reflect_basis<0>(s, stride, v, s.beta[j], j);
+    switch (stride / kPack) {
+      case 1:
+        reflect_basis<1>(s, stride, v, s.beta[j], j);
+        break;
+      case 2:
+        reflect_basis<2>(s, stride, v, s.beta[j], j);
+        break;
+      case 4:
+        reflect_basis<4>(s, stride, v, s.beta[j], j);
+        break;
+      default:
+        reflect_basis<0>(s, stride, v, s.beta[j], j);
     }
   }
   s.columns = columns;
@@ -482,7 +538,7 @@ void reduce(Sweep& s) {
 
 /// to ← Σ aᵢ basis(i, :), for rows of N packs; N = 0: of any number.
 template <int N>
-SUREFOOT_INLINE void combine(const Sweep& s, const double* a, int first, int end, double* to) {
+static void combine(const Sweep& s, const double* a, int first, int end, double* to) {
   constexpr int kWidth = N > 0 ? N : 1;
   const int packs = N > 0 ? N : s.stride / kPack;
   for (int p = 0; p < packs; p += kWidth) {
@@ -490,16 +546,22 @@ SUREFOOT_INLINE void combine(const Sweep& s, const double* a, int first, int end
     int i = first;
     for (; i + 1 < end; i += 2) {
       const double* row = s.basis + (long)i * s.stride + p * kPack;
-      for (int k = 0; k < kWidth; ++k) {
+      
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) {
         even[k] += a[i] * at(row + k * kPack);
         odd[k] += a[i + 1] * at(row + s.stride + k * kPack);
       }
     }
     if (i < end) {
       const double* row = s.basis + (long)i * s.stride + p * kPack;
-      for (int k = 0; k < kWidth; ++k) even[k] += a[i] * at(row + k * kPack);
+      
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) even[k] += a[i] * at(row + k * kPack);
     }
-    for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = even[k] + odd[k];
+    
+#pragma GCC unroll 4
+for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = even[k] + odd[k];
   }
 }
 
@@ -515,10 +577,15 @@ void project(Sweep& s, int row) {
   int first = 0, end = s.unknowns;
   while (end > 0 && a[end - 1] == 0.0) --end;
   while (first < end && a[first] == 0.0) ++first;
-  if (s.stride == 2 * kPack) {
-    combine<2>(s, a, first, end, to);
-  } else {
-    combine<0>(s, a, first, end, to);
+  switch (s.stride / kPack) {
+    case 2:
+      combine<2>(s, a, first, end, to);
+      break;
+    case 4:
+      combine<4>(s, a, first, end, to);
+      break;
+    default:
+      combine<0>(s, a, first, end, to);
   }
   s.base_value[row] = to[s.columns];
   to[s.columns] = 0.0;
