@@ -153,6 +153,8 @@ const JointCommand& Controller::step(const SensorReading& reading,
 
 const TickRecord& Controller::record() const { return implementation_->record; }
 
+const Hierarchy& Controller::hierarchy() const { return implementation_->stack.hierarchy(); }
+
 std::vector<std::string> Controller::level_names() const {
   const Hierarchy& hierarchy = implementation_->stack.hierarchy();
   std::vector<std::string> names;

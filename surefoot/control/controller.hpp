@@ -7,6 +7,7 @@
 #include "surefoot/model/description.hpp"
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/signals/tick_record.hpp"
+#include "surefoot/solver/hierarchy.hpp"
 
 #include <memory>
 #include <string>
@@ -51,6 +52,8 @@ class Controller {
 
   /// Everything of the last tick.
   [[nodiscard]] const TickRecord& record() const;
+  /// The rows of the last tick that was believed, as the solver saw them.
+  [[nodiscard]] const Hierarchy& hierarchy() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
   /// Name of the row with this id in a level, for logs and tables.

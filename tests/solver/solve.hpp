@@ -2,19 +2,48 @@
 
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <Eigen/Core>
+#include <gtest/gtest.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace surefoot::test {
 
+/// All that promise the lexicographic optimum; each passes the same tests.
+using Solvers = testing::Types<CascadeSolver, LexicographicSolver>;
+
+template <typename Solver>
+struct OptionsOf;
+template <>
+struct OptionsOf<CascadeSolver> {
+  using Type = CascadeOptions;
+};
+template <>
+struct OptionsOf<LexicographicSolver> {
+  using Type = LexicographicOptions;
+};
+template <typename Solver>
+using Options = typename OptionsOf<Solver>::Type;
+
+/// Options that end a level after so many iterations.
+template <typename Solver>
+Options<Solver> limited(int iterations) {
+  Options<Solver> options;
+  options.max_iterations = iterations;
+  if constexpr (std::is_same_v<Solver, LexicographicSolver>) options.max_sweeps = 0;
+  return options;
+}
+
 /// A fresh solver's answer.
-inline Solution solve(Eigen::Index unknowns, const HierarchyData& levels,
-                      const CascadeOptions& options = {}) {
+template <typename Solver = CascadeSolver>
+Solution solve(Eigen::Index unknowns, const HierarchyData& levels,
+               const Options<Solver>& options = {}) {
   const Hierarchy hierarchy = make_hierarchy(unknowns, levels);
-  CascadeSolver solver(hierarchy, options);
+  Solver solver(hierarchy, options);
   return solver.solve(hierarchy);
 }
 

@@ -23,33 +23,38 @@ LevelData non_negative(Index n) {
 
 /// A linear programme as a hierarchy: the constraints, then a value of the objective that is out of
 /// reach. The residual of the last level is the distance to the optimum.
+template <typename Solver>
 Solution linear_programme(const LevelData& constraints, const VectorXd& cost, double target) {
   const Index n = cost.size();
-  return solve(
+  return solve<Solver>(
       n, {joined(constraints, non_negative(n)), equalities(cost.transpose(), number(target))});
 }
 
-TEST(CascadeAntiCycling, BealesExampleReachesItsOptimum) {
+template <typename Solver>
+class AntiCycling : public testing::Test {};
+TYPED_TEST_SUITE(AntiCycling, Solvers);
+
+TYPED_TEST(AntiCycling, BealesExampleReachesItsOptimum) {
   MatrixXd D(3, 4);
   D << 0.25, -8.0, -1.0, 9.0, 0.5, -12.0, -0.5, 3.0, 0.0, 0.0, 1.0, 0.0;
   const VectorXd f = (VectorXd(3) << 0.0, 0.0, 1.0).finished();
   const VectorXd cost = (VectorXd(4) << -0.75, 20.0, -0.5, 6.0).finished();
-  const Solution solution = linear_programme(at_most(D, f), cost, -10.0);
+  const Solution solution = linear_programme<TypeParam>(at_most(D, f), cost, -10.0);
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_NEAR(solution.levels[1].residual, 10.0 - 1.25, 1e-9);
 }
 
-TEST(CascadeAntiCycling, MarshallAndSuurballesExampleReachesItsOptimum) {
+TYPED_TEST(AntiCycling, MarshallAndSuurballesExampleReachesItsOptimum) {
   MatrixXd D(3, 4);
   D << 0.5, -5.5, -2.5, 9.0, 0.5, -1.5, -0.5, 1.0, 1.0, 0.0, 0.0, 0.0;
   const VectorXd f = (VectorXd(3) << 0.0, 0.0, 1.0).finished();
   const VectorXd cost = (VectorXd(4) << -10.0, 57.0, 9.0, 24.0).finished();
-  const Solution solution = linear_programme(at_most(D, f), cost, -10.0);
+  const Solution solution = linear_programme<TypeParam>(at_most(D, f), cost, -10.0);
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_NEAR(solution.levels[1].residual, 10.0 - 1.0, 1e-9);
 }
 
-TEST(CascadeAntiCycling, KleeAndMintysCubesReachTheirOptimum) {
+TYPED_TEST(AntiCycling, KleeAndMintysCubesReachTheirOptimum) {
   for (Index n = 2; n <= 6; ++n) {
     MatrixXd D = MatrixXd::Identity(n, n);
     VectorXd f(n), cost(n);
@@ -59,14 +64,14 @@ TEST(CascadeAntiCycling, KleeAndMintysCubesReachTheirOptimum) {
       cost[i] = std::pow(2.0, static_cast<double>(n - 1 - i));
     }
     const double best = f[n - 1];
-    const Solution solution = linear_programme(at_most(D, f), cost, 2.0 * best);
+    const Solution solution = linear_programme<TypeParam>(at_most(D, f), cost, 2.0 * best);
     EXPECT_EQ(solution.status, SolveStatus::optimal);
     EXPECT_NEAR(solution.levels[1].residual, best, 1e-9 * best) << n;
   }
 }
 
 /// Levels as rows of the same programmes, one row each.
-TEST(CascadeAntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
+TYPED_TEST(AntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
   int most_iterations = 0;
   for (int seed = 0; seed < 3000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -80,7 +85,7 @@ TEST(CascadeAntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
                                                   .tight_share = 1.0,
                                                   .integer_share = 1.0});
     levels.push_back(close_to(3.0 * random.vector(n)));
-    const Solution solution = solve(n, levels);
+    const Solution solution = solve<TypeParam>(n, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
     for (const LevelResult& level : solution.levels) {
@@ -90,7 +95,7 @@ TEST(CascadeAntiCycling, ManyRowsThroughOnePointEndWithinTheCap) {
   EXPECT_LE(most_iterations, 150);
 }
 
-TEST(CascadeAntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
+TYPED_TEST(AntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
   constexpr Index kFeet = 4;
   MatrixXd pyramid(5, 3);
   pyramid << 1, 0, -0.5, -1, 0, -0.5, 0, 1, -0.5, 0, -1, -0.5, 0, 0, -1;
@@ -103,7 +108,7 @@ TEST(CascadeAntiCycling, AllPyramidsAtTheirApexLetEveryWishedForceBeProjected) {
     // Sums of forces and moments first, then the forces themselves.
     const LevelData sums = equalities(random.matrix(6, 3 * kFeet), random.vector(6));
     const HierarchyData levels{cones, sums, close_to(random.vector(3 * kFeet))};
-    const Solution solution = solve(3 * kFeet, levels);
+    const Solution solution = solve<TypeParam>(3 * kFeet, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     ASSERT_LE(optimality_error(3 * kFeet, levels, solution.x), 1e-9);
   }

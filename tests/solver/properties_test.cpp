@@ -20,6 +20,7 @@ constexpr int kSeeds = 300;
 constexpr Index kUnknowns = 9;
 
 /// One random hierarchy whose last level makes x unique.
+template <typename Solver>
 struct Case {
   explicit Case(int seed) : random(static_cast<std::uint64_t>(seed)) {
     levels = random_levels(random, {.unknowns = kUnknowns,
@@ -27,7 +28,7 @@ struct Case {
                                     .max_rows = 5,
                                     .inequality_share = random.uniform(0.0, 1.0)});
     levels.push_back(close_to(random.vector(kUnknowns)));
-    solution = solve(kUnknowns, levels);
+    solution = solve<Solver>(kUnknowns, levels);
   }
   RandomMatrices random;
   HierarchyData levels;
@@ -35,8 +36,9 @@ struct Case {
 };
 
 /// The same problem in another form has the same x.
-void expect_same_x(const Case& original, const HierarchyData& changed) {
-  const Solution solution = solve(kUnknowns, changed);
+template <typename Solver>
+void expect_same_x(const Case<Solver>& original, const HierarchyData& changed) {
+  const Solution solution = solve<Solver>(kUnknowns, changed);
   ASSERT_EQ(solution.status, SolveStatus::optimal);
   ASSERT_LE((solution.x - original.solution.x).norm(), 1e-7 * (1.0 + original.solution.x.norm()));
 }
@@ -56,32 +58,36 @@ LevelData scaled(const LevelData& level, double factor) {
   return {factor * level.A, factor * level.lower, factor * level.upper};
 }
 
-TEST(CascadeProperties, EveryLevelMeetsItsOptimalityConditions) {
+template <typename Solver>
+class Properties : public testing::Test {};
+TYPED_TEST_SUITE(Properties, Solvers);
+
+TYPED_TEST(Properties, EveryLevelMeetsItsOptimalityConditions) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     ASSERT_EQ(original.solution.status, SolveStatus::optimal);
     ASSERT_LE(optimality_error(kUnknowns, original.levels, original.solution.x), 1e-9);
   }
 }
 
-TEST(CascadeProperties, AddingALowerLevelNeverChangesAHigherResidual) {
+TYPED_TEST(Properties, AddingALowerLevelNeverChangesAHigherResidual) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     for (std::size_t k = 1; k < original.levels.size(); ++k) {
       const HierarchyData part(original.levels.begin(),
                                original.levels.begin() + static_cast<std::ptrdiff_t>(k));
-      const double alone = solve(kUnknowns, part).levels.back().residual;
+      const double alone = solve<TypeParam>(kUnknowns, part).levels.back().residual;
       ASSERT_NEAR(alone, original.solution.levels[k - 1].residual, 1e-9 * (1.0 + alone));
     }
   }
 }
 
-TEST(CascadeProperties, TheOrderOfRowsInALevelDoesNotMatter) {
+TYPED_TEST(Properties, TheOrderOfRowsInALevelDoesNotMatter) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case original(seed);
+    Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       std::vector<Index> order(static_cast<std::size_t>(level.lower.size()));
@@ -94,23 +100,23 @@ TEST(CascadeProperties, TheOrderOfRowsInALevelDoesNotMatter) {
   }
 }
 
-TEST(CascadeProperties, AnOrthogonalChangeOfUnknownsCarriesOver) {
+TYPED_TEST(Properties, AnOrthogonalChangeOfUnknownsCarriesOver) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case original(seed);
+    Case<TypeParam> original(seed);
     const MatrixXd Q = original.random.rotation(kUnknowns);
     HierarchyData changed = original.levels;
     for (LevelData& level : changed) level.A = (level.A * Q).eval();
-    const Solution solution = solve(kUnknowns, changed);
+    const Solution solution = solve<TypeParam>(kUnknowns, changed);
     const VectorXd& x = original.solution.x;
     ASSERT_LE((Q * solution.x - x).norm(), 1e-7 * (1.0 + x.norm()));
   }
 }
 
-TEST(CascadeProperties, AFactorOnAllRowsOfALevelChangesNothing) {
+TYPED_TEST(Properties, AFactorOnAllRowsOfALevelChangesNothing) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case original(seed);
+    Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       changed.push_back(scaled(level, std::pow(10.0, original.random.uniform(-6.0, 6.0))));
@@ -119,10 +125,10 @@ TEST(CascadeProperties, AFactorOnAllRowsOfALevelChangesNothing) {
   }
 }
 
-TEST(CascadeProperties, TwoHalfWeightCopiesOfALevelAreThatLevel) {
+TYPED_TEST(Properties, TwoHalfWeightCopiesOfALevelAreThatLevel) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       const LevelData half = scaled(level, std::sqrt(0.5));
@@ -132,10 +138,10 @@ TEST(CascadeProperties, TwoHalfWeightCopiesOfALevelAreThatLevel) {
   }
 }
 
-TEST(CascadeProperties, AnEqualityIsAPairOfInequalities) {
+TYPED_TEST(Properties, AnEqualityIsAPairOfInequalities) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       const VectorXd open = VectorXd::Constant(level.lower.size(), kInfinity);
@@ -146,10 +152,10 @@ TEST(CascadeProperties, AnEqualityIsAPairOfInequalities) {
   }
 }
 
-TEST(CascadeProperties, ARowWithSwappedSignHasSwappedBounds) {
+TYPED_TEST(Properties, ARowWithSwappedSignHasSwappedBounds) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       changed.push_back(between(-level.A, -level.upper, -level.lower));
@@ -158,10 +164,10 @@ TEST(CascadeProperties, ARowWithSwappedSignHasSwappedBounds) {
   }
 }
 
-TEST(CascadeProperties, ALevelThatIsSatisfiedAnywayChangesNothing) {
+TYPED_TEST(Properties, ALevelThatIsSatisfiedAnywayChangesNothing) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case original(seed);
+    Case<TypeParam> original(seed);
     const MatrixXd A = original.random.matrix(4, kUnknowns);
     const VectorXd value = A * original.solution.x;
     HierarchyData changed = original.levels;
@@ -171,10 +177,10 @@ TEST(CascadeProperties, ALevelThatIsSatisfiedAnywayChangesNothing) {
   }
 }
 
-TEST(CascadeProperties, LevelsWithoutRowsChangeNothing) {
+TYPED_TEST(Properties, LevelsWithoutRowsChangeNothing) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     HierarchyData changed;
     for (const LevelData& level : original.levels) {
       changed.push_back({MatrixXd(0, kUnknowns), VectorXd(0), VectorXd(0)});
@@ -184,23 +190,23 @@ TEST(CascadeProperties, LevelsWithoutRowsChangeNothing) {
   }
 }
 
-TEST(CascadeProperties, AShiftOfTheOriginShiftsX) {
+TYPED_TEST(Properties, AShiftOfTheOriginShiftsX) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Case original(seed);
+    Case<TypeParam> original(seed);
     const VectorXd shift = original.random.vector(kUnknowns);
     HierarchyData changed = original.levels;
     for (LevelData& level : changed) {
       level.lower += level.A * shift;
       level.upper += level.A * shift;
     }
-    const Solution solution = solve(kUnknowns, changed);
+    const Solution solution = solve<TypeParam>(kUnknowns, changed);
     const VectorXd& x = original.solution.x;
     ASSERT_LE((solution.x - shift - x).norm(), 1e-7 * (1.0 + x.norm()));
   }
 }
 
-TEST(CascadeProperties, RowsOfOneRowLevelsMayHaveAnyScale) {
+TYPED_TEST(Properties, RowsOfOneRowLevelsMayHaveAnyScale) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -211,13 +217,13 @@ TEST(CascadeProperties, RowsOfOneRowLevelsMayHaveAnyScale) {
     for (const LevelData& level : levels) {
       changed.push_back(scaled(level, std::pow(10.0, random.uniform(-6.0, 6.0))));
     }
-    const Solution plain = solve(kUnknowns, levels);
-    const Solution other = solve(kUnknowns, changed);
+    const Solution plain = solve<TypeParam>(kUnknowns, levels);
+    const Solution other = solve<TypeParam>(kUnknowns, changed);
     ASSERT_LE((plain.x - other.x).norm(), 1e-7 * (1.0 + plain.x.norm()));
   }
 }
 
-TEST(CascadeProperties, RowsOfMixedScaleInALevelAreAllMetWhereTheyCanBe) {
+TYPED_TEST(Properties, RowsOfMixedScaleInALevelAreAllMetWhereTheyCanBe) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -228,22 +234,22 @@ TEST(CascadeProperties, RowsOfMixedScaleInALevelAreAllMetWhereTheyCanBe) {
       for (Index i = 0; i < A.rows(); ++i) A.row(i) *= std::pow(10.0, random.uniform(-6.0, 6.0));
       levels.push_back(equalities(A, A * x));
     }
-    const Solution solution = solve(kUnknowns, levels);
+    const Solution solution = solve<TypeParam>(kUnknowns, levels);
     ASSERT_LE((solution.x - x).norm(), 1e-8 * (1.0 + x.norm()));
   }
 }
 
-TEST(CascadeProperties, ConflictingRowsOfMixedScaleAreWeighed) {
+TYPED_TEST(Properties, ConflictingRowsOfMixedScaleAreWeighed) {
   // Weights from 1 to 1e8 between a row and its contradiction: x is their weighted mean.
   for (const double weight : {1.0, 1e1, 1e2, 1e3, 1e4}) {
     const MatrixXd A = (MatrixXd(2, 1) << weight, 1.0).finished();
     const VectorXd b = (VectorXd(2) << weight, 2.0).finished();
     const double mean = (weight * weight + 2.0) / (weight * weight + 1.0);
-    EXPECT_NEAR(solve(1, {equalities(A, b)}).x[0], mean, 1e-14) << weight;
+    EXPECT_NEAR(solve<TypeParam>(1, {equalities(A, b)}).x[0], mean, 1e-14) << weight;
   }
 }
 
-TEST(CascadeProperties, LightRowsBesideHeavyOnesKeepTheirSay) {
+TYPED_TEST(Properties, LightRowsBesideHeavyOnesKeepTheirSay) {
   // Heavy rows that agree act like a level above; the light rows after them are in conflict.
   constexpr double kWeight = 1e10;
   for (int seed = 0; seed < 100; ++seed) {
@@ -253,16 +259,16 @@ TEST(CascadeProperties, LightRowsBesideHeavyOnesKeepTheirSay) {
     heavy.row(2) = heavy.row(0) + heavy.row(1);
     const LevelData above = equalities(heavy, heavy * random.vector(4));
     const LevelData light = equalities(random.matrix(5, 4), random.vector(5));
-    const Solution two_levels = solve(4, {above, light});
-    const Solution one_level = solve(4, {joined(light, scaled(above, kWeight))});
+    const Solution two_levels = solve<TypeParam>(4, {above, light});
+    const Solution one_level = solve<TypeParam>(4, {joined(light, scaled(above, kWeight))});
     ASSERT_LE((two_levels.x - one_level.x).norm(), 1e-8 * (1.0 + two_levels.x.norm()));
   }
 }
 
-TEST(CascadeProperties, DegreesOfFreedomNeverIncreaseAndNeverGoBelowZero) {
+TYPED_TEST(Properties, DegreesOfFreedomNeverIncreaseAndNeverGoBelowZero) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case original(seed);
+    const Case<TypeParam> original(seed);
     Index before = kUnknowns;
     for (const LevelResult& level : original.solution.levels) {
       ASSERT_LE(level.degrees_of_freedom_left, before);

@@ -23,65 +23,70 @@ HierarchyData valid_levels() {
   return random_levels(random, {.unknowns = 6, .levels = 5, .max_rows = 4});
 }
 
+template <typename Solver>
 void expect_rejected(const HierarchyData& levels, int bad_level) {
-  const Solution solution = solve(6, levels);
+  const Solution solution = solve<Solver>(6, levels);
   EXPECT_EQ(solution.status, SolveStatus::invalid_input);
   EXPECT_EQ(solution.failed_level, bad_level);
   EXPECT_EQ(solution.x, VectorXd::Zero(6));
 }
 
-TEST(CascadeSafety, NumbersThatAreNoneAreRejectedWhereverTheyStand) {
+template <typename Solver>
+class Safety : public testing::Test {};
+TYPED_TEST_SUITE(Safety, Solvers);
+
+TYPED_TEST(Safety, NumbersThatAreNoneAreRejectedWhereverTheyStand) {
   for (const double poison : {kNaN, kInfinity, -kInfinity}) {
     HierarchyData levels = valid_levels();
     levels.insert(levels.begin() + 2, equalities(MatrixXd::Ones(2, 6), VectorXd::Ones(2)));
     levels[2].A(1, 4) = poison;
-    expect_rejected(levels, 2);
+    expect_rejected<TypeParam>(levels, 2);
     levels[2].A(1, 4) = 0.0;
     levels[2].lower[1] = levels[2].upper[1] = poison;
-    expect_rejected(levels, 2);
+    expect_rejected<TypeParam>(levels, 2);
   }
 }
 
-TEST(CascadeSafety, NaNInOneBoundIsRejected) {
+TYPED_TEST(Safety, NaNInOneBoundIsRejected) {
   HierarchyData levels = valid_levels();
   levels.push_back(between(MatrixXd::Ones(1, 6), VectorXd::Constant(1, kNaN), VectorXd::Ones(1)));
-  expect_rejected(levels, 5);
+  expect_rejected<TypeParam>(levels, 5);
   levels.back() = between(MatrixXd::Ones(1, 6), VectorXd::Ones(1), VectorXd::Constant(1, kNaN));
-  expect_rejected(levels, 5);
+  expect_rejected<TypeParam>(levels, 5);
 }
 
-TEST(CascadeSafety, SwappedBoundsAreRejected) {
+TYPED_TEST(Safety, SwappedBoundsAreRejected) {
   HierarchyData levels = valid_levels();
   levels.push_back(between(MatrixXd::Ones(1, 6), VectorXd::Ones(1), VectorXd::Zero(1)));
-  expect_rejected(levels, 5);
+  expect_rejected<TypeParam>(levels, 5);
 }
 
-TEST(CascadeSafety, BoundsThatNothingCanMeetAreRejected) {
+TYPED_TEST(Safety, BoundsThatNothingCanMeetAreRejected) {
   HierarchyData levels = valid_levels();
   levels.push_back(between(MatrixXd::Ones(1, 6), VectorXd::Constant(1, kInfinity),
                            VectorXd::Constant(1, kInfinity)));
-  expect_rejected(levels, 5);
+  expect_rejected<TypeParam>(levels, 5);
 }
 
-TEST(CascadeSafety, NumbersThatOverflowAreRejectedRatherThanReturned) {
+TYPED_TEST(Safety, NumbersThatOverflowAreRejectedRatherThanReturned) {
   HierarchyData levels = valid_levels();
   levels.push_back(equalities(1e200 * MatrixXd::Ones(1, 6), VectorXd::Ones(1)));
-  expect_rejected(levels, 5);
+  expect_rejected<TypeParam>(levels, 5);
 }
 
-TEST(CascadeSafety, ARowWithoutBoundsIsAllowed) {
+TYPED_TEST(Safety, ARowWithoutBoundsIsAllowed) {
   HierarchyData levels = valid_levels();
   levels.push_back(between(MatrixXd::Ones(1, 6), VectorXd::Constant(1, -kInfinity),
                            VectorXd::Constant(1, kInfinity)));
-  const Solution solution = solve(6, levels);
+  const Solution solution = solve<TypeParam>(6, levels);
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_EQ(solution.levels.back().residual, 0.0);
   EXPECT_EQ(solution.levels.back().rows[0], RowState::inactive);
 }
 
-TEST(CascadeSafety, AHierarchyBeyondTheCapacityIsRejected) {
+TYPED_TEST(Safety, AHierarchyBeyondTheCapacityIsRejected) {
   const Hierarchy small = make_hierarchy(3, {close_to(VectorXd::Ones(3))});
-  CascadeSolver solver(small);
+  TypeParam solver(small);
   const Hierarchy more_rows =
       make_hierarchy(3, {joined(close_to(VectorXd::Ones(3)), close_to(VectorXd::Ones(3)))});
   const Hierarchy more_levels =
@@ -93,12 +98,12 @@ TEST(CascadeSafety, AHierarchyBeyondTheCapacityIsRejected) {
   EXPECT_EQ(solver.solve(small).status, SolveStatus::optimal);
 }
 
-TEST(CascadeSafety, ASolverRecoversFromBadInput) {
+TYPED_TEST(Safety, ASolverRecoversFromBadInput) {
   const HierarchyData good = valid_levels();
   HierarchyData bad = good;
   bad[0].A(0, 0) = kNaN;
   const Hierarchy good_hierarchy = make_hierarchy(6, good);
-  CascadeSolver solver(good_hierarchy);
+  TypeParam solver(good_hierarchy);
   const Solution before = solver.solve(good_hierarchy);
   EXPECT_EQ(solver.solve(make_hierarchy(6, bad)).status, SolveStatus::invalid_input);
   const Solution after = solver.solve(good_hierarchy);
@@ -106,10 +111,10 @@ TEST(CascadeSafety, ASolverRecoversFromBadInput) {
   EXPECT_EQ(after.x, before.x);
 }
 
-TEST(CascadeSafety, FewerRowsThanTheCapacityAreSolved) {
+TYPED_TEST(Safety, FewerRowsThanTheCapacityAreSolved) {
   Hierarchy hierarchy(2);
   hierarchy.add_level("task", 5);
-  CascadeSolver solver(hierarchy);
+  TypeParam solver(hierarchy);
   EXPECT_EQ(solver.solve(hierarchy).status, SolveStatus::optimal);
   Rows rows = hierarchy.level(0).add(1, 0);
   rows.A << 1.0, 0.0;
@@ -119,16 +124,16 @@ TEST(CascadeSafety, FewerRowsThanTheCapacityAreSolved) {
   EXPECT_NEAR(solution.x[0], 3.0, 1e-15);
 }
 
-TEST(CascadeSafety, AtTheCapOfIterationsAllFinishedLevelsKeepTheirOptimum) {
+TYPED_TEST(Safety, AtTheCapOfIterationsAllFinishedLevelsKeepTheirOptimum) {
   int num_capped = 0;
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const HierarchyData levels =
         random_levels(random, {.unknowns = 8, .levels = 6, .max_rows = 6, .inequality_share = 0.8});
-    const std::vector<double> optimal = residuals(solve(8, levels));
+    const std::vector<double> optimal = residuals(solve<TypeParam>(8, levels));
     for (int cap = 1; cap <= 6; ++cap) {
-      const Solution capped = solve(8, levels, {.rank = {}, .max_iterations = cap});
+      const Solution capped = solve<TypeParam>(8, levels, limited<TypeParam>(cap));
       ASSERT_TRUE(capped.x.allFinite());
       const bool ended_early = capped.status == SolveStatus::iteration_cap;
       num_capped += ended_early ? 1 : 0;
@@ -142,12 +147,12 @@ TEST(CascadeSafety, AtTheCapOfIterationsAllFinishedLevelsKeepTheirOptimum) {
   EXPECT_GT(num_capped, 300);
 }
 
-TEST(CascadeSafety, TheSameInputGivesTheSameBits) {
+TYPED_TEST(Safety, TheSameInputGivesTheSameBits) {
   for (int seed = 0; seed < 50; ++seed) {
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Hierarchy first = make_hierarchy(30, table_one_levels(random, 2 + seed % 3, 1.0));
-    CascadeSolver fresh(first);
-    CascadeSolver used(first);
+    TypeParam fresh(first);
+    TypeParam used(first);
     Hierarchy other(30);
     for (std::size_t k = 0; k < first.num_levels(); ++k) other.add_level("", 0);
     (void)used.solve(first);
@@ -157,19 +162,19 @@ TEST(CascadeSafety, TheSameInputGivesTheSameBits) {
   }
 }
 
-TEST(CascadeSafety, NothingIsAllocatedAfterConstruction) {
+TYPED_TEST(Safety, NothingIsAllocatedAfterConstruction) {
   for (int seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 2 + seed % 3, 1.0));
-    CascadeSolver solver(hierarchy);
+    TypeParam solver(hierarchy);
     const MallocCounter counter;
     (void)solver.solve(hierarchy);
     ASSERT_EQ(counter.count(), 0u);
   }
 }
 
-TEST(CascadeSafety, NothingIsAllocatedForLargeOrInvalidProblemsEither) {
+TYPED_TEST(Safety, NothingIsAllocatedForLargeOrInvalidProblemsEither) {
   RandomMatrices random(3);
   const HierarchyData levels = random_levels(random, {.unknowns = 120,
                                                       .levels = 6,
@@ -180,14 +185,14 @@ TEST(CascadeSafety, NothingIsAllocatedForLargeOrInvalidProblemsEither) {
   HierarchyData poisoned_levels = levels;
   poisoned_levels[5].lower[0] = kNaN;
   const Hierarchy poisoned = make_hierarchy(120, poisoned_levels);
-  CascadeSolver solver(hierarchy);
+  TypeParam solver(hierarchy);
   const MallocCounter counter;
   (void)solver.solve(hierarchy);
   (void)solver.solve(poisoned);
   EXPECT_EQ(counter.count(), 0u);
 }
 
-TEST(CascadeSafety, TheAllocationCounterCounts) {
+TYPED_TEST(Safety, TheAllocationCounterCounts) {
   const MallocCounter counter;
   const VectorXd vector = VectorXd::Ones(100);
   EXPECT_GE(counter.count(), 1u);

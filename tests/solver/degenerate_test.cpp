@@ -23,7 +23,11 @@ LevelData rank_deficient(RandomMatrices& random, Index rows, Index rank, Index u
   return equalities(random.matrix(rows, rank) * random.matrix(rank, unknowns), random.vector(rows));
 }
 
-TEST(CascadeDegenerate, RankDeficientLevelsTakeAsManyDirectionsAsTheirRank) {
+template <typename Solver>
+class Degenerate : public testing::Test {};
+TYPED_TEST_SUITE(Degenerate, Solvers);
+
+TYPED_TEST(Degenerate, RankDeficientLevelsTakeAsManyDirectionsAsTheirRank) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -33,7 +37,7 @@ TEST(CascadeDegenerate, RankDeficientLevelsTakeAsManyDirectionsAsTheirRank) {
       ranks.push_back(random.integer(0, 3));
       levels.push_back(rank_deficient(random, 5, ranks.back(), 10));
     }
-    const Solution solution = solve(10, levels);
+    const Solution solution = solve<TypeParam>(10, levels);
     Index left = 10;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       left -= std::min(ranks[k], left);
@@ -43,7 +47,7 @@ TEST(CascadeDegenerate, RankDeficientLevelsTakeAsManyDirectionsAsTheirRank) {
   }
 }
 
-TEST(CascadeDegenerate, ARepeatedLevelHasNoEffect) {
+TYPED_TEST(Degenerate, ARepeatedLevelHasNoEffect) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -53,8 +57,8 @@ TEST(CascadeDegenerate, ARepeatedLevelHasNoEffect) {
       repeated.push_back(level);
       repeated.push_back(level);
     }
-    const std::vector<double> once = residuals(solve(8, levels));
-    const std::vector<double> twice = residuals(solve(8, repeated));
+    const std::vector<double> once = residuals(solve<TypeParam>(8, levels));
+    const std::vector<double> twice = residuals(solve<TypeParam>(8, repeated));
     for (std::size_t k = 0; k < levels.size(); ++k) {
       ASSERT_NEAR(once[k], twice[2 * k], 1e-9 * (1.0 + once[k]));
       ASSERT_NEAR(once[k], twice[2 * k + 1], 1e-9 * (1.0 + once[k]));
@@ -62,23 +66,24 @@ TEST(CascadeDegenerate, ARepeatedLevelHasNoEffect) {
   }
 }
 
-TEST(CascadeDegenerate, AConflictingCopyOfALevelDoesNotMoveIt) {
+TYPED_TEST(Degenerate, AConflictingCopyOfALevelDoesNotMoveIt) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const LevelData level = equalities(random.matrix(4, 7), random.vector(4));
     const LevelData copy = equalities(level.A, random.vector(4));
-    const Solution alone = solve(7, {level});
-    const Solution both = solve(7, {level, copy});
+    const Solution alone = solve<TypeParam>(7, {level});
+    const Solution both = solve<TypeParam>(7, {level, copy});
     ASSERT_LE((alone.x - both.x).norm(), 1e-12);
     ASSERT_NEAR(both.levels[1].residual, (copy.lower - level.lower).norm(), 1e-9);
   }
 }
 
-TEST(CascadeDegenerate, ZeroRowsKeepTheirResidualAndTakeNoFreedom) {
+TYPED_TEST(Degenerate, ZeroRowsKeepTheirResidualAndTakeNoFreedom) {
   const LevelData zero = equalities(MatrixXd::Zero(2, 3), Vector2d(1.0, -2.0));
   const LevelData limit = at_most(MatrixXd::Zero(1, 3), number(-3.0));
-  const Solution solution = solve(3, {zero, limit, close_to(Eigen::Vector3d(1.0, 2.0, 3.0))});
+  const Solution solution =
+      solve<TypeParam>(3, {zero, limit, close_to(Eigen::Vector3d(1.0, 2.0, 3.0))});
   EXPECT_EQ(solution.status, SolveStatus::optimal);
   EXPECT_NEAR(solution.levels[0].residual, std::sqrt(5.0), 1e-15);
   EXPECT_EQ(solution.levels[0].degrees_of_freedom_left, 3);
@@ -86,20 +91,20 @@ TEST(CascadeDegenerate, ZeroRowsKeepTheirResidualAndTakeNoFreedom) {
   EXPECT_NEAR((solution.x - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 0.0, 1e-15);
 }
 
-TEST(CascadeDegenerate, MoreRowsThanUnknownsAreLeastSquares) {
+TYPED_TEST(Degenerate, MoreRowsThanUnknownsAreLeastSquares) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const Index n = random.integer(1, 6);
     const HierarchyData levels = random_levels(
         random, {.unknowns = n, .levels = 3, .max_rows = 20, .inequality_share = 0.6});
-    const Solution solution = solve(n, levels);
+    const Solution solution = solve<TypeParam>(n, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     ASSERT_LE(optimality_error(n, levels, solution.x), 1e-9);
   }
 }
 
-TEST(CascadeDegenerate, DuplicatedDependentAndZeroRowsAreSolvedExactly) {
+TYPED_TEST(Degenerate, DuplicatedDependentAndZeroRowsAreSolvedExactly) {
   for (int seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -110,25 +115,26 @@ TEST(CascadeDegenerate, DuplicatedDependentAndZeroRowsAreSolvedExactly) {
                                                         .duplicate_share = 0.2,
                                                         .dependent_share = 0.2,
                                                         .zero_share = 0.05});
-    const Solution solution = solve(8, levels);
+    const Solution solution = solve<TypeParam>(8, levels);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     ASSERT_LE(optimality_error(8, levels, solution.x), 1e-9);
   }
 }
 
 /// A level whose second singular value is about `sigma`, below it one that wants x₁ = 0.
+template <typename Solver>
 Solution nearly_singular(double sigma) {
   const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished();
-  return solve(2,
-               {equalities(A, Vector2d(1.0, 2.0)), equalities(RowVector2d(0.0, 1.0), number(0.0))});
+  return solve<Solver>(
+      2, {equalities(A, Vector2d(1.0, 2.0)), equalities(RowVector2d(0.0, 1.0), number(0.0))});
 }
 
-TEST(CascadeDegenerate, AWeakDirectionIsUsedDownToTheRankToleranceAndNotBelow) {
+TYPED_TEST(Degenerate, AWeakDirectionIsUsedDownToTheRankToleranceAndNotBelow) {
   const double tolerance = RankTolerance{}.solve;
   for (int step = 0; step <= 120; ++step) {
     const double sigma = std::pow(10.0, -2.0 - 0.1 * step);
     SCOPED_TRACE("singular value " + std::to_string(std::log10(sigma)));
-    const Solution solution = nearly_singular(sigma);
+    const Solution solution = nearly_singular<TypeParam>(sigma);
     ASSERT_EQ(solution.status, SolveStatus::optimal);
     if (sigma > 1.01 * tolerance) {
       ASSERT_NEAR(solution.levels[0].residual, 0.0, 1e-7);
@@ -140,7 +146,7 @@ TEST(CascadeDegenerate, AWeakDirectionIsUsedDownToTheRankToleranceAndNotBelow) {
   }
 }
 
-TEST(CascadeDegenerate, AWeakDirectionNeverBlowsXUpBeyondTheInverseOfTheTolerance) {
+TYPED_TEST(Degenerate, AWeakDirectionNeverBlowsXUpBeyondTheInverseOfTheTolerance) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
@@ -151,27 +157,27 @@ TEST(CascadeDegenerate, AWeakDirectionNeverBlowsXUpBeyondTheInverseOfTheToleranc
       singular[5] = std::pow(10.0, -exponent);
       const MatrixXd A = U * singular.asDiagonal() * V.transpose();
       const HierarchyData levels{equalities(A, random.vector(6)), close_to(random.vector(6))};
-      const Solution solution = solve(6, levels);
+      const Solution solution = solve<TypeParam>(6, levels);
       ASSERT_EQ(solution.status, SolveStatus::optimal);
       ASSERT_LE(solution.x.norm(), 100.0 / RankTolerance{}.solve) << "1e-" << exponent;
     }
   }
 }
 
-TEST(CascadeDegenerate, AWeakDirectionIsNotGivenToLowerLevels) {
+TYPED_TEST(Degenerate, AWeakDirectionIsNotGivenToLowerLevels) {
   // Too weak to be used, too strong to be given away: level 2 must not disturb level 1.
   const double sigma = 1e-10;
-  const Solution alone = solve(
+  const Solution alone = solve<TypeParam>(
       2, {equalities((MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished(), Vector2d(1.0, 2.0))});
   const LevelData strong = equalities(RowVector2d(0.0, 1.0), number(1e9));
-  const Solution both =
-      solve(2, {equalities((MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished(), Vector2d(1.0, 2.0)),
-                strong});
+  const Solution both = solve<TypeParam>(
+      2, {equalities((MatrixXd(2, 2) << 1.0, 0.0, 1.0, sigma).finished(), Vector2d(1.0, 2.0)),
+          strong});
   EXPECT_EQ(alone.levels[0].degrees_of_freedom_left, 0);
   EXPECT_NEAR(both.levels[0].residual, alone.levels[0].residual, 1e-12);
 }
 
-TEST(CascadeDegenerate, RoundingOfAWeakDirectionDoesNotPassForAnotherOne) {
+TYPED_TEST(Degenerate, RoundingOfAWeakDirectionDoesNotPassForAnotherOne) {
   // Level 1 spans a plane by rows that are almost parallel, level 2 lies in that plane.
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -180,18 +186,18 @@ TEST(CascadeDegenerate, RoundingOfAWeakDirectionDoesNotPassForAnotherOne) {
     const MatrixXd A1 = (MatrixXd(2, 3) << 1.0, 0.0, 0.0, 1.0, 1e-6, 0.0).finished() * Q;
     const MatrixXd A2 = (MatrixXd(1, 3) << 1.0, 2.0, 0.0).finished() * Q;
     const Solution solution =
-        solve(3, {equalities(A1, Vector2d(1.0, 1.0)), equalities(A2, number(3.0))});
+        solve<TypeParam>(3, {equalities(A1, Vector2d(1.0, 1.0)), equalities(A2, number(3.0))});
     ASSERT_EQ(solution.levels[0].degrees_of_freedom_left, 1);
     ASSERT_EQ(solution.levels[1].degrees_of_freedom_left, 1);
   }
 }
 
-TEST(CascadeDegenerate, TwoTasksInConflictLoseRankTogether) {
+TYPED_TEST(Degenerate, TwoTasksInConflictLoseRankTogether) {
   // A₁ and A₂ have full rank each, A₂ Z₁ has not (Eq. 12).
   const MatrixXd A1 = (MatrixXd(1, 3) << 1.0, 1.0, 0.0).finished();
   const MatrixXd A2 = (MatrixXd(2, 3) << 2.0, 2.0, 0.0, 0.0, 0.0, 1.0).finished();
   const Solution solution =
-      solve(3, {equalities(A1, number(1.0)), equalities(A2, Vector2d(4.0, 5.0))});
+      solve<TypeParam>(3, {equalities(A1, number(1.0)), equalities(A2, Vector2d(4.0, 5.0))});
   EXPECT_EQ(solution.levels[1].degrees_of_freedom_left, 1);
   EXPECT_NEAR(solution.levels[1].residual, 2.0, 1e-12);
   EXPECT_NEAR(solution.x[2], 5.0, 1e-12);

@@ -1,0 +1,280 @@
+#include "surefoot/solver/lexicographic_solver.hpp"
+
+#include "surefoot/solver/denormals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A row within this share of ‖a‖ ‖x‖ of a bound is reported as being at it.
+constexpr double kAtBound = 1e-10;
+
+/// Times that a guess is improved before the search starts without one.
+constexpr int kTries = 2;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+bool are_sound(double lower, double upper) {
+  return lower <= upper && lower < kInfinity && upper > -kInfinity;
+}
+
+bool is_sound(const Level& level) {
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    if (!are_sound(level.lower()[i], level.upper()[i])) return false;
+    if (!std::isfinite(level.A().row(i).squaredNorm())) return false;
+  }
+  return true;
+}
+
+RowState state_of(double value, double lower, double upper, double tolerance) {
+  if (lower == upper) return RowState::equality;
+  if (value > upper + tolerance) return RowState::above_upper;
+  if (value < lower - tolerance) return RowState::below_lower;
+  if (value >= upper - tolerance) return RowState::at_upper;
+  if (value <= lower + tolerance) return RowState::at_lower;
+  return RowState::inactive;
+}
+
+signed char side_of(RowState state) {
+  const int side = static_cast<int>(state);
+  if (state == RowState::equality) return 2;
+  return static_cast<signed char>((side > 0) - (side < 0));
+}
+
+}  // namespace
+
+LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
+                                         const LexicographicOptions& options)
+    : options_(options),
+      memory_(capacity),
+      kernels_(fastest_kernels()),
+      memory_of_rows_(capacity),
+      search_(capacity),
+      descent_(capacity),
+      cascade_(capacity, {.rank = options.rank, .max_iterations = options.max_iterations}) {
+  solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
+  solution_.levels.resize(capacity.num_levels());
+  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
+    solution_.levels[k].rows.assign(at(capacity.level(k).max_rows()), RowState::inactive);
+  }
+}
+
+const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy) noexcept {
+  const FlushDenormals flush_denormals;
+  if (!fits(hierarchy) || !load(hierarchy)) {
+    reject(hierarchy);
+    return solution_;
+  }
+  num_sweeps_ = 0;
+  solution_.status = SolveStatus::optimal;
+  solution_.failed_level = -1;
+  sweep_leading_equalities();
+  if (options_.max_sweeps > 0 && find_active_rows()) {
+    describe(hierarchy);
+  } else {
+    num_sweeps_ = options_.max_sweeps + 1;
+    take_from_cascade(hierarchy);
+  }
+  const Sweep& s = memory_.sweep;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    memory_of_rows_.remember(k, hierarchy.level(k), s.side + s.level_begin[k]);
+  }
+  memory_of_rows_.forget_from(hierarchy.num_levels());
+  return solution_;
+}
+
+bool LexicographicSolver::fits(const Hierarchy& hierarchy) const {
+  if (hierarchy.unknowns() != solution_.x.size()) return false;
+  if (hierarchy.num_levels() > solution_.levels.size()) return false;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    if (at(hierarchy.level(k).num_rows()) > solution_.levels[k].rows.size()) return false;
+  }
+  return true;
+}
+
+// Reads all rows; false if a number makes no sense.
+bool LexicographicSolver::load(const Hierarchy& hierarchy) {
+  Sweep& s = memory_.sweep;
+  s.unknowns = static_cast<int>(hierarchy.unknowns());
+  s.num_levels = static_cast<int>(hierarchy.num_levels());
+  first_level_ = s.num_levels;
+  int next = 0;
+  bool is_sound = true;
+  for (int k = 0; k < s.num_levels; ++k) {
+    const Level& level = hierarchy.level(at(k));
+    s.level_begin[k] = next;
+    if (options_.warm_start) {
+      memory_of_rows_.recall(at(k), level, s.side + next);
+    } else {
+      std::fill_n(s.side + next, level.num_rows(), static_cast<signed char>(0));
+    }
+    const double* a = level.A().data();
+    const double* lower = level.lower().data();
+    const double* upper = level.upper().data();
+    for (int i = 0; i < static_cast<int>(level.num_rows()); ++i, ++next, a += s.unknowns) {
+      s.a[next] = a;
+      s.lower[next] = lower[i];
+      s.upper[next] = upper[i];
+      is_sound = is_sound && are_sound(lower[i], upper[i]);
+      signed char& side = s.side[next];
+      if (lower[i] == upper[i]) {
+        side = 2;
+        continue;
+      }
+      if (side == 2 || !std::isfinite(side < 0 ? lower[i] : upper[i])) side = 0;
+      first_level_ = std::min(first_level_, k);
+    }
+  }
+  s.num_rows = s.level_begin[s.num_levels] = next;
+  kernels_.measure(s);
+  double sum = 0.0;
+  for (int i = 0; i < s.num_rows; ++i) sum += s.scale[i];
+  return is_sound && std::isfinite(sum);
+}
+
+void LexicographicSolver::reject(const Hierarchy& hierarchy) {
+  solution_.status = SolveStatus::invalid_input;
+  solution_.failed_level = -1;
+  solution_.x.setZero();
+  memory_of_rows_.forget();
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    LevelResult& result = solution_.levels[k];
+    result.num_rows = 0;
+    result.residual = 0.0;
+    result.iterations = 0;
+    result.degrees_of_freedom_left = solution_.x.size();
+    const bool is_bad = k < hierarchy.num_levels() && !is_sound(hierarchy.level(k));
+    if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);
+  }
+}
+
+// Levels of equalities before the first inequality leave no choice: they are swept once, and what
+// they leave free are the unknowns of all that follows.
+void LexicographicSolver::sweep_leading_equalities() {
+  Sweep& s = memory_.sweep;
+  const int pack = kernels_.pack;
+  s.columns = s.unknowns;
+  s.stride = (s.unknowns + pack - 1) / pack * pack;
+  s.fixed = 0;
+  s.solve_tolerance = options_.rank.solve;
+  s.keep_tolerance = options_.rank.keep;
+  s.smallest_pivot = 1.0;
+  for (int row = 0; row < s.level_begin[first_level_]; ++row) kernels_.project(s, row);
+  kernels_.start(s, 0, first_level_);
+  kernels_.run(s, 0, first_level_);
+  for (int k = 0; k < first_level_; ++k) {
+    solution_.levels[at(k)].degrees_of_freedom_left = s.unknowns - s.first_column[k + 1];
+  }
+  if (s.fixed > 0) kernels_.reduce(s);
+  keep_tolerance_ = s.keep_tolerance;
+  smallest_pivot_ = s.smallest_pivot;
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row)
+    s.base_value[row] = kInfinity;
+}
+
+void LexicographicSolver::sweep() {
+  Sweep& s = memory_.sweep;
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
+    if (s.side[row] != 0 && s.base_value[row] == kInfinity) kernels_.project(s, row);
+  }
+  s.keep_tolerance = keep_tolerance_;
+  s.smallest_pivot = smallest_pivot_;
+  kernels_.start(s, first_level_, s.num_levels);
+  kernels_.run(s, first_level_, s.num_levels);
+  kernels_.recover(s);
+  kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
+  ++num_sweeps_;
+}
+
+bool LexicographicSolver::find_active_rows() {
+  bool has_descended = false, has_released = false;
+  while (num_sweeps_ < options_.max_sweeps) {
+    sweep();
+    if (search_.is_optimal(memory_.sweep, kernels_, first_level_)) {
+      if (has_released || !search_.release_idle(memory_.sweep)) return true;
+      has_released = true;
+    } else if (!has_descended && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
+      has_descended = true;
+      if (!descend()) return false;
+    } else {
+      search_.improve(memory_.sweep);
+    }
+  }
+  return false;
+}
+
+// The active rows without a guess.
+bool LexicographicSolver::descend() {
+  Sweep& s = memory_.sweep;
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
+    if (s.base_value[row] == kInfinity) kernels_.project(s, row);
+  }
+  s.keep_tolerance = keep_tolerance_;
+  s.smallest_pivot = smallest_pivot_;
+  return descent_.find_sides(s, kernels_, first_level_);
+}
+
+void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
+  const Solution& solution = cascade_.solve(hierarchy);
+  solution_.status = solution.status;
+  solution_.failed_level = solution.failed_level;
+  solution_.x = solution.x;
+  Sweep& s = memory_.sweep;
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    const LevelResult& from = solution.levels[k];
+    LevelResult& to = solution_.levels[k];
+    to.residual = from.residual;
+    to.num_rows = from.num_rows;
+    to.degrees_of_freedom_left = from.degrees_of_freedom_left;
+    to.iterations = from.iterations;
+    for (std::size_t i = 0; i < at(to.num_rows); ++i) {
+      to.rows[i] = from.rows[i];
+      s.side[at(s.level_begin[k]) + i] = side_of(from.rows[i]);
+    }
+  }
+}
+
+void LexicographicSolver::describe(const Hierarchy& hierarchy) {
+  Sweep& s = memory_.sweep;
+  for (int i = 0; i < s.unknowns; ++i) solution_.x[i] = s.x[i];
+  kernels_.evaluate(s, 0, s.level_begin[first_level_]);
+  const double tolerance = kAtBound * solution_.x.norm();
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    LevelResult& result = solution_.levels[k];
+    result.num_rows = 0;
+    result.iterations = num_sweeps_;
+    if (k >= hierarchy.num_levels()) continue;
+    result.num_rows = hierarchy.level(k).num_rows();
+    double sum = 0.0;
+    for (Index i = 0; i < result.num_rows; ++i) {
+      const Index row = s.level_begin[k] + i;
+      const double violation =
+          std::max({0.0, s.lower[row] - s.value[row], s.value[row] - s.upper[row]});
+      sum += violation * violation;
+      result.rows[at(i)] =
+          state_of(s.value[row], s.lower[row], s.upper[row], tolerance * s.scale[row]);
+    }
+    result.residual = std::sqrt(sum);
+  }
+  // A column counts for the level that fixed its row.
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    solution_.levels[at(k)].degrees_of_freedom_left = s.columns;
+  }
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    for (int column = s.first_column[k]; column < s.first_column[k + 1]; ++column) {
+      const int row = s.pivot[column];
+      const int fixed_by = row >= 0 ? search_.fixed_by(row) : k;
+      for (int j = fixed_by; j < s.num_levels; ++j) {
+        --solution_.levels[at(j)].degrees_of_freedom_left;
+      }
+    }
+  }
+}
+
+}  // namespace surefoot

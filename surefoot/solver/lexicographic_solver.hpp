@@ -1,0 +1,77 @@
+#pragma once
+
+#include "surefoot/solver/active_set_search.hpp"
+#include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/descent.hpp"
+#include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/row_memory.hpp"
+#include "surefoot/solver/solution.hpp"
+#include "surefoot/solver/sweep_memory.hpp"
+
+namespace surefoot {
+
+struct LexicographicOptions {
+  RankTolerance rank;      ///< what counts as an independent row
+  bool warm_start = true;  ///< begin with the rows that were active in the last solution
+  int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade
+  int max_iterations = 0;  ///< of the cascade in a level; 0: its default
+};
+
+/// The lexicographic optimum of a hierarchy, in microseconds.
+///
+/// A guess of the active inequality rows makes every level a set of equalities, solved by one
+/// orthogonal factorization from the top to the bottom (see Sweep). The result is checked against
+/// the optimality conditions of all levels: it is the optimum if every inactive row is satisfied
+/// and the first level that pulls at an active row pulls it against its bound. So a guess changes
+/// the time, never the answer. If the check fails the guess is improved (see ActiveSetSearch); if
+/// that doesn't end within `max_sweeps`, the cascade solves the hierarchy (CascadeSolver), whose
+/// number of iterations is bounded and whose result at the bound is safe.
+///
+/// Where the hierarchy leaves x open, the shortest x of all optima is returned (that of the cascade
+/// where the cascade had to solve).
+///
+/// The last active rows are remembered by the name of their level and their id (Level::id), across
+/// contact switches and reordered levels. All memory is taken at construction; `solve` does not
+/// allocate, throw or lock. The same calls in the same order give the same bits on one machine.
+class LexicographicSolver {
+ public:
+  /// Sizes come from `capacity`: unknowns, number of levels, and the levels' max_rows.
+  explicit LexicographicSolver(const Hierarchy& capacity, const LexicographicOptions& options = {});
+
+  /// The reference stays valid until the next call. A hierarchy beyond the capacity, with NaN,
+  /// with lower > upper or with a bound that can't be met (lower = ∞) is `invalid_input`.
+  const Solution& solve(const Hierarchy& hierarchy) noexcept;
+
+  [[nodiscard]] const Solution& solution() const { return solution_; }
+
+  /// The next solve starts without a guess.
+  void forget() { memory_of_rows_.forget(); }
+
+  /// Sweeps of the last solve; more than `max_sweeps` if the cascade solved.
+  [[nodiscard]] int num_sweeps() const { return num_sweeps_; }
+
+ private:
+  [[nodiscard]] bool fits(const Hierarchy& hierarchy) const;
+  [[nodiscard]] bool load(const Hierarchy& hierarchy);
+  void reject(const Hierarchy& hierarchy);
+  void sweep_leading_equalities();
+  [[nodiscard]] bool find_active_rows();
+  [[nodiscard]] bool descend();
+  void sweep();
+  void take_from_cascade(const Hierarchy& hierarchy);
+  void describe(const Hierarchy& hierarchy);
+
+  LexicographicOptions options_;
+  SweepMemory memory_;
+  const SweepKernels& kernels_;
+  RowMemory memory_of_rows_;
+  ActiveSetSearch search_;
+  Descent descent_;
+  CascadeSolver cascade_;
+  Solution solution_;
+  int first_level_ = 0;  // of the levels with a choice: those before are equalities
+  int num_sweeps_ = 0;
+  double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities
+};
+
+}  // namespace surefoot

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace surefoot {
+
+/// Remembers for every row on which side it was active, by the name of its level and its id.
+class RowMemory {
+ public:
+  explicit RowMemory(const Hierarchy& capacity);
+
+  void forget();
+
+  /// The remembered sides of the rows of a level, 0 where there is none; `side` has as many
+  /// elements as the level has rows. `k` is where the level stands now.
+  void recall(std::size_t k, const Level& level, signed char* side) const;
+
+  /// Takes the place of what was remembered about level `k`.
+  void remember(std::size_t k, const Level& level, const signed char* side);
+  void forget_from(std::size_t k);
+
+ private:
+  struct LevelMemory {
+    std::uint64_t name = 0;  // hash
+    std::size_t num_rows = 0;
+    std::vector<int> id;
+    std::vector<signed char> side;
+  };
+  [[nodiscard]] const LevelMemory* find(std::size_t k, std::uint64_t name) const;
+
+  std::vector<LevelMemory> levels_;
+};
+
+}  // namespace surefoot

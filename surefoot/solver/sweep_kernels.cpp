@@ -1,0 +1,59 @@
+#include "surefoot/solver/sweep.hpp"
+
+#define SUREFOOT_PACK 2
+#define SUREFOOT_ISA_NAME "baseline"
+namespace surefoot {
+namespace {
+namespace baseline {
+#include "surefoot/solver/sweep_kernels.inl"
+}
+}  // namespace
+}  // namespace surefoot
+#undef SUREFOOT_PACK
+#undef SUREFOOT_ISA_NAME
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SUREFOOT_DISPATCH
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+#define SUREFOOT_PACK 4
+#define SUREFOOT_ISA_NAME "avx2"
+namespace surefoot {
+namespace {
+namespace avx2 {
+#include "surefoot/solver/sweep_kernels.inl"
+}
+}  // namespace
+}  // namespace surefoot
+#undef SUREFOOT_PACK
+#undef SUREFOOT_ISA_NAME
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512vl,avx512dq,avx2,fma")
+#define SUREFOOT_PACK 8
+#define SUREFOOT_ISA_NAME "avx512"
+namespace surefoot {
+namespace {
+namespace avx512 {
+#include "surefoot/solver/sweep_kernels.inl"
+}
+}  // namespace
+}  // namespace surefoot
+#pragma GCC pop_options
+#endif
+
+namespace surefoot {
+
+const SweepKernels& fastest_kernels() {
+#if defined(SUREFOOT_DISPATCH)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq")) {
+    return avx512::kKernels;
+  }
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::kKernels;
+#endif
+  return baseline::kKernels;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,80 @@
+#include "surefoot/solver/sweep_memory.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace surefoot {
+namespace {
+
+constexpr std::size_t kAlignment = 8;  // doubles: a cache line, and the widest pack
+
+std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
+
+/// Hands out aligned pieces of a buffer; without one it only counts.
+class Pieces {
+ public:
+  explicit Pieces(double* begin) : next_(begin) {}
+  double* take(std::size_t size) {
+    double* piece = next_ == nullptr ? nullptr : next_ + used_;
+    used_ += padded(size);
+    return piece;
+  }
+  [[nodiscard]] std::size_t used() const { return used_; }
+
+ private:
+  double* next_;
+  std::size_t used_ = 0;
+};
+
+std::size_t assign(Sweep& s, double* begin, std::size_t n, std::size_t rows) {
+  const std::size_t stride = padded(n + 1);
+  Pieces pieces(begin);
+  for (double** by_row :
+       {&s.lower, &s.upper, &s.scale, &s.base_value, &s.residual, &s.force, &s.value}) {
+    *by_row = pieces.take(rows);
+  }
+  for (double** by_column : {&s.beta, &s.inverse_pivot, &s.q, &s.y, &s.x}) {
+    *by_column = pieces.take(stride);
+  }
+  s.gradient = pieces.take(std::max(stride, padded(rows)));
+  s.basis = pieces.take(n * stride);
+  s.base = pieces.take(rows * stride);
+  s.rows = pieces.take(rows * stride);
+  s.reflectors = pieces.take(n * stride);
+  s.tall = pieces.take((n + 1) * padded(rows));
+  return pieces.used();
+}
+
+}  // namespace
+
+SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
+  const auto n = static_cast<std::size_t>(capacity.unknowns());
+  const std::size_t levels = capacity.num_levels() + 1;
+  std::size_t rows = more_rows;
+  for (std::size_t k = 0; k < capacity.num_levels(); ++k)
+    rows += static_cast<std::size_t>(capacity.level(k).max_rows());
+
+  doubles_.assign(assign(sweep, nullptr, n, rows) + kAlignment, 0.0);
+  const auto misplaced = reinterpret_cast<std::uintptr_t>(doubles_.data()) / sizeof(double);
+  assign(sweep, doubles_.data() + (kAlignment - misplaced % kAlignment) % kAlignment, n, rows);
+
+  ints_.assign(rows + 3 * (levels + 1) + n + 2 * (n + 1), 0);
+  int* next = ints_.data();
+  const auto take = [&next](std::size_t size) {
+    int* piece = next;
+    next += size;
+    return piece;
+  };
+  sweep.order = take(rows);
+  sweep.level_begin = take(levels + 1);
+  sweep.order_begin = take(levels + 1);
+  sweep.first_column = take(levels + 1);
+  sweep.pivot = take(n);
+  sweep.tall_order = take(2 * (n + 1));
+  sides_.assign(rows + 1, 0);
+  sweep.side = sides_.data();
+  pointers_.assign(rows + 1, nullptr);
+  sweep.a = pointers_.data();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,48 @@
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index kUnknowns = 10;
+
+HierarchyData open_case(int seed) {
+  RandomMatrices random(static_cast<std::uint64_t>(seed));
+  return random_levels(
+      random, {.unknowns = kUnknowns, .levels = 3, .max_rows = 4, .inequality_share = 0.7});
+}
+
+TEST(LexicographicOpenOptimum, IsTheShortestOfAll) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const HierarchyData levels = open_case(seed);
+    HierarchyData shortest = levels;
+    shortest.push_back(close_to(VectorXd::Zero(kUnknowns)));
+    const VectorXd expected = solve<CascadeSolver>(kUnknowns, shortest).x;
+    const VectorXd x = solve<LexicographicSolver>(kUnknowns, levels).x;
+    ASSERT_LE((x - expected).norm(), 1e-9 * (1.0 + expected.norm()));
+  }
+}
+
+TEST(LexicographicOpenOptimum, DoesNotDependOnTheGuess) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, open_case(seed));
+    HierarchyData other_levels = open_case(seed);
+    for (LevelData& level : other_levels) level.A *= -1.0;
+    LexicographicSolver solver(hierarchy);
+    const VectorXd cold = solver.solve(hierarchy).x;
+    (void)solver.solve(make_hierarchy(kUnknowns, other_levels));
+    ASSERT_LE((solver.solve(hierarchy).x - cold).norm(), 1e-9 * (1.0 + cold.norm()));
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,191 @@
+#include "tests/solver/solve.hpp"
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kUnknowns = 9;
+constexpr int kSeeds = 300;
+
+HierarchyData random_case(RandomMatrices& random) {
+  HierarchyData levels = random_levels(random, {.unknowns = kUnknowns,
+                                                .levels = 6,
+                                                .max_rows = 6,
+                                                .inequality_share = 0.8,
+                                                .duplicate_share = 0.1,
+                                                .tight_share = 0.2});
+  levels.push_back(close_to(random.vector(kUnknowns)));
+  return levels;
+}
+
+/// A level for each of `levels`, of the same name and with rows of the same ids.
+Hierarchy named(const HierarchyData& levels) {
+  Hierarchy hierarchy(kUnknowns);
+  for (const LevelData& data : levels) {
+    const std::size_t k =
+        hierarchy.add_level("level " + std::to_string(hierarchy.num_levels()), data.lower.size());
+    Rows rows = hierarchy.level(k).add(data.lower.size(), 0);
+    if (data.lower.size() > 0) rows.A = data.A;
+    rows.lower = data.lower;
+    rows.upper = data.upper;
+  }
+  return hierarchy;
+}
+
+/// Rows of zeros whose bounds are violated on the wanted side: solving it leaves exactly this
+/// guess. 1 above, −1 below, 0 inactive.
+template <typename Choice>
+HierarchyData guess(const HierarchyData& levels, Choice&& side_of) {
+  HierarchyData result = levels;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    result[k].A.setZero();
+    for (Index i = 0; i < levels[k].lower.size(); ++i) {
+      const int side = side_of(k, i);
+      result[k].lower[i] = side < 0 ? 1.0 : -2.0;
+      result[k].upper[i] = side > 0 ? -1.0 : 2.0;
+    }
+  }
+  return result;
+}
+
+/// Solves `levels` after `before` has left its active rows as a guess.
+template <typename Choice>
+void expect_same_answer_after(Choice&& side_of) {
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_case(random);
+    const Hierarchy hierarchy = named(levels);
+    const Solution cold = CascadeSolver(hierarchy).solve(hierarchy);
+    LexicographicSolver solver(hierarchy);
+    (void)solver.solve(named(guess(levels, [&](std::size_t k, Index i) {
+      return side_of(random, static_cast<int>(cold.levels[k].rows[static_cast<std::size_t>(i)]));
+    })));
+    const Solution& warm = solver.solve(hierarchy);
+    ASSERT_EQ(warm.status, SolveStatus::optimal);
+    ASSERT_LE((warm.x - cold.x).norm(), 1e-9 * (1.0 + cold.x.norm()));
+    ASSERT_LE(worst_stationarity(certify(hierarchy, warm.x)), 1e-9);
+  }
+}
+
+int sign(int a) { return (a > 0) - (a < 0); }
+
+TEST(LexicographicWarmStart, ARandomGuessChangesNothing) {
+  expect_same_answer_after([](RandomMatrices& random, int) { return random.integer(-1, 1); });
+}
+
+TEST(LexicographicWarmStart, AnInvertedGuessChangesNothing) {
+  expect_same_answer_after([](RandomMatrices&, int state) { return -sign(state); });
+}
+
+TEST(LexicographicWarmStart, AGuessThatHoldsEveryRowChangesNothing) {
+  expect_same_answer_after([](RandomMatrices&, int) { return 1; });
+}
+
+TEST(LexicographicWarmStart, AGuessWithOneErrorInTenChangesNothing) {
+  expect_same_answer_after([](RandomMatrices& random, int state) {
+    return random.chance(0.1) ? random.integer(-1, 1) : sign(state);
+  });
+}
+
+TEST(LexicographicWarmStart, TheSameProblemAgainTakesOneSweepAndGivesTheSameX) {
+  int num_swept_once = 0;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 2 + seed % 3, 1.0));
+    LexicographicSolver solver(hierarchy);
+    const VectorXd first = solver.solve(hierarchy).x;
+    const VectorXd second = solver.solve(hierarchy).x;
+    num_swept_once += solver.num_sweeps() == 1 ? 1 : 0;
+    ASSERT_LE((first - second).norm(), 1e-9 * (1.0 + first.norm())) << "seed " << seed;
+  }
+  EXPECT_GE(num_swept_once, kSeeds * 99 / 100);
+}
+
+TEST(LexicographicWarmStart, RowsAreFoundAgainInOtherPlacesAndLevelsInAnotherOrder) {
+  int num_swept_once = 0;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = random_case(random);
+    const Hierarchy hierarchy = named(levels);
+    // A level without influence comes first, and every level has its rows backwards.
+    Hierarchy moved(kUnknowns);
+    moved.add_level("new", 12);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      moved.add_level("level " + std::to_string(k), levels[k].lower.size());
+      for (Index i = levels[k].lower.size() - 1; i >= 0; --i) {
+        Rows row = moved.level(k + 1).add(1, static_cast<int>(i));
+        row.A = levels[k].A.row(i);
+        row.lower[0] = levels[k].lower[i];
+        row.upper[0] = levels[k].upper[i];
+      }
+    }
+    Hierarchy capacity(kUnknowns);
+    for (std::size_t k = 0; k < levels.size() + 1; ++k) capacity.add_level("", 12);
+    LexicographicSolver solver(capacity);
+    const VectorXd x = solver.solve(hierarchy).x;
+    const Solution& after = solver.solve(moved);
+    num_swept_once += solver.num_sweeps() == 1 ? 1 : 0;
+    ASSERT_LE((after.x - x).norm(), 1e-9 * (1.0 + x.norm())) << "seed " << seed;
+  }
+  EXPECT_GE(num_swept_once, kSeeds * 9 / 10);
+}
+
+TEST(LexicographicWarmStart, ContactsThatSwitchInAWalkChangeNothing) {
+  RandomMatrices random(5);
+  Hierarchy capacity(30);
+  for (int k = 0; k < 11; ++k) capacity.add_level("level", 20);
+  LexicographicSolver solver(capacity);
+  for (int tick = 0; tick < 300; ++tick) {
+    const Hierarchy hierarchy =
+        make_hierarchy(30, table_one_levels(random, 2 + tick % 3, random.uniform(0.0, 1.0)));
+    const VectorXd expected = CascadeSolver(hierarchy).solve(hierarchy).x;
+    const Solution& solution = solver.solve(hierarchy);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(worst_stationarity(certify(hierarchy, solution.x)), 1e-9) << "tick " << tick;
+    if (solution.levels[10].degrees_of_freedom_left == 0) {
+      ASSERT_LE((solution.x - expected).norm(), 1e-9 * (1.0 + expected.norm())) << tick;
+    }
+  }
+}
+
+TEST(LexicographicWarmStart, TheSameSequenceGivesTheSameBits) {
+  RandomMatrices random(6);
+  std::vector<Hierarchy> ticks;
+  for (int tick = 0; tick < 60; ++tick) {
+    ticks.push_back(make_hierarchy(30, table_one_levels(random, 4, random.uniform(0.0, 1.0))));
+  }
+  LexicographicSolver first(ticks[0]), second(ticks[0]);
+  for (const Hierarchy& tick : ticks) (void)first.solve(tick);
+  first.forget();
+  for (const Hierarchy& tick : ticks) {
+    ASSERT_EQ(first.solve(tick).x, second.solve(tick).x);
+  }
+}
+
+TEST(LexicographicWarmStart, NothingIsAllocatedWhateverTheGuessIs) {
+  RandomMatrices random(7);
+  std::vector<Hierarchy> ticks;
+  for (int tick = 0; tick < 60; ++tick) {
+    ticks.push_back(make_hierarchy(30, table_one_levels(random, 4, random.uniform(0.0, 1.0))));
+  }
+  LexicographicSolver solver(ticks[0]);
+  const MallocCounter counter;
+  for (const Hierarchy& tick : ticks) (void)solver.solve(tick);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot::test
