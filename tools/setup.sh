@@ -109,10 +109,13 @@ rebuild_program() {
     { sed -n '/^FAILED/,$p' "$log" >&2 && give_up "the build failed: the first error above says where."; }
 }
 
-# Builds the program when a source is newer than the last time.
+# Builds the program when a source is newer than the last time, or the commit, which its logs name.
 build_program() {
   local stamp=$build/program.stamp
   local -a sources=("$root"/{CMakeLists.txt,CMakePresets.json,cmake,tools/layers.toml,surefoot,app})
+  local commits
+  commits=$(git -C "$root" rev-parse --path-format=absolute --git-path logs/HEAD 2>/dev/null) || commits=
+  if [[ -f $commits ]]; then sources+=("$commits"); fi
   if is_configured && [[ -x $build/app/surefoot && -f $stamp ]] &&
     [[ ! $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; then
     return 0

@@ -1,0 +1,75 @@
+#include "surefoot/logging/recorder.hpp"
+#include "surefoot/signals/plan_event.hpp"
+#include "surefoot/view/outcome.hpp"
+#include "surefoot/view/report.hpp"
+#include "surefoot/view/report_numbers.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace surefoot {
+namespace {
+
+using test::contents;
+using test::SyntheticRun;
+using test::TemporaryFolder;
+
+TEST(Verdict, EveryCriterionAndEveryFigureOfThePaperIsInTheTable) {
+  const report::Outcome outcome = report::read_outcome(
+      R"({"metrics":{"goal_reached":false,"fell":false,"tick_us":{"p99":12.0},"odd_m":2.5},"criteria":[
+          {"metric":"goal_reached","equals":true,"passed":false},
+          {"metric":"fell","equals":false,"passed":true},
+          {"metric":"tick_us.p99","max":10.0,"passed":false},
+          {"metric":"odd_m","min":1.0,"passed":true}]})",
+      R"({"paper":{"goal_reached":"14 cm","torso_contacts":"none"}})");
+  const std::string table = report::numbers(outcome);
+  for (const char* text :
+       {"<td>goal reached</td>", "yes  ✗ missed", "14 cm", "<td>fell</td>", "no  ✓ holds",
+        "≤ 10 µs  ✗ missed", "<td>odd_m</td>", "≥ 1  ✓ holds", "<td>torso contacts</td>", "none"}) {
+    EXPECT_NE(table.find(text), std::string::npos) << text;
+  }
+}
+
+// A log of a run that ended for this reason, with a goal, and with an event at 0.5 s and later.
+std::string report_of_end(const std::string& reason, bool expects_no_goal = false) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  header.options = R"({"goal":{"feet_beyond_x":0.42}})";
+  Recorder recorder(folder / "run.mcap", header);
+  SyntheticRun run;
+  for (int i = 0; i < 400; ++i) {
+    run.step();
+    if (i == 200 || i == 300) run.tick.plan.event = static_cast<int>(PlanEvent::no_ground);
+    recorder.record(run.tick);
+    recorder.record(run.timing);
+  }
+  recorder.close(R"({"metrics":{"succeeded":true,"goal_reached":false,"reason":")" + reason +
+                 R"("},"criteria":[{"metric":")" + (expects_no_goal ? "goal_reached" : "fell") +
+                 R"(","equals":false,"passed":true}]})");
+  return contents(write_report(folder / "run.mcap", folder / "report"));
+}
+
+TEST(Verdict, AGoalThatWasNotReachedStandsBesideTheVerdict) {
+  const std::string page = report_of_end("the whole duration");
+  EXPECT_NE(page.find("✓ the criterion holds: fell"), std::string::npos);
+  EXPECT_NE(page.find("✗ goal not reached</div>"), std::string::npos);
+  EXPECT_NE(page.find("beyond x = 0.42 m"), std::string::npos);
+  EXPECT_NE(page.find("<b>2 ×</b> no ground within reach: foot taken back, first at 0.5 s"),
+            std::string::npos);
+  EXPECT_NE(report_of_end("the whole duration", true).find("not reached, as the criteria expect"),
+            std::string::npos);
+}
+
+TEST(Verdict, OfAnInterruptedRunIsNotJudged) {
+  const std::string page = report_of_end("interrupted");
+  EXPECT_NE(page.find("class=\"warning\">The run was interrupted at 1 s"), std::string::npos);
+  EXPECT_NE(page.find("(not judged)"), std::string::npos);
+  EXPECT_EQ(page.find("class=\"verdict"), std::string::npos);
+  EXPECT_EQ(page.find("✓"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace surefoot
