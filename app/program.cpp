@@ -42,6 +42,19 @@ Examples:
   surefoot run my_scenario.yaml --record run.mcap        a file of your own, and its log
 )";
 
+constexpr const char* kSolveFooter = R"(
+The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²) of each level:
+  {"x":[…],"levels":[{"residual":…},…]}
+Levels may have a "name", their rows "A_names" and "D_names", which --explain shows.
+
+Exit codes: 0 all lines are solved, 1 an answer failed --certify, 2 a line is wrong (the others are
+still solved).
+
+Examples:
+  surefoot solve hierarchies.jsonl
+  surefoot solve hierarchies.jsonl --explain
+)";
+
 constexpr const char* kListFooter = R"(
 Examples:
   surefoot list scenarios
@@ -62,7 +75,7 @@ std::string demo_footer() {
             (experiment.as_found ? " (as found: any result is one)" : "") + "\n";
   }
   return text + R"(
-They take about 8 minutes on two cores, with --seeds 10; most of it goes to those over seeds.
+They take some minutes on two cores; most of it goes to those over seeds.
 
 Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
 was interrupted (experiments that were whole by then stay, with their index).
@@ -139,6 +152,7 @@ void add_report(CLI::App& app, Command& chosen) {
 
 void add_solve(CLI::App& app, Command& chosen) {
   CLI::App* solve = app.add_subcommand("solve", "Solve task hierarchies, one JSON object a line");
+  solve->footer(kSolveFooter);
   const auto arguments = std::make_shared<SolveArguments>();
   solve
       ->add_option(
