@@ -89,8 +89,8 @@ void evaluate(Sweep& s, int first, int end) {
 
 /// rows ← rows (I − β v vᵀ), for vectors of N packs; N = 0: of any number.
 template <int N>
-static void reflect_packs(double* rows, int stride, const int* list, int count,
-                                   const double* v, double beta, int packs) {
+static void reflect_packs(double* rows, int stride, const int* list, int count, const double* v,
+                          double beta, int packs) {
   if constexpr (N > 0) {
     Pack held[N];
 #pragma GCC unroll 4
@@ -248,8 +248,8 @@ SUREFOOT_INLINE double bound(const Sweep& s, int row) {
 static void update_residuals(Sweep& s, int begin, int end) {
   for (int i = begin; i < end; ++i) {
     const int row = s.order[i];
-    s.residual[row] = dot(s.rows + (long)row * s.stride, s.q, s.stride) + s.base_value[row] -
-                      bound(s, row);
+    s.residual[row] =
+        dot(s.rows + (long)row * s.stride, s.q, s.stride) + s.base_value[row] - bound(s, row);
   }
 }
 
@@ -480,27 +480,27 @@ static void reflect_basis(Sweep& s, int stride, const double* v, double beta, in
     int i = first;
     for (; i + 1 < s.unknowns; i += 2) {
       const double* row = s.basis + (long)i * stride + p * kPack;
-      
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) {
+      for (int k = 0; k < kWidth; ++k) {
         even[k] += v[i] * at(row + k * kPack);
         odd[k] += v[i + 1] * at(row + stride + k * kPack);
       }
     }
     if (i < s.unknowns) {
       const double* row = s.basis + (long)i * stride + p * kPack;
-      
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) even[k] += v[i] * at(row + k * kPack);
+      for (int k = 0; k < kWidth; ++k) even[k] += v[i] * at(row + k * kPack);
     }
-    
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) even[k] = (even[k] + odd[k]) * beta;
+    for (int k = 0; k < kWidth; ++k) even[k] = (even[k] + odd[k]) * beta;
     for (i = first; i < s.unknowns; ++i) {
       double* row = s.basis + (long)i * stride + p * kPack;
-      
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * even[k];
+      for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * even[k];
     }
   }
 }
@@ -546,22 +546,22 @@ static void combine(const Sweep& s, const double* a, int first, int end, double*
     int i = first;
     for (; i + 1 < end; i += 2) {
       const double* row = s.basis + (long)i * s.stride + p * kPack;
-      
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) {
+      for (int k = 0; k < kWidth; ++k) {
         even[k] += a[i] * at(row + k * kPack);
         odd[k] += a[i + 1] * at(row + s.stride + k * kPack);
       }
     }
     if (i < end) {
       const double* row = s.basis + (long)i * s.stride + p * kPack;
-      
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) even[k] += a[i] * at(row + k * kPack);
+      for (int k = 0; k < kWidth; ++k) even[k] += a[i] * at(row + k * kPack);
     }
-    
+
 #pragma GCC unroll 4
-for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = even[k] + odd[k];
+    for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = even[k] + odd[k];
   }
 }
 
@@ -640,8 +640,8 @@ void balance_norm(Sweep& s, int last) {
   balance_gradient(s, s.fixed, last);
 }
 
-constexpr SweepKernels kKernels{SUREFOOT_ISA_NAME, kPack,  measure, start,   restart,  run,     fix,
-                                turn,              multiply, reduce, project, recover, evaluate,
-                                balance,           balance_norm};
+constexpr SweepKernels kKernels{
+    SUREFOOT_ISA_NAME, kPack,  measure, start,   restart,  run,     fix,         turn,
+    multiply,          reduce, project, recover, evaluate, balance, balance_norm};
 
 #undef SUREFOOT_INLINE
