@@ -10,8 +10,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGrace = 0.06;        // a touchdown this late is still on time: it takes as
-                                       // long to be noticed [s]
+constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
+constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
@@ -136,7 +136,7 @@ bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
 void Planner::swing_again(Leg k, const SwingTarget& target, const UserCommand& user,
                           const Dynamics& dynamics) {
   leg(k).lift(time_, target);
-  deadline_ = time_ + target.duration;
+  expect_touchdown(target.duration);
   replan_com(user, dynamics);
 }
 
@@ -209,8 +209,11 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
       break;
     case Mode::swing:
       if (probing_) reach_beyond_edge(next_leg(), user, dynamics);
-      if (time_ >= deadline_ + kGrace) {
+      if (time_ >= late_time_) {
         event_ = PlanEvent::late;
+        late_time_ = kInfinity;
+      }
+      if (time_ >= deadline_ + kGrace) {
         deadline_ = time_ + kWaitDuration;
         replan_com(user, dynamics);
       }
@@ -263,8 +266,13 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
   const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
-  deadline_ = time_ + swing_duration(k);
+  expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
+}
+
+void Planner::expect_touchdown(double duration) {
+  deadline_ = time_ + duration;
+  late_time_ = deadline_ + kLate;
 }
 
 bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {

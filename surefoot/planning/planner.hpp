@@ -51,6 +51,7 @@ class Planner {
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void expect_touchdown(double duration);
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
   void begin_support(const UserCommand& user, double duration);
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
@@ -89,6 +90,7 @@ class Planner {
   bool backward_ = false;   // the gait's order is mirrored, fore and hind
   double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
   double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
+  double late_time_ = 0.0;  // when a missing touchdown is told [s]
   bool probing_ = false;    // the swinging foot makes its first touch
   int collisions_ = 0;      // of this swing with something above the ground that it knows
   Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch

@@ -32,7 +32,7 @@ TEST(Planner, StaysOverTheOtherFeetWhileItWaits) {
   options.swing.search_depth_max = 2.0;  // a search of 20 s
   Puppet puppet = walker(options, step_at(0.40, -1.5));
   run_watched(puppet, 12.0);
-  ASSERT_GT(puppet.happenings(PlanEvent::late).size(), 5u);
+  ASSERT_GT(puppet.happenings(PlanEvent::late).size(), 0u);
   EXPECT_EQ(puppet.happenings().back().event, PlanEvent::late) << "it still waits";
   EXPECT_LT(puppet.plan().com.v.norm(), 0.05) << "it sways by some millimetres";
   PerLeg<Vec2> feet;
