@@ -119,7 +119,8 @@ void add_run(CLI::App& app, Command& chosen) {
       ->take_all()
       ->expected(1);
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
-  run->add_option("--report", arguments->report, "Write an HTML report into this folder");
+  run->add_option("--report", arguments->report,
+                  "Write an HTML report into this folder, and its log unless --record keeps it");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
 }

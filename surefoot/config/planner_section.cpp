@@ -113,6 +113,16 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.number("max_side_step", foothold.max_side_step, kPositive);
 }
 
+/// A leg is loaded after its touchdown before the next one is unloaded.
+void check_switch(const Section& section, const PlannerOptions& options) {
+  const double least = options.force.ramps ? options.force.ramp_up + options.force.ramp_down : 0.0;
+  if (options.gait.switch_duration > least - 1e-9) return;
+  std::ostringstream message;
+  message << "switch_duration is " << options.gait.switch_duration
+          << " s; it must last as long as force.ramp_up and force.ramp_down, " << least << " s";
+  section.fail("gait", message.str());
+}
+
 }  // namespace
 
 void read_planner(Section& section, PlannerOptions& options) {
@@ -125,6 +135,7 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("probe", [&](Section& s) { read_probe(s, options.probe); });
   section.section("torso", [&](Section& s) { read_torso(s, options.torso); });
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
+  check_switch(section, options);
 }
 
 }  // namespace surefoot

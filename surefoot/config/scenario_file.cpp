@@ -172,7 +172,9 @@ auto named(const Choices& choices) {
 }
 
 void read_controller(Section& top, ControllerOptions& controller) {
-  top.number("period", controller.period, kPositive);
+  top.number(
+      "period", controller.period,
+      {.min = 0.0, .max = 0.01, .min_included = false, .words = "above 0 and at most 0.01 s"});
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });

@@ -38,7 +38,7 @@ enum class PlanEvent : int {
     case PlanEvent::lost_contact:
       return "stance foot lost contact: searching";
     case PlanEvent::collision:
-      return "leg met the edge: up and further on";
+      return "leg met something above the ground: up and further on";
     case PlanEvent::slowed:
       return "strides too long for the legs: walking slower than commanded";
     case PlanEvent::lift_off_aborted:

@@ -66,13 +66,16 @@ Frame fit(const plot::Range& x, const plot::Range& y) {
           .y = y};
 }
 
-// Around the footprints.
-Frame frame_above(const std::vector<Footprint>& prints) {
+// Around the footprints, and as far as any foot went.
+Frame frame_above(const RunData& run, const std::vector<Footprint>& prints) {
   constexpr double kAround = 0.08;  // [m]
   plot::Range x, y;
   for (const Footprint& print : prints) {
     x.add(print.p.x());
     y.add(print.p.y());
+  }
+  for (const TickSample& tick : run.ticks) {
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg) x.add(foot_centre(tick, leg).x());
   }
   return fit({x.low - kAround, x.high + kAround}, {y.low - kAround, y.high + kAround});
 }
@@ -149,7 +152,7 @@ std::vector<Footprint> footprints(const RunData& run) {
 std::string map_figure(const RunData& run) {
   const std::vector<Footprint> prints = footprints(run);
   if (prints.empty()) return "";
-  const Frame above = frame_above(prints);
+  const Frame above = frame_above(run, prints);
   const Frame side = side_frame(run, above, above.corner.y + above.height + kBetween);
   Svg svg(plot::kFigureWidth, side.corner.y + side.height + kFoot);
   draw_above(svg, above, run, prints);

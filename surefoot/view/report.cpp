@@ -36,9 +36,11 @@ std::string motion(const RunData& run, Figures& figure) {
 std::string forces(const RunData& run, Figures& figure) {
   std::string out = "<h2>Forces</h2>\n";
   out += figure(report::torque_figure(run), "Commanded joint torques and their limits.");
-  out += figure(report::force_figure(run),
-                "Normal force of the ground on each foot: true (broad, coloured), and in the "
-                "hierarchy's solution (thin line). Shaded: the leg stands.");
+  out += figure(
+      report::force_figure(run),
+      "Normal force of the ground on each foot: true (broad, coloured), and in the "
+      "hierarchy's solution (thin line). Shaded: the leg stands. Short spikes where it swings "
+      "are first touches, of probes too.");
   return out;
 }
 

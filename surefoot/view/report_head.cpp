@@ -93,8 +93,8 @@ std::string goal_badge(const Outcome& outcome) {
   if (outcome.goal.empty() || outcome.goal_reached) return "";
   const Requirement* criterion = outcome.criterion("goal_reached");
   const bool expected = criterion != nullptr && criterion->equals == false;
-  return badge("bad",
-               expected ? "✗ goal not reached, as the criteria expect" : "✗ goal not reached");
+  return expected ? badge("soft", "goal not reached, as the criteria expect")
+                  : badge("bad", "✗ goal not reached");
 }
 
 std::string ending(const RunData& run, const Outcome& outcome) {

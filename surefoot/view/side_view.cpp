@@ -79,11 +79,17 @@ void draw_path(plot::Svg& svg, const Frame& frame, const RunData& run, const std
 Frame side_frame(const RunData& run, const Frame& above, double top) {
   constexpr double kAround = 0.05;  // [m]
   const double sole = sole_offset(run);
+  const Ground ground(run.header.terrain);
   plot::Range z;
   for (const TickSample& tick : run.ticks) {
     z.add(base(tick).z());
     z.add(centre_of_mass(tick).z());
-    for (std::size_t leg = 0; leg < kNumLegs; ++leg) z.add(foot_centre(tick, leg).z() - sole);
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+      const Vec3 p = foot_centre(tick, leg);
+      z.add(p.z() - sole);
+      const double below = ground.at(p.head<2>()).z;
+      if (std::isfinite(below)) z.add(below);
+    }
   }
   z = {z.low - kAround, z.high + kAround};
   return {.corner = {above.corner.x, top},

@@ -188,6 +188,19 @@ TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
   EXPECT_TRUE(holds(complaint("", {"duration=nan"}), "--set duration=nan: duration"));
 }
 
+TEST_F(ScenarioFile, refuses_a_switch_of_sides_shorter_than_its_ramps) {
+  EXPECT_TRUE(holds(complaint("", {"planner.gait.switch_duration=0.05"}),
+                    "switch_duration is 0.05 s; it must last as long as force.ramp_up and "
+                    "force.ramp_down, 0.13 s"));
+  EXPECT_NO_THROW((void)read("", 0, {"planner.gait.switch_duration=0.13"}));
+  EXPECT_NO_THROW(
+      (void)read("", 0, {"planner.gait.switch_duration=0.05", "planner.force.ramps=false"}));
+}
+
+TEST_F(ScenarioFile, refuses_a_control_period_that_no_walk_bears) {
+  EXPECT_TRUE(holds(complaint("", {"period=0.1"}), "above 0 and at most 0.01 s"));
+}
+
 TEST_F(ScenarioFile, draws_nothing_for_seed_zero) {
   const Scenario scenario = read(kRandomFriction, 0);
   EXPECT_TRUE(scenario.drawn.empty());
