@@ -54,6 +54,17 @@ const Hierarchy& TaskStack::update(const Dynamics& dynamics, const MotionPlan& p
   return hierarchy_;
 }
 
+const Substitution* TaskStack::substitution(const Dynamics& dynamics) noexcept {
+  if (!is_only(0, "equations_of_motion") || !is_only(1, "no_contact_motion")) return nullptr;
+  return physics_.update(dynamics, support_, hierarchy_.level(1).lower());
+}
+
+bool TaskStack::is_only(std::size_t level, std::string_view task) const {
+  if (level >= levels_.size()) return false;
+  const auto& tasks = levels_[level].tasks;
+  return tasks.size() == 1 && tasks.front()->name() == task;
+}
+
 std::string TaskStack::row_name(int level, int id) const {
   if (level < 0 || level >= static_cast<int>(levels_.size())) return "?";
   for (const auto& task : levels_[static_cast<std::size_t>(level)].tasks) {

@@ -3,10 +3,12 @@
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/model/support_dynamics.hpp"
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/tasks/physics_substitution.hpp"
 #include "surefoot/tasks/task.hpp"
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot {
@@ -21,6 +23,11 @@ class TaskStack {
   /// This tick's rows. Allocates nothing.
   const Hierarchy& update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
 
+  /// Everything that the equations of motion and the contacts allow, of the last update and the
+  /// same dynamics. Null where the contacts are singular, and for a stack that does not begin with
+  /// these two tasks, each alone in its level, in this order. Allocates nothing.
+  [[nodiscard]] const Substitution* substitution(const Dynamics& dynamics) noexcept;
+
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const SupportDynamics& support() const { return support_; }
@@ -34,10 +41,13 @@ class TaskStack {
     std::vector<std::unique_ptr<Task>> tasks;
   };
 
+  [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;
+
   RobotDescription robot_;
   std::vector<LevelTasks> levels_;
   SupportDynamics support_;
   Hierarchy hierarchy_;
+  PhysicsSubstitution physics_;
   int first_free_level_ = 0;
 };
 

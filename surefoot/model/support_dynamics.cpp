@@ -7,12 +7,14 @@ void SupportDynamics::update(const Dynamics& dynamics, const MotionPlan& plan) n
   if (num_contacts_ == 0) {
     rank_ = 0;
     Q_.setIdentity();
+    M_Q_u_ = dynamics.M;
     return;
   }
   qr_.setThreshold(kRankTolerance);
   qr_.compute(J_s_transposed_);
   rank_ = static_cast<int>(qr_.rank());
   Q_ = qr_.householderQ();
+  M_Q_u_.leftCols(kNumVelocities - rank_).noalias() = dynamics.M * Q_u();
   invert();
   const int n = 3 * num_contacts_;
   Lambda_.topLeftCorner(n, kNumVelocities).noalias() = inverse_ * dynamics.M;
@@ -24,6 +26,20 @@ Vec3 SupportDynamics::force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x)
   if (!in_contact(leg)) return Vec3::Zero();
   const int row = first_force(leg);
   return Lambda_.middleRows<3>(row) * x + lambda_0_.segment<3>(row);
+}
+
+/// J_s = Π Rᵀ Q_cᵀ, so u̇ = Q_c R⁻ᵀ Πᵀ a.
+GeneralizedVector SupportDynamics::shortest_motion(
+    const Eigen::Ref<const Eigen::VectorXd>& a) const noexcept {
+  if (rank_ == 0) return GeneralizedVector::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxForces, 1> in_Q_c =
+      qr_.colsPermutation().transpose() * a;
+  qr_.matrixR()
+      .topLeftCorner(rank_, rank_)
+      .triangularView<Eigen::Upper>()
+      .transpose()
+      .solveInPlace(in_Q_c);
+  return Q_c() * in_Q_c;
 }
 
 void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan& plan) {

@@ -38,6 +38,13 @@ class SupportDynamics {
 
   /// Basis of the motions that no contact force acts on: 18 × (18 − rank), orthonormal.
   [[nodiscard]] auto Q_u() const { return Q_.rightCols(kNumVelocities - rank_); }
+  /// M Q_u: the forces that those motions take. 18 × (18 − rank).
+  [[nodiscard]] auto M_Q_u() const { return M_Q_u_.leftCols(kNumVelocities - rank_); }
+  /// Basis of the generalized forces that contact forces reach: 18 × rank, orthonormal.
+  [[nodiscard]] auto Q_c() const { return Q_.leftCols(rank_); }
+  /// The shortest u̇ with J_s u̇ = a, for `a` in the order of λ. Only where the rank is full.
+  [[nodiscard]] GeneralizedVector shortest_motion(
+      const Eigen::Ref<const Eigen::VectorXd>& a) const noexcept;
   [[nodiscard]] auto Lambda() const { return Lambda_.topRows(3 * num_contacts_); }
   [[nodiscard]] auto lambda_0() const { return lambda_0_.head(3 * num_contacts_); }
 
@@ -59,6 +66,7 @@ class SupportDynamics {
   Stacked J_s_transposed_;
   Eigen::ColPivHouseholderQR<Stacked> qr_;
   MassMatrix Q_ = MassMatrix::Identity();
+  MassMatrix M_Q_u_ = MassMatrix::Zero();
   Inverse inverse_;  ///< (J_sᵀ)⁺
   ForceMap Lambda_ = ForceMap::Zero();
   ForceVector lambda_0_ = ForceVector::Zero();

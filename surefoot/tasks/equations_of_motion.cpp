@@ -5,7 +5,7 @@ namespace surefoot {
 void EquationsOfMotion::write(const TaskInput& input, Level& level) const noexcept {
   const auto Q_u = input.support.Q_u();
   Rows rows = level.add(Q_u.cols(), first_id());
-  rows.A.leftCols<kNumVelocities>().noalias() = -Q_u.transpose() * input.dynamics.M;
+  rows.A.leftCols<kNumVelocities>() = -input.support.M_Q_u().transpose();
   rows.A.rightCols<kNumJoints>() = Q_u.transpose().rightCols<kNumJoints>();
   rows.lower.noalias() = Q_u.transpose() * input.dynamics.h;
   rows.upper = rows.lower;

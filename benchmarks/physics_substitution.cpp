@@ -1,0 +1,96 @@
+// Time to get rid of the equations of motion and the contacts: in closed form, by a QR of their
+// rows, and by the solver's own sweep over them. Counter Q: the time over that of Eigen's
+// HouseholderQR of a 30 × 30 matrix; the argument is the number of feet on the ground.
+
+#include "surefoot/tasks/physics_substitution.hpp"
+
+#include "surefoot/model/robot_model.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/tasks/equations_of_motion.hpp"
+#include "surefoot/tasks/no_contact_motion.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <Eigen/QR>
+#include <benchmark/benchmark.h>
+
+namespace surefoot::test {
+namespace {
+
+/// One standing robot, its contacts and the rows of both tasks.
+class Example {
+ public:
+  explicit Example(int num_contacts) : model_(anymal_b()), hierarchy_(kNumUnknowns) {
+    plan_ = plan_with_contacts(
+        {num_contacts > 0, num_contacts > 2, num_contacts > 3, num_contacts > 1});
+    dynamics_ =
+        model_.update(Random(1).standing_state(model_.description().q_nominal), Vec3::UnitZ());
+    support_.update(dynamics_, plan_);
+    const TaskInput input{dynamics_, plan_, support_, model_.description()};
+    const EquationsOfMotion equations_of_motion;
+    const NoContactMotion no_contact_motion({});
+    hierarchy_.add_level("equations_of_motion", kNumVelocities);
+    hierarchy_.add_level("no_contact_motion", kNumJoints);
+    equations_of_motion.write(input, hierarchy_.level(0));
+    no_contact_motion.write(input, hierarchy_.level(1));
+  }
+
+  [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] const SupportDynamics& support() const { return support_; }
+  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+
+ private:
+  RobotModel model_;
+  MotionPlan plan_;
+  Dynamics dynamics_;
+  SupportDynamics support_;
+  Hierarchy hierarchy_;
+};
+
+void BM_ClosedForm(benchmark::State& state) {
+  const Example example(static_cast<int>(state.range(0)));
+  const Eigen::VectorXd contact = example.hierarchy().level(1).lower();
+  PhysicsSubstitution substitution;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(substitution.update(example.dynamics(), example.support(), contact));
+  }
+}
+BENCHMARK(BM_ClosedForm)->DenseRange(0, 4);
+
+void BM_QR(benchmark::State& state) {
+  const Example example(static_cast<int>(state.range(0)));
+  Eigen::MatrixXd rows(kNumVelocities, kNumUnknowns);
+  rows << example.hierarchy().level(0).A(), example.hierarchy().level(1).A();
+  const Eigen::MatrixXd transposed = rows.transpose();
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr(kNumUnknowns, kNumVelocities);
+  Eigen::MatrixXd basis(kNumUnknowns, kNumUnknowns);
+  Eigen::VectorXd workspace(kNumUnknowns);
+  for (auto _ : state) {
+    qr.compute(transposed);
+    qr.householderQ().evalTo(basis, workspace);
+    benchmark::DoNotOptimize(basis.data());
+  }
+}
+BENCHMARK(BM_QR)->DenseRange(0, 4);
+
+void BM_Sweep(benchmark::State& state) {
+  const Example example(static_cast<int>(state.range(0)));
+  LexicographicSolver solver(example.hierarchy());
+  for (auto _ : state) benchmark::DoNotOptimize(solver.solve(example.hierarchy()).x.data());
+}
+BENCHMARK(BM_Sweep)->DenseRange(0, 4);
+
+void BM_Q(benchmark::State& state) {
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(30, 30);
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr(30, 30);
+  for (auto _ : state) {
+    qr.compute(A);
+    benchmark::DoNotOptimize(qr.matrixQR().data());
+  }
+}
+BENCHMARK(BM_Q);
+
+}  // namespace
+}  // namespace surefoot::test
+
+BENCHMARK_MAIN();
