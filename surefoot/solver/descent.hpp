@@ -3,17 +3,19 @@
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/level_rows.hpp"
 #include "surefoot/solver/sweep.hpp"
-#include "surefoot/solver/sweep_memory.hpp"
-#include "surefoot/solver/tableau.hpp"
 
 #include <vector>
 
 namespace surefoot {
 
-/// Finds the active rows of a hierarchy without a guess, level by level, by the primal active-set
-/// method of the cascade: each level is minimised from a feasible point, in the columns that the
-/// levels before leave free, and stops where rows of higher levels stop it. Small and fast, because
-/// each step is a sweep over two short lists, the rows held and the rows that count.
+/// Finds the active rows of a hierarchy level by level, by the primal active-set method of the
+/// cascade: each level is minimised from the feasible point where the level before ended, and stops
+/// where satisfied rows of higher levels stop it. Small and fast, because it works in the columns
+/// that the leading equalities leave, on a tableau whose columns are turned by one reflection for
+/// each row that is held and by a few rotations for each row let go.
+///
+/// The columns of the tableau, from the left: fixed by the levels before | one for each held row,
+/// in which these rows are lower triangular | free.
 class Descent {
  public:
   explicit Descent(const Hierarchy& capacity);
@@ -26,37 +28,45 @@ class Descent {
   [[nodiscard]] int num_steps() const { return num_steps_; }
 
  private:
-  struct Block {
-    double length;
-    int row;
-    signed char side;
-  };
   enum class Move { negligible, blocked, piece_changed, stationary };
 
-  [[nodiscard]] bool find(const Sweep& s, int first, bool with_norm);
-  void begin(const Sweep& s, int first);
-  void append_norm();
-  [[nodiscard]] bool minimise(int level);
-  void list_rows();
+  void begin(Sweep& s, int first);
+  void append_identity();
+  void enter(int level);
+  void update_rows();
+  [[nodiscard]] RowValues row_values() const;
+  [[nodiscard]] bool minimise();
   [[nodiscard]] Move descend();
+  void factorize_counting();
+  void set_motion();
   [[nodiscard]] bool is_negligible() const;
-  [[nodiscard]] Block first_block() const;
+  void hold(int row, signed char side);
+  void let_go(std::size_t place);
+  void weigh_forces();
   [[nodiscard]] bool drop_worst();
-  void retire(int level);
-  [[nodiscard]] bool collect_fixed(int level);
+  void retire();
+  void release_idle();
+  [[nodiscard]] bool collect_fixed();
   void fix(int row, signed char side);
+  void finish();
 
-  SweepMemory memory_;
+  [[nodiscard]] double& entry(int row, int column) const {
+    return sweep_->tableau[column * sweep_->row_stride + row];
+  }
+  [[nodiscard]] int first_free() const { return first_column_ + static_cast<int>(held_.size()); }
+
+  Sweep* sweep_ = nullptr;
   const SweepKernels* kernels_ = nullptr;
-  Tableau state_;  // values and bounds, by row; it has no columns
   LevelRows rows_;
-  std::vector<signed char> side_;  // of rows that have been fixed
-  std::vector<int> held_, fixed_;
-  std::vector<int> free_;  // constraints and rows of the level, all that can still move
-  std::vector<int> constraints_;
+  std::vector<double> value_at_zero_, reflection_;
+  std::vector<signed char> fixed_side_;  // of rows that have been fixed
+  std::vector<int> held_, fixed_;        // held_[i] has the column first_column_ + i
+  double x_size_ = 0.0, size_ = 0.0;     // of x, of the present direction
   double force_scale_ = 0.0, force_noise_ = 0.0;
-  bool has_swept_ = false;  // in the last step
-  int num_levels_ = 0, num_steps_ = 0;
+  double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // when the level began
+  int level_begin_ = 0, level_end_ = 0, first_column_ = 0;
+  bool has_factorized_ = false;  // the rows that count now
+  int num_steps_ = 0;
 };
 
 }  // namespace surefoot

@@ -14,13 +14,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-Side side_of(const Tableau& tableau, Index row) {
-  const double lower = tableau.lower[row];
-  const double upper = tableau.upper[row];
-  const double noise = tableau.noise(row);
+Side side_of(const RowValues& values, Index row) {
+  const double lower = values.lower[row];
+  const double upper = values.upper[row];
+  const double noise = values.noise(row);
   if (lower == upper) return Side::equality;
-  if (tableau.value[row] > upper + noise) return Side::above;
-  if (tableau.value[row] < lower - noise) return Side::below;
+  if (values.value[row] > upper + noise) return Side::above;
+  if (values.value[row] < lower - noise) return Side::below;
   return Side::inside;
 }
 
@@ -33,15 +33,15 @@ LevelRows::LevelRows(Index max_rows)
       residual_(Eigen::VectorXd::Zero(max_rows)),
       counting_residual_(Eigen::VectorXd::Zero(max_rows)) {}
 
-void LevelRows::update(const Tableau& tableau) {
-  num_rows_ = tableau.num_rows - tableau.level_begin;
+void LevelRows::update(const RowValues& values) {
+  num_rows_ = values.num_rows - values.level_begin;
   num_counting_ = 0;
   has_inequalities_ = false;
   for (Index i = 0; i < num_rows_; ++i) {
-    const Index row = tableau.level_begin + i;
-    const Side side = side_of(tableau, row);
+    const Index row = values.level_begin + i;
+    const Side side = side_of(values, row);
     side_[at(i)] = side;
-    residual_[i] = residual(tableau, i, side, 0.0);
+    residual_[i] = residual(values, i, side, 0.0);
     has_inequalities_ = has_inequalities_ || side != Side::equality;
     if (side == Side::inside) continue;
     counting_[at(num_counting_)] = row;
@@ -50,36 +50,36 @@ void LevelRows::update(const Tableau& tableau) {
   }
 }
 
-double LevelRows::residual(const Tableau& tableau, Index i, Side side, double step) const {
-  const Index row = tableau.level_begin + i;
-  const double value = tableau.value[row] + step * tableau.motion[row];
+double LevelRows::residual(const RowValues& values, Index i, Side side, double step) const {
+  const Index row = values.level_begin + i;
+  const double value = values.value[row] + step * values.motion[row];
   switch (side) {
     case Side::inside:
       return 0.0;
     case Side::below:
-      return value - tableau.lower[row];
+      return value - values.lower[row];
     case Side::above:
     case Side::equality:
       break;
   }
-  return value - tableau.upper[row];
+  return value - values.upper[row];
 }
 
 // Where row i changes its side, not before `step`.
-double LevelRows::break_point(const Tableau& tableau, Index i, double step) const {
-  const Index row = tableau.level_begin + i;
-  const double rate = tableau.motion[row];
+double LevelRows::break_point(const RowValues& values, Index i, double step) const {
+  const Index row = values.level_begin + i;
+  const double rate = values.motion[row];
   const Side side = moved_side_[at(i)];
   if (side == Side::equality || rate == 0.0) return kInfinity;
   const bool rising = rate > 0.0;
   if ((side == Side::above && rising) || (side == Side::below && !rising)) return kInfinity;
   const bool meets_upper = side == Side::above || (side == Side::inside && rising);
-  const double bound = meets_upper ? tableau.upper[row] : tableau.lower[row];
-  return std::max(step, (bound - tableau.value[row]) / rate);
+  const double bound = meets_upper ? values.upper[row] : values.lower[row];
+  return std::max(step, (bound - values.value[row]) / rate);
 }
 
-void LevelRows::cross(const Tableau& tableau, Index i) {
-  const bool rising = tableau.motion[tableau.level_begin + i] > 0.0;
+void LevelRows::cross(const RowValues& values, Index i) {
+  const bool rising = values.motion[values.level_begin + i] > 0.0;
   Side& side = moved_side_[at(i)];
   if (side == Side::inside) {
     side = rising ? Side::above : Side::below;
@@ -89,19 +89,19 @@ void LevelRows::cross(const Tableau& tableau, Index i) {
 }
 
 // Minimum of the quadratic of the present piece along the line.
-double LevelRows::newton_step(const Tableau& tableau, double step) const {
+double LevelRows::newton_step(const RowValues& values, double step) const {
   double slope = 0.0;
   double curvature = 0.0;
   for (Index i = 0; i < num_rows_; ++i) {
     if (moved_side_[at(i)] == Side::inside) continue;
-    const double rate = tableau.motion[tableau.level_begin + i];
-    slope += residual(tableau, i, moved_side_[at(i)], step) * rate;
+    const double rate = values.motion[values.level_begin + i];
+    slope += residual(values, i, moved_side_[at(i)], step) * rate;
     curvature += rate * rate;
   }
   return slope < 0.0 && curvature > 0.0 ? step - slope / curvature : step;
 }
 
-double LevelRows::minimum_along(const Tableau& tableau, double limit) {
+double LevelRows::minimum_along(const RowValues& values, double limit) {
   std::copy_n(side_.begin(), num_rows_, moved_side_.begin());
   double target = 1.0;  // the direction is the full step of the first piece
   if (!has_inequalities_) return std::min(target, limit);
@@ -110,7 +110,7 @@ double LevelRows::minimum_along(const Tableau& tableau, double limit) {
     Index next = -1;
     double next_step = std::min(target, limit);
     for (Index i = 0; i < num_rows_; ++i) {
-      const double candidate = break_point(tableau, i, step);
+      const double candidate = break_point(values, i, step);
       if (candidate < next_step) {
         next_step = candidate;
         next = i;
@@ -118,21 +118,21 @@ double LevelRows::minimum_along(const Tableau& tableau, double limit) {
     }
     step = next_step;
     if (next < 0) break;
-    cross(tableau, next);
-    target = newton_step(tableau, step);
+    cross(values, next);
+    target = newton_step(values, step);
   }
   return step;
 }
 
-bool LevelRows::is_stationary(const Tableau& tableau, double length) const {
+bool LevelRows::is_stationary(const RowValues& values, double length) const {
   constexpr double kFullStep = 1e-12;
   if (std::abs(length - 1.0) > kFullStep) return false;
   for (Index i = 0; i < num_rows_; ++i) {
-    const Index row = tableau.level_begin + i;
+    const Index row = values.level_begin + i;
     if (side_[at(i)] == moved_side_[at(i)]) continue;
-    const double low = tableau.lower[row] - tableau.value[row];
-    const double high = tableau.value[row] - tableau.upper[row];
-    if (std::min(std::abs(low), std::abs(high)) > 10.0 * tableau.noise(row)) return false;
+    const double low = values.lower[row] - values.value[row];
+    const double high = values.value[row] - values.upper[row];
+    if (std::min(std::abs(low), std::abs(high)) > 10.0 * values.noise(row)) return false;
   }
   return true;
 }

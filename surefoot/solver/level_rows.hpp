@@ -1,13 +1,28 @@
 #pragma once
 
-#include "surefoot/solver/tableau.hpp"
-
 #include <Eigen/Core>
 
 #include <cstdint>
 #include <vector>
 
 namespace surefoot {
+
+/// Values of rows at a point and how they move along a line, by row; those of the level being
+/// solved are [level_begin, num_rows).
+struct RowValues {
+  const double* value;
+  const double* lower;
+  const double* upper;
+  const double* scale;   ///< length of the row
+  const double* motion;  ///< change of the value with a step of length 1
+  Eigen::Index level_begin, num_rows;
+  double x_size;  ///< largest ‖x‖ so far
+
+  /// Smallest change of row i's value that is not rounding.
+  [[nodiscard]] double noise(Eigen::Index i) const { return kRounding * scale[i] * x_size; }
+
+  static constexpr double kRounding = 2e-14;
+};
 
 /// The rows of the level being solved and their share in its objective
 ///
@@ -21,10 +36,10 @@ class LevelRows {
 
   explicit LevelRows(Eigen::Index max_rows);
 
-  /// Reads sides and residuals off the values in the tableau.
-  void update(const Tableau& tableau);
+  /// Reads sides and residuals off the values of them.
+  void update(const RowValues& values);
 
-  /// Rows that count in the present piece, as tableau rows, and their residuals.
+  /// Rows that count in the present piece, and their residuals.
   [[nodiscard]] Eigen::Index num_counting() const { return num_counting_; }
   [[nodiscard]] Eigen::Index counting(Eigen::Index i) const {
     return counting_[static_cast<std::size_t>(i)];
@@ -38,18 +53,18 @@ class LevelRows {
 
   [[nodiscard]] Side side(Eigen::Index i) const { return side_[static_cast<std::size_t>(i)]; }
 
-  /// Length of the step along the tableau's motion to the exact minimum of φ, at most `limit`.
-  [[nodiscard]] double minimum_along(const Tableau& tableau, double limit);
+  /// Length of the step along the motion to the exact minimum of φ, at most `limit`.
+  [[nodiscard]] double minimum_along(const RowValues& values, double limit);
 
   /// After `minimum_along` and the move: nothing is left to gain with the constraints now held.
-  [[nodiscard]] bool is_stationary(const Tableau& tableau, double length) const;
+  [[nodiscard]] bool is_stationary(const RowValues& values, double length) const;
 
  private:
-  [[nodiscard]] double residual(const Tableau& tableau, Eigen::Index i, Side side,
+  [[nodiscard]] double residual(const RowValues& values, Eigen::Index i, Side side,
                                 double step) const;
-  [[nodiscard]] double break_point(const Tableau& tableau, Eigen::Index i, double step) const;
-  void cross(const Tableau& tableau, Eigen::Index i);
-  [[nodiscard]] double newton_step(const Tableau& tableau, double step) const;
+  [[nodiscard]] double break_point(const RowValues& values, Eigen::Index i, double step) const;
+  void cross(const RowValues& values, Eigen::Index i);
+  [[nodiscard]] double newton_step(const RowValues& values, double step) const;
 
   Eigen::Index num_rows_ = 0, num_counting_ = 0;
   bool has_inequalities_ = false;

@@ -46,10 +46,10 @@ bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
   zero_steps_ = 0;
   force_scale_ = force_noise_ = 0.0;
   for (iterations_ = 0; iterations_ < max_iterations; ++iterations_) {
-    rows_.update(tableau);
+    rows_.update(tableau.row_values());
     const Move move = descend(tableau);
     if (move == Move::blocked || move == Move::piece_changed) continue;
-    rows_.update(tableau);
+    rows_.update(tableau.row_values());
     if (drop_constraint(tableau)) continue;
     if (!turning_.is_running()) return true;
     turning_.stop();  // a fresh factorization has the last word
@@ -65,7 +65,7 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
   if (is_negligible(tableau)) return Move::negligible;
 
   const Block block = first_block(tableau);
-  const double length = rows_.minimum_along(tableau, block.length);
+  const double length = rows_.minimum_along(tableau.row_values(), block.length);
   tableau.move(length);
   if (turning_.is_running()) turning_.advance(free, length);
   const bool has_moved = length * direction_.head(free).norm() > kEpsilon * tableau.x_size;
@@ -76,7 +76,7 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
   }
   // φ is smooth: only rounding can keep a direction of descent from descending.
   if (!has_moved) return Move::stationary;
-  return rows_.is_stationary(tableau, length) ? Move::stationary : Move::piece_changed;
+  return rows_.is_stationary(tableau.row_values(), length) ? Move::stationary : Move::piece_changed;
 }
 
 // The minimum of the present piece over the free columns.
@@ -105,7 +105,7 @@ void LevelSolver::hold(Tableau& tableau, const Block& block) {
 void LevelSolver::start_turning(const Tableau& tableau) {
   may_turn_ = false;
   if (rows_.has_inequalities() || tableau.num_free() < kWorthTurning) return;
-  rows_.update(tableau);
+  rows_.update(tableau.row_values());
   const Index count = tableau.num_rows - tableau.level_begin;
   (void)turning_.start(
       tableau.T.block(tableau.level_begin, tableau.first_free, count, tableau.num_free()),

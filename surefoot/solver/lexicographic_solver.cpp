@@ -52,7 +52,7 @@ signed char side_of(RowState state) {
 LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
                                          const LexicographicOptions& options)
     : options_(options),
-      memory_(capacity),
+      memory_(capacity, at(capacity.unknowns())),
       kernels_(fastest_kernels()),
       memory_of_rows_(capacity),
       search_(capacity),
@@ -187,6 +187,7 @@ void LexicographicSolver::sweep() {
   s.smallest_pivot = smallest_pivot_;
   kernels_.start(s, first_level_, s.num_levels);
   kernels_.run(s, first_level_, s.num_levels);
+  kernels_.turn_back(s, 0);
   kernels_.recover(s);
   kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
   ++num_sweeps_;

@@ -55,6 +55,14 @@ struct Sweep {
   double* x = nullptr;
   double* value = nullptr;  ///< row → a x
 
+  // The tableau of a search: the rows [first_row, end_row) turned by the columns fixed so far.
+  int first_row = 0, end_row = 0;
+  int row_stride = 0;
+  double* tableau = nullptr;      ///< column after column, each `row_stride` long
+  double* motion = nullptr;       ///< row → its change along a direction
+  double* limit_lower = nullptr;  ///< row → bound that a step must respect; −∞ where none is
+  double* limit_upper = nullptr;
+
   // Least squares of a level with more rows than columns.
   int tall_stride = 0;
   double* tall = nullptr;  ///< column after column, each `tall_stride` long
@@ -69,21 +77,31 @@ struct SweepKernels {
   void (*measure)(Sweep&);
   /// Starts a factorization of the rows whose side isn't 0, in the levels [first, end).
   void (*start)(Sweep&, int first, int end);
-  /// The same for the rows that are listed in `order` and `order_begin` already.
-  void (*restart)(Sweep&);
   /// Sweeps over these levels.
   void (*run)(Sweep&, int first, int end);
   /// Gives columns to the rows [begin, end) of the order, without looking at their bounds.
   void (*fix)(Sweep&, int begin, int end);
-  /// base ← base · Q without the columns that are fixed, for the rows listed; 0 columns fixed.
-  void (*turn)(Sweep&, const int* list, int count);
-  /// value[i] ← base · y of the rows listed.
-  void (*multiply)(Sweep&, const int* list, int count);
+  /// tableau ← base, for the rows [first_row, end_row).
+  void (*fill_tableau)(Sweep&);
+  /// tableau ← tableau (I − β v vᵀ); v begins at column `first`.
+  void (*turn)(Sweep&, const double* v, double beta, int first);
+  /// The same for a rotation of the columns `first` and `first` + 1.
+  void (*rotate)(Sweep&, int first, double cosine, double sine);
+  /// Starts a factorization of the rows listed in `order`, from column `first` of the tableau on.
+  void (*gather)(Sweep&, int first);
+  /// motion ← tableau · q from column `first` on; 0 where it is at most `rounding` ‖a‖.
+  void (*move)(Sweep&, int first, double rounding);
+  /// Longest step along the motion within the limits, and the row that ends it, −1 for none.
+  double (*longest_step)(Sweep&, int& row);
+  /// base_value ← base_value + length · motion.
+  void (*advance)(Sweep&, double length);
   /// basis ← Q of the columns that are still free, and what the fixed ones say; 0 columns fixed.
   void (*reduce)(Sweep&);
   /// base[row] ← a · basis.
   void (*project)(Sweep&, int row);
-  /// y ← Q q and x ← basis · (y, 1).
+  /// y ← Q q, with the reflections from column `first` on.
+  void (*turn_back)(Sweep&, int first);
+  /// x ← basis · (y, 1).
   void (*recover)(Sweep&);
   /// value[i] ← aᵢ x for rows [first, end).
   void (*evaluate)(Sweep&, int first, int end);

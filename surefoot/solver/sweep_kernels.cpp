@@ -6,7 +6,8 @@ namespace surefoot {
 namespace {
 namespace baseline {
 #include "surefoot/solver/sweep_kernels.inl"
-}
+#include "surefoot/solver/tableau_kernels.inl"
+}  // namespace baseline
 }  // namespace
 }  // namespace surefoot
 #undef SUREFOOT_PACK
@@ -22,7 +23,8 @@ namespace surefoot {
 namespace {
 namespace avx2 {
 #include "surefoot/solver/sweep_kernels.inl"
-}
+#include "surefoot/solver/tableau_kernels.inl"
+}  // namespace avx2
 }  // namespace
 }  // namespace surefoot
 #undef SUREFOOT_PACK
@@ -37,7 +39,8 @@ namespace surefoot {
 namespace {
 namespace avx512 {
 #include "surefoot/solver/sweep_kernels.inl"
-}
+#include "surefoot/solver/tableau_kernels.inl"
+}  // namespace avx512
 }  // namespace
 }  // namespace surefoot
 #pragma GCC pop_options

@@ -414,16 +414,6 @@ static void run_level(Sweep& s, int begin, int end) {
   lower_rank_tolerance(s);
 }
 
-void restart(Sweep& s) {
-  s.fixed = 0;
-  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
-  for (int i = 0; i < s.num_taking_part; ++i) {
-    const double* from_row = s.base + (long)s.order[i] * s.stride;
-    double* to_row = s.rows + (long)s.order[i] * s.stride;
-    for (int j = 0; j < s.stride; j += kPack) at(to_row + j) = at(from_row + j);
-  }
-}
-
 void start(Sweep& s, int first, int end) {
   s.num_taking_part = 0;
   for (int k = first; k < end; ++k) {
@@ -433,33 +423,18 @@ void start(Sweep& s, int first, int end) {
     }
   }
   s.order_begin[end] = s.num_taking_part;
-  restart(s);
+  s.fixed = 0;
+  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  for (int i = 0; i < s.num_taking_part; ++i) {
+    const double* from_row = s.base + (long)s.order[i] * s.stride;
+    double* to_row = s.rows + (long)s.order[i] * s.stride;
+    for (int j = 0; j < s.stride; j += kPack) at(to_row + j) = at(from_row + j);
+  }
 }
 
 void fix(Sweep& s, int begin, int end) {
   (void)factorize_level(s, begin, end);
   lower_rank_tolerance(s);
-}
-
-void turn(Sweep& s, const int* list, int count) {
-  for (int j = 0; j < s.fixed; ++j) {
-    if (s.beta[j] == 0.0) continue;
-    reflect(s.base, s.stride, list, count, s.reflectors + (long)j * s.stride, s.beta[j], j);
-  }
-  const int columns = s.columns - s.fixed;
-  for (int i = 0; i < count; ++i) {
-    double* row = s.base + (long)list[i] * s.stride;
-    for (int j = 0; j < columns; ++j) row[j] = row[j + s.fixed];
-    for (int j = columns; j < s.columns; ++j) row[j] = 0.0;
-  }
-  s.columns = s.unknowns = columns;
-  s.fixed = 0;
-}
-
-void multiply(Sweep& s, const int* list, int count) {
-  for (int i = 0; i < count; ++i) {
-    s.value[list[i]] = dot(s.base + (long)list[i] * s.stride, s.y, s.stride);
-  }
 }
 
 void run(Sweep& s, int first, int end) {
@@ -591,14 +566,17 @@ void project(Sweep& s, int row) {
   to[s.columns] = 0.0;
 }
 
-void recover(Sweep& s) {
+void turn_back(Sweep& s, int first) {
   for (int j = 0; j < s.stride; j += kPack) at(s.y + j) = at(s.q + j);
   const int self = 0;
-  for (int j = s.fixed - 1; j >= 0; --j) {
+  for (int j = s.fixed - 1; j >= first; --j) {
     if (s.beta[j] != 0.0) {
       reflect(s.y, s.stride, &self, 1, s.reflectors + (long)j * s.stride, s.beta[j], j);
     }
   }
+}
+
+void recover(Sweep& s) {
   if (s.columns == s.unknowns) {
     for (int i = 0; i < s.unknowns; ++i) s.x[i] = s.y[i];
     return;
@@ -639,9 +617,3 @@ void balance_norm(Sweep& s, int last) {
   for (int j = 0; j < s.stride; j += kPack) at(s.gradient + j) = at(s.q + j);
   balance_gradient(s, s.fixed, last);
 }
-
-constexpr SweepKernels kKernels{
-    SUREFOOT_ISA_NAME, kPack,  measure, start,   restart,  run,     fix,         turn,
-    multiply,          reduce, project, recover, evaluate, balance, balance_norm};
-
-#undef SUREFOOT_INLINE

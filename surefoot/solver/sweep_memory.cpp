@@ -29,8 +29,8 @@ class Pieces {
 std::size_t assign(Sweep& s, double* begin, std::size_t n, std::size_t rows) {
   const std::size_t stride = padded(n + 1);
   Pieces pieces(begin);
-  for (double** by_row :
-       {&s.lower, &s.upper, &s.scale, &s.base_value, &s.residual, &s.force, &s.value}) {
+  for (double** by_row : {&s.lower, &s.upper, &s.scale, &s.base_value, &s.residual, &s.force,
+                          &s.value, &s.motion, &s.limit_lower, &s.limit_upper}) {
     *by_row = pieces.take(rows);
   }
   for (double** by_column : {&s.beta, &s.inverse_pivot, &s.q, &s.y, &s.x}) {
@@ -40,6 +40,8 @@ std::size_t assign(Sweep& s, double* begin, std::size_t n, std::size_t rows) {
   s.basis = pieces.take(n * stride);
   s.base = pieces.take(rows * stride);
   s.rows = pieces.take(rows * stride);
+  s.row_stride = static_cast<int>(padded(rows));
+  s.tableau = pieces.take(n * padded(rows));
   s.reflectors = pieces.take(n * stride);
   s.tall = pieces.take((n + 1) * padded(rows));
   return pieces.used();

@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/householder.hpp"
+#include "surefoot/solver/level_rows.hpp"
 
 #include <Eigen/Core>
 
@@ -52,14 +53,17 @@ class Tableau {
   void retire();
 
   /// Smallest change of row i's value that is not rounding.
-  [[nodiscard]] double noise(Eigen::Index i) const { return kRounding * scale[i] * x_size; }
+  [[nodiscard]] double noise(Eigen::Index i) const { return row_values().noise(i); }
+
+  [[nodiscard]] RowValues row_values() const {
+    return {value.data(),  lower.data(), upper.data(), scale.data(),
+            motion.data(), level_begin,  num_rows,     x_size};
+  }
 
   [[nodiscard]] Eigen::Index num_free() const { return unknowns - first_free; }
   [[nodiscard]] auto rows(Eigen::Index first_column, Eigen::Index columns) {
     return T.block(0, first_column, num_rows, columns);
   }
-
-  static constexpr double kRounding = 2e-14;
 
   Eigen::Index unknowns;
   Eigen::Index first_free = 0;
