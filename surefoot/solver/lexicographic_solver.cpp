@@ -32,12 +32,14 @@ bool is_sound(const Level& level) {
   return true;
 }
 
-RowState state_of(double value, double lower, double upper, double tolerance) {
+/// What a row does at the solution; adds the square of its violation.
+RowState state_of(double value, double lower, double upper, double tolerance, double& square) {
+  const double above = value - upper, below = lower - value;
+  const double violation = above > 0.0 ? above : below > 0.0 ? below : 0.0;
+  square += violation * violation;
   if (lower == upper) return RowState::equality;
-  if (value > upper + tolerance) return RowState::above_upper;
-  if (value < lower - tolerance) return RowState::below_lower;
-  if (value >= upper - tolerance) return RowState::at_upper;
-  if (value <= lower + tolerance) return RowState::at_lower;
+  if (above >= -tolerance) return above > tolerance ? RowState::above_upper : RowState::at_upper;
+  if (below >= -tolerance) return below > tolerance ? RowState::below_lower : RowState::at_lower;
   return RowState::inactive;
 }
 
@@ -187,8 +189,7 @@ void LexicographicSolver::sweep_leading_equalities() {
   s.solve_tolerance = options_.rank.solve;
   s.keep_tolerance = options_.rank.keep;
   s.smallest_pivot = 1.0;
-  for (int row = 0; row < s.level_begin[first_level_]; ++row) kernels_.project(s, row);
-  kernels_.start(s, 0, first_level_);
+  kernels_.start_leading(s, first_level_);
   kernels_.run(s, 0, first_level_);
   for (int k = 0; k < first_level_; ++k) {
     solution_.levels[at(k)].degrees_of_freedom_left = s.unknowns - s.first_column[k + 1];
@@ -333,13 +334,10 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
     if (k >= hierarchy.num_levels()) continue;
     result.num_rows = hierarchy.level(k).num_rows();
     double sum = 0.0;
-    for (Index i = 0; i < result.num_rows; ++i) {
-      const Index row = s.level_begin[k] + i;
-      const double violation =
-          std::max({0.0, s.lower[row] - s.value[row], s.value[row] - s.upper[row]});
-      sum += violation * violation;
-      result.rows[at(i)] =
-          state_of(s.value[row], s.lower[row], s.upper[row], tolerance * s.scale[row]);
+    int row = s.level_begin[k];
+    RowState* state = result.rows.data();
+    for (const int end = row + static_cast<int>(result.num_rows); row < end; ++row, ++state) {
+      *state = state_of(s.value[row], s.lower[row], s.upper[row], tolerance * s.scale[row], sum);
     }
     result.residual = std::sqrt(sum);
   }

@@ -77,6 +77,8 @@ struct SweepKernels {
   void (*measure)(Sweep&);
   /// Starts a factorization of the rows whose side isn't 0, in the levels [first, end).
   void (*start)(Sweep&, int first, int end);
+  /// The same with all rows of the levels [0, end), in the space of x.
+  void (*start_leading)(Sweep&, int end);
   /// Sweeps over these levels.
   void (*run)(Sweep&, int first, int end);
   /// Gives columns to the rows [begin, end) of the order, without looking at their bounds.

@@ -171,27 +171,80 @@ static void swap_rows(int* order, int i, int j) {
   order[j] = row;
 }
 
+/// What a difference of squares keeps at least, to be as good as a sum.
+constexpr double kWellLeft = 0.25;
+
 /// The row at `position` takes the next column; in all rows after it the basis turns. Returns the
-/// squared length that is left of the next row: what it needs is begun before the others turn.
-static double eliminate(Sweep& s, int position, double square, bool usable) {
-  const int row = s.order[position];
-  const int column = s.fixed++;
-  double* v = s.reflectors + (long)column * s.stride;
-  double head = 0.0;
-  const double beta =
-      make_reflection(s.rows + (long)row * s.stride, v, column, s.stride, square, head);
-  s.beta[column] = beta;
-  s.pivot[column] = usable ? row : -1;
-  s.inverse_pivot[column] = usable ? 1.0 / head : 0.0;
-  const int* next = s.order + position + 1;
+/// squared length that is left of the next row. The elimination of that row waits for it: so its
+/// products with this row come first, which need no root and no division. N packs; 0: any number.
+template <int N>
+static double eliminate_packs(Sweep& s, int position, int column, double square) {
+  const int skip = column / kPack * kPack;
+  const int packs = N > 0 ? N : (s.stride - skip) / kPack;
+  double* row = s.rows + (long)s.order[position] * s.stride + skip;
+  double* v = s.reflectors + (long)column * s.stride + skip;
+  const int place = column - skip;
+  const int* after = s.order + position + 1;
   const int count = s.num_taking_part - position - 1;
-  if (count == 0 || s.fixed == s.columns) {
-    reflect(s.rows, s.stride, next, count, v, beta, column);
+  const bool has_next = count > 0 && s.fixed < s.columns;
+  double* next = has_next ? s.rows + (long)*after * s.stride + skip : row;
+
+  Pack product = Pack{}, next_square = Pack{};
+#pragma GCC unroll 4
+  for (int k = 0; k < packs; ++k) {
+    const Pack here = k == 0 ? from(at(row), place) : at(row + k * kPack);
+    const Pack there = k == 0 ? from(at(next), place) : at(next + k * kPack);
+    product += here * there;
+    next_square += there * there;
+  }
+  const double first = row[place], next_first = next[place];
+  const double norm = __builtin_sqrt(square);
+  const double head = first > 0.0 ? -norm : norm;
+  const double beta = 1.0 / (square + norm * absolute(first));
+  const double along = (sum(product)[0] - head * next_first) * beta;
+#pragma GCC unroll 4
+  for (int k = 0; k < packs; ++k) {
+    const Pack tail = k == 0 ? from(at(row), place) : at(row + k * kPack);
+    const Pack reflector = k == 0 ? with(tail, place, first - head) : tail;
+    at(v + k * kPack) = reflector;
+    at(row + k * kPack) = k == 0 ? with(at(row) - tail, place, head) : Pack{};
+    if (has_next) at(next + k * kPack) -= along * reflector;
+  }
+  s.beta[column] = beta;
+  s.inverse_pivot[column] = 1.0 / head;
+  if (!has_next) {
+    reflect_packs<N>(s.rows + skip, s.stride, after, count, v, beta, packs);
     return 0.0;
   }
-  reflect(s.rows, s.stride, next, 1, v, beta, column);
-  const double left = square_from(s.rows + (long)*next * s.stride, s.fixed, s.stride);
-  reflect(s.rows, s.stride, next + 1, count - 1, v, beta, column);
+  const double next_head = next_first - along * (first - head);
+  const double all = sum(next_square)[0];
+  const double left = all - next_head * next_head;
+  reflect_packs<N>(s.rows + skip, s.stride, after + 1, count - 1, v, beta, packs);
+  if (left > kWellLeft * all) return left;
+  return square_from(next - skip, s.fixed, s.stride);
+}
+
+static double eliminate(Sweep& s, int position, double square, bool usable) {
+  const int column = s.fixed++;
+  s.pivot[column] = usable ? s.order[position] : -1;
+  double left = 0.0;
+  switch ((s.stride - column / kPack * kPack) / kPack) {
+    case 1:
+      left = eliminate_packs<1>(s, position, column, square);
+      break;
+    case 2:
+      left = eliminate_packs<2>(s, position, column, square);
+      break;
+    case 3:
+      left = eliminate_packs<3>(s, position, column, square);
+      break;
+    case 4:
+      left = eliminate_packs<4>(s, position, column, square);
+      break;
+    default:
+      left = eliminate_packs<0>(s, position, column, square);
+  }
+  if (!usable) s.inverse_pivot[column] = 0.0;
   return left;
 }
 
@@ -432,6 +485,23 @@ void start(Sweep& s, int first, int end) {
   }
 }
 
+void start_leading(Sweep& s, int end) {
+  s.num_taking_part = s.level_begin[end];
+  for (int k = 0; k <= end; ++k) s.order_begin[k] = s.level_begin[k];
+  s.fixed = 0;
+  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  const int whole = s.unknowns / kPack * kPack;
+  for (int row = 0; row < s.num_taking_part; ++row) {
+    s.order[row] = row;
+    s.base_value[row] = 0.0;
+    double* to = s.rows + (long)row * s.stride;
+    for (int j = 0; j < whole; j += kPack) at(to + j) = loose(s.a[row] + j);
+    if (whole == s.stride) continue;
+    at(to + whole) = Pack{};
+    for (int j = whole; j < s.unknowns; ++j) to[j] = s.a[row][j];
+  }
+}
+
 void fix(Sweep& s, int begin, int end) {
   (void)factorize_level(s, begin, end);
   lower_rank_tolerance(s);
@@ -445,37 +515,50 @@ void run(Sweep& s, int first, int end) {
   s.first_column[end] = s.fixed;
 }
 
+/// Σ aᵢ basis(i, :) over [first, end), for N packs from `from` on. Two rows in turn, so that sums
+/// don't wait for each other.
+template <int N>
+SUREFOOT_INLINE void sum_rows(const double* a, const double* basis, int stride, int first, int end,
+                              Pack* result) {
+  constexpr int kChains = N > 2 ? 2 : 4;
+  Pack chain[kChains][N] = {};
+  int i = first;
+  for (; i + kChains <= end; i += kChains) {
+    const double* row = basis + (long)i * stride;
+#pragma GCC unroll 4
+    for (int c = 0; c < kChains; ++c) {
+#pragma GCC unroll 4
+      for (int k = 0; k < N; ++k) chain[c][k] += a[i + c] * at(row + c * stride + k * kPack);
+    }
+  }
+  for (; i < end; ++i) {
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) {
+      chain[0][k] += a[i] * at(basis + (long)i * stride + k * kPack);
+    }
+  }
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) {
+    result[k] = chain[0][k] + chain[1][k];
+    if constexpr (kChains == 4) result[k] += chain[2][k] + chain[3][k];
+  }
+}
+
 /// rows of `basis` from `first` on ← (I − β v vᵀ) rows, for rows of N packs; N = 0: of any number.
 template <int N>
 static void reflect_basis(Sweep& s, int stride, const double* v, double beta, int first) {
+  constexpr int kWidth = N > 0 ? N : 1;
   const int packs = N > 0 ? N : stride / kPack;
-  for (int p = 0; p < packs; p += N > 0 ? N : 1) {
-    constexpr int kWidth = N > 0 ? N : 1;
-    Pack even[kWidth] = {}, odd[kWidth] = {};
-    int i = first;
-    for (; i + 1 < s.unknowns; i += 2) {
-      const double* row = s.basis + (long)i * stride + p * kPack;
-
+  for (int p = 0; p < packs; p += kWidth) {
+    double* basis = s.basis + p * kPack;
+    Pack along[kWidth];
+    sum_rows<kWidth>(v, basis, stride, first, s.unknowns, along);
 #pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) {
-        even[k] += v[i] * at(row + k * kPack);
-        odd[k] += v[i + 1] * at(row + stride + k * kPack);
-      }
-    }
-    if (i < s.unknowns) {
-      const double* row = s.basis + (long)i * stride + p * kPack;
-
+    for (int k = 0; k < kWidth; ++k) along[k] *= beta;
+    for (int i = first; i < s.unknowns; ++i) {
+      double* row = basis + (long)i * stride;
 #pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) even[k] += v[i] * at(row + k * kPack);
-    }
-
-#pragma GCC unroll 4
-    for (int k = 0; k < kWidth; ++k) even[k] = (even[k] + odd[k]) * beta;
-    for (i = first; i < s.unknowns; ++i) {
-      double* row = s.basis + (long)i * stride + p * kPack;
-
-#pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * even[k];
+      for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * along[k];
     }
   }
 }
@@ -517,26 +600,10 @@ static void combine(const Sweep& s, const double* a, int first, int end, double*
   constexpr int kWidth = N > 0 ? N : 1;
   const int packs = N > 0 ? N : s.stride / kPack;
   for (int p = 0; p < packs; p += kWidth) {
-    Pack even[kWidth] = {}, odd[kWidth] = {};
-    int i = first;
-    for (; i + 1 < end; i += 2) {
-      const double* row = s.basis + (long)i * s.stride + p * kPack;
-
+    Pack total[kWidth];
+    sum_rows<kWidth>(a, s.basis + p * kPack, s.stride, first, end, total);
 #pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) {
-        even[k] += a[i] * at(row + k * kPack);
-        odd[k] += a[i + 1] * at(row + s.stride + k * kPack);
-      }
-    }
-    if (i < end) {
-      const double* row = s.basis + (long)i * s.stride + p * kPack;
-
-#pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) even[k] += a[i] * at(row + k * kPack);
-    }
-
-#pragma GCC unroll 4
-    for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = even[k] + odd[k];
+    for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = total[k];
   }
 }
 

@@ -110,10 +110,26 @@ void advance(Sweep& s, double length) {
   }
 }
 
-constexpr SweepKernels kKernels{
-    SUREFOOT_ISA_NAME, kPack,       measure, start,     run,     fix,
-    fill_tableau,      turn,        rotate,  gather,    move,    longest_step,
-    advance,           reduce,      project, turn_back, recover, evaluate,
-    balance,           balance_norm};
+constexpr SweepKernels kKernels{.name = SUREFOOT_ISA_NAME,
+                                .pack = kPack,
+                                .measure = measure,
+                                .start = start,
+                                .start_leading = start_leading,
+                                .run = run,
+                                .fix = fix,
+                                .fill_tableau = fill_tableau,
+                                .turn = turn,
+                                .rotate = rotate,
+                                .gather = gather,
+                                .move = move,
+                                .longest_step = longest_step,
+                                .advance = advance,
+                                .reduce = reduce,
+                                .project = project,
+                                .turn_back = turn_back,
+                                .recover = recover,
+                                .evaluate = evaluate,
+                                .balance = balance,
+                                .balance_norm = balance_norm};
 
 #undef SUREFOOT_INLINE
