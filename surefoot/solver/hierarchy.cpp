@@ -1,12 +1,14 @@
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <cassert>
+#include <functional>
 #include <utility>
 
 namespace surefoot {
 
 Level::Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns)
     : name_(std::move(name)),
+      name_hash_(std::hash<std::string>{}(name_)),
       A_(RowMajor::Zero(max_rows, unknowns)),
       lower_(Eigen::VectorXd::Zero(max_rows)),
       upper_(Eigen::VectorXd::Zero(max_rows)),

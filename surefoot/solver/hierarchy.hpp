@@ -43,9 +43,13 @@ class Level {
   [[nodiscard]] auto lower() const { return lower_.head(num_rows_); }
   [[nodiscard]] auto upper() const { return upper_.head(num_rows_); }
   [[nodiscard]] int id(Eigen::Index row) const { return ids_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] const int* ids() const { return ids_.data(); }
+  /// Of the name: levels of the same name have the same.
+  [[nodiscard]] std::size_t name_hash() const { return name_hash_; }
 
  private:
   std::string name_;
+  std::size_t name_hash_;
   RowMajor A_;
   Eigen::VectorXd lower_, upper_;
   std::vector<int> ids_;

@@ -138,19 +138,21 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
     } else {
       std::fill_n(s.side + next, level.num_rows(), static_cast<signed char>(0));
     }
+    const int rows = static_cast<int>(level.num_rows());
     const double* a = level.A().data();
     const double* lower = level.lower().data();
     const double* upper = level.upper().data();
-    for (int i = 0; i < static_cast<int>(level.num_rows()); ++i, ++next, a += s.unknowns) {
+    std::copy_n(lower, rows, s.lower + next);
+    std::copy_n(upper, rows, s.upper + next);
+    for (int i = 0; i < rows; ++i, ++next, a += s.unknowns) {
       s.a[next] = a;
-      s.lower[next] = lower[i];
-      s.upper[next] = upper[i];
-      is_sound = is_sound && are_sound(lower[i], upper[i]);
       signed char& side = s.side[next];
       if (lower[i] == upper[i]) {
         side = 2;
+        is_sound = is_sound && std::abs(lower[i]) < kInfinity;
         continue;
       }
+      is_sound = is_sound && are_sound(lower[i], upper[i]);
       if (side == 2 || !std::isfinite(side < 0 ? lower[i] : upper[i])) side = 0;
       first_level_ = std::min(first_level_, k);
     }

@@ -2,7 +2,7 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace surefoot {
@@ -24,12 +24,13 @@ class RowMemory {
 
  private:
   struct LevelMemory {
-    std::uint64_t name = 0;  // hash
+    std::size_t name = 0;  // hash
     std::size_t num_rows = 0;
     std::vector<int> id;
     std::vector<signed char> side;
   };
-  [[nodiscard]] const LevelMemory* find(std::size_t k, std::uint64_t name) const;
+  [[nodiscard]] const LevelMemory* find(std::size_t k, std::size_t name) const;
+  [[nodiscard]] static bool has_rows_of(const LevelMemory& memory, const Level& level);
 
   std::vector<LevelMemory> levels_;
 };
