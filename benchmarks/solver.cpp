@@ -4,6 +4,7 @@
 #include "benchmarks/solver/growth.hpp"
 #include "benchmarks/solver/measure.hpp"
 #include "benchmarks/solver/problems.hpp"
+#include "benchmarks/solver/qp_cascade.hpp"
 #include "benchmarks/solver/report.hpp"
 #include "surefoot/base/error.hpp"
 
@@ -49,6 +50,10 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--limit", arguments.measure.time_limit, "Seconds until a solve counts as hung")
       ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str();
+  app.add_option("--regularisation", QpCascade::regularisation,
+                 "ε ‖z‖² of the cascades over QP solvers, whose Hessians must be definite")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--json", arguments.json, "Write all results to this file, too");
   app.add_flag("--growth", arguments.growth,

@@ -32,6 +32,7 @@ class Hierarchical final : public Peer {
   }
 
   bool solve() override {
+    if (!is_set_up_) return false;  // it takes no such problem
     result_.x = x_.data();
     result_.lam = multipliers_.data();
     const int mask = DAQP_UPDATE_M | DAQP_UPDATE_d | DAQP_UPDATE_sense | DAQP_UPDATE_hierarchy;

@@ -19,6 +19,7 @@ struct PeerResult {
   std::vector<double> times;  ///< least of each problem that it came back from [µs]
   int problems = 0;
   int right = 0;   ///< every level's residual that of the reference, and certified, to 1e-6
+  int near = 0;    ///< every level's residual that of the reference, to 1e-3
   int failed = 0;  ///< by its own word
   int hung = 0;    ///< or crashed
   double allocations = 0.0;  ///< of a solve, mean
@@ -37,7 +38,7 @@ struct SetResult {
 [[nodiscard]] SetResult measure(const ProblemSet& set, const std::vector<PeerKind>& kinds,
                                 const MeasureOptions& options);
 
-/// Least time of what is at most this share of the way from the least to the largest.
+/// The value at this share of the sorted values; NaN of none.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
 
 }  // namespace surefoot::benchmarks

@@ -9,10 +9,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRegularisation = 1e-8;
 constexpr double kRank = 1e-9;
 
 }  // namespace
+
+double QpCascade::regularisation = 1e-12;
 
 void QpCascade::prepare(const Hierarchy& problem) {
   levels_.assign(problem.num_levels(), {});
@@ -76,7 +77,7 @@ void QpCascade::form_qp(const LevelData& level, const MatrixXd& AZ) {
   const Index nz = Z_.cols(), nv = level.D.rows(), before = D_.rows();
   qp_.H.setZero(nz + nv, nz + nv);
   qp_.H.topLeftCorner(nz, nz) = AZ.transpose() * AZ;
-  qp_.H.diagonal().head(nz).array() += kRegularisation;
+  qp_.H.diagonal().head(nz).array() += regularisation;
   qp_.H.diagonal().tail(nv).setOnes();
   qp_.g.setZero(nz + nv);
   qp_.g.head(nz) = AZ.transpose() * (level.A * x_ - level.b);

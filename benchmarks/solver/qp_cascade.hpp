@@ -29,7 +29,7 @@ class QpSolver {
 /// The paper's cascade (Eqs. 9–12) over a solver of general QPs, as it is commonly built: level k
 /// is
 ///
-///     min ½ ‖A (x + Z z) − b‖² + ½ ‖v‖² + ½ ε ‖z‖²    ε = 1e-8
+///     min ½ ‖A (x + Z z) − b‖² + ½ ‖v‖² + ½ ε ‖z‖²
 ///     lower ≤ D (x + Z z) − v ≤ upper                  its inequality rows, v of free sign
 ///     lower − v* ≤ D (x + Z z) ≤ upper + v*            those of the levels before, as solved
 ///
@@ -40,6 +40,8 @@ class QpCascade final : public Peer {
  public:
   QpCascade(std::unique_ptr<QpSolver> solver, bool qp_everywhere)
       : solver_(std::move(solver)), qp_everywhere_(qp_everywhere) {}
+
+  static double regularisation;  ///< ε of all cascades
 
   void prepare(const Hierarchy& problem) override;
   bool solve() override;

@@ -110,8 +110,8 @@ void append_copies(const Level& from, double sign, int first_id, Level& to) {
 }
 
 /// Contacts and force limits twice, the balance level once more with the opposite wish, and rows of
-/// zeros that ask for nothing or for what can't be.
-Hierarchy degenerated(const Hierarchy& source) {
+/// zeros, one of which asks for `impossible`.
+Hierarchy degenerated(const Hierarchy& source, double impossible) {
   constexpr int kCopies = 1000;  // first id of the rows added
   Hierarchy result(source.unknowns());
   for (std::size_t k = 0; k < source.num_levels(); ++k) {
@@ -122,7 +122,7 @@ Hierarchy degenerated(const Hierarchy& source) {
     if (k == 5) {
       Rows zeros = result.level(added).add(2, kCopies);
       zeros.set_equal(0, 0.0);
-      zeros.set_equal(1, 1.0);
+      zeros.set_equal(1, impossible);
     }
     if (k == 4) {
       const std::size_t opposite = result.add_level("opposite of " + from.name(), from.num_rows());
@@ -146,7 +146,7 @@ Hierarchy table_one_problem(unsigned seed, Difficulty difficulty) {
   draw_references(random, dynamics, draws, scene.plan);
   TaskStack stack(stack_for(dynamics, draws), robot);
   const Hierarchy hierarchy = normalised(stack.update(dynamics, scene.plan));
-  return difficulty == Difficulty::degenerate ? degenerated(hierarchy) : hierarchy;
+  return difficulty == Difficulty::degenerate ? degenerated(hierarchy, seed % 2) : hierarchy;
 }
 
 }  // namespace surefoot::benchmarks
