@@ -75,7 +75,7 @@ void judge(const Hierarchy& problem, const Eigen::VectorXd& x, const Solution& r
 struct Run {
   PeerKind kind;
   std::vector<Outcome> outcomes;
-  std::unique_ptr<Peer> peer;
+  std::unique_ptr<Peer> peer, shadow;
   std::vector<double> least;
   PeerResult result;
   double allocations = 0.0;
@@ -106,7 +106,7 @@ class Measurement {
 
   SetResult run() {
     for (int pass = 0; pass < options_.passes; ++pass) {
-      for (Run& run : runs_) run.peer.reset();
+      for (Run& run : runs_) forget(run);
       for (std::size_t i = 0; i < set_.problems.size(); ++i) solve(i, pass == 0);
     }
     return result();
@@ -125,7 +125,7 @@ class Measurement {
     least_q_[i] = std::min(least_q_[i], unit_.measure());
     for (Run& run : runs_) {
       if (!returns(run.outcomes[i])) {
-        run.peer.reset();  // as in the trial, where the next problem met a new solver
+        forget(run);  // as in the trial, where the next problem met a new solver
         continue;
       }
       time(run, problem, i);
@@ -133,9 +133,19 @@ class Measurement {
     }
   }
 
+  static void forget(Run& run) {
+    run.peer.reset();
+    run.shadow.reset();
+  }
+
+  /// The solver's shadow goes first, not timed: so everyone has code and problem in the caches,
+  /// not only who comes after a solver that is much like it.
   void time(Run& run, const Hierarchy& problem, std::size_t i) const {
-    if (!run.peer || !set_.is_sequence) run.peer = run.kind.make();
-    run.peer->prepare(problem);
+    for (std::unique_ptr<Peer>* peer : {&run.peer, &run.shadow}) {
+      if (!*peer || !set_.is_sequence) *peer = run.kind.make();
+      (*peer)->prepare(problem);
+    }
+    (void)run.shadow->solve();
     const test::MallocCounter counter;
     const double time = microseconds([&] { (void)run.peer->solve(); });
     run.allocations += static_cast<double>(counter.count());
