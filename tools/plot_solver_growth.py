@@ -9,7 +9,7 @@ import sys
 
 PANELS = [("unknowns", "unknowns n (11 levels, 2.4 n rows)"), ("levels", "levels (30 unknowns, 72 rows)"),
           ("rows", "rows (30 unknowns, 11 levels)"), ("active", "active inequality rows")]
-LINES = [("cold_us", "without a guess", "#b3541e"), ("warm_us", "warm", "#1f6f8b"), ("bound_us", "flop bound", "#777777")]
+LINES = [("cold_us", "without a guess", "#b3541e"), ("warm_us", "warm", "#1f6f8b"), ("bound_us", "flops at product speed", "#777777")]
 WIDTH, HEIGHT, LEFT, TOP, PLOT_W, PLOT_H, GAP_X, GAP_Y = 900, 640, 62, 40, 350, 210, 88, 90
 
 
