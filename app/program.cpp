@@ -1,6 +1,7 @@
 #include "app/program.hpp"
 
 #include "app/demo.hpp"
+#include "app/dump_command.hpp"
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
@@ -53,6 +54,20 @@ still solved).
 Examples:
   surefoot solve hierarchies.jsonl
   surefoot solve hierarchies.jsonl --explain
+)";
+
+constexpr const char* kDumpFooter = R"(
+One line for each tick, as `surefoot solve` reads it, with the names of levels and rows:
+  {"levels":[{"name":…,"A":[[…]],"b":[…],"D":[[…]],"f":[…],"A_names":[…],"D_names":[…]},…]}
+A scenario is run for it; of a log the controller is run again on the logged readings. A tick of the
+walk has about 30 kB.
+
+Exit codes: 0 written, 2 the input is wrong, no tick lies between --from and --to, or the dump was
+interrupted (then no file is left).
+
+Examples:
+  surefoot dump walk_flat_sea --from 10 --to 12 --every 10 --out walk.jsonl
+  surefoot dump run.mcap --from 3.2 --to 3.21 | surefoot solve - --explain
 )";
 
 constexpr const char* kListFooter = R"(
@@ -170,6 +185,30 @@ void add_solve(CLI::App& app, Command& chosen) {
   });
 }
 
+void add_dump(CLI::App& app, Command& chosen) {
+  CLI::App* dump =
+      app.add_subcommand("dump", "Write the hierarchies of a run, one JSON object a line");
+  dump->footer(kDumpFooter);
+  const auto arguments = std::make_shared<DumpArguments>();
+  dump->add_option("source", arguments->source, "Scenario (name or file), or log of a run (MCAP)")
+      ->required();
+  dump->add_option("--from", arguments->from, "First time [s]; 0 by default");
+  dump->add_option("--to", arguments->to,
+                   "Time before which it ends [s]; by default the run's end");
+  dump->add_option("--every", arguments->every, "Of this many ticks, write one; 1 by default")
+      ->check(whole_number(1));
+  dump->add_option("--out", arguments->out, "File to write; standard output by default");
+  dump->add_option("--seed", arguments->seed, "Seed of a scenario; 0 (default) draws nothing")
+      ->check(whole_number(0));
+  dump->add_option("--set", arguments->assignments,
+                   "path.to.key=value …: change keys of a scenario, whose name stands before it")
+      ->take_all()
+      ->expected(1);
+  dump->callback([&chosen, arguments] {
+    chosen = [arguments] { return run_dump(*arguments, std::cout, std::cerr); };
+  });
+}
+
 void add_demo(CLI::App& app, Command& chosen) {
   CLI::App* demo =
       app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
@@ -235,6 +274,7 @@ int run_program(int argc, char** argv) {
   add_list(app, chosen);
   add_report(app, chosen);
   add_solve(app, chosen);
+  add_dump(app, chosen);
   add_demo(app, chosen);
   app.footer(kFooter);  // only now: commands that are added later would have it, too
   try {

@@ -44,16 +44,7 @@ foreach(source IN LISTS sources)
   add_test(NAME examples/${name} COMMAND example_${name} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
 endforeach()
 
-# Not part of a plain build: `ninja benchmarks`.
-add_custom_target(benchmarks)
-file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmarks/*.cpp)
-foreach(source IN LISTS sources)
-  cmake_path(GET source STEM name)
-  add_executable(benchmark_${name} EXCLUDE_FROM_ALL ${source})
-  add_dependencies(benchmarks benchmark_${name})
-  target_link_libraries(benchmark_${name} PRIVATE ${SUREFOOT_TEST_LIBRARIES} benchmark::benchmark
-    mujoco::mujoco)
-endforeach()
+include(benchmarks)
 
 add_test(NAME checks/layers COMMAND ${SUREFOOT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 add_test(NAME checks/format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)

@@ -1,0 +1,105 @@
+#include "app/log_replay.hpp"
+
+#include "app/output_files.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/scenario_file.hpp"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Gives the states that it is handed, whatever the readings.
+class PlaybackEstimator final : public StateEstimator {
+ public:
+  explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
+  const RobotState& update(const SensorReading&) noexcept override { return state_; }
+
+ private:
+  const RobotState& state_;
+};
+
+/// For files that only a reader of files understands; gone with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "surefoot_replay_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw FileError(name + ": no folder for temporary files can be made there");
+    }
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
+    write_file(path_ / name, text);
+    return (path_ / name).string();
+  }
+
+ private:
+  fs::path path_;
+};
+
+const std::string& attachment(const LogHeader& header, const std::string& name) {
+  const auto found = std::ranges::find(header.attachments, name,
+                                       [](const LogAttachment& file) { return file.name; });
+  if (found == header.attachments.end()) {
+    throw FileError("the log has no attachment " + name +
+                    ", so its controller can't be made again; record the run anew");
+  }
+  return found->data;
+}
+
+/// The scenario as a log has it: what was set, its stack, its robot and the robot's URDF, which is
+/// read again when a controller is made.
+Scenario scenario_of(const LogHeader& header, const ScratchFolder& folder) {
+  std::string robot = attachment(header, "robot.yaml");
+  const std::size_t urdf = robot.find("\nurdf:") + 1;
+  robot.replace(urdf, robot.find('\n', urdf) - urdf,
+                "urdf: " + folder.write("robot.urdf", attachment(header, "robot.urdf")));
+  // JSON is YAML, so the options are a scenario file.
+  return load_scenario(
+      {folder.write("scenario.yaml", header.options),
+       0,
+       {"stack=" + folder.write("stack.yaml", attachment(header, "resolved_stack.yaml")),
+        "robot=" + folder.write("robot.yaml", robot)}});
+}
+
+}  // namespace
+
+LogReplay::LogReplay(const std::string& path) : log_(path) {
+  const ScratchFolder folder;
+  const Scenario scenario = scenario_of(log_.header(), folder);
+  controller_ = std::make_unique<Controller>(scenario.robot, scenario.controller,
+                                             std::make_unique<PlaybackEstimator>(tick_.state));
+}
+
+bool LogReplay::step() {
+  if (!log_.next(tick_)) return false;
+  controller_->step(tick_.reading, tick_.user);
+  return true;
+}
+
+bool LogReplay::is_same() const {
+  const JointCommand& command = controller_->record().command;
+  const auto same_bits = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  return command.mode == tick_.command.mode &&
+         std::equal(command.torque.begin(), command.torque.end(), tick_.command.torque.begin(),
+                    same_bits);
+}
+
+}  // namespace surefoot

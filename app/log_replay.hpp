@@ -1,0 +1,34 @@
+#pragma once
+
+#include "surefoot/control/controller.hpp"
+#include "surefoot/logging/log_reader.hpp"
+
+#include <memory>
+#include <string>
+
+namespace surefoot {
+
+/// Runs a log's controller again on the logged readings, commands and states: from the first tick
+/// on it computes the same bits.
+class LogReplay {
+ public:
+  /// Throws FileError if the file is not a log of ours or lacks what its controller was made
+  /// from, Error if this program can't make sense of that.
+  explicit LogReplay(const std::string& path);
+
+  /// One tick; false after the last whole one. Throws FileError.
+  [[nodiscard]] bool step();
+
+  [[nodiscard]] const Controller& controller() const { return *controller_; }
+  /// As it stands in the log.
+  [[nodiscard]] const TickRecord& logged() const { return tick_; }
+  /// Whether the controller gave the torques of the log at this tick, bit for bit.
+  [[nodiscard]] bool is_same() const;
+
+ private:
+  LogReader log_;
+  TickRecord tick_;
+  std::unique_ptr<Controller> controller_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,167 @@
+#include "benchmarks/solver/problems.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/hierarchy_json.hpp"
+#include "surefoot/config/scenario_file.hpp"
+#include "surefoot/control/controller.hpp"
+#include "surefoot/simulation/make_estimator.hpp"
+#include "surefoot/simulation/plant.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <Eigen/QR>
+
+#include <fstream>
+
+namespace surefoot::benchmarks {
+namespace {
+
+using Eigen::Index;
+
+/// A hierarchy with these rows; ids and names stay.
+Hierarchy with_rows(const Hierarchy& source, std::size_t first_level, Index unknowns,
+                    const std::function<void(const Level& from, Index row, Rows& to)>& write) {
+  Hierarchy result(unknowns);
+  for (std::size_t k = first_level; k < source.num_levels(); ++k) {
+    const Level& from = source.level(k);
+    const std::size_t added = result.add_level(from.name(), from.max_rows());
+    for (Index i = 0; i < from.num_rows(); ++i) {
+      Rows to = result.level(added).add(1, from.id(i));
+      write(from, i, to);
+    }
+  }
+  return result;
+}
+
+/// The rows that a controller has solved in every tick of a scenario, a part of it.
+ProblemSet record(const std::string& scenario_name, int first, int count) {
+  const Scenario scenario = load_scenario({scenario_name, 0, {}});
+  Plant plant(scenario.robot, scenario.plant);
+  Controller controller(
+      scenario.robot, scenario.controller,
+      make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period, plant}));
+  ProblemSet set{scenario_name, true, {}};
+  for (int tick = 0; tick < first + count; ++tick) {
+    const SensorReading& reading = plant.read();
+    plant.write(controller.step(reading, scenario.user(reading.time)));
+    if (tick >= first) set.problems.push_back(normalised(controller.hierarchy()));
+  }
+  return set;
+}
+
+ProblemSet without_physics(ProblemSet set) {
+  for (Hierarchy& problem : set.problems) problem = reduced(problem, 2);
+  set.name += ", reduced";
+  return set;
+}
+
+ProblemSet generate(const std::string& name, int count,
+                    const std::function<Hierarchy(unsigned seed)>& make) {
+  ProblemSet set{name, false, {}};
+  for (int seed = 0; seed < count; ++seed)
+    set.problems.push_back(make(static_cast<unsigned>(seed)));
+  return set;
+}
+
+Hierarchy random_matrices(unsigned seed) {
+  test::RandomMatrices random(seed);
+  const int feet = 2 + static_cast<int>(seed % 3);
+  return normalised(test::make_hierarchy(30, test::table_one_levels(random, feet, 0.5)));
+}
+
+void add_generated(std::vector<Family>& result) {
+  struct Kind {
+    std::string name, about;
+    Difficulty difficulty;
+  };
+  for (const Kind& kind :
+       {Kind{"nominal", "Table I near the stance, small references", Difficulty::nominal},
+        Kind{"aggressive", "large accelerations, weak motors, little friction",
+             Difficulty::aggressive},
+        Kind{"infeasible", "limits that contradict each other", Difficulty::infeasible},
+        Kind{"degenerate", "straight knees, rows twice, levels that contradict, zero rows",
+             Difficulty::degenerate}}) {
+    const auto make = [kind](unsigned seed) { return table_one_problem(seed, kind.difficulty); };
+    result.push_back({kind.name, kind.about, [kind, make](const Amount& amount) {
+                        return generate(kind.name, amount.problems, make);
+                      }});
+    if (kind.difficulty == Difficulty::degenerate) continue;  // its first levels lose rank
+    result.push_back({kind.name + "_reduced", kind.about + "; levels 1 and 2 eliminated",
+                      [kind, make](const Amount& amount) {
+                        return generate(kind.name + ", reduced", amount.problems,
+                                        [&](unsigned seed) { return reduced(make(seed), 2); });
+                      }});
+  }
+}
+
+}  // namespace
+
+Hierarchy normalised(const Hierarchy& hierarchy) {
+  return with_rows(hierarchy, 0, hierarchy.unknowns(), [](const Level& from, Index i, Rows& to) {
+    const double norm = from.A().row(i).norm();
+    const double scale = norm > 1e-9 ? 1.0 / norm : 1.0;
+    to.A = scale * from.A().row(i);
+    to.lower[0] = scale * from.lower()[i];
+    to.upper[0] = scale * from.upper()[i];
+  });
+}
+
+Hierarchy reduced(const Hierarchy& hierarchy, std::size_t levels) {
+  const Index n = hierarchy.unknowns();
+  Eigen::MatrixXd A(0, n);
+  Eigen::VectorXd b(0);
+  for (std::size_t k = 0; k < levels; ++k) {
+    const Level& level = hierarchy.level(k);
+    A.conservativeResize(A.rows() + level.num_rows(), n);
+    b.conservativeResize(A.rows());
+    A.bottomRows(level.num_rows()) = level.A();
+    b.tail(level.num_rows()) = level.upper();
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A.transpose());
+  const Eigen::MatrixXd Q = qr.householderQ();
+  const Eigen::MatrixXd N = Q.rightCols(n - A.rows());
+  const Eigen::VectorXd x0 = A.completeOrthogonalDecomposition().solve(b);
+  return normalised(
+      with_rows(hierarchy, levels, N.cols(), [&](const Level& from, Index i, Rows& to) {
+        const double offset = from.A().row(i).dot(x0);
+        to.A = from.A().row(i) * N;
+        to.lower[0] = from.lower()[i] - offset;
+        to.upper[0] = from.lower()[i] == from.upper()[i] ? to.lower[0] : from.upper()[i] - offset;
+      }));
+}
+
+ProblemSet read_problems(const std::string& file, bool is_sequence) {
+  std::ifstream input(file);
+  if (!input) {
+    throw FileError(file + ": can't be read; expected a file as `surefoot dump` writes it");
+  }
+  ProblemSet set{file, is_sequence, {}};
+  std::string line;
+  for (int number = 1; std::getline(input, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    set.problems.push_back(parse_hierarchy(line, file + ":" + std::to_string(number)).hierarchy);
+  }
+  if (set.problems.empty()) throw FileError(file + ": holds no problem; expected one a line");
+  return set;
+}
+
+std::vector<Family> families() {
+  std::vector<Family> result;
+  const auto walk = [](const Amount& amount) {
+    return record("walk_flat_sea", 1000, amount.ticks);
+  };
+  const auto step = [](const Amount& amount) { return record("step_down", 4000, amount.ticks); };
+  result.push_back({"walk", "consecutive ticks of walk_flat_sea", walk});
+  result.push_back({"step_down", "consecutive ticks of step_down, over the edge", step});
+  result.push_back({"walk_reduced", "the same, levels 1 and 2 eliminated: 12 unknowns",
+                    [=](const Amount& amount) { return without_physics(walk(amount)); }});
+  result.push_back({"step_down_reduced", "the same, levels 1 and 2 eliminated",
+                    [=](const Amount& amount) { return without_physics(step(amount)); }});
+  add_generated(result);
+  result.push_back({"random_matrices", "the shape of Table I, filled with random numbers",
+                    [](const Amount& amount) {
+                      return generate("random_matrices", amount.problems, random_matrices);
+                    }});
+  return result;
+}
+
+}  // namespace surefoot::benchmarks

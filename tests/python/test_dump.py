@@ -1,0 +1,45 @@
+"""`surefoot dump` as its user sees it: what it writes is what `solve` reads, and errors are one line."""
+
+import json
+
+from test_command_line import complaint, surefoot
+
+WALK = ["dump", "walk_flat", "--set", "duration=0.2"]
+
+
+def test_what_is_dumped_is_what_solve_reads(tmp_path):
+    file = tmp_path / "ticks.jsonl"
+    result = surefoot(*WALK, "--from", 0.1, "--to", 0.15, "--every", 5, "--out", file)
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    problems = [json.loads(line) for line in file.read_text().splitlines()]
+    assert len(problems) == 4
+    for level in problems[0]["levels"]:
+        assert len(level["A"]) == len(level["b"]) == len(level["A_names"])
+        assert len(level["D"]) == len(level["f"]) == len(level["D_names"])
+    answers = surefoot("solve", file, "--certify")
+    assert answers.returncode == 0, answers.stderr
+    assert len(answers.stdout.splitlines()) == 4
+
+
+def test_without_a_file_it_writes_to_standard_output():
+    result = surefoot(*WALK, "--to", 0.005)
+    assert result.returncode == 0, result.stderr
+    assert len(result.stdout.splitlines()) == 2
+
+
+def test_a_log_gives_the_ticks_of_its_run(log, tmp_path):
+    result = surefoot("dump", log, "--from", 1, "--to", 1.01)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert len(result.stdout.splitlines()) == 4
+
+
+def test_errors_are_one_line_and_leave_nothing(tmp_path):
+    file = tmp_path / "ticks.jsonl"
+    assert "no tick" in complaint(*WALK, "--from", 7, "--out", file)
+    assert "--from is nan" in complaint(*WALK, "--from", "nan")
+    assert "--to is 1;" in complaint(*WALK, "--from", 2, "--to", 1)
+    assert "--every" in complaint(*WALK, "--every", 0)
+    assert "no_such_scenario" in complaint("dump", "no_such_scenario")
+    assert "missing.mcap" in complaint("dump", tmp_path / "missing.mcap")
+    assert "ticks.jsonl" in complaint(*WALK, "--out", tmp_path / "no/ticks.jsonl")
+    assert list(tmp_path.iterdir()) == []
