@@ -47,7 +47,8 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
     if (!undecided_.empty()) judge_forces(s, kernels, k);
     judge_own_rows(s, k);
   }
-  if (!undecided_.empty()) judge_norm(s, kernels);
+  has_judged_norm_ = !undecided_.empty();
+  if (has_judged_norm_) judge_norm(s, kernels);
   find_violated(s, first);
   return wrong_.empty() && violated_.empty();
 }

@@ -24,6 +24,9 @@ class ActiveSetSearch {
   /// Whether s, swept over the levels [first, num_levels), is optimal; `s.value` must be valid.
   [[nodiscard]] bool is_optimal(Sweep& s, const SweepKernels& kernels, int first);
 
+  /// Whether the last `is_optimal` asked what the length of y pulls at.
+  [[nodiscard]] bool has_judged_norm() const { return has_judged_norm_; }
+
   /// After `is_optimal` said no: whether `improve` is worth a try.
   [[nodiscard]] bool is_nearly_optimal() const;
 
@@ -58,6 +61,7 @@ class ActiveSetSearch {
   std::vector<Violated> violated_;
   std::vector<int> fixed_by_;
   double size_ = 0.0;  // ‖x‖
+  bool has_judged_norm_ = false;
 };
 
 }  // namespace surefoot

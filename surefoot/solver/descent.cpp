@@ -43,6 +43,7 @@ bool Descent::find_sides(Sweep& s, const SweepKernels& kernels, int first) {
   bool has_ended = true;
   for (int k = first; k <= s.num_levels && first_column_ < s.columns && has_ended; ++k) {
     enter(k);
+    has_minimised_norm_ = k == s.num_levels;
     has_ended = minimise();
     if (has_ended) retire();
   }
@@ -70,6 +71,7 @@ void Descent::begin(Sweep& s, int first) {
   first_column_ = 0;
   held_.clear();
   num_steps_ = 0;
+  has_minimised_norm_ = false;
 }
 
 // The last rows of the tableau are y itself: a last level y = 0.

@@ -25,6 +25,9 @@ class Descent {
   /// steps.
   [[nodiscard]] bool find_sides(Sweep& s, const SweepKernels& kernels, int first);
 
+  /// The levels have left x open: y has been minimised, which x isn't if the basis is skew.
+  [[nodiscard]] bool has_minimised_norm() const { return has_minimised_norm_; }
+
   [[nodiscard]] int num_steps() const { return num_steps_; }
 
  private:
@@ -66,6 +69,7 @@ class Descent {
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // when the level began
   int level_begin_ = 0, level_end_ = 0, first_column_ = 0;
   bool has_factorized_ = false;  // the rows that count now
+  bool has_minimised_norm_ = false;
   int num_steps_ = 0;
 };
 

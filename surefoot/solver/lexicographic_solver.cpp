@@ -66,6 +66,16 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
 }
 
 const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy) noexcept {
+  return solve(hierarchy, nullptr);
+}
+
+const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
+                                           const Substitution& substitution) noexcept {
+  return solve(hierarchy, &substitution);
+}
+
+const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
+                                           const Substitution* substitution) noexcept {
   const FlushDenormals flush_denormals;
   if (!fits(hierarchy) || !load(hierarchy)) {
     reject(hierarchy);
@@ -74,7 +84,11 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy) noexcept 
   num_sweeps_ = 0;
   solution_.status = SolveStatus::optimal;
   solution_.failed_level = -1;
-  sweep_leading_equalities();
+  if (substitution != nullptr && fits(*substitution)) {
+    substitute(*substitution);
+  } else {
+    sweep_leading_equalities();
+  }
   if (options_.max_sweeps > 0 && find_active_rows()) {
     describe(hierarchy);
   } else {
@@ -96,6 +110,14 @@ bool LexicographicSolver::fits(const Hierarchy& hierarchy) const {
     if (at(hierarchy.level(k).num_rows()) > solution_.levels[k].rows.size()) return false;
   }
   return true;
+}
+
+bool LexicographicSolver::fits(const Substitution& substitution) const {
+  const Sweep& s = memory_.sweep;
+  return substitution.basis.rows() == s.unknowns && substitution.basis.cols() < s.unknowns &&
+         substitution.offset.size() == s.unknowns &&
+         substitution.num_levels <= static_cast<std::size_t>(first_level_) &&
+         std::isfinite(substitution.basis.sum() + substitution.offset.sum());
 }
 
 // Reads all rows; false if a number makes no sense.
@@ -174,8 +196,57 @@ void LexicographicSolver::sweep_leading_equalities() {
   if (s.fixed > 0) kernels_.reduce(s);
   keep_tolerance_ = s.keep_tolerance;
   smallest_pivot_ = s.smallest_pivot;
-  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row)
+  is_orthonormal_ = true;
+  forget_projections();
+}
+
+// The same where the basis is given.
+void LexicographicSolver::substitute(const Substitution& substitution) {
+  Sweep& s = memory_.sweep;
+  const auto pack = static_cast<Index>(kernels_.pack);
+  const Index columns = substitution.basis.cols();
+  const Index stride = (columns + pack) / pack * pack;
+  for (Index i = 0; i < s.unknowns; ++i) {
+    double* row = s.basis + i * stride;
+    for (Index j = 0; j < columns; ++j) row[j] = substitution.basis(i, j);
+    row[columns] = substitution.offset[i];
+    std::fill(row + columns + 1, row + stride, 0.0);
+  }
+  s.columns = static_cast<int>(columns);
+  s.stride = static_cast<int>(stride);
+  s.fixed = 0;
+  s.solve_tolerance = options_.rank.solve;
+  keep_tolerance_ = options_.rank.keep;
+  smallest_pivot_ = 1.0;
+  is_orthonormal_ = false;
+  first_level_ = static_cast<int>(substitution.num_levels);
+  Index left = s.unknowns;
+  for (int k = 0; k < first_level_; ++k) {
+    left = std::max(columns, left - (s.level_begin[k + 1] - s.level_begin[k]));
+    solution_.levels[at(k)].degrees_of_freedom_left = k + 1 == first_level_ ? columns : left;
+  }
+  forget_projections();
+}
+
+void LexicographicSolver::forget_projections() {
+  Sweep& s = memory_.sweep;
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
     s.base_value[row] = kInfinity;
+  }
+}
+
+// Gram-Schmidt, twice: then the shortest y gives the shortest x.
+void LexicographicSolver::make_basis_orthonormal() {
+  Sweep& s = memory_.sweep;
+  Eigen::Map<Rows::RowMajor, 0, Eigen::OuterStride<>> basis(s.basis, s.unknowns, s.columns + 1,
+                                                            Eigen::OuterStride<>(s.stride));
+  for (int j = 0; j <= s.columns; ++j) {
+    auto column = basis.col(j);
+    for (int i = 0; i < 2 * j; ++i) column -= basis.col(i % j).dot(column) * basis.col(i % j);
+    if (j < s.columns) column /= column.norm();
+  }
+  is_orthonormal_ = true;
+  forget_projections();
 }
 
 void LexicographicSolver::sweep() {
@@ -197,7 +268,13 @@ bool LexicographicSolver::find_active_rows() {
   bool has_descended = false, has_released = false;
   while (num_sweeps_ < options_.max_sweeps) {
     sweep();
-    if (search_.is_optimal(memory_.sweep, kernels_, first_level_)) {
+    const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_);
+    const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
+    if (!is_orthonormal_ && is_open) {
+      make_basis_orthonormal();
+      continue;
+    }
+    if (is_optimal) {
       if (has_released || !search_.release_idle(memory_.sweep)) return true;
       has_released = true;
     } else if (!has_descended && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
@@ -218,7 +295,10 @@ bool LexicographicSolver::descend() {
   }
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
-  return descent_.find_sides(s, kernels_, first_level_);
+  if (!descent_.find_sides(s, kernels_, first_level_)) return false;
+  if (is_orthonormal_ || !descent_.has_minimised_norm()) return true;
+  make_basis_orthonormal();
+  return descend();
 }
 
 void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {

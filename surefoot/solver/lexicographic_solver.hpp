@@ -6,6 +6,7 @@
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/row_memory.hpp"
 #include "surefoot/solver/solution.hpp"
+#include "surefoot/solver/substitution.hpp"
 #include "surefoot/solver/sweep_memory.hpp"
 
 namespace surefoot {
@@ -42,6 +43,10 @@ class LexicographicSolver {
   /// with lower > upper or with a bound that can't be met (lower = ∞) is `invalid_input`.
   const Solution& solve(const Hierarchy& hierarchy) noexcept;
 
+  /// The same x, sooner, where somebody has solved the first levels already. A substitution whose
+  /// sizes don't fit the hierarchy, or whose levels are no equalities, isn't used.
+  const Solution& solve(const Hierarchy& hierarchy, const Substitution& substitution) noexcept;
+
   [[nodiscard]] const Solution& solution() const { return solution_; }
 
   /// The next solve starts without a guess.
@@ -51,10 +56,15 @@ class LexicographicSolver {
   [[nodiscard]] int num_sweeps() const { return num_sweeps_; }
 
  private:
+  const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
   [[nodiscard]] bool fits(const Hierarchy& hierarchy) const;
+  [[nodiscard]] bool fits(const Substitution& substitution) const;
   [[nodiscard]] bool load(const Hierarchy& hierarchy);
   void reject(const Hierarchy& hierarchy);
   void sweep_leading_equalities();
+  void substitute(const Substitution& substitution);
+  void make_basis_orthonormal();
+  void forget_projections();
   [[nodiscard]] bool find_active_rows();
   [[nodiscard]] bool descend();
   void sweep();
@@ -71,6 +81,7 @@ class LexicographicSolver {
   Solution solution_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities
   int num_sweeps_ = 0;
+  bool is_orthonormal_ = true;                          // the basis
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities
 };
 
