@@ -173,6 +173,7 @@ auto named(const Choices& choices) {
 
 void read_solver(Section& section, SolverOptions& solver) {
   section.choice<SolverMethod>("method", solver.method, named(kSolverMethods));
+  section.flag("structure", solver.structure);
 }
 
 void read_controller(Section& top, ControllerOptions& controller) {

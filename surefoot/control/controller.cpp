@@ -110,7 +110,9 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::plan);
   const Hierarchy& hierarchy = stack.update(dynamics, record.plan);
   ended(Stage::stack);
-  const Solution& solution = solver.solve(hierarchy);
+  const Substitution* physics =
+      solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
+  const Solution& solution = solver.solve(hierarchy, physics);
   ended(Stage::solve);
   describe(dynamics, solution);
   return &solution;

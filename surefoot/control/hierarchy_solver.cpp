@@ -3,7 +3,8 @@
 namespace surefoot {
 
 HierarchySolver::HierarchySolver(const Hierarchy& capacity, const SolverOptions& options)
-    : solver_(make(capacity, options)) {}
+    : solver_(make(capacity, options)),
+      wants_substitution_(options.structure && options.method == SolverMethod::lexicographic) {}
 
 HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
                                               const SolverOptions& options) {
@@ -13,9 +14,12 @@ HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
   return Solver(std::in_place_type<LexicographicSolver>, capacity);
 }
 
-const Solution& HierarchySolver::solve(const Hierarchy& hierarchy) noexcept {
+const Solution& HierarchySolver::solve(const Hierarchy& hierarchy,
+                                       const Substitution* substitution) noexcept {
   if (auto* cascade = std::get_if<CascadeSolver>(&solver_)) return cascade->solve(hierarchy);
-  return std::get_if<LexicographicSolver>(&solver_)->solve(hierarchy);
+  auto& lexicographic = *std::get_if<LexicographicSolver>(&solver_);
+  return substitution == nullptr ? lexicographic.solve(hierarchy)
+                                 : lexicographic.solve(hierarchy, *substitution);
 }
 
 }  // namespace surefoot

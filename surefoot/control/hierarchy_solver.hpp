@@ -14,8 +14,11 @@ class HierarchySolver {
   /// Sizes come from `capacity`; nothing allocates afterwards.
   HierarchySolver(const Hierarchy& capacity, const SolverOptions& options);
 
-  /// The reference stays valid until the next call.
-  const Solution& solve(const Hierarchy& hierarchy) noexcept;
+  /// Is there a use for a substitution?
+  [[nodiscard]] bool wants_substitution() const { return wants_substitution_; }
+
+  /// `substitution` may be null. The reference stays valid until the next call.
+  const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
 
  private:
   using Solver = std::variant<LexicographicSolver, CascadeSolver>;
@@ -23,6 +26,7 @@ class HierarchySolver {
   static Solver make(const Hierarchy& capacity, const SolverOptions& options);
 
   Solver solver_;
+  bool wants_substitution_;
 };
 
 }  // namespace surefoot

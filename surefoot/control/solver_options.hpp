@@ -27,6 +27,9 @@ inline constexpr std::array kSolverMethods{SolverMethod::lexicographic, SolverMe
 /// How the controller solves its hierarchy. The optimum is the same, the time is not.
 struct SolverOptions {
   SolverMethod method = SolverMethod::lexicographic;
+  /// Equations of motion and contacts in closed form, where they allow it (PhysicsSubstitution);
+  /// the cascade never uses it.
+  bool structure = true;
 };
 
 }  // namespace surefoot

@@ -308,6 +308,8 @@ TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
 TEST_F(ScenarioFile, chooses_the_solver) {
   EXPECT_EQ(read("").controller.solver.method, SolverMethod::lexicographic);
   EXPECT_EQ(read("solver: {method: cascade}\n").controller.solver.method, SolverMethod::cascade);
+  EXPECT_TRUE(read("").controller.solver.structure);
+  EXPECT_FALSE(read("solver: {structure: false}\n").controller.solver.structure);
   EXPECT_TRUE(holds(complaint("solver: {method: simplex}\n"), "trial.yaml:2: solver.method"));
 }
 
