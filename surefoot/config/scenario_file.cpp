@@ -171,6 +171,11 @@ auto named(const Choices& choices) {
   return result;
 }
 
+void read_solver(Section& section, SolverOptions& solver) {
+  section.choice<SolverMethod>("method", solver.method, named(kSolverMethods));
+  section.flag("structure", solver.structure);
+}
+
 void read_controller(Section& top, ControllerOptions& controller) {
   top.number(
       "period", controller.period,
@@ -178,6 +183,7 @@ void read_controller(Section& top, ControllerOptions& controller) {
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });
+  top.section("solver", [&](Section& s) { read_solver(s, controller.solver); });
   top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
 }
 

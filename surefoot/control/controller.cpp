@@ -1,13 +1,13 @@
 #include "surefoot/control/controller.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/control/hierarchy_solver.hpp"
 #include "surefoot/control/hierarchy_summary.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
-#include "surefoot/solver/cascade_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ struct Controller::Implementation {
         contact_force(options.contact_force, checked_period(options.period)),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
-        solver(stack.hierarchy()),
+        solver(stack.hierarchy(), options.solver),
         safety(options.safety, robot, stack.first_free_level()) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
@@ -78,7 +78,7 @@ struct Controller::Implementation {
   ContactForceEstimator contact_force;
   Planner planner;
   TaskStack stack;
-  CascadeSolver solver;
+  HierarchySolver solver;
   Safety safety;
   TickRecord record;
   StageObserver* observer = nullptr;
@@ -110,7 +110,9 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::plan);
   const Hierarchy& hierarchy = stack.update(dynamics, record.plan);
   ended(Stage::stack);
-  const Solution& solution = solver.solve(hierarchy);
+  const Substitution* physics =
+      solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
+  const Solution& solution = solver.solve(hierarchy, physics);
   ended(Stage::solve);
   describe(dynamics, solution);
   return &solution;

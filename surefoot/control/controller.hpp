@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/control/safety_options.hpp"
+#include "surefoot/control/solver_options.hpp"
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
@@ -34,6 +35,7 @@ struct ControllerOptions {
   double period = 0.0025;  ///< of the control loop [s]
   PlannerOptions planner;
   StackOptions stack;
+  SolverOptions solver;
   ContactForceOptions contact_force;
   SafetyOptions safety;
 };

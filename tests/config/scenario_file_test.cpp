@@ -305,6 +305,14 @@ TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
       holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force or an impulse"));
 }
 
+TEST_F(ScenarioFile, chooses_the_solver) {
+  EXPECT_EQ(read("").controller.solver.method, SolverMethod::lexicographic);
+  EXPECT_EQ(read("solver: {method: cascade}\n").controller.solver.method, SolverMethod::cascade);
+  EXPECT_TRUE(read("").controller.solver.structure);
+  EXPECT_FALSE(read("solver: {structure: false}\n").controller.solver.structure);
+  EXPECT_TRUE(holds(complaint("solver: {method: simplex}\n"), "trial.yaml:2: solver.method"));
+}
+
 TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
   EXPECT_TRUE(holds(complaint("contact_force: {use_foot_sensor: true}\n"),
                     "trial.yaml:2: contact_force.use_foot_sensor"));

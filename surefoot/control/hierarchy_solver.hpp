@@ -1,0 +1,32 @@
+#pragma once
+
+#include "surefoot/control/solver_options.hpp"
+#include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
+
+#include <variant>
+
+namespace surefoot {
+
+/// The controller's solver, as its options choose it.
+class HierarchySolver {
+ public:
+  /// Sizes come from `capacity`; nothing allocates afterwards.
+  HierarchySolver(const Hierarchy& capacity, const SolverOptions& options);
+
+  /// Is there a use for a substitution?
+  [[nodiscard]] bool wants_substitution() const { return wants_substitution_; }
+
+  /// `substitution` may be null. The reference stays valid until the next call.
+  const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
+
+ private:
+  using Solver = std::variant<LexicographicSolver, CascadeSolver>;
+
+  static Solver make(const Hierarchy& capacity, const SolverOptions& options);
+
+  Solver solver_;
+  bool wants_substitution_;
+};
+
+}  // namespace surefoot
