@@ -19,6 +19,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What fits in the memory of any machine, and in a minute.
+constexpr Eigen::Index kMostUnknowns = 500;
+constexpr Eigen::Index kMostRows = 5000;
+
+void check_size(const Hierarchy& hierarchy, const std::string& place) {
+  const std::string limit = "; expected at most " + std::to_string(kMostUnknowns) +
+                            " unknowns and " + std::to_string(kMostRows) + " rows in a line";
+  if (hierarchy.unknowns() > kMostUnknowns) {
+    throw FileError(place + ": has " + std::to_string(hierarchy.unknowns()) + " unknowns" + limit);
+  }
+  Eigen::Index rows = 0;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    const Eigen::Index more = hierarchy.level(k).num_rows();
+    if (rows + more > kMostRows) {
+      throw FileError(place + ": level " + std::to_string(k + 1) + ": row " +
+                      std::to_string(kMostRows - rows + 1) + " is one too many" + limit);
+    }
+    rows += more;
+  }
+}
+
 constexpr double kProven = 1e-8;  // a certificate below it is rounding
 
 class SolveCommand {
@@ -43,10 +64,13 @@ class SolveCommand {
  private:
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy question = parse_hierarchy(line, place);
+    check_size(question.hierarchy, place);
     CascadeSolver solver(question.hierarchy);
     const Solution& solution = solver.solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
-      throw FileError(place + ": numbers too large to compute with; expected at most about 1e100");
+      throw FileError(
+          place +
+          ": the answer is beyond the range of doubles; expected rows and bounds of similar size");
     }
     std::vector<LevelCertificate> certificates;
     if (arguments_.certify) certificates = certify(question.hierarchy, solution.x);

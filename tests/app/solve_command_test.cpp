@@ -75,7 +75,16 @@ TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
   const CommandRun run(R"({"levels":[{"A":[[1e200]],"b":[1]}]})");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(run.results.empty());
-  EXPECT_NE(run.err.str().find(":1: numbers too large"), std::string::npos) << run.err.str();
+  EXPECT_NE(run.err.str().find(":1: level 1: A: row 1: element 1 is 1e+200, too large"),
+            std::string::npos)
+      << run.err.str();
+}
+
+TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {
+  const CommandRun run(
+      R"({"levels":[{"A":[[1e-90,0]],"b":[1e100]},{"A":[[0,1e-90]],"b":[1e100]}]})");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.results.size(), 1u);
 }
 
 TEST(SolveCommand, AFileThatCannotBeReadIsAnError) {
