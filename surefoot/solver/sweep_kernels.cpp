@@ -45,6 +45,20 @@ namespace avx512 {
 
 namespace surefoot {
 
+std::vector<const SweepKernels*> all_kernels() {
+  std::vector<const SweepKernels*> all{&baseline::kKernels};
+#if defined(SUREFOOT_DISPATCH)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    all.push_back(&avx2::kKernels);
+  }
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq")) {
+    all.push_back(&avx512::kKernels);
+  }
+#endif
+  return all;
+}
+
 const SweepKernels& fastest_kernels() {
 #if defined(SUREFOOT_DISPATCH)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
