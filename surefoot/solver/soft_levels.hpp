@@ -18,17 +18,19 @@ namespace surefoot {
 /// an equality b(s) = (1 − s) a x⁻ + s b. Only bounds move, and the lexicographic optimum of given
 /// rows A is a continuous function of the bounds, piecewise affine: the violations of a level are
 /// the unique shortest ones over a polyhedron whose matrix is fixed, so they are, level by level,
-/// and at last so is the shortest x. Lower levels and changes of the active set are covered by it.
-/// The last needs a solver that
-/// returns the shortest x where the hierarchy leaves it open, or a last level that leaves nothing
-/// open (`add_reference`). At s = 0, x⁻ meets the rows and is optimal with them as without. So x
-/// goes continuously from x⁻ to the optimum with the levels. s decides how fast (see
-/// `smooth_ramp`), but the slope dx/ds has no bound that holds for all rows: it is large where rows
-/// are nearly dependent. What else changes from tick to tick moves x as it would anyway.
+/// and at last so is the shortest x. Lower levels and changes of the active set are covered by it,
+/// if the solver returns the shortest x where the hierarchy leaves it open, or a last level leaves
+/// nothing open (`add_reference`).
+///
+/// At s = 0, x⁻ meets the rows and is optimal with them as without. So x goes continuously from x⁻
+/// to the optimum with the levels. s decides how fast (see `smooth_ramp`), but the slope dx/ds has
+/// no bound that holds for all rows: it is large where rows are nearly dependent, and where a level
+/// asks for far more than the limits above allow nearly all of the change can fall into a few
+/// ticks. What else changes from tick to tick moves x as it would anyway.
 ///
 /// A transition costs one more solve a tick, for x⁻. All levels that are soft at the same time
-/// share one s; to exchange levels, take out first and put in then, or put one s = 1 − s after the
-/// other. All memory is taken at construction.
+/// share one s; to exchange levels, take the old ones out first, then put the new ones in. All
+/// memory is taken at construction.
 class SoftLevels {
  public:
   /// Sizes come from `capacity`, as for the solver.
