@@ -13,12 +13,52 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 
 namespace surefoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What fits in the memory of any machine, and in a minute.
+constexpr Eigen::Index kMostUnknowns = 500;
+constexpr Eigen::Index kMostRows = 5000;
+
+void check_size(const Hierarchy& hierarchy, const std::string& place) {
+  const std::string limit = "; expected at most " + std::to_string(kMostUnknowns) +
+                            " unknowns and " + std::to_string(kMostRows) + " rows in a line";
+  if (hierarchy.unknowns() > kMostUnknowns) {
+    throw FileError(place + ": has " + std::to_string(hierarchy.unknowns()) + " unknowns" + limit);
+  }
+  Eigen::Index rows = 0;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    const Eigen::Index more = hierarchy.level(k).num_rows();
+    if (rows + more > kMostRows) {
+      throw FileError(place + ": level " + std::to_string(k + 1) + ": row " +
+                      std::to_string(kMostRows - rows + 1) + " is one too many" + limit);
+    }
+    rows += more;
+  }
+}
+
+/// Longest row of a level over its shortest, without zero rows; of the worst level.
+double worst_ratio(const Hierarchy& hierarchy) {
+  double worst = 1.0;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < hierarchy.level(k).num_rows(); ++i) {
+      const double length = hierarchy.level(k).A().row(i).norm();
+      longest = std::max(longest, length);
+      if (length > 0.0) shortest = std::min(shortest, length);
+    }
+    worst = std::max(worst, longest / shortest);
+  }
+  return worst;
+}
+
+/// Rows of a level that differ more in length: rounding in the long ones hides the short ones from
+/// the certificate, ratio² · 1e-16.
+constexpr double kLargestRatio = 1e4;
 constexpr double kProven = 1e-8;  // a certificate below it is rounding
 
 class SolveCommand {
@@ -43,10 +83,13 @@ class SolveCommand {
  private:
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy question = parse_hierarchy(line, place);
+    check_size(question.hierarchy, place);
     CascadeSolver solver(question.hierarchy);
     const Solution& solution = solver.solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
-      throw FileError(place + ": numbers too large to compute with; expected at most about 1e100");
+      throw FileError(
+          place +
+          ": the answer is beyond the range of doubles; expected rows and bounds of similar size");
     }
     std::vector<LevelCertificate> certificates;
     if (arguments_.certify) certificates = certify(question.hierarchy, solution.x);
@@ -57,12 +100,22 @@ class SolveCommand {
     } else {
       out_ << json_line(question, solution, certificates) << std::endl;
     }
-    if (worst_stationarity(certificates) > kProven) tell_unproven(place, certificates);
+    if (worst_stationarity(certificates) > kProven)
+      tell_unproven(place, question.hierarchy, certificates);
   }
 
-  void tell_unproven(const std::string& place, const std::vector<LevelCertificate>& levels) {
-    err_ << place << ": not optimal, distance " << worst_stationarity(levels)
-         << " from the optimality conditions; expected at most " << kProven << '\n';
+  void tell_unproven(const std::string& place, const Hierarchy& hierarchy,
+                     const std::vector<LevelCertificate>& levels) {
+    const double ratio = worst_ratio(hierarchy);
+    const bool is_hidden = ratio > kLargestRatio;
+    err_ << place << (is_hidden ? ": not proven, distance " : ": not optimal, distance ")
+         << worst_stationarity(levels) << " from the optimality conditions; expected at most "
+         << kProven;
+    if (is_hidden) {
+      err_ << ", which doubles can't hold where rows of one level differ in length by a factor of "
+           << ratio << ", more than " << kLargestRatio;
+    }
+    err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 

@@ -21,10 +21,11 @@ struct SolveArguments {
 /// that `LevelCertificate` defines, computed without the solver; with `explain` a table says which
 /// rows each level missed and which rows above held it back, at what cost.
 ///
-/// Blank lines are skipped. A line that can't be understood gives one message on `err`, with file
-/// and line, and nothing on `out`; the other lines are still solved. A line that ended at the cap
-/// of iterations has "status": "iteration_cap" in its result. Returns the exit code: 0; 1 if a
-/// certificate is above 1e-8; 2 if the input is wrong. Throws FileError if the file can't be read.
+/// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
+/// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
+/// are still solved. A line that ended at the cap of iterations has "status": "iteration_cap" in
+/// its result. Returns the exit code: 0; 1 if a certificate is above 1e-8; 2 if the input is wrong.
+/// Throws FileError if the file can't be read.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

@@ -22,6 +22,7 @@ std::string task_yaml(const TaskSpec& task) {
   for (const auto& [name, value] : task.choices) {
     text += ", " + name + ": " + quoted(std::string_view(value));
   }
+  if (task.weight != 1.0) text += ", weight: " + quoted(task.weight);
   return text + "}";
 }
 
@@ -45,7 +46,9 @@ StackOptions with_defaults(StackOptions stack) {
 std::string stack_yaml(const StackOptions& stack) {
   std::string text = "name: " + quoted(std::string_view(stack.name)) + "\nlevels:\n";
   for (const LevelSpec& level : stack.levels) {
-    text += "  - name: " + quoted(std::string_view(level.name)) + "\n    tasks:\n";
+    text += "  - name: " + quoted(std::string_view(level.name)) + "\n";
+    if (level.damping != 0.0) text += "    damping: " + quoted(level.damping) + "\n";
+    text += "    tasks:\n";
     for (const TaskSpec& task : level.tasks) text += "      - " + task_yaml(task) + "\n";
   }
   return text;

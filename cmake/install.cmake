@@ -2,7 +2,11 @@
 
 include(CMakePackageConfigHelpers)
 
+# What needs nothing but Eigen has a list of its own, so that it can be used without the rest.
+set(alone_targets surefoot_base surefoot_math surefoot_solver)
 list(TRANSFORM SUREFOOT_FOLDERS PREPEND surefoot_ OUTPUT_VARIABLE folder_targets)
+list(REMOVE_ITEM folder_targets ${alone_targets})
+install(TARGETS ${alone_targets} EXPORT surefootSolverTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ${folder_targets} EXPORT surefootTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY surefoot DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 if(TARGET surefoot)
@@ -12,6 +16,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY robots stacks scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/surefoot)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/surefoot)
+install(EXPORT surefootSolverTargets NAMESPACE surefoot:: DESTINATION ${package_folder})
 install(EXPORT surefootTargets NAMESPACE surefoot:: DESTINATION ${package_folder})
 configure_package_config_file(cmake/surefootConfig.cmake.in ${PROJECT_BINARY_DIR}/surefootConfig.cmake
                               INSTALL_DESTINATION ${package_folder})

@@ -1,10 +1,12 @@
 #include "surefoot/config/hierarchy_json.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/json_line.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -16,6 +18,9 @@ using Index = Eigen::Index;
 using Json = nlohmann::ordered_json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Squares and their sums stay in the range of doubles.
+constexpr double kLargest = 1e100;
+constexpr const char* kForm = R"({"levels":[{"A":[[…]],"b":[…],"D":[[…]],"f":[…]},…]})";
 
 /// Where in the file something is, for messages.
 class Place {
@@ -61,6 +66,10 @@ Vector read_vector(const Json& array, const Place& place) {
                  "; expected a finite number");
     }
     numbers.push_back(element.get<double>());
+    if (std::abs(numbers.back()) > kLargest) {
+      place.fail("element " + std::to_string(numbers.size()) + " is " + quoted(element) +
+                 ", too large to compute with; expected at most 1e100");
+    }
   }
   return numbers;
 }
@@ -129,22 +138,9 @@ struct LevelBlocks {
   Block equal, at_most;
 };
 
-Json parse_line(std::string_view line, const Place& place) {
-  try {
-    return Json::parse(line);
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();
-    place.fail("is not JSON (" +
-               what.substr(what.find("] ") == std::string::npos ? 0 : what.find("] ") + 2) +
-               "); expected {\"levels\":[{\"A\":[[…]],\"b\":[…],\"D\":[[…]],\"f\":[…]},…]}");
-  }
-}
-
 std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, const Place& place) {
   if (!line.is_object() || !line.contains("levels") || !line["levels"].is_array()) {
-    place.fail(
-        "has no array \"levels\"; expected "
-        "{\"levels\":[{\"A\":[[…]],\"b\":[…],\"D\":[[…]],\"f\":[…]},…]}");
+    place.fail("has no array \"levels\"; expected " + std::string(kForm));
   }
   std::vector<LevelBlocks> levels;
   for (const Json& level : line["levels"]) {
@@ -190,7 +186,8 @@ struct JsonBlocks {
 NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_name) {
   const Place place(place_name);
   std::size_t unknowns = 0;
-  const std::vector<LevelBlocks> levels = read_levels(parse_line(line, place), unknowns, place);
+  const std::vector<LevelBlocks> levels =
+      read_levels(parse_json_line(line, place_name, kForm), unknowns, place);
   if (unknowns == 0) place.fail("has no unknowns; expected at least one row in A or D of a level");
   NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}};
   for (const LevelBlocks& level : levels) {

@@ -23,7 +23,7 @@ struct NamedHierarchy {
 /// An empty or missing block has no rows. A level may have a "name", its blocks "A_names" and
 /// "D_names", a text for each row; without them rows are called "A 1", "D 3". Other members are
 /// ignored. The number of unknowns is the length of the rows. `place` ("file:line") starts the
-/// message of the FileError that is thrown for anything else.
+/// message of the FileError that is thrown for anything else: numbers are finite and at most 1e100.
 [[nodiscard]] NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place);
 
 /// What a row is called: level and row, as indices.

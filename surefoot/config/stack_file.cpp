@@ -46,18 +46,22 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
   }
 }
 
-TaskSpec read_task(const ConfigNode& node, const std::string& path, bool has_level_name) {
+/// `is_level`: what belongs to the level stands beside the parameters.
+TaskSpec read_task(const ConfigNode& node, const std::string& path, bool is_level) {
   Section section(node, path);
   TaskSpec task;
   section.text("task", task.task);
+  section.number("weight", task.weight, kPositive);
   if (section.node("task") == nullptr) section.fail("task", "this key is missing");
   const std::vector<std::string> valid = names_of(task_catalog());
   if (!contains(valid, task.task)) {
     section.fail("task", "unknown task \"" + task.task + "\"; " + valid_names(task.task, valid));
   }
-  if (has_level_name) (void)section.node("name");
+  std::vector<std::string> others{"task", "weight"};
+  if (is_level) others.insert(others.end(), {"name", "damping"});
+  for (const std::string& key : others) (void)section.node(key.c_str());
   for (const std::string& key : section.keys()) {
-    if (key == "task" || (has_level_name && key == "name")) continue;
+    if (contains(others, key)) continue;
     read_parameter(*section.node(key.c_str()), key, section.path_of(key), task);
   }
   section.finish();
@@ -75,15 +79,22 @@ LevelSpec read_level(const ConfigNode& node, const std::string& path) {
   LevelSpec level;
   if (const ConfigNode* tasks = node.find("tasks")) {
     Section section(node, path);
+    double weight = 1.0;
     section.require("name");
     section.text("name", level.name);
+    section.number("weight", weight, kPositive);
+    section.number("damping", level.damping, kNotNegative);
     level.tasks = read_task_list(*tasks, path);
+    for (TaskSpec& task : level.tasks) task.weight *= weight;
     (void)section.node("tasks");
     section.finish();
   } else {
     level.tasks.push_back(read_task(node, path, true));
     const ConfigNode* name = node.find("name");
     level.name = name == nullptr ? level.tasks.front().task : read_text(*name, path + ".name");
+    if (const ConfigNode* damping = node.find("damping")) {
+      level.damping = read_number(*damping, path + ".damping", kNotNegative);
+    }
   }
   return level;
 }
@@ -151,6 +162,26 @@ void leave_out(const ConfigNode& without, StackOptions& stack) {
   }
 }
 
+/// Weights of levels by their names.
+void weigh(Section& weights, StackOptions& stack) {
+  for (LevelSpec& level : stack.levels) {
+    double weight = 1.0;
+    weights.number(level.name.c_str(), weight, kPositive);
+    for (TaskSpec& task : level.tasks) task.weight *= weight;
+  }
+}
+
+/// `name`: of the level from which on all become one.
+StackOptions merge(const ConfigNode& name, const StackOptions& stack) {
+  const std::vector<std::string> names = names_of(stack.levels);
+  const auto found = std::ranges::find(names, read_text(name, "weighted_from"));
+  if (found != names.end()) {
+    return weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
+  }
+  fail_at(name, "weighted_from",
+          "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
+}
+
 /// The levels of another stack.
 std::vector<LevelSpec> read_base(const Section& top, const ConfigNode& base,
                                  const std::filesystem::path& folder) {
@@ -177,6 +208,8 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   const ConfigNode* levels = top.node("levels");
   if (base == nullptr && without != nullptr)
     top.fail("without", "needs a base: the stack whose levels it leaves out");
+  const ConfigNode* weights = top.node("weights");
+  const ConfigNode* weighted = top.node("weighted_from");
   if (base == nullptr) top.require("levels");
   top.finish();
   if (without != nullptr && levels != nullptr)
@@ -189,7 +222,8 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
     stack.levels = std::move(below);
   }
   if (without != nullptr) leave_out(*without, stack);
-  return stack;
+  if (weights != nullptr) top.section("weights", [&](Section& map) { weigh(map, stack); });
+  return weighted == nullptr ? stack : merge(*weighted, stack);
 }
 
 void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path) {

@@ -30,6 +30,15 @@ namespace surefoot {
 ///       - {task: body_height_limits, min: 0.3}
 ///       - swing_foot
 ///
+/// A task may have a `weight` > 0 against the others of its level, on its rows and so in the
+/// residual; a level `damping` d ≥ 0 near singularities (see `add_damping`, x_ref = 0; d in units
+/// of the rows per unit of x). And a stack can be weighted instead of strict from a level on, to
+/// compare the two with the same tasks; this one becomes the last level, named "weighted":
+///
+///     base: terrain_adaptation
+///     weights: {com_xy: 100, swing_foot: 30}      # 1 where none is given
+///     weighted_from: com_xy
+///
 /// Unknown tasks and parameters are errors. Throws Error.
 [[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
                                       const std::filesystem::path& beside = {});

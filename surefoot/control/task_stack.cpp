@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ bool is_physics(const Task& task) {
 }  // namespace
 
 TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
-    : robot_(robot), hierarchy_(kNumUnknowns) {
+    : robot_(robot), hierarchy_(kNumUnknowns), no_motion_(Eigen::VectorXd::Zero(kNumUnknowns)) {
   if (options.levels.empty() || options.levels.size() > kMaxLevels) {
     throw Error("stack \"" + options.name + "\" has " + std::to_string(options.levels.size()) +
                 " levels; valid are 1 to " + std::to_string(kMaxLevels));
@@ -36,9 +37,12 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();
+      level.weights.push_back(task_spec.weight);
       if (is_physics(task)) first_free_level_ = static_cast<int>(levels_.size()) + 1;
     }
-    hierarchy_.add_level(spec.name, rows);
+    level.damping = spec.damping;
+    level.num_ids = ids;
+    hierarchy_.add_level(spec.name, spec.damping > 0.0 ? 2 * rows : rows);
     levels_.push_back(std::move(level));
   }
 }
@@ -49,7 +53,7 @@ const Hierarchy& TaskStack::update(const Dynamics& dynamics, const MotionPlan& p
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     Level& level = hierarchy_.level(i);
     level.clear();
-    for (const auto& task : levels_[i].tasks) task->write(input, level);
+    write(levels_[i], input, level);
   }
   return hierarchy_;
 }
@@ -61,13 +65,26 @@ const Substitution* TaskStack::substitution(const Dynamics& dynamics) noexcept {
 
 bool TaskStack::is_only(std::size_t level, std::string_view task) const {
   if (level >= levels_.size()) return false;
-  const auto& tasks = levels_[level].tasks;
-  return tasks.size() == 1 && tasks.front()->name() == task;
+  const auto& [tasks, weights, damping, num_ids] = levels_[level];
+  return tasks.size() == 1 && tasks.front()->name() == task && weights.front() == 1.0 &&
+         damping == 0.0;
+}
+
+void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,
+                      Level& level) const noexcept {
+  for (std::size_t i = 0; i < tasks.tasks.size(); ++i) {
+    const Eigen::Index first = level.num_rows();
+    tasks.tasks[i]->write(input, level);
+    if (tasks.weights[i] != 1.0) level.rows(first).weigh(tasks.weights[i]);
+  }
+  if (tasks.damping > 0.0) add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
 }
 
 std::string TaskStack::row_name(int level, int id) const {
   if (level < 0 || level >= static_cast<int>(levels_.size())) return "?";
-  for (const auto& task : levels_[static_cast<std::size_t>(level)].tasks) {
+  const LevelTasks& tasks = levels_[static_cast<std::size_t>(level)];
+  if (tasks.damping > 0.0 && id >= tasks.num_ids) return "damping";
+  for (const auto& task : tasks.tasks) {
     if (id >= task->first_id() && id < task->first_id() + task->num_ids()) {
       return task->row_name(id - task->first_id());
     }

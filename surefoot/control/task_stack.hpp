@@ -39,9 +39,13 @@ class TaskStack {
  private:
   struct LevelTasks {
     std::vector<std::unique_ptr<Task>> tasks;
+    std::vector<double> weights;  // by task
+    double damping = 0.0;
+    int num_ids = 0;  // of the tasks; those of damping follow
   };
 
   [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;
+  void write(const LevelTasks& tasks, const TaskInput& input, Level& level) const noexcept;
 
   RobotDescription robot_;
   std::vector<LevelTasks> levels_;
@@ -49,6 +53,7 @@ class TaskStack {
   Hierarchy hierarchy_;
   PhysicsSubstitution physics_;
   int first_free_level_ = 0;
+  Eigen::VectorXd no_motion_;  // the zeros that damping pulls to
 };
 
 }  // namespace surefoot

@@ -6,6 +6,17 @@
 
 namespace surefoot {
 
+void Rows::weigh(Eigen::Index i, double weight) {
+  assert(weight > 0.0 && "a weight is positive");
+  A.row(i) *= weight;
+  lower[i] *= weight;
+  upper[i] *= weight;
+}
+
+void Rows::weigh(double weight) {
+  for (Eigen::Index i = 0; i < A.rows(); ++i) weigh(i, weight);
+}
+
 Level::Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns)
     : name_(std::move(name)),
       name_hash_(std::hash<std::string>{}(name_)),
@@ -21,11 +32,28 @@ Rows Level::add(Eigen::Index count, int first_id) {
   for (Eigen::Index i = 0; i < count; ++i) {
     ids_[static_cast<std::size_t>(first + i)] = first_id + static_cast<int>(i);
   }
-  Rows rows{Eigen::Map<RowMajor>(A_.data() + first * A_.cols(), count, A_.cols()),
-            Eigen::Map<Eigen::VectorXd>(lower_.data() + first, count),
-            Eigen::Map<Eigen::VectorXd>(upper_.data() + first, count)};
-  rows.A.setZero();
-  return rows;
+  Rows added = rows(first);
+  added.A.setZero();
+  return added;
+}
+
+Rows Level::add(const Level& other, int id_offset) {
+  const Eigen::Index first = num_rows_;
+  Rows added = add(other.num_rows(), 0);
+  added.A = other.A();
+  added.lower = other.lower();
+  added.upper = other.upper();
+  for (Eigen::Index i = 0; i < other.num_rows(); ++i) {
+    ids_[static_cast<std::size_t>(first + i)] = other.id(i) + id_offset;
+  }
+  return added;
+}
+
+Rows Level::rows(Eigen::Index first) {
+  const Eigen::Index count = num_rows_ - first;
+  return {Eigen::Map<RowMajor>(A_.data() + first * A_.cols(), count, A_.cols()),
+          Eigen::Map<Eigen::VectorXd>(lower_.data() + first, count),
+          Eigen::Map<Eigen::VectorXd>(upper_.data() + first, count)};
 }
 
 std::size_t Hierarchy::add_level(std::string name, Eigen::Index max_rows) {

@@ -18,6 +18,16 @@ struct Rows {
 
   /// Makes row i the equality a x = b.
   void set_equal(Eigen::Index i, double b) { lower[i] = upper[i] = b; }
+
+  /// Makes the violation of row i, which must be filled, count `weight` times in its level,
+  ///
+  ///     lower ≤ a x ≤ upper   →   w lower ≤ w a x ≤ w upper,   w > 0
+  ///
+  /// From here on the row is the weighted one wherever numbers of it are told: residuals, costs and
+  /// certificates. A weight changes what a level does only where it can't have all of its rows.
+  void weigh(Eigen::Index i, double weight);
+  /// The same for all rows.
+  void weigh(double weight);
 };
 
 /// One priority: rows that are satisfied as well as possible, in the least-squares sense of their
@@ -35,6 +45,12 @@ class Level {
   /// across ticks (a friction row of leg 2 keeps its id when leg 1 lifts off); ids count up from
   /// it.
   [[nodiscard]] Rows add(Eigen::Index count, int first_id);
+
+  /// Appends the rows of another level over the same unknowns, with its ids plus `id_offset`.
+  Rows add(const Level& other, int id_offset = 0);
+
+  /// The rows from `first` on, to be changed in place.
+  [[nodiscard]] Rows rows(Eigen::Index first = 0);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Eigen::Index num_rows() const { return num_rows_; }

@@ -55,7 +55,7 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
                                          const LexicographicOptions& options)
     : options_(options),
       memory_(capacity, at(capacity.unknowns())),
-      kernels_(fastest_kernels()),
+      kernels_(options.kernels != nullptr ? *options.kernels : fastest_kernels()),
       memory_of_rows_(capacity),
       search_(capacity),
       descent_(capacity),

@@ -12,10 +12,12 @@
 namespace surefoot {
 
 struct LexicographicOptions {
-  RankTolerance rank;      ///< what counts as an independent row
+  RankTolerance rank{};    ///< what counts as an independent row
   bool warm_start = true;  ///< begin with the rows that were active in the last solution
   int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade
   int max_iterations = 0;  ///< of the cascade in a level; 0: its default
+  /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
+  const SweepKernels* kernels = nullptr;
 };
 
 /// The lexicographic optimum of a hierarchy, in microseconds.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace surefoot {
 
 /// Numbers of one sweep of the lexicographic solver over all levels, as plain arrays that the
@@ -115,5 +117,8 @@ struct SweepKernels {
 
 /// The kernels for the fastest instruction set of this processor.
 [[nodiscard]] const SweepKernels& fastest_kernels();
+
+/// The kernels of every instruction set that this processor has, the fastest last.
+[[nodiscard]] std::vector<const SweepKernels*> all_kernels();
 
 }  // namespace surefoot

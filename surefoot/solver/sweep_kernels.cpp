@@ -48,15 +48,20 @@ namespace avx512 {
 
 namespace surefoot {
 
-const SweepKernels& fastest_kernels() {
+std::vector<const SweepKernels*> all_kernels() {
+  std::vector<const SweepKernels*> all{&baseline::kKernels};
 #if defined(SUREFOOT_DISPATCH)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    all.push_back(&avx2::kKernels);
+  }
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512dq")) {
-    return avx512::kKernels;
+    all.push_back(&avx512::kKernels);
   }
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::kKernels;
 #endif
-  return baseline::kKernels;
+  return all;
 }
+
+const SweepKernels& fastest_kernels() { return *all_kernels().back(); }
 
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -75,7 +76,29 @@ TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
   const CommandRun run(R"({"levels":[{"A":[[1e200]],"b":[1]}]})");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(run.results.empty());
-  EXPECT_NE(run.err.str().find(":1: numbers too large"), std::string::npos) << run.err.str();
+  EXPECT_NE(run.err.str().find(":1: level 1: A: row 1: element 1 is 1e+200, too large"),
+            std::string::npos)
+      << run.err.str();
+}
+
+TEST(SolveCommand, RowsOfLengthsTooDifferentToBeProvenAreTold) {
+  const std::string level = R"({"levels":[{"A":[[SIZE,SIZE],[1,0],[0,1]],"b":[SIZE,3,4]}]})";
+  const auto with = [&](const std::string& size) {
+    return std::regex_replace(level, std::regex("SIZE"), size);
+  };
+  const CommandRun proven(with("1e3"), {.file = "", .certify = true});
+  EXPECT_EQ(proven.exit_code, 0) << proven.err.str();
+  const CommandRun run(with("1e12"), {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.str().find(":1: not proven"), std::string::npos) << run.err.str();
+  EXPECT_NEAR(run.results[0]["x"][0].get<double>(), 0.0, 1e-9);
+}
+
+TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {
+  const CommandRun run(
+      R"({"levels":[{"A":[[1e-90,0]],"b":[1e100]},{"A":[[0,1e-90]],"b":[1e100]}]})");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.results.size(), 1u);
 }
 
 TEST(SolveCommand, AFileThatCannotBeReadIsAnError) {

@@ -22,11 +22,13 @@ void expect_same(const StackOptions& stack, const StackOptions& other) {
   for (std::size_t i = 0; i < stack.levels.size(); ++i) {
     const LevelSpec &level = stack.levels[i], &other_level = other.levels[i];
     EXPECT_EQ(level.name, other_level.name);
+    EXPECT_EQ(level.damping, other_level.damping);
     ASSERT_EQ(level.tasks.size(), other_level.tasks.size());
     for (std::size_t k = 0; k < level.tasks.size(); ++k) {
       EXPECT_EQ(level.tasks[k].task, other_level.tasks[k].task);
       EXPECT_EQ(level.tasks[k].numbers, other_level.tasks[k].numbers);
       EXPECT_EQ(level.tasks[k].choices, other_level.tasks[k].choices);
+      EXPECT_EQ(level.tasks[k].weight, other_level.tasks[k].weight);
     }
   }
 }
@@ -45,7 +47,8 @@ TEST(StackText, odd_names_and_numbers_read_back_bit_by_bit) {
   StackOptions stack{.name = "a \"b\": #c, {d}", .levels = {}};
   stack.levels = {{.name = "no", .tasks = {{"com_xy", {{"kp", 0.1 + 0.2}, {"kd", 1e-17}}, {}}}},
                   {.name = "- two\ttasks",
-                   .tasks = {{"torque_limits", {}, {}}, {"swing_foot", {{"kp", 1e300}}, {}}}}};
+                   .tasks = {{"torque_limits", {}, {}}, {"swing_foot", {{"kp", 1e300}}, {}, 0.3}},
+                   .damping = 0.02}};
   expect_same(read(stack_yaml(stack)), stack);
 }
 

@@ -106,9 +106,29 @@ TEST(HierarchyJson, LevelsKeepTheirNames) {
 
 TEST(HierarchyJson, ALineThatIsNotJsonIsNamed) {
   expect_error("levels: 3", "not JSON");
-  expect_error(R"({"levels":[{"A":[[1]],"b":[NaN]}]})", "not JSON");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1]}])", "not JSON");
-  expect_error(R"({"levels":[{"A":[[1e999]],"b":[1]}]})", "not JSON");
+}
+
+TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
+  expect_error(R"({"levels":[{"A":[[1]],"b":[NaN]}]})", "level 1: b: element 1 is \"NaN\"");
+  expect_error(R"({"levels":[{},{"A":[[1,2],[3,-Infinity]],"b":[1,2]}]})",
+               "level 2: A: row 2: element 2 is \"-Infinity\"; expected a finite number");
+  expect_error(R"({"levels":[{"D":[[nan]],"f":[1]}]})", "level 1: D: row 1: element 1 is \"nan\"");
+  expect_error(R"({"levels":[{"A":[[1e999]],"b":[1]}]})",
+               "level 1: A: row 1: element 1 is \"1e999\"");
+  EXPECT_EQ(parse(R"({"note":"NaN \" NaN","levels":[{"A":[[1]],"b":[2]}]})").num_levels(), 1u);
+}
+
+TEST(HierarchyJson, NumbersTooLargeToComputeWithAreNamedWithLevelAndRow) {
+  expect_error(R"({"levels":[{"A":[[1,2],[3,1e200]],"b":[1,2]}]})",
+               "level 1: A: row 2: element 2 is 1e+200, too large");
+  expect_error(R"({"levels":[{"D":[[1]],"f":[-1e150]}]})", "level 1: f: element 1 is -1e+150");
+}
+
+TEST(HierarchyJson, ALineNestedTooDeepIsNamed) {
+  const std::string deep(100000, '[');
+  expect_error("{\"levels\":" + deep, "nested deeper than 64");
+  expect_error("{\"levels\":" + deep + std::string(100000, ']') + "}", "nested deeper than 64");
 }
 
 TEST(HierarchyJson, ALineWithoutLevelsIsNamed) {

@@ -140,6 +140,47 @@ TEST(StackFile, what_levels_do_not_name_can_not_be_left_out_once_more) {
                     "s.yaml:4: without: there are levels, too"));
 }
 
+TEST(StackFile, tasks_of_a_level_have_weights_and_a_level_its_damping) {
+  const StackOptions stack = read(
+      "name: s\nlevels:\n"
+      "  - {name: both, weight: 2, damping: 0.1, tasks: [{task: com_xy, weight: 3}, {task: "
+      "torso_yaw}]}\n"
+      "  - {task: swing_foot, weight: 5, damping: 0.2, kp: 100}\n");
+  EXPECT_EQ(stack.levels[0].tasks[0].weight, 6.0);
+  EXPECT_EQ(stack.levels[0].tasks[1].weight, 2.0);
+  EXPECT_EQ(stack.levels[0].damping, 0.1);
+  EXPECT_EQ(stack.levels[1].tasks[0].weight, 5.0);
+  EXPECT_EQ(stack.levels[1].damping, 0.2);
+  EXPECT_EQ(stack.levels[1].tasks[0].numbers.at("kp"), 100.0);
+}
+
+TEST(StackFile, weights_and_dampings_that_are_none_are_told) {
+  for (const std::string key : {"weight: 0", "weight: -1", "weight: heavy", "damping: -0.1"}) {
+    const std::string message = complaint("name: s\nlevels:\n  - {task: com_xy, " + key + "}\n");
+    EXPECT_TRUE(holds(message, "s.yaml:3: levels.0." + key.substr(0, key.find(':')))) << message;
+  }
+  EXPECT_TRUE(holds(complaint("name: s\nbase: walk\nweights: {com_xy: 0}\n"), "weights.com_xy"));
+}
+
+TEST(StackFile, a_stack_can_be_weighted_from_a_level_on) {
+  const StackOptions stack =
+      read("name: s\nbase: terrain_adaptation\nweights: {com_xy: 100}\nweighted_from: com_xy\n");
+  EXPECT_EQ(level_names(stack),
+            (std::vector<std::string>{"equations_of_motion", "no_contact_motion", "torque_limits",
+                                      "friction_cone", "weighted"}));
+  ASSERT_EQ(stack.levels[4].tasks.size(), 7u);
+  EXPECT_EQ(stack.levels[4].tasks[0].weight, 100.0);
+  EXPECT_EQ(stack.levels[4].tasks[1].weight, 1.0);
+  EXPECT_EQ(stack.levels[4].tasks[1].task, "swing_foot");
+}
+
+TEST(StackFile, weights_and_weighted_from_name_levels_of_the_stack) {
+  const std::string message = complaint("name: s\nbase: walk\nweighted_from: com\n");
+  EXPECT_TRUE(holds(message, "s.yaml:3: weighted_from: unknown level \"com\"")) << message;
+  EXPECT_TRUE(
+      holds(complaint("name: s\nbase: walk\nweights: {com: 2}\n"), "s.yaml:3: weights.com"));
+}
+
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");

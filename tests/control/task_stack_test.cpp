@@ -209,5 +209,48 @@ TEST(TaskStack, AllocatesNothingInAnUpdate) {
   }
 }
 
+TEST(TaskStack, WeightsAreOnTheRowsOfTheirTaskAndDampingFollowsThem) {
+  RobotModel model(anymal_b());
+  Random random(2);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const MotionPlan plan = test::plan_with_contacts({true, true, true, true});
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  StackOptions options = stack_of({{"both", {{"com_xy", {}, {}}, {"torso_yaw", {}, {}}}}});
+  TaskStack plain(options, anymal_b());
+  options.levels[0].tasks[1].weight = 3.0;
+  options.levels[0].damping = 0.1;
+  TaskStack weighted(options, anymal_b());
+  const Level& before = plain.update(dynamics, plan).level(0);
+  const Level& after = weighted.update(dynamics, plan).level(0);
+  ASSERT_EQ(before.num_rows(), 3);
+  ASSERT_EQ(after.num_rows(), 6);
+  EXPECT_EQ(after.A().topRows(2), before.A().topRows(2));
+  EXPECT_EQ(after.A().row(2), 3.0 * before.A().row(2));
+  EXPECT_EQ(after.upper()[2], 3.0 * before.upper()[2]);
+  EXPECT_NEAR(after.A().row(5).norm(), 0.1, 1e-12);
+  EXPECT_EQ(weighted.row_name(0, after.id(5)), "damping");
+  EXPECT_EQ(weighted.row_name(0, after.id(2)), plain.row_name(0, before.id(2)));
+}
+
+TEST(TaskStack, AWeightedStackHasTheSameRowsInFewerLevels) {
+  RobotModel model(anymal_b());
+  Random random(3);
+  const RobotState state = random.standing_state(model.description().q_nominal);
+  const MotionPlan plan = test::plan_with_contacts({true, false, true, true});
+  const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+  TaskStack strict(load_stack("terrain_adaptation"), anymal_b());
+  TaskStack weighted(weighted_from(load_stack("terrain_adaptation"), 4), anymal_b());
+  const Hierarchy& levels = strict.update(dynamics, plan);
+  const Level& last = weighted.update(dynamics, plan).level(4);
+  EXPECT_EQ(weighted.first_free_level(), 4);
+  Eigen::Index row = 0;
+  for (std::size_t k = 4; k < levels.num_levels(); ++k) {
+    const Eigen::Index rows = levels.level(k).num_rows();
+    EXPECT_EQ(last.A().middleRows(row, rows), levels.level(k).A());
+    row += rows;
+  }
+  EXPECT_EQ(last.num_rows(), row);
+}
+
 }  // namespace
 }  // namespace surefoot

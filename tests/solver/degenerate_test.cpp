@@ -164,6 +164,55 @@ TYPED_TEST(Degenerate, AWeakDirectionNeverBlowsXUpBeyondTheInverseOfTheTolerance
   }
 }
 
+/// Ten singular values 1 … 1 and σ, a level below that wants another x, turned at random.
+template <typename Solver>
+void expect_certified_at(double sigma) {
+  for (int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", σ " + std::to_string(std::log10(sigma)));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    VectorXd singular = VectorXd::Ones(5);
+    singular[4] = sigma;
+    const MatrixXd A = random.rotation(5) * singular.asDiagonal() * random.rotation(5);
+    const HierarchyData levels{equalities(A, random.vector(5)),
+                               at_most(random.matrix(2, 5), random.vector(2)),
+                               close_to(random.vector(5))};
+    const Solution solution = solve<Solver>(5, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(optimality_error(5, levels, solution.x), 1e-7);
+  }
+}
+
+TYPED_TEST(Degenerate, AwayFromTheRankToleranceEveryAnswerIsCertified) {
+  for (int exponent = 2; exponent <= 6; ++exponent) {
+    expect_certified_at<TypeParam>(std::pow(10.0, -exponent));
+  }
+  expect_certified_at<TypeParam>(1e-15);
+  expect_certified_at<TypeParam>(0.0);
+}
+
+/// Where a singular value falls below the tolerance, the residual of its level steps up once, to
+/// that of the level without this direction, and never beyond.
+TYPED_TEST(Degenerate, TheResidualStepsOnceAsASingularValueFalls) {
+  for (int seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd U = random.rotation(5), V = random.rotation(5);
+    const VectorXd b = random.vector(5);
+    const double without = std::abs(U.col(4).dot(b));
+    double before = 0.0;
+    for (int step = 0; step <= 120; ++step) {
+      VectorXd singular = VectorXd::Ones(5);
+      singular[4] = std::pow(10.0, -2.0 - 0.1 * step);
+      const HierarchyData levels{equalities(U * singular.asDiagonal() * V, b)};
+      const double residual = solve<TypeParam>(5, levels).levels[0].residual;
+      ASSERT_GE(residual, before - 1e-6) << "step " << step;
+      ASSERT_LE(residual, without + 1e-6) << "step " << step;
+      before = residual;
+    }
+    ASSERT_NEAR(before, without, 1e-6);
+  }
+}
+
 TYPED_TEST(Degenerate, AWeakDirectionIsNotGivenToLowerLevels) {
   // Too weak to be used, too strong to be given away: level 2 must not disturb level 1.
   const double sigma = 1e-10;

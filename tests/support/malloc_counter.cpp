@@ -2,6 +2,27 @@
 
 #include <cerrno>
 
+#if defined(__SANITIZE_ADDRESS__)
+
+// The sanitizer's allocator stays in place, or it would see no errors; it tells of each call.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
+                                                                             std::size_t),
+                                                         void (*free_hook)(const volatile void*));
+
+namespace {
+
+thread_local std::size_t g_count = 0;
+
+void count_malloc(const volatile void*, std::size_t) { ++g_count; }
+void ignore_free(const volatile void*) {}
+
+[[maybe_unused]] const int kInstalled =
+    __sanitizer_install_malloc_and_free_hooks(count_malloc, ignore_free);
+
+}  // namespace
+
+#else
+
 // glibc's own allocator under the names that are not replaced here.
 extern "C" {
 void* __libc_malloc(std::size_t size);
@@ -51,6 +72,8 @@ int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
 }
 
 }  // extern "C"
+
+#endif
 
 namespace surefoot::test {
 

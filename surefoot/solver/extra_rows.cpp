@@ -1,0 +1,47 @@
+#include "surefoot/solver/extra_rows.hpp"
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+
+/// Below this share of its length, what is left of a row is rounding.
+constexpr double kDependent = 1e-12;
+
+/// Makes the rows orthonormal, from the first to the last; rows that depend on those before become
+/// zero. Twice is enough for rounding.
+void orthonormalise(Eigen::Map<Rows::RowMajor>& A) {
+  for (Index i = 0; i < A.rows(); ++i) {
+    const double length = A.row(i).norm();
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Index j = 0; j < i; ++j) {
+        const double along = A.row(i).dot(A.row(j));
+        A.row(i) -= along * A.row(j);
+      }
+    }
+    const double left = A.row(i).norm();
+    A.row(i) *= left > kDependent * length ? 1.0 / left : 0.0;
+  }
+}
+
+}  // namespace
+
+void add_reference(Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref, int first_id,
+                   double weight) {
+  Rows rows = level.add(x_ref.size(), first_id);
+  rows.A.setIdentity();
+  rows.lower = rows.upper = x_ref;
+  rows.weigh(weight);
+}
+
+void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
+                 int first_id) {
+  const Index num_damped = level.num_rows();
+  Rows rows = level.add(num_damped, first_id);
+  rows.A = level.A().topRows(num_damped);
+  orthonormalise(rows.A);
+  for (Index i = 0; i < num_damped; ++i) rows.set_equal(i, rows.A.row(i).dot(x_ref));
+  rows.weigh(damping);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,100 @@
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// While it lives, an invalid operation, a division by zero or an overflow ends the program.
+class FloatTraps {
+ public:
+  FloatTraps() {
+    std::feclearexcept(kTrapped);
+    feenableexcept(kTrapped);
+  }
+  ~FloatTraps() { fedisableexcept(kTrapped); }
+  FloatTraps(const FloatTraps&) = delete;
+  FloatTraps& operator=(const FloatTraps&) = delete;
+
+ private:
+  static constexpr int kTrapped = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+};
+
+/// Solved twice, so that the second time there is a guess.
+template <typename Solver>
+void expect_solved_under_traps(Eigen::Index unknowns, const HierarchyData& levels) {
+  const Hierarchy hierarchy = make_hierarchy(unknowns, levels);
+  Solver solver(hierarchy);
+  for (int time = 0; time < 2; ++time) {
+    const FloatTraps traps;
+    ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::optimal);
+  }
+}
+
+template <typename Solver>
+class FloatTrapped : public testing::Test {};
+TYPED_TEST_SUITE(FloatTrapped, Solvers);
+
+TYPED_TEST(FloatTrapped, RandomHierarchiesAreSolved) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    expect_solved_under_traps<TypeParam>(
+        8, random_levels(random, {.unknowns = 8, .levels = 5, .inequality_share = 0.6}));
+  }
+}
+
+TYPED_TEST(FloatTrapped, DegenerateHierarchiesAreSolved) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    expect_solved_under_traps<TypeParam>(8, random_levels(random, {.unknowns = 8,
+                                                                   .levels = 6,
+                                                                   .max_rows = 12,
+                                                                   .inequality_share = 0.7,
+                                                                   .duplicate_share = 0.2,
+                                                                   .dependent_share = 0.2,
+                                                                   .zero_share = 0.1,
+                                                                   .tight_share = 0.5,
+                                                                   .integer_share = 0.5}));
+  }
+}
+
+TYPED_TEST(FloatTrapped, TheHierarchiesOfAWalkAreSolved) {
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    expect_solved_under_traps<TypeParam>(30,
+                                         table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3)));
+  }
+}
+
+TYPED_TEST(FloatTrapped, WeakDirectionsAndLargeNumbersAreSolved) {
+  for (int exponent = -150; exponent <= 90; ++exponent) {
+    SCOPED_TRACE("1e" + std::to_string(exponent));
+    const double size = std::pow(10.0, exponent);
+    const MatrixXd A = (MatrixXd(2, 2) << 1.0, 0.0, 1.0, size).finished();
+    expect_solved_under_traps<TypeParam>(
+        2, {equalities(A, VectorXd::Ones(2)), at_most(A.bottomRows(1), -VectorXd::Ones(1))});
+  }
+}
+
+TEST(FloatTraps, EndTheProgramWhereTheyShould) {
+  volatile double zero = 0.0;
+  EXPECT_DEATH(
+      {
+        const FloatTraps traps;
+        zero = zero / zero;
+      },
+      "");
+}
+
+}  // namespace
+}  // namespace surefoot::test

@@ -1,0 +1,69 @@
+#include "surefoot/solver/sweep.hpp"
+#include "tests/solver/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+TEST(SweepKernels, TheFastestOfAllAreThoseThatAreUsed) {
+  ASSERT_GE(all_kernels().size(), 1u);
+  EXPECT_EQ(all_kernels().back(), &fastest_kernels());
+}
+
+/// Without a last resort: what the sweeps and the search of each instruction set find themselves.
+void expect_same_x(const Hierarchy& hierarchy, const VectorXd& expected) {
+  for (const SweepKernels* kernels : all_kernels()) {
+    SCOPED_TRACE(kernels->name);
+    LexicographicSolver solver(hierarchy, {.kernels = kernels});
+    const Solution& solution = solver.solve(hierarchy);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE(solver.num_sweeps(), LexicographicOptions{}.max_sweeps);
+    ASSERT_LE((solution.x - expected).norm(), 1e-9 * (1.0 + expected.norm()));
+  }
+}
+
+TEST(SweepKernels, AllInstructionSetsGiveTheSameAnswer) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index n = random.integer(1, 40);
+    HierarchyData levels =
+        random_levels(random, {.unknowns = n, .levels = 5, .max_rows = 9, .inequality_share = 0.6});
+    levels.push_back(close_to(random.vector(n)));
+    const Hierarchy hierarchy = make_hierarchy(n, levels);
+    expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
+  }
+}
+
+TEST(SweepKernels, AllInstructionSetsAgreeOnManyActiveRows) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 2 + seed % 3, 1.0));
+    expect_same_x(hierarchy, CascadeSolver(hierarchy).solve(hierarchy).x);
+  }
+}
+
+TEST(SweepKernels, AllInstructionSetsSeeNumbersThatAreNone) {
+  for (const SweepKernels* kernels : all_kernels()) {
+    SCOPED_TRACE(kernels->name);
+    for (Index column = 0; column < 11; ++column) {
+      HierarchyData levels{equalities(Eigen::MatrixXd::Ones(1, 11), VectorXd::Ones(1))};
+      levels[0].A(0, column) = std::numeric_limits<double>::quiet_NaN();
+      const Hierarchy hierarchy = make_hierarchy(11, levels);
+      LexicographicSolver solver(hierarchy, {.kernels = kernels});
+      ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input) << column;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test
