@@ -18,6 +18,8 @@ constexpr double kWrongSign = 1e-11;
 constexpr double kStrict = 1e-9;
 /// Violations relative to ‖aᵢ‖ ‖x‖ above which a row certainly can't be met.
 constexpr double kViolated = 1e-9;
+/// What is taken for rounding at most, however weak the directions used.
+constexpr double kMostRounding = 1e-4;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -252,7 +254,7 @@ void LevelSolver::mark_remaining(Tableau& tableau) {
 void LevelSolver::note_pivot(double relative) {
   smallest_pivot_ = std::min(smallest_pivot_, relative);
   const double rounding = 64.0 * kEpsilon / smallest_pivot_;
-  tolerance_.keep = std::clamp(rounding, tolerance_.keep, tolerance_.solve);
+  tolerance_.keep = std::max(tolerance_.keep, std::min(rounding, kMostRounding));
 }
 
 }  // namespace surefoot

@@ -13,8 +13,11 @@ namespace surefoot {
 ///  - between `keep` and `solve`: the direction is too weak to be used (x would blow up by more
 ///    than 1 / solve) and too strong to be given away: it is fixed where it is;
 ///  - less than `keep` ‖aᵢ‖: rounding, the row depends on those fixed before.
+///
+/// Where a weak direction has been used, `keep` grows to 64 ε / (its relative length), 1e-4 at the
+/// most: so large is the rounding in what is left of the rows that follow.
 struct RankTolerance {
-  double solve = 1e-8;
+  double solve = 1e-10;
   double keep = 1e-12;
 };
 

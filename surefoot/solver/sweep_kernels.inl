@@ -439,10 +439,13 @@ static bool solve_last(Sweep& s, int begin, int end) {
 
 constexpr double kEpsilon = 2.220446049250313e-16;
 
+/// What is taken for rounding at most, however weak the columns used.
+constexpr double kMostRounding = 1e-4;
+
 /// The weaker the columns used, the larger the rounding in what is left.
 static void lower_rank_tolerance(Sweep& s) {
   const double rounding = 64.0 * kEpsilon / s.smallest_pivot;
-  s.keep_tolerance = smaller(larger(s.keep_tolerance, rounding), s.solve_tolerance);
+  s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, kMostRounding));
 }
 
 static void run_level(Sweep& s, int begin, int end) {
