@@ -31,22 +31,26 @@ Descent::Descent(const Hierarchy& capacity)
     : rows_(static_cast<Eigen::Index>(rows_of(capacity))),
       value_at_zero_(rows_of(capacity), 0.0),
       reflection_(static_cast<std::size_t>(capacity.unknowns()), 0.0),
-      fixed_side_(rows_of(capacity), 0) {
+      fixed_side_(rows_of(capacity), 0),
+      freedom_left_(capacity.num_levels() + 1, 0) {
   held_.reserve(rows_of(capacity));
   fixed_.reserve(rows_of(capacity));
 }
 
-bool Descent::find_sides(Sweep& s, const SweepKernels& kernels, int first) {
+bool Descent::find_sides(Sweep& s, const SweepKernels& kernels, int first, BudgetWatch& budget) {
   sweep_ = &s;
   kernels_ = &kernels;
+  budget_ = &budget;
   begin(s, first);
-  bool has_ended = true;
-  for (int k = first; k <= s.num_levels && first_column_ < s.columns && has_ended; ++k) {
-    enter(k);
-    has_minimised_norm_ = k == s.num_levels;
-    has_ended = minimise();
-    if (has_ended) retire();
+  for (level_ = first; level_ <= s.num_levels && first_column_ < s.columns; ++level_) {
+    enter(level_);
+    has_minimised_norm_ = level_ == s.num_levels;
+    if (!minimise()) break;
+    retire();
+    freedom_left_[at(level_)] = s.columns - first_column_;
   }
+  const bool has_ended = level_ > s.num_levels || first_column_ == s.columns;
+  for (int k = level_; k < s.num_levels; ++k) freedom_left_[at(k)] = s.columns - first_column_;
   finish();
   return has_ended;
 }
@@ -103,8 +107,9 @@ RowValues Descent::row_values() const {
 
 bool Descent::minimise() {
   const int cap = num_steps_ + 20 + 2 * level_end_;
-  while (num_steps_ < cap) {
+  while (num_steps_ < cap && !budget_->is_spent()) {
     ++num_steps_;
+    spend();
     rows_.update(row_values());
     const Move move = descend();
     if (move == Move::blocked || move == Move::piece_changed) continue;
@@ -113,6 +118,14 @@ bool Descent::minimise() {
     if (!drop_worst()) return true;
   }
   return false;
+}
+
+// What a step costs at most: the rows that count are factorized, all rows move, and one is held.
+void Descent::spend() {
+  const double free = sweep_->columns - first_column_;
+  const double rows = sweep_->end_row - sweep_->first_row;
+  const double counting = level_end_ - level_begin_;
+  budget_->spend(free * (6.0 * rows + 4.0 * counting * std::min(counting, free)));
 }
 
 Descent::Move Descent::descend() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/solver/budget.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/level_rows.hpp"
 #include "surefoot/solver/sweep.hpp"
@@ -22,8 +23,18 @@ class Descent {
 
   /// Sets the sides of all rows of `s` from level `first` on, which must be projected. Where the
   /// levels leave x open, the shortest x is the last level. False where a level takes too many
-  /// steps.
-  [[nodiscard]] bool find_sides(Sweep& s, const SweepKernels& kernels, int first);
+  /// steps or the budget is spent: then y, which is base_value[num_rows …), is feasible for the
+  /// levels before `level`, and optimal for them.
+  [[nodiscard]] bool find_sides(Sweep& s, const SweepKernels& kernels, int first,
+                                BudgetWatch& budget);
+
+  /// The level at which it has ended.
+  [[nodiscard]] int level() const { return level_; }
+
+  /// Columns that are free after a level.
+  [[nodiscard]] int freedom_left(int level) const {
+    return freedom_left_[static_cast<std::size_t>(level)];
+  }
 
   /// The levels have left x open: y has been minimised, which x isn't if the basis is skew.
   [[nodiscard]] bool has_minimised_norm() const { return has_minimised_norm_; }
@@ -58,16 +69,20 @@ class Descent {
   }
   [[nodiscard]] int first_free() const { return first_column_ + static_cast<int>(held_.size()); }
 
+  void spend();
+
   Sweep* sweep_ = nullptr;
+  BudgetWatch* budget_ = nullptr;
   const SweepKernels* kernels_ = nullptr;
   LevelRows rows_;
   std::vector<double> value_at_zero_, reflection_;
   std::vector<signed char> fixed_side_;  // of rows that have been fixed
+  std::vector<int> freedom_left_;        // by level
   std::vector<int> held_, fixed_;        // held_[i] has the column first_column_ + i
   double x_size_ = 0.0, size_ = 0.0;     // of x, of the present direction
   double force_scale_ = 0.0, force_noise_ = 0.0;
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // when the level began
-  int level_begin_ = 0, level_end_ = 0, first_column_ = 0;
+  int level_ = 0, level_begin_ = 0, level_end_ = 0, first_column_ = 0;
   bool has_factorized_ = false;  // the rows that count now
   bool has_minimised_norm_ = false;
   int num_steps_ = 0;

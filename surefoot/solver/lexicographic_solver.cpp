@@ -59,6 +59,7 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
       memory_of_rows_(capacity),
       search_(capacity),
       descent_(capacity),
+      budget_(options.budget),
       cascade_(capacity, {.rank = options.rank, .max_iterations = options.max_iterations}) {
   solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
   solution_.levels.resize(capacity.num_levels());
@@ -79,6 +80,7 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
 const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
                                            const Substitution* substitution) noexcept {
   const FlushDenormals flush_denormals;
+  budget_.start();
   if (!fits(hierarchy) || !load(hierarchy)) {
     reject(hierarchy);
     return solution_;
@@ -91,11 +93,20 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
   } else {
     sweep_leading_equalities();
   }
-  if (options_.max_sweeps > 0 && find_active_rows()) {
+  const Outcome outcome = options_.max_sweeps > 0 ? find_active_rows(true) : Outcome::stuck;
+  if (outcome == Outcome::optimal) {
+    describe(hierarchy);
+    count_freedom();
+  } else if (outcome == Outcome::out_of_budget) {
+    take_from_descent();
     describe(hierarchy);
   } else {
-    num_sweeps_ = options_.max_sweeps + 1;
     take_from_cascade(hierarchy);
+    if (solution_.status == SolveStatus::optimal && options_.max_sweeps > 0 && polish()) {
+      describe(hierarchy);
+      count_freedom();
+    }
+    num_sweeps_ = options_.max_sweeps + 1;
   }
   const Sweep& s = memory_.sweep;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
@@ -267,41 +278,65 @@ void LexicographicSolver::sweep() {
   ++num_sweeps_;
 }
 
-bool LexicographicSolver::find_active_rows() {
-  bool has_descended = false, has_released = false;
+LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
+  bool has_released = false;
   while (num_sweeps_ < options_.max_sweeps) {
     sweep();
     const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_);
     const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
     if (!is_orthonormal_ && is_open) {
       make_basis_orthonormal();
-      continue;
-    }
-    if (is_optimal) {
-      if (has_released || !search_.release_idle(memory_.sweep)) return true;
+    } else if (is_optimal) {
+      if (has_released || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
       has_released = true;
-    } else if (!has_descended && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
-      has_descended = true;
-      if (!descend()) return false;
+    } else if (may_descend &&
+               (num_sweeps_ > kTries || !search_.is_nearly_optimal() || budget_.is_spent())) {
+      may_descend = false;
+      const Outcome outcome = descend();
+      if (outcome != Outcome::optimal) return outcome;
     } else {
       search_.improve(memory_.sweep);
     }
   }
-  return false;
+  if (!budget_.is_limited()) return Outcome::stuck;
+  if (may_descend) (void)descend();
+  return Outcome::out_of_budget;
 }
 
 // The active rows without a guess.
-bool LexicographicSolver::descend() {
+LexicographicSolver::Outcome LexicographicSolver::descend() {
   Sweep& s = memory_.sweep;
   for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
     if (s.base_value[row] == kInfinity) kernels_.project(s, row);
   }
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
-  if (!descent_.find_sides(s, kernels_, first_level_)) return false;
-  if (is_orthonormal_ || !descent_.has_minimised_norm()) return true;
+  if (!descent_.find_sides(s, kernels_, first_level_, budget_)) {
+    return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
+  }
+  if (is_orthonormal_ || !descent_.has_minimised_norm()) return Outcome::optimal;
   make_basis_orthonormal();
   return descend();
+}
+
+// The point where the descent has ended. It has finished the levels before that one.
+void LexicographicSolver::take_from_descent() {
+  Sweep& s = memory_.sweep;
+  for (int j = 0; j < s.columns; ++j) s.y[j] = s.base_value[s.num_rows + j];
+  kernels_.recover(s);
+  kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
+  solution_.status = SolveStatus::iteration_cap;
+  solution_.failed_level = std::min(descent_.level(), s.num_levels - 1);
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    solution_.levels[at(k)].degrees_of_freedom_left = descent_.freedom_left(k);
+  }
+}
+
+// The shortest x, where the cascade had to say that there is an optimum.
+bool LexicographicSolver::polish() {
+  constexpr int kSweeps = 3;
+  num_sweeps_ = options_.max_sweeps - kSweeps;
+  return descend() == Outcome::optimal && find_active_rows(false) == Outcome::optimal;
 }
 
 void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
@@ -343,7 +378,11 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
     }
     result.residual = std::sqrt(sum);
   }
-  // A column counts for the level that fixed its row.
+}
+
+// A column counts for the level that fixed its row.
+void LexicographicSolver::count_freedom() {
+  const Sweep& s = memory_.sweep;
   for (int k = first_level_; k < s.num_levels; ++k) {
     solution_.levels[at(k)].degrees_of_freedom_left = s.columns;
   }

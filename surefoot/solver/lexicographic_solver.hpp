@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/solver/active_set_search.hpp"
+#include "surefoot/solver/budget.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/descent.hpp"
 #include "surefoot/solver/hierarchy.hpp"
@@ -16,6 +17,7 @@ struct LexicographicOptions {
   bool warm_start = true;  ///< begin with the rows that were active in the last solution
   int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade
   int max_iterations = 0;  ///< of the cascade in a level; 0: its default
+  SolveBudget budget{};    ///< see LexicographicSolver
   /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
   const SweepKernels* kernels = nullptr;
 };
@@ -30,8 +32,12 @@ struct LexicographicOptions {
 /// that doesn't end within `max_sweeps`, the cascade solves the hierarchy (CascadeSolver), whose
 /// number of iterations is bounded and whose result at the bound is safe.
 ///
-/// Where the hierarchy leaves x open, the shortest x of all optima is returned (that of the cascade
-/// where the cascade had to solve).
+/// Where the hierarchy leaves x open, the shortest x of all optima is returned.
+///
+/// With a budget the cascade isn't asked, and the search may end within a level. Then the status is
+/// `iteration_cap`, the levels before `failed_level` are optimal, and x is feasible for them. The
+/// leading equalities are always solved, and a search that has come to its end is certified by one
+/// more sweep: so much a solve may cost beyond its budget.
 ///
 /// The last active rows are remembered by the name of their level and their id (Level::id), across
 /// contact switches and reordered levels. All memory is taken at construction; `solve` does not
@@ -67,11 +73,16 @@ class LexicographicSolver {
   void substitute(const Substitution& substitution);
   void make_basis_orthonormal();
   void forget_projections();
-  [[nodiscard]] bool find_active_rows();
-  [[nodiscard]] bool descend();
+  enum class Outcome { optimal, stuck, out_of_budget };
+
+  [[nodiscard]] Outcome find_active_rows(bool may_descend);
+  [[nodiscard]] Outcome descend();
   void sweep();
+  void take_from_descent();
   void take_from_cascade(const Hierarchy& hierarchy);
+  [[nodiscard]] bool polish();
   void describe(const Hierarchy& hierarchy);
+  void count_freedom();
 
   LexicographicOptions options_;
   SweepMemory memory_;
@@ -79,6 +90,7 @@ class LexicographicSolver {
   RowMemory memory_of_rows_;
   ActiveSetSearch search_;
   Descent descent_;
+  BudgetWatch budget_;
   CascadeSolver cascade_;
   Solution solution_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities

@@ -31,6 +31,22 @@ TEST(LexicographicOpenOptimum, IsTheShortestOfAll) {
   }
 }
 
+TEST(LexicographicOpenOptimum, IsTheShortestWhereTheCascadeHadToSolve) {
+  int num_by_cascade = 0;
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, open_case(seed));
+    const VectorXd expected = LexicographicSolver(hierarchy).solve(hierarchy).x;
+    LexicographicOptions options;
+    options.max_sweeps = 1;
+    LexicographicSolver solver(hierarchy, options);
+    const VectorXd x = solver.solve(hierarchy).x;
+    num_by_cascade += solver.num_sweeps() > 1 ? 1 : 0;
+    ASSERT_LE((x - expected).norm(), 1e-9 * (1.0 + expected.norm()));
+  }
+  EXPECT_GT(num_by_cascade, 100);
+}
+
 TEST(LexicographicOpenOptimum, DoesNotDependOnTheGuess) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
