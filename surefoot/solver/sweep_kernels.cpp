@@ -6,7 +6,6 @@ namespace surefoot {
 namespace {
 namespace baseline {
 #include "surefoot/solver/sweep_kernels.inl"
-#include "surefoot/solver/tableau_kernels.inl"
 }  // namespace baseline
 }  // namespace
 }  // namespace surefoot
@@ -23,7 +22,6 @@ namespace surefoot {
 namespace {
 namespace avx2 {
 #include "surefoot/solver/sweep_kernels.inl"
-#include "surefoot/solver/tableau_kernels.inl"
 }  // namespace avx2
 }  // namespace
 }  // namespace surefoot
@@ -39,7 +37,6 @@ namespace surefoot {
 namespace {
 namespace avx512 {
 #include "surefoot/solver/sweep_kernels.inl"
-#include "surefoot/solver/tableau_kernels.inl"
 }  // namespace avx512
 }  // namespace
 }  // namespace surefoot

@@ -1,5 +1,4 @@
-// The kernels of a search's tableau: columns of many rows, a pack holds several rows. Included
-// after sweep_kernels.inl.
+// A search's tableau: columns of many rows, a pack holds several rows.
 
 /// Rows of a block of columns, from the pack that holds the first row to that with the last.
 SUREFOOT_INLINE int first_pack(const Sweep& s) { return s.first_row / kPack * kPack; }
@@ -109,27 +108,3 @@ void advance(Sweep& s, double length) {
     at(s.base_value + i) += length * at(s.motion + i);
   }
 }
-
-constexpr SweepKernels kKernels{.name = SUREFOOT_ISA_NAME,
-                                .pack = kPack,
-                                .measure = measure,
-                                .start = start,
-                                .start_leading = start_leading,
-                                .run = run,
-                                .fix = fix,
-                                .fill_tableau = fill_tableau,
-                                .turn = turn,
-                                .rotate = rotate,
-                                .gather = gather,
-                                .move = move,
-                                .longest_step = longest_step,
-                                .advance = advance,
-                                .reduce = reduce,
-                                .project = project,
-                                .turn_back = turn_back,
-                                .recover = recover,
-                                .evaluate = evaluate,
-                                .balance = balance,
-                                .balance_norm = balance_norm};
-
-#undef SUREFOOT_INLINE

@@ -1,0 +1,275 @@
+// One level after the other: reflections give each row that takes part a column.
+
+/// What a difference of squares keeps at least, to be as good as a sum.
+constexpr double kWellLeft = 0.25;
+
+/// The row at `position` takes the next column; in all rows after it the basis turns. Returns the
+/// squared length that is left of the next row. The elimination of that row waits for it: so its
+/// products with this row come first, which need no root and no division. N packs; 0: any number.
+template <int N>
+static double eliminate_packs(Sweep& s, int position, int column, double square) {
+  const int skip = column / kPack * kPack;
+  const int packs = N > 0 ? N : (s.stride - skip) / kPack;
+  double* row = s.rows + (long)s.order[position] * s.stride + skip;
+  double* v = s.reflectors + (long)column * s.stride + skip;
+  const int place = column - skip;
+  const int* after = s.order + position + 1;
+  const int count = s.num_taking_part - position - 1;
+  const bool has_next = count > 0 && s.fixed < s.columns;
+  double* next = has_next ? s.rows + (long)*after * s.stride + skip : row;
+
+  Pack product = Pack{}, next_square = Pack{};
+#pragma GCC unroll 4
+  for (int k = 0; k < packs; ++k) {
+    const Pack here = k == 0 ? from(at(row), place) : at(row + k * kPack);
+    const Pack there = k == 0 ? from(at(next), place) : at(next + k * kPack);
+    product += here * there;
+    next_square += there * there;
+  }
+  const double first = row[place], next_first = next[place];
+  const double norm = __builtin_sqrt(square);
+  const double head = first > 0.0 ? -norm : norm;
+  const double beta = 1.0 / (square + norm * absolute(first));
+  const double along = (sum(product)[0] - head * next_first) * beta;
+#pragma GCC unroll 4
+  for (int k = 0; k < packs; ++k) {
+    const Pack tail = k == 0 ? from(at(row), place) : at(row + k * kPack);
+    const Pack reflector = k == 0 ? with(tail, place, first - head) : tail;
+    at(v + k * kPack) = reflector;
+    at(row + k * kPack) = k == 0 ? with(at(row) - tail, place, head) : Pack{};
+    if (has_next) at(next + k * kPack) -= along * reflector;
+  }
+  s.beta[column] = beta;
+  s.inverse_pivot[column] = 1.0 / head;
+  if (!has_next) {
+    reflect_packs<N>(s.rows + skip, s.stride, after, count, v, beta, packs);
+    return 0.0;
+  }
+  const double next_head = next_first - along * (first - head);
+  const double all = sum(next_square)[0];
+  const double left = all - next_head * next_head;
+  reflect_packs<N>(s.rows + skip, s.stride, after + 1, count - 1, v, beta, packs);
+  if (left > kWellLeft * all) return left;
+  return square_from(next - skip, s.fixed, s.stride);
+}
+
+static double eliminate(Sweep& s, int position, double square, bool usable) {
+  const int column = s.fixed++;
+  s.pivot[column] = usable ? s.order[position] : -1;
+  double left = 0.0;
+  switch ((s.stride - column / kPack * kPack) / kPack) {
+    case 1:
+      left = eliminate_packs<1>(s, position, column, square);
+      break;
+    case 2:
+      left = eliminate_packs<2>(s, position, column, square);
+      break;
+    case 3:
+      left = eliminate_packs<3>(s, position, column, square);
+      break;
+    case 4:
+      left = eliminate_packs<4>(s, position, column, square);
+      break;
+    default:
+      left = eliminate_packs<0>(s, position, column, square);
+  }
+  if (!usable) s.inverse_pivot[column] = 0.0;
+  return left;
+}
+
+/// Rows that keep this share of their length are used as they come, in any order.
+constexpr double kClearlyIndependent = 0.1;
+
+/// Gives columns to the rows of a level; those that get one come first, last among them the rows
+/// whose column is too weak to be used. Returns how many can use theirs.
+static int factorize_level(Sweep& s, int begin, int end) {
+  int next = begin;
+  int num_weak = 0;
+  int untried = end;
+  double square = -1.0;  // of the next row; negative: not known
+  while (next < untried && s.fixed < s.columns) {
+    const int row = s.order[next];
+    if (square < 0.0) square = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
+    const double clearly = kClearlyIndependent * s.scale[row];
+    if (square > clearly * clearly) {
+      if (square < s.smallest_pivot * s.smallest_pivot * s.scale[row] * s.scale[row]) {
+        s.smallest_pivot = __builtin_sqrt(square) / s.scale[row];
+      }
+      square = eliminate(s, next++, square, true);
+    } else {
+      swap_rows(s.order, next, --untried);
+      square = -1.0;
+    }
+  }
+  while (next < end && s.fixed < s.columns) {  // the rest: the longest first
+    int best = -1;
+    double best_square = 0.0, best_relative = s.keep_tolerance;
+    for (int i = next; i < end; ++i) {
+      const int row = s.order[i];
+      const double left = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
+      const double relative = s.scale[row] > 0.0 ? __builtin_sqrt(left) / s.scale[row] : 0.0;
+      if (!(relative > best_relative)) continue;
+      best = i;
+      best_square = left;
+      best_relative = relative;
+    }
+    if (best < 0) break;
+    swap_rows(s.order, next, best);
+    const bool usable = best_relative > s.solve_tolerance;
+    if (usable) s.smallest_pivot = smaller(s.smallest_pivot, best_relative);
+    num_weak += usable ? 0 : 1;
+    (void)eliminate(s, next++, best_square, usable);
+  }
+  return next - begin - num_weak;
+}
+
+SUREFOOT_INLINE double bound(const Sweep& s, int row) {
+  return s.side[row] < 0 ? s.lower[row] : s.upper[row];
+}
+
+static void update_residuals(Sweep& s, int begin, int end) {
+  for (int i = begin; i < end; ++i) {
+    const int row = s.order[i];
+    s.residual[row] =
+        dot(s.rows + (long)row * s.stride, s.q, s.stride) + s.base_value[row] - bound(s, row);
+  }
+}
+
+/// L q = −residual by forward substitution, for the rows that have a column; all residuals follow.
+static void substitute(Sweep& s, int begin, int end, int first_column) {
+  for (int i = begin, column = first_column; column < s.fixed; ++i, ++column) {
+    const double q = -s.residual[s.order[i]] * s.inverse_pivot[column];
+    s.q[column] = q;
+    if (q == 0.0) continue;
+    for (int k = i; k < end; ++k) {
+      const int row = s.order[k];
+      s.residual[row] += q * s.rows[(long)row * s.stride + column];
+    }
+  }
+}
+
+/// Rounding of a row's value, relative to ‖a‖ ‖x‖.
+constexpr double kRounding = 1e-14;
+
+static bool is_met(const Sweep& s, int begin, int end) {
+  const double size = __builtin_sqrt(dot(s.q, s.q, s.stride));
+  for (int i = begin; i < end; ++i) {
+    const int row = s.order[i];
+    if (absolute(s.residual[row]) > kRounding * s.scale[row] * size) return false;
+  }
+  return true;
+}
+
+#include "surefoot/solver/kernel_least_squares.inl"
+
+constexpr double kEpsilon = 2.220446049250313e-16;
+
+/// What is taken for rounding at most, however weak the columns used.
+constexpr double kMostRounding = 1e-4;
+
+/// The weaker the columns used, the larger the rounding in what is left.
+static void lower_rank_tolerance(Sweep& s) {
+  const double rounding = 64.0 * kEpsilon / s.smallest_pivot;
+  s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, kMostRounding));
+}
+
+static void run_level(Sweep& s, int begin, int end) {
+  update_residuals(s, begin, end);
+  if (begin == end || s.fixed == s.columns) return;
+  if (solve_last(s, begin, end)) return update_residuals(s, begin, end);
+  const int first = s.fixed;
+  const int num_used = factorize_level(s, begin, end);
+  substitute(s, begin, end, first);
+  if (begin + num_used < end && !is_met(s, begin + num_used, end)) {
+    int* columns = s.tall_order + s.columns + 1;
+    int num_columns = 0;
+    for (int j = first; j < s.fixed; ++j) {
+      if (s.pivot[j] >= 0) columns[num_columns++] = j;
+      s.q[j] = 0.0;
+    }
+    update_residuals(s, begin, end);
+    fill_tall(s, begin, end, columns, num_columns);
+    solve_tall(s, end - begin, columns, num_columns);
+    update_residuals(s, begin, end);
+  }
+  lower_rank_tolerance(s);
+}
+
+void start(Sweep& s, int first, int end) {
+  s.num_taking_part = 0;
+  for (int k = first; k < end; ++k) {
+    s.order_begin[k] = s.num_taking_part;
+    for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {
+      if (s.side[row] != 0) s.order[s.num_taking_part++] = row;
+    }
+  }
+  s.order_begin[end] = s.num_taking_part;
+  s.fixed = 0;
+  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  for (int i = 0; i < s.num_taking_part; ++i) {
+    const double* from_row = s.base + (long)s.order[i] * s.stride;
+    double* to_row = s.rows + (long)s.order[i] * s.stride;
+    for (int j = 0; j < s.stride; j += kPack) at(to_row + j) = at(from_row + j);
+  }
+}
+
+void start_leading(Sweep& s, int end) {
+  s.num_taking_part = s.level_begin[end];
+  for (int k = 0; k <= end; ++k) s.order_begin[k] = s.level_begin[k];
+  s.fixed = 0;
+  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  const int whole = s.unknowns / kPack * kPack;
+  for (int row = 0; row < s.num_taking_part; ++row) {
+    s.order[row] = row;
+    s.base_value[row] = 0.0;
+    double* to = s.rows + (long)row * s.stride;
+    for (int j = 0; j < whole; j += kPack) at(to + j) = loose(s.a[row] + j);
+    if (whole == s.stride) continue;
+    at(to + whole) = Pack{};
+    for (int j = whole; j < s.unknowns; ++j) to[j] = s.a[row][j];
+  }
+}
+
+void fix(Sweep& s, int begin, int end) {
+  (void)factorize_level(s, begin, end);
+  lower_rank_tolerance(s);
+}
+
+void run(Sweep& s, int first, int end) {
+  for (int k = first; k < end; ++k) {
+    s.first_column[k] = s.fixed;
+    run_level(s, s.order_begin[k], s.order_begin[k + 1]);
+  }
+  s.first_column[end] = s.fixed;
+}
+
+/// Lᵀ force = −gradient by back substitution over the columns [last, first).
+static void balance_gradient(Sweep& s, int first, int last) {
+  for (int j = first - 1; j >= last; --j) {
+    const int row = s.pivot[j];
+    if (row < 0) continue;  // no row has this column: whatever pulls along it meets no resistance
+    const double force = -s.gradient[j] * s.inverse_pivot[j];
+    s.force[row] = force;
+    if (force == 0.0) continue;
+    const double* from_row = s.rows + (long)row * s.stride;
+    for (int k = last / kPack * kPack; k <= j; k += kPack) {
+      at(s.gradient + k) += force * at(from_row + k);
+    }
+  }
+}
+
+void balance(Sweep& s, int level, int last) {
+  const int first = s.first_column[level];
+  for (int j = 0; j < s.stride; j += kPack) at(s.gradient + j) = Pack{};
+  for (int i = s.order_begin[level]; i < s.order_begin[level + 1]; ++i) {
+    const int row = s.order[i];
+    const double* from_row = s.rows + (long)row * s.stride;
+    for (int j = 0; j < first; j += kPack) at(s.gradient + j) += s.residual[row] * at(from_row + j);
+  }
+  balance_gradient(s, first, last);
+}
+
+void balance_norm(Sweep& s, int last) {
+  for (int j = 0; j < s.stride; j += kPack) at(s.gradient + j) = at(s.q + j);
+  balance_gradient(s, s.fixed, last);
+}
