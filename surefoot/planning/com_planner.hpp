@@ -68,9 +68,13 @@ class ComPlanner {
   struct Problem {
     Hierarchy hierarchy;
     CascadeSolver solver;
-    explicit Problem(Hierarchy h) : hierarchy(std::move(h)), solver(hierarchy) {}
+    explicit Problem(Hierarchy h)
+        : hierarchy(std::move(h)), solver(hierarchy, {.rank = kRank, .max_iterations = 0}) {}
   };
   static Hierarchy make_hierarchy(int phases);
+
+  /// Coarse: what hardly moves a row of the plan isn't worth bending a spline for.
+  static constexpr RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
 
   void guess_knots(double time, const Motion<Vec2>& begin) noexcept;
   [[nodiscard]] int samples_of(const SupportPhase& phase) const noexcept;

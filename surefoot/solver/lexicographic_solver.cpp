@@ -49,6 +49,35 @@ signed char side_of(RowState state) {
   return static_cast<signed char>((side > 0) - (side < 0));
 }
 
+struct RowKinds {
+  bool are_sound = true, has_inequality = false;
+};
+
+/// Appends the rows of a level. Their sides are the guess: kept where an inequality has the bound.
+RowKinds load_level(Sweep& s, const Level& level) {
+  RowKinds kinds;
+  const int rows = static_cast<int>(level.num_rows());
+  const Index unknowns = s.unknowns;
+  const double* a = level.A().data();
+  const double* lower = level.lower().data();
+  const double* upper = level.upper().data();
+  const double** pointer = s.a + s.num_rows;
+  signed char* side = s.side + s.num_rows;
+  std::copy_n(lower, rows, s.lower + s.num_rows);
+  std::copy_n(upper, rows, s.upper + s.num_rows);
+  for (int i = 0; i < rows; ++i, a += unknowns) {
+    pointer[i] = a;
+    kinds.are_sound = kinds.are_sound && are_sound(lower[i], upper[i]);
+    const bool is_equality = lower[i] == upper[i];
+    kinds.has_inequality = kinds.has_inequality || !is_equality;
+    const bool has_bound = side[i] < 0 ? lower[i] > -kInfinity : upper[i] < kInfinity;
+    const signed char guess = side[i] != 2 && has_bound ? side[i] : static_cast<signed char>(0);
+    side[i] = is_equality ? static_cast<signed char>(2) : guess;
+  }
+  s.num_rows += rows;
+  return kinds;
+}
+
 }  // namespace
 
 LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
@@ -138,37 +167,22 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
   Sweep& s = memory_.sweep;
   s.unknowns = static_cast<int>(hierarchy.unknowns());
   s.num_levels = static_cast<int>(hierarchy.num_levels());
+  s.num_rows = 0;
   first_level_ = s.num_levels;
-  int next = 0;
   bool is_sound = true;
   for (int k = 0; k < s.num_levels; ++k) {
     const Level& level = hierarchy.level(at(k));
-    s.level_begin[k] = next;
+    s.level_begin[k] = s.num_rows;
     if (options_.warm_start) {
-      memory_of_rows_.recall(at(k), level, s.side + next);
+      memory_of_rows_.recall(at(k), level, s.side + s.num_rows);
     } else {
-      std::fill_n(s.side + next, level.num_rows(), static_cast<signed char>(0));
+      std::fill_n(s.side + s.num_rows, level.num_rows(), static_cast<signed char>(0));
     }
-    const int rows = static_cast<int>(level.num_rows());
-    const double* a = level.A().data();
-    const double* lower = level.lower().data();
-    const double* upper = level.upper().data();
-    std::copy_n(lower, rows, s.lower + next);
-    std::copy_n(upper, rows, s.upper + next);
-    for (int i = 0; i < rows; ++i, ++next, a += s.unknowns) {
-      s.a[next] = a;
-      signed char& side = s.side[next];
-      if (lower[i] == upper[i]) {
-        side = 2;
-        is_sound = is_sound && std::abs(lower[i]) < kInfinity;
-        continue;
-      }
-      is_sound = is_sound && are_sound(lower[i], upper[i]);
-      if (side == 2 || !std::isfinite(side < 0 ? lower[i] : upper[i])) side = 0;
-      first_level_ = std::min(first_level_, k);
-    }
+    const RowKinds kinds = load_level(s, level);
+    is_sound = is_sound && kinds.are_sound;
+    if (kinds.has_inequality) first_level_ = std::min(first_level_, k);
   }
-  s.num_rows = s.level_begin[s.num_levels] = next;
+  s.level_begin[s.num_levels] = s.num_rows;
   kernels_.measure(s);
   double sum = 0.0;
   for (int i = 0; i < s.num_rows; ++i) sum += s.scale[i];
@@ -371,10 +385,12 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
     if (k >= hierarchy.num_levels()) continue;
     result.num_rows = hierarchy.level(k).num_rows();
     double sum = 0.0;
-    int row = s.level_begin[k];
-    RowState* state = result.rows.data();
-    for (const int end = row + static_cast<int>(result.num_rows); row < end; ++row, ++state) {
-      *state = state_of(s.value[row], s.lower[row], s.upper[row], tolerance * s.scale[row], sum);
+    const int begin = s.level_begin[k];
+    const double *value = s.value + begin, *scale = s.scale + begin;
+    const double *lower = s.lower + begin, *upper = s.upper + begin;
+    RowState* states = result.rows.data();
+    for (Index i = 0; i < result.num_rows; ++i) {
+      states[i] = state_of(value[i], lower[i], upper[i], tolerance * scale[i], sum);
     }
     result.residual = std::sqrt(sum);
   }
