@@ -121,6 +121,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
 void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
   summarise(solution, stack.hierarchy(), record.hierarchy);
+  summarise_blockers(solver.blockers(), stack.hierarchy(), record.hierarchy);
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   for (const Leg leg : kLegs) {

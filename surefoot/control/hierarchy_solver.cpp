@@ -22,4 +22,10 @@ const Solution& HierarchySolver::solve(const Hierarchy& hierarchy,
                                  : lexicographic.solve(hierarchy, *substitution);
 }
 
+std::span<const LevelBlockers> HierarchySolver::blockers() noexcept {
+  auto* lexicographic = std::get_if<LexicographicSolver>(&solver_);
+  if (lexicographic == nullptr) return {};
+  return lexicographic->blockers();
+}
+
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
+#include <span>
 #include <variant>
 
 namespace surefoot {
@@ -19,6 +20,10 @@ class HierarchySolver {
 
   /// `substitution` may be null. The reference stays valid until the next call.
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
+
+  /// What holds each level of the last solution back; empty where the solver doesn't say. The
+  /// hierarchy must be as it was.
+  [[nodiscard]] std::span<const LevelBlockers> blockers() noexcept;
 
  private:
   using Solver = std::variant<LexicographicSolver, CascadeSolver>;

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/solver/blockers.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/solution.hpp"
+
+#include <span>
 
 namespace surefoot {
 
@@ -10,5 +13,10 @@ namespace surefoot {
 /// allocate.
 void summarise(const Solution& solution, const Hierarchy& hierarchy,
                HierarchyReport& report) noexcept;
+
+/// Adds the dearest rows that hold each level back, at most three a level: the dearest, and those
+/// that cost at least a tenth of it. After `summarise`; empty `blockers`: nothing is known.
+void summarise_blockers(std::span<const LevelBlockers> blockers, const Hierarchy& hierarchy,
+                        HierarchyReport& report) noexcept;
 
 }  // namespace surefoot

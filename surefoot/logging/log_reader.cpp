@@ -82,9 +82,27 @@ LogHeader parse_header(const json& header) {
   return result;
 }
 
+std::int16_t index_of(const std::string& level, const logged::Hierarchy& named) {
+  const auto found = std::ranges::find(named.levels, level, &logged::Level::name);
+  return static_cast<std::int16_t>(found - named.levels.begin());
+}
+
+void add_blockers(const logged::Hierarchy& named, HierarchyReport& report) {
+  report.blocking_is_known = named.blocking_is_known;
+  const std::size_t count = std::min(named.blocked_by.size(), kMaxReportedBlockers);
+  report.num_blocking = static_cast<std::int32_t>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const logged::BlockingRow& row = named.blocked_by[i];
+    report.blocking[i] = row.report;
+    report.blocking[i].level = index_of(row.level, named);
+    report.blocking[i].by_level = index_of(row.by, named);
+  }
+}
+
 HierarchyReport without_names(const logged::Hierarchy& named) {
   HierarchyReport report;
   report.status = named.status;
+  report.failed_level = named.failed_level;
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
@@ -92,13 +110,11 @@ HierarchyReport without_names(const logged::Hierarchy& named) {
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
     const logged::Row& row = named.active[i];
-    const auto level =
-        std::find_if(named.levels.begin(), named.levels.end(),
-                     [&](const logged::Level& one) { return one.name == row.level; });
-    report.active[i] = {.level = static_cast<std::int16_t>(level - named.levels.begin()),
+    report.active[i] = {.level = index_of(row.level, named),
                         .state = static_cast<std::int16_t>(row.state),
                         .id = row.id};
   }
+  add_blockers(named, report);
   return report;
 }
 
@@ -161,6 +177,10 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
       row_names_.try_emplace({row.level, row.id}, named.active[i].row);
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_blocking); ++i) {
+      const BlockingRow& row = tick.hierarchy.blocking[i];
+      row_names_.try_emplace({row.by_level, row.id}, named.blocked_by[i].row);
     }
   } else if (topic == "/command") {
     decode(tick.command);

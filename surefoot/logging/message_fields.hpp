@@ -26,11 +26,19 @@ struct Row {
   std::int32_t state = 0;
 };
 
+/// A row that kept a lower level from a smaller residual, with names.
+struct BlockingRow {
+  std::string level, by, row;
+  surefoot::BlockingRow report;
+};
+
 /// HierarchyReport, with names.
 struct Hierarchy {
-  std::int32_t status = 0;
+  std::int32_t status = 0, failed_level = -1;
   std::vector<Level> levels;
   std::vector<Row> active;
+  bool blocking_is_known = false;
+  std::vector<BlockingRow> blocked_by;
 };
 
 inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloading", "swing",
@@ -146,12 +154,30 @@ void fields(Archive& field, T& row) {
   field("state", row.state, "-1 and 1: held at its lower or upper bound; -3 and 3: beyond it");
 }
 
+template <typename Archive, Is<BlockingRow> T>
+void fields(Archive& field, T& blocking) {
+  field("level", blocking.level, "name of the level that was held back");
+  field("by", blocking.by, "name of the level that the row belongs to");
+  field("row", blocking.row, "name of the row");
+  field("id", blocking.report.id, "identifies the row across ticks");
+  field("multiplier", blocking.report.multiplier,
+        "how fast half the squared residual falls as the row's bound gives way");
+  field("cost", blocking.report.cost,
+        "what the residual falls by if this row alone gives way, in the unit of the level's rows");
+}
+
 template <typename Archive, Is<Hierarchy> T>
 void fields(Archive& field, T& hierarchy) {
   field("status", hierarchy.status,
         "0 optimal, 1 ended at the iteration cap, 2 invalid input, or no state was believed");
+  field("failed_level", hierarchy.failed_level,
+        "index of the level that ended early, counted from 0; -1: none");
   field("levels", hierarchy.levels, "how each level came out");
   field("active", hierarchy.active, "inequality rows at or beyond a bound");
+  field("blocking_is_known", hierarchy.blocking_is_known,
+        "whether blocked_by speaks of all levels");
+  field("blocked_by", hierarchy.blocked_by,
+        "rows of higher levels that kept a level from a smaller residual, dearest first");
 }
 
 template <typename Archive, Is<JointCommand> T>

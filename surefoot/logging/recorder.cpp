@@ -43,6 +43,7 @@ class Namer {
 
   const logged::Hierarchy& name(const HierarchyReport& report) {
     named_.status = report.status;
+    named_.failed_level = report.failed_level;
     named_.levels.resize(
         static_cast<std::size_t>(std::clamp<int>(report.num_levels, 0, kMaxLevels)));
     for (std::size_t i = 0; i < named_.levels.size(); ++i) {
@@ -55,10 +56,22 @@ class Namer {
       const ActiveRow& row = report.active[i];
       named_.active[i] = {level(row.level), row_name(row.level, row.id), row.id, row.state};
     }
+    name_blockers(report);
     return named_;
   }
 
  private:
+  void name_blockers(const HierarchyReport& report) {
+    named_.blocking_is_known = report.blocking_is_known;
+    named_.blocked_by.resize(
+        static_cast<std::size_t>(std::clamp<int>(report.num_blocking, 0, kMaxReportedBlockers)));
+    for (std::size_t i = 0; i < named_.blocked_by.size(); ++i) {
+      const BlockingRow& row = report.blocking[i];
+      named_.blocked_by[i] = {level(row.level), level(row.by_level), row_name(row.by_level, row.id),
+                              row};
+    }
+  }
+
   std::string level(int i) const {
     const bool known = i >= 0 && static_cast<std::size_t>(i) < levels_.size();
     return known ? levels_[static_cast<std::size_t>(i)] : "level " + std::to_string(i + 1);

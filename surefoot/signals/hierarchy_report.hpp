@@ -8,6 +8,7 @@ namespace surefoot {
 
 inline constexpr std::size_t kMaxLevels = 16;
 inline constexpr std::size_t kMaxReportedRows = 96;
+inline constexpr std::size_t kMaxReportedBlockers = 48;
 
 /// How one level of the hierarchy came out at one tick.
 struct LevelReport {
@@ -25,13 +26,27 @@ struct ActiveRow {
   std::int32_t id = 0;     ///< identifies the row across ticks; names stand in the log's header
 };
 
+/// A row of a higher level that kept a level from a smaller residual.
+struct BlockingRow {
+  std::int16_t level = 0;     ///< that was held back
+  std::int16_t by_level = 0;  ///< of the row
+  std::int32_t id = 0;        ///< of the row in its level
+  double multiplier = 0.0;    ///< ∂ ½ residual² / ∂ bound of the row, its size
+  double cost = 0.0;  ///< what the residual falls by if this row alone gives way (BlockerSearch)
+};
+
 /// How the hierarchy came out at one tick: plain data for the log and the viewer.
 struct HierarchyReport {
-  std::int32_t status = 0;  ///< SolveStatus; invalid_input also where no state was believed
+  std::int32_t status = 0;         ///< SolveStatus; invalid_input also where no state was believed
+  std::int32_t failed_level = -1;  ///< where it ended early; −1: none
   std::int32_t num_levels = 0;
-  std::int32_t num_active = 0;  ///< entries of `active`
+  std::int32_t num_active = 0;    ///< entries of `active`
+  std::int32_t num_blocking = 0;  ///< entries of `blocking`
+  /// Whether the solver can say of each level what holds it back.
+  bool blocking_is_known = false;
   std::array<LevelReport, kMaxLevels> levels{};
   std::array<ActiveRow, kMaxReportedRows> active{};
+  std::array<BlockingRow, kMaxReportedBlockers> blocking{};  ///< by level, dearest first
 };
 
 }  // namespace surefoot

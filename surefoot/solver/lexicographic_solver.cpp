@@ -88,8 +88,9 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
       memory_of_rows_(capacity),
       search_(capacity),
       descent_(capacity),
-      budget_(options.budget),
-      cascade_(capacity, {.rank = options.rank, .max_iterations = options.max_iterations}) {
+      budget_(options.budget, options.clock),
+      cascade_(capacity, {.rank = options.rank, .max_iterations = options.max_iterations}),
+      blockers_(capacity) {
   solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
   solution_.levels.resize(capacity.num_levels());
   for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
@@ -108,12 +109,18 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
 
 const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
                                            const Substitution* substitution) noexcept {
+  const double start = options_.clock != nullptr ? options_.clock() : 0.0;
+  solve_untimed(hierarchy, substitution);
+  if (options_.clock != nullptr) solution_.time = options_.clock() - start;
+  return solution_;
+}
+
+void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
+                                        const Substitution* substitution) {
   const FlushDenormals flush_denormals;
   budget_.start();
-  if (!fits(hierarchy) || !load(hierarchy)) {
-    reject(hierarchy);
-    return solution_;
-  }
+  is_swept_ = false;
+  if (!fits(hierarchy) || !load(hierarchy)) return reject(hierarchy);
   num_sweeps_ = 0;
   solution_.status = SolveStatus::optimal;
   solution_.failed_level = -1;
@@ -126,6 +133,7 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
   if (outcome == Outcome::optimal) {
     describe(hierarchy);
     count_freedom();
+    is_swept_ = true;
   } else if (outcome == Outcome::out_of_budget) {
     take_from_descent();
     describe(hierarchy);
@@ -134,6 +142,7 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
     if (solution_.status == SolveStatus::optimal && options_.max_sweeps > 0 && polish()) {
       describe(hierarchy);
       count_freedom();
+      is_swept_ = true;
     }
     num_sweeps_ = options_.max_sweeps + 1;
   }
@@ -142,7 +151,15 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
     memory_of_rows_.remember(k, hierarchy.level(k), s.side + s.level_begin[k]);
   }
   memory_of_rows_.forget_from(hierarchy.num_levels());
-  return solution_;
+}
+
+const std::vector<LevelBlockers>& LexicographicSolver::blockers() noexcept {
+  if (is_swept_) {
+    blockers_.find(memory_.sweep, kernels_, first_level_, search_);
+  } else {
+    blockers_.forget();
+  }
+  return blockers_.levels();
 }
 
 bool LexicographicSolver::fits(const Hierarchy& hierarchy) const {

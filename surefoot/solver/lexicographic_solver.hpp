@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/solver/active_set_search.hpp"
+#include "surefoot/solver/blockers.hpp"
 #include "surefoot/solver/budget.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/descent.hpp"
@@ -20,6 +21,9 @@ struct LexicographicOptions {
   SolveBudget budget{};    ///< see LexicographicSolver
   /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
   const SweepKernels* kernels = nullptr;
+  /// Seconds of any steady clock. The solver has none of its own: what is computed must not depend
+  /// on one. Where one is given, Solution::time is measured with it.
+  double (*clock)() = nullptr;
 };
 
 /// The lexicographic optimum of a hierarchy, in microseconds.
@@ -57,6 +61,16 @@ class LexicographicSolver {
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
 
+  /// Which rows of higher levels hold each level back in the last solution, and what they cost it;
+  /// see BlockerSearch. Computed when asked, without allocating; until then the hierarchy of the
+  /// last solve must be as it was. By level of the capacity.
+  ///
+  /// Rows of the leading levels, those before the first level with an inequality or those that a
+  /// substitution has solved, are taken as facts and never named. Nothing is known of such a level
+  /// itself if it has a residual, nor of a violated level of inequalities right after equalities
+  /// that leave nothing free, nor of any level where the cascade solved or the input was invalid.
+  const std::vector<LevelBlockers>& blockers() noexcept;
+
   /// The next solve starts without a guess.
   void forget() { memory_of_rows_.forget(); }
 
@@ -65,6 +79,7 @@ class LexicographicSolver {
 
  private:
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
+  void solve_untimed(const Hierarchy& hierarchy, const Substitution* substitution);
   [[nodiscard]] bool fits(const Hierarchy& hierarchy) const;
   [[nodiscard]] bool fits(const Substitution& substitution) const;
   [[nodiscard]] bool load(const Hierarchy& hierarchy);
@@ -92,9 +107,11 @@ class LexicographicSolver {
   Descent descent_;
   BudgetWatch budget_;
   CascadeSolver cascade_;
+  BlockerSearch blockers_;
   Solution solution_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities
   int num_sweeps_ = 0;
+  bool is_swept_ = false;                               // the solution is that of the last sweep
   bool is_orthonormal_ = true;                          // the basis
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities
 };

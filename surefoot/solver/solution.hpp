@@ -46,7 +46,8 @@ struct Solution {
   SolveStatus status = SolveStatus::invalid_input;
   Eigen::VectorXd x;
   std::vector<LevelResult> levels;
-  int failed_level = -1;
+  int failed_level = -1;  ///< where the status isn't optimal; −1: none
+  double time = 0.0;      ///< that solving took [s]; 0 unless the solver was given a clock
 };
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #include "surefoot/control/hierarchy_summary.hpp"
 
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -100,6 +102,41 @@ TEST(HierarchySummary, ListsNoMoreRowsThanItHasPlaceFor) {
   EXPECT_EQ(report.num_active, static_cast<int>(kMaxReportedRows));
   EXPECT_EQ(report.levels[0].num_active, kRows);
   EXPECT_EQ(report.active.back().id, static_cast<int>(kMaxReportedRows) - 1);
+}
+
+TEST(HierarchySummary, NamesTheRowsThatHoldALevelBackByTheirIds) {
+  const Example example;
+  LexicographicSolver solver(example.hierarchy);
+  HierarchyReport report = stale_report();
+  summarise(solver.solve(example.hierarchy), example.hierarchy, report);
+  EXPECT_EQ(report.failed_level, -1);
+  EXPECT_FALSE(report.blocking_is_known);
+  summarise_blockers(solver.blockers(), example.hierarchy, report);
+  EXPECT_TRUE(report.blocking_is_known);
+  ASSERT_EQ(report.num_blocking, 1);
+  const BlockingRow& row = report.blocking[0];
+  EXPECT_EQ(row.level, 2);
+  EXPECT_EQ(row.by_level, 1);
+  EXPECT_EQ(row.id, 31);
+  EXPECT_NEAR(row.multiplier, 2.0, 1e-9);
+  EXPECT_NEAR(row.cost, 2.0, 1e-9);
+}
+
+TEST(HierarchySummary, ListsOnlyTheDearestRowsThatHoldALevelBack) {
+  const Example example;
+  std::vector<LevelBlockers> blockers(3);
+  blockers[2] = {.is_known = true, .count = 5, .dearest = {}};
+  for (std::size_t i = 0; i < 5; ++i) {
+    blockers[2].dearest[i] = {{1, 1}, 1.0, i < 2 ? 2.0 : 0.1};
+  }
+  HierarchyReport report;
+  summarise(example.solution, example.hierarchy, report);
+  summarise_blockers(blockers, example.hierarchy, report);
+  EXPECT_EQ(report.num_blocking, 2);
+  EXPECT_FALSE(report.blocking_is_known) << "nothing is known of the first two levels";
+  summarise_blockers({}, example.hierarchy, report);
+  EXPECT_EQ(report.num_blocking, 0);
+  EXPECT_FALSE(report.blocking_is_known);
 }
 
 TEST(HierarchySummary, AllocatesNothing) {

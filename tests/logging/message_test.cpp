@@ -75,8 +75,10 @@ TEST(Messages, EveryMessageIsWhatItsSchemaSays) {
   expect_conforming(run.tick.model);
   expect_conforming(run.tick.command);
   expect_conforming(run.timing);
-  expect_conforming(
-      logged::Hierarchy{.status = 0, .levels = {{"COM", {}}}, .active = {{"COM", "row", 3, -1}}});
+  expect_conforming(logged::Hierarchy{.status = 0,
+                                      .levels = {{"COM", {}}},
+                                      .active = {{"COM", "row", 3, -1}},
+                                      .blocked_by = {{"COM", "limits", "row", {}}}});
 }
 
 TEST(Messages, UnmeasuredValuesAreNull) {

@@ -52,6 +52,21 @@ std::string bits(const T& signal) {
   return out;
 }
 
+void expect_same_blockers(const HierarchyReport& a, const HierarchyReport& b) {
+  ASSERT_EQ(a.failed_level, b.failed_level);
+  ASSERT_EQ(a.blocking_is_known, b.blocking_is_known);
+  ASSERT_EQ(a.num_blocking, b.num_blocking);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.num_blocking); ++i) {
+    const BlockingRow &x = a.blocking[i], &y = b.blocking[i];
+    ASSERT_EQ(x.level, y.level);
+    ASSERT_EQ(x.by_level, y.by_level);
+    ASSERT_EQ(x.id, y.id);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.cost), std::bit_cast<std::uint64_t>(y.cost));
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.multiplier),
+              std::bit_cast<std::uint64_t>(y.multiplier));
+  }
+}
+
 void expect_same(const TickRecord& a, const TickRecord& b) {
   ASSERT_EQ(bits(a.reading), bits(b.reading));
   ASSERT_EQ(bits(a.user), bits(b.user));
@@ -72,6 +87,7 @@ void expect_same(const TickRecord& a, const TickRecord& b) {
     ASSERT_EQ(a.hierarchy.active[i].id, b.hierarchy.active[i].id);
     ASSERT_EQ(a.hierarchy.active[i].state, b.hierarchy.active[i].state);
   }
+  expect_same_blockers(a.hierarchy, b.hierarchy);
 }
 
 // Number of ticks that a log gives before its end.

@@ -206,6 +206,9 @@ class SyntheticRun {
     if (std::sin(3.0 * time_) > 0.9) activate(3, 1);
     report.levels[8].residual += 2.0 * a * a * a;
     report.levels[9].residual += 8.0 * a;
+    report.blocking_is_known = true;
+    report.num_blocking = a > 0.2 ? 1 : 0;
+    report.blocking[0] = {9, 6, 1, 3.0 * a, 8.0 * a};
   }
 
   void command() {
