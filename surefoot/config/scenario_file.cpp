@@ -11,6 +11,7 @@
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/config/switch_section.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/check_options.hpp"
 
@@ -220,7 +221,8 @@ void read_body(Section& top, Scenario& scenario) {
     fail_at(*top.node("contact_force"), "contact_force.use_foot_sensor",
             "the robot has none; sensors.foot_force.present: true gives it one");
   }
-  for (const char* key : {"base", "robot", "stack", "tasks", "randomise"}) (void)top.node(key);
+  for (const char* key : {"base", "robot", "stack", "tasks", "stack_switches", "randomise"})
+    (void)top.node(key);
   top.finish();
 }
 
@@ -245,6 +247,9 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
   });
   if (const ConfigNode* tasks = top.node("tasks")) {
     override_tasks(scenario.controller.stack, *tasks, "tasks");
+  }
+  if (const ConfigNode* switches = top.node("stack_switches")) {
+    scenario.controller.level_switches = read_level_switches(*switches, scenario.controller.stack);
   }
 }
 

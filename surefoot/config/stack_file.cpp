@@ -175,11 +175,15 @@ void weigh(Section& weights, StackOptions& stack) {
 StackOptions merge(const ConfigNode& name, const StackOptions& stack) {
   const std::vector<std::string> names = names_of(stack.levels);
   const auto found = std::ranges::find(names, read_text(name, "weighted_from"));
-  if (found != names.end()) {
-    return weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
+  if (found == names.end()) {
+    fail_at(name, "weighted_from",
+            "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
   }
-  fail_at(name, "weighted_from",
-          "unknown level \"" + name.text + "\"; " + valid_names(name.text, names));
+  try {
+    return weighted_from(stack, static_cast<std::size_t>(found - names.begin()));
+  } catch (const Error& error) {
+    fail_at(name, "weighted_from", error.what());
+  }
 }
 
 /// The levels of another stack.

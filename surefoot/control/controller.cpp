@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/control/hierarchy_solver.hpp"
 #include "surefoot/control/hierarchy_summary.hpp"
+#include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/model/robot_model.hpp"
@@ -62,6 +63,7 @@ struct Controller::Implementation {
         contact_force(options.contact_force, checked_period(options.period)),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
+        switcher(options.stack, options.level_switches),
         solver(stack.hierarchy(), options.solver),
         safety(options.safety, robot, stack.first_free_level()) {}
 
@@ -78,6 +80,7 @@ struct Controller::Implementation {
   ContactForceEstimator contact_force;
   Planner planner;
   TaskStack stack;
+  LevelSwitcher switcher;
   HierarchySolver solver;
   Safety safety;
   TickRecord record;
@@ -108,11 +111,13 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);
+  const LevelTransition& transition = switcher.update(record.state.time);
+  stack.set_present(transition.before | transition.after);
   const Hierarchy& hierarchy = stack.update(dynamics, record.plan);
   ended(Stage::stack);
   const Substitution* physics =
       solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
-  const Solution& solution = solver.solve(hierarchy, physics);
+  const Solution& solution = solver.solve(hierarchy, physics, transition);
   ended(Stage::solve);
   describe(dynamics, solution);
   return &solution;
@@ -152,6 +157,10 @@ Controller::~Controller() = default;
 const JointCommand& Controller::step(const SensorReading& reading,
                                      const UserCommand& user) noexcept {
   return implementation_->step(reading, user);
+}
+
+bool Controller::switch_levels(const LevelSwitch& change) {
+  return implementation_->switcher.start(change);
 }
 
 const TickRecord& Controller::record() const { return implementation_->record; }

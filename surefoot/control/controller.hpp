@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/control/level_switch.hpp"
 #include "surefoot/control/safety_options.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/control/stack_options.hpp"
@@ -35,6 +36,7 @@ struct ControllerOptions {
   double period = 0.0025;  ///< of the control loop [s]
   PlannerOptions planner;
   StackOptions stack;
+  std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
   SolverOptions solver;
   ContactForceOptions contact_force;
   SafetyOptions safety;
@@ -51,6 +53,12 @@ class Controller {
   /// One tick: estimate, model, plan, stack, solve, command. Always returns finite torques inside
   /// the limits; never throws, allocates, locks or prints.
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+
+  /// Between two ticks: begins to put levels into the stack or to take them out, as one of
+  /// `level_switches` whose time has come. False, and nothing happens, while another switch is
+  /// going on. Throws Error on a switch that the stack can't make; allocates in that case only.
+  /// A log does not have it, so the replay of such a run is another one.
+  [[nodiscard]] bool switch_levels(const LevelSwitch& change);
 
   /// Everything of the last tick.
   [[nodiscard]] const TickRecord& record() const;

@@ -4,6 +4,8 @@ namespace surefoot {
 
 HierarchySolver::HierarchySolver(const Hierarchy& capacity, const SolverOptions& options)
     : solver_(make(capacity, options)),
+      solver_after_(make(capacity, options)),
+      soft_levels_(capacity),
       wants_substitution_(options.structure && options.method == SolverMethod::lexicographic) {}
 
 HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
@@ -14,10 +16,20 @@ HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
   return Solver(std::in_place_type<LexicographicSolver>, capacity);
 }
 
-const Solution& HierarchySolver::solve(const Hierarchy& hierarchy,
-                                       const Substitution* substitution) noexcept {
-  if (auto* cascade = std::get_if<CascadeSolver>(&solver_)) return cascade->solve(hierarchy);
-  auto& lexicographic = *std::get_if<LexicographicSolver>(&solver_);
+const Solution& HierarchySolver::solve(const Hierarchy& hierarchy, const Substitution* substitution,
+                                       const LevelTransition& transition) noexcept {
+  if (!transition.is_going_on()) return solve_with(solver_, hierarchy, substitution);
+  const Solution& before =
+      solve_with(solver_, soft_levels_.select(hierarchy, transition.before), substitution);
+  const Solution& after =
+      solve_with(solver_after_, soft_levels_.select(hierarchy, transition.after), substitution);
+  return soft_levels_.between(hierarchy, before, after, transition.share);
+}
+
+const Solution& HierarchySolver::solve_with(Solver& solver, const Hierarchy& hierarchy,
+                                            const Substitution* substitution) noexcept {
+  if (auto* cascade = std::get_if<CascadeSolver>(&solver)) return cascade->solve(hierarchy);
+  auto& lexicographic = *std::get_if<LexicographicSolver>(&solver);
   return substitution == nullptr ? lexicographic.solve(hierarchy)
                                  : lexicographic.solve(hierarchy, *substitution);
 }

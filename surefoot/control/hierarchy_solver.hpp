@@ -1,8 +1,10 @@
 #pragma once
 
+#include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver/soft_levels.hpp"
 
 #include <span>
 #include <variant>
@@ -18,8 +20,10 @@ class HierarchySolver {
   /// Is there a use for a substitution?
   [[nodiscard]] bool wants_substitution() const { return wants_substitution_; }
 
-  /// `substitution` may be null. The reference stays valid until the next call.
-  const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
+  /// `substitution` may be null. During a transition, for which `hierarchy` has the levels of both
+  /// sides, what lies between its two optima. The reference stays valid until the next call.
+  const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution,
+                        const LevelTransition& transition) noexcept;
 
   /// What holds each level of the last solution back; empty where the solver doesn't say. The
   /// hierarchy must be as it was.
@@ -29,8 +33,12 @@ class HierarchySolver {
   using Solver = std::variant<LexicographicSolver, CascadeSolver>;
 
   static Solver make(const Hierarchy& capacity, const SolverOptions& options);
+  static const Solution& solve_with(Solver& solver, const Hierarchy& hierarchy,
+                                    const Substitution* substitution) noexcept;
 
   Solver solver_;
+  Solver solver_after_;  // of what is behind a transition
+  SoftLevels soft_levels_;
   bool wants_substitution_;
 };
 

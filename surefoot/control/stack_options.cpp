@@ -1,11 +1,33 @@
 #include "surefoot/control/stack_options.hpp"
 
+#include "surefoot/base/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 namespace surefoot {
+namespace {
+
+constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_contact_motion",
+                                                   "torque_limits", "friction_cone"};
+
+}  // namespace
+
+bool keeps_physics(const LevelSpec& level) {
+  return std::ranges::any_of(level.tasks, [](const TaskSpec& task) {
+    return std::ranges::find(kPhysics, task.task) != kPhysics.end();
+  });
+}
 
 StackOptions weighted_from(StackOptions stack, std::size_t first) {
   if (first >= stack.levels.size()) return stack;
+  const auto physics = std::find_if(stack.levels.rbegin(), stack.levels.rend(), keeps_physics);
+  if (stack.levels.rend() - physics > static_cast<std::ptrdiff_t>(first)) {
+    throw Error("the level \"" + physics->name +
+                "\" keeps the physics and can't be weighted; valid is a level after it");
+  }
   LevelSpec weighted{.name = "weighted", .tasks = {}};
   for (std::size_t k = first; k < stack.levels.size(); ++k) {
     for (TaskSpec& task : stack.levels[k].tasks) weighted.tasks.push_back(std::move(task));

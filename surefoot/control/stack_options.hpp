@@ -28,8 +28,13 @@ struct StackOptions {
   std::vector<LevelSpec> levels;
 };
 
+/// Has the level a task without which the torques mean nothing: equations of motion, contacts,
+/// torque or contact force limits?
+[[nodiscard]] bool keeps_physics(const LevelSpec& level);
+
 /// The same tasks with all levels from `first` on as one last level, "weighted", where they count
-/// by their weights instead of by their order. Damping of these levels is left out.
+/// by their weights instead of by their order. Damping of these levels is left out. Throws Error
+/// where one of them keeps the physics: a robot can't trade that for a task.
 [[nodiscard]] StackOptions weighted_from(StackOptions stack, std::size_t first);
 
 }  // namespace surefoot

@@ -5,22 +5,9 @@
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace surefoot {
-namespace {
-
-/// Without these the torques mean nothing.
-constexpr std::array<std::string_view, 4> kPhysics{"equations_of_motion", "no_contact_motion",
-                                                   "torque_limits", "friction_cone"};
-
-bool is_physics(const Task& task) {
-  return std::ranges::find(kPhysics, task.name()) != kPhysics.end();
-}
-
-}  // namespace
 
 TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
     : robot_(robot), hierarchy_(kNumUnknowns), no_motion_(Eigen::VectorXd::Zero(kNumUnknowns)) {
@@ -38,8 +25,8 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
       ids += task.num_ids();
       rows += task.max_rows();
       level.weights.push_back(task_spec.weight);
-      if (is_physics(task)) first_free_level_ = static_cast<int>(levels_.size()) + 1;
     }
+    if (keeps_physics(spec)) first_free_level_ = static_cast<int>(levels_.size()) + 1;
     level.damping = spec.damping;
     level.num_ids = ids;
     hierarchy_.add_level(spec.name, spec.damping > 0.0 ? 2 * rows : rows);
@@ -53,9 +40,13 @@ const Hierarchy& TaskStack::update(const Dynamics& dynamics, const MotionPlan& p
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     Level& level = hierarchy_.level(i);
     level.clear();
-    write(levels_[i], input, level);
+    if (levels_[i].is_present) write(levels_[i], input, level);
   }
   return hierarchy_;
+}
+
+void TaskStack::set_present(const LevelSet& present) noexcept {
+  for (std::size_t i = 0; i < levels_.size(); ++i) levels_[i].is_present = present[i];
 }
 
 const Substitution* TaskStack::substitution(const Dynamics& dynamics) noexcept {
@@ -65,9 +56,9 @@ const Substitution* TaskStack::substitution(const Dynamics& dynamics) noexcept {
 
 bool TaskStack::is_only(std::size_t level, std::string_view task) const {
   if (level >= levels_.size()) return false;
-  const auto& [tasks, weights, damping, num_ids] = levels_[level];
-  return tasks.size() == 1 && tasks.front()->name() == task && weights.front() == 1.0 &&
-         damping == 0.0;
+  const LevelTasks& only = levels_[level];
+  return only.tasks.size() == 1 && only.tasks.front()->name() == task &&
+         only.weights.front() == 1.0 && only.damping == 0.0;
 }
 
 void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,

@@ -3,6 +3,7 @@
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/model/support_dynamics.hpp"
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/soft_levels.hpp"
 #include "surefoot/tasks/physics_substitution.hpp"
 #include "surefoot/tasks/task.hpp"
 
@@ -19,6 +20,10 @@ class TaskStack {
  public:
   /// Throws Error on a task or parameter that does not exist; the message lists what does.
   TaskStack(const StackOptions& options, const RobotDescription& robot);
+
+  /// Levels that have rows from the next update on; all, before the first call. Those that keep the
+  /// physics must be among them. Allocates nothing.
+  void set_present(const LevelSet& present) noexcept;
 
   /// This tick's rows. Allocates nothing.
   const Hierarchy& update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
@@ -42,6 +47,7 @@ class TaskStack {
     std::vector<double> weights;  // by task
     double damping = 0.0;
     int num_ids = 0;  // of the tasks; those of damping follow
+    bool is_present = true;
   };
 
   [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;

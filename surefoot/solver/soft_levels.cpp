@@ -1,67 +1,93 @@
 #include "surefoot/solver/soft_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
 
 using Index = Eigen::Index;
 
-double between(double value, double bound, double share) {
-  return (1.0 - share) * value + share * bound;
+/// A row this close to its bound is at it [relative].
+constexpr double kTouching = 1e-9;
+
+/// What is beyond the bounds, 0 between them.
+double violation(double value, double lower, double upper) {
+  if (value > upper) return value - upper;
+  return std::min(value - lower, 0.0);
 }
 
-void relax(Rows rows, const Eigen::VectorXd& x, double share) {
-  for (Index i = 0; i < rows.A.rows(); ++i) {
-    const double value = rows.A.row(i).dot(x);
-    double& lower = rows.lower[i];
-    double& upper = rows.upper[i];
-    if (lower == upper) {
-      lower = upper = between(value, upper, share);
-    } else if (value < lower) {
-      lower = between(value, lower, share);
-    } else if (value > upper) {
-      upper = between(value, upper, share);
-    }
-  }
-}
-
-bool contains(std::span<const std::size_t> list, std::size_t k) {
-  return std::ranges::find(list, k) != list.end();
+RowState state_of(double value, double lower, double upper) {
+  if (lower == upper) return RowState::equality;
+  const double noise = kTouching * (1.0 + std::abs(value));
+  if (value < lower - noise) return RowState::below_lower;
+  if (value > upper + noise) return RowState::above_upper;
+  if (value < lower + noise) return RowState::at_lower;
+  if (value > upper - noise) return RowState::at_upper;
+  return RowState::inactive;
 }
 
 }  // namespace
 
-SoftLevels::SoftLevels(const Hierarchy& capacity, const LexicographicOptions& options)
-    : result_(capacity), solver_(capacity, options) {}
-
-const Hierarchy& SoftLevels::update(const Hierarchy& hierarchy, std::span<const std::size_t> soft,
-                                    double share) noexcept {
-  if (share >= 1.0 || !fits(hierarchy)) return hierarchy;
-  copy_without(hierarchy, soft);
-  if (!(share > 0.0)) return result_;
-  const Eigen::VectorXd& x = solver_.solve(result_).x;
-  for (const std::size_t k : soft) {
-    if (k >= hierarchy.num_levels() || result_.level(k).num_rows() > 0) continue;
-    result_.level(k).add(hierarchy.level(k));
-    relax(result_.level(k).rows(), x, share);
+SoftLevels::SoftLevels(const Hierarchy& capacity) : selected_(capacity) {
+  Index most_rows = 0;
+  solution_.x.setZero(capacity.unknowns());
+  solution_.levels.resize(capacity.num_levels());
+  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
+    const Index rows = capacity.level(k).max_rows();
+    solution_.levels[k].rows.resize(static_cast<std::size_t>(rows));
+    most_rows = std::max(most_rows, rows);
   }
-  return result_;
+  value_.setZero(most_rows);
 }
 
-bool SoftLevels::fits(const Hierarchy& hierarchy) const {
-  if (hierarchy.unknowns() != result_.unknowns()) return false;
-  if (hierarchy.num_levels() != result_.num_levels()) return false;
+const Hierarchy& SoftLevels::select(const Hierarchy& hierarchy, const LevelSet& present) noexcept {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    if (hierarchy.level(k).num_rows() > result_.level(k).max_rows()) return false;
+    selected_.level(k).clear();
+    if (k >= present.size() || present[k]) selected_.level(k).add(hierarchy.level(k));
   }
-  return true;
+  return selected_;
 }
 
-void SoftLevels::copy_without(const Hierarchy& hierarchy, std::span<const std::size_t> soft) {
+const Solution& SoftLevels::between(const Hierarchy& hierarchy, const Solution& before,
+                                    const Solution& after, double share) noexcept {
+  const double s = std::clamp(share, 0.0, 1.0);
+  solution_.x = (1.0 - s) * before.x + s * after.x;
+  describe(hierarchy);
+  judge(before, after);
+  return solution_;
+}
+
+void SoftLevels::describe(const Hierarchy& hierarchy) {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    result_.level(k).clear();
-    if (!contains(soft, k)) result_.level(k).add(hierarchy.level(k));
+    const Level& level = hierarchy.level(k);
+    LevelResult& result = solution_.levels[k];
+    auto value = value_.head(level.num_rows());
+    value.noalias() = level.A() * solution_.x;
+    double sum = 0.0;
+    for (Index i = 0; i < level.num_rows(); ++i) {
+      const double lower = level.lower()[i], upper = level.upper()[i];
+      const double beyond = violation(value[i], lower, upper);
+      sum += beyond * beyond;
+      result.rows[static_cast<std::size_t>(i)] = state_of(value[i], lower, upper);
+    }
+    result.num_rows = level.num_rows();
+    result.residual = std::sqrt(sum);
+  }
+}
+
+void SoftLevels::judge(const Solution& before, const Solution& after) {
+  const bool is_before = before.status > after.status;
+  solution_.status = is_before ? before.status : after.status;
+  solution_.failed_level = std::max(before.failed_level, after.failed_level);
+  if (before.failed_level >= 0 && after.failed_level >= 0)
+    solution_.failed_level = std::min(before.failed_level, after.failed_level);
+  if (solution_.status == SolveStatus::invalid_input) solution_.x.setZero();
+  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+    const LevelResult &a = before.levels[k], &b = after.levels[k];
+    solution_.levels[k].degrees_of_freedom_left =
+        std::min(a.degrees_of_freedom_left, b.degrees_of_freedom_left);
+    solution_.levels[k].iterations = a.iterations + b.iterations;
   }
 }
 

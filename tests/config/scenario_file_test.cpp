@@ -114,6 +114,39 @@ TEST_F(ScenarioFile, with_a_negative_duration_says_what_would_be_valid) {
       holds(complaint("duration: -1\n"), "trial.yaml:2: duration: \"-1\" is not a number above 0"));
 }
 
+TEST_F(ScenarioFile, has_levels_that_come_and_go) {
+  const std::vector<LevelSwitch> switches =
+      read(
+          "stack_switches:\n  - {time: 0, remove: [torso_yaw, com_xy], duration: 0}\n"
+          "  - {time: 2, add: [com_xy], remove: [torso_height]}\n")
+          .controller.level_switches;
+  ASSERT_EQ(switches.size(), 2u);
+  EXPECT_EQ(switches[0].remove, (std::vector<std::string>{"torso_yaw", "com_xy"}));
+  EXPECT_EQ(switches[0].duration, 0.0);
+  EXPECT_EQ(switches[1].time, 2.0);
+  EXPECT_EQ(switches[1].add, std::vector<std::string>{"com_xy"});
+  EXPECT_EQ(switches[1].duration, 0.5) << "by default";
+}
+
+TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_reason) {
+  const auto says = [&](const std::string& item, const char* what) {
+    const std::string text = complaint("stack_switches:\n  - " + item + "\n");
+    EXPECT_TRUE(holds(text, "trial.yaml:3: stack_switches")) << text;
+    EXPECT_TRUE(holds(text, what)) << text;
+  };
+  says("{time: 1, remove: [com]}", "unknown level \"com\"; the stack \"walk\" can switch: com_xy");
+  says("{time: 1, remove: [friction_cone]}", "keeps the physics and is always there");
+  says("{time: 1, remove: [com_xy], duration: -1}", "\"-1\" is not a number of at least 0");
+  says("{time: -1, remove: [com_xy]}", "\"-1\" is not a number of at least 0");
+  says("{remove: [com_xy]}", "time: this key is missing");
+  says("{time: 1, remove: com_xy}", "must be a list of names of levels");
+  says("{time: 1}", "adds and removes nothing");
+  says("{time: 1, level: com_xy}", "unknown key");
+  EXPECT_TRUE(holds(complaint("stack_switches:\n  - {time: 1, remove: [com_xy], duration: 2}\n"
+                              "  - {time: 2, add: [com_xy]}\n"),
+                    "trial.yaml:4: stack_switches: the level switch at 2 s begins before"));
+}
+
 TEST_F(ScenarioFile, with_nan_names_the_key) {
   EXPECT_TRUE(
       holds(complaint("terrain:\n  friction: .nan\n"), "trial.yaml:3: terrain.friction: \".nan\""));

@@ -174,6 +174,14 @@ TEST(StackFile, a_stack_can_be_weighted_from_a_level_on) {
   EXPECT_EQ(stack.levels[4].tasks[1].task, "swing_foot");
 }
 
+TEST(StackFile, what_keeps_the_physics_cannot_be_weighted) {
+  const std::string message = complaint("name: s\nbase: walk\nweighted_from: no_contact_motion\n");
+  EXPECT_TRUE(holds(message,
+                    "s.yaml:3: weighted_from: the level \"friction_cone\" keeps the physics and "
+                    "can't be weighted; valid is a level after it"))
+      << message;
+}
+
 TEST(StackFile, weights_and_weighted_from_name_levels_of_the_stack) {
   const std::string message = complaint("name: s\nbase: walk\nweighted_from: com\n");
   EXPECT_TRUE(holds(message, "s.yaml:3: weighted_from: unknown level \"com\"")) << message;

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <string>
 
 namespace surefoot::test {
@@ -25,136 +24,134 @@ Hierarchy random_hierarchy(int seed) {
   return make_hierarchy(kUnknowns, levels);
 }
 
-/// x as a function of s.
+LevelSet all_but(std::initializer_list<std::size_t> missing) {
+  LevelSet set;
+  set.set();
+  for (const std::size_t k : missing) set.reset(k);
+  return set;
+}
+
+/// From one set of the levels to another.
 class Transition {
  public:
-  Transition(const Hierarchy& hierarchy, std::span<const std::size_t> soft)
-      : hierarchy_(hierarchy), soft_(soft), levels_(hierarchy), solver_(hierarchy) {}
+  Transition(const Hierarchy& hierarchy, const LevelSet& before, const LevelSet& after)
+      : hierarchy_(hierarchy),
+        soft_(hierarchy),
+        before_(CascadeSolver(hierarchy).solve(soft_.select(hierarchy, before))),
+        after_(CascadeSolver(hierarchy).solve(soft_.select(hierarchy, after))) {}
 
-  VectorXd x(double share) { return solver_.solve(levels_.update(hierarchy_, soft_, share)).x; }
+  const Solution& at(double share) { return soft_.between(hierarchy_, before_, after_, share); }
+  [[nodiscard]] const Solution& before() const { return before_; }
+  [[nodiscard]] const Solution& after() const { return after_; }
 
  private:
   const Hierarchy& hierarchy_;
-  std::span<const std::size_t> soft_;
-  SoftLevels levels_;
-  LexicographicSolver solver_;
+  SoftLevels soft_;
+  Solution before_, after_;
 };
 
-/// Halves the interval, always where x changes more; where x jumps, the change stays.
-double change_at_the_steepest_place(Transition& transition, double from, double to) {
-  VectorXd x_from = transition.x(from), x_to = transition.x(to);
-  for (int halving = 0; halving < 24; ++halving) {
-    const double middle = 0.5 * (from + to);
-    const VectorXd x = transition.x(middle);
-    if ((x - x_from).norm() > (x - x_to).norm()) {
-      to = middle;
-      x_to = x;
-    } else {
-      from = middle;
-      x_from = x;
-    }
-  }
-  return (x_to - x_from).norm();
-}
+const LevelSet kAll = all_but({});
 
-constexpr std::array<std::size_t, 1> kOne{2};
-constexpr std::array<std::size_t, 2> kTwo{0, 3};
-
-void expect_no_jump(std::span<const std::size_t> soft) {
-  constexpr int kSteps = 20;
-  for (int seed = 0; seed < 150; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Hierarchy hierarchy = random_hierarchy(seed);
-    Transition transition(hierarchy, soft);
-    const double size = 1.0 + transition.x(0.0).norm() + transition.x(1.0).norm();
-    for (int i = 0; i < kSteps; ++i) {
-      const double from = static_cast<double>(i) / kSteps;
-      ASSERT_LE(change_at_the_steepest_place(transition, from, from + 1.0 / kSteps), 1e-5 * size)
-          << "from " << from;
-    }
-  }
-}
-
-TEST(SoftLevels, XHasNoJumpWhileALevelComes) { expect_no_jump(kOne); }
-
-TEST(SoftLevels, XHasNoJumpWhileTwoLevelsCome) { expect_no_jump(kTwo); }
-
-TEST(SoftLevels, TheStepsOfXShrinkWithThoseOfTheShare) {
-  for (int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Hierarchy hierarchy = random_hierarchy(seed);
-    Transition transition(hierarchy, kOne);
-    const auto largest_step = [&](int num_steps) {
-      double largest = 0.0;
-      VectorXd before = transition.x(0.0);
-      for (int i = 1; i <= num_steps; ++i) {
-        const VectorXd x = transition.x(static_cast<double>(i) / num_steps);
-        largest = std::max(largest, (x - before).norm());
-        before = x;
-      }
-      return largest;
-    };
-    ASSERT_LE(largest_step(2000), 0.2 * largest_step(100) + 1e-9);
-  }
-}
-
-TEST(SoftLevels, TheEndsAreTheHierarchiesWithAndWithoutTheLevel) {
+TEST(SoftLevels, TheEndsAreTheOptimaBeforeAndAfter) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Hierarchy with = random_hierarchy(seed);
     Hierarchy without = with;
     without.level(2).clear();
-    Transition transition(with, kOne);
-    ASSERT_LE((transition.x(1.0) - CascadeSolver(with).solve(with).x).norm(), 1e-9);
-    const VectorXd x = CascadeSolver(without).solve(without).x;
-    ASSERT_LE((transition.x(0.0) - x).norm(), 1e-9);
-    ASSERT_LE((transition.x(1e-12) - x).norm(), 1e-6 * (1.0 + x.norm()));
+    Transition transition(with, all_but({2}), kAll);
+    ASSERT_LE((transition.at(0.0).x - CascadeSolver(without).solve(without).x).norm(), 1e-12);
+    ASSERT_LE((transition.at(1.0).x - CascadeSolver(with).solve(with).x).norm(), 1e-12);
+    ASSERT_LE((transition.at(-1.0).x - transition.before().x).norm(), 1e-12);
+    ASSERT_LE((transition.at(2.0).x - transition.after().x).norm(), 1e-12);
   }
 }
 
-TEST(SoftLevels, LevelsAboveASoftOneDoNotFeelIt) {
+TEST(SoftLevels, EqualSharesMoveXEquallyFar) {
+  constexpr int kSteps = 20;
+  for (int seed = 0; seed < 100; ++seed) {
+    const Hierarchy hierarchy = random_hierarchy(seed);
+    Transition transition(hierarchy, all_but({0, 3}), all_but({1}));
+    const double all = (transition.after().x - transition.before().x).norm();
+    VectorXd before = transition.at(0.0).x;
+    for (int i = 1; i <= kSteps; ++i) {
+      const VectorXd x = transition.at(static_cast<double>(i) / kSteps).x;
+      ASSERT_NEAR((x - before).norm(), all / kSteps, 1e-12 * (1.0 + all)) << "seed " << seed;
+      before = x;
+    }
+  }
+}
+
+TEST(SoftLevels, LevelsAboveTheFirstThatChangesDoNotFeelIt) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Hierarchy hierarchy = random_hierarchy(seed);
-    SoftLevels levels(hierarchy);
-    LexicographicSolver solver(hierarchy);
-    const std::vector<double> before = residuals(solver.solve(hierarchy));
-    const Hierarchy& halfway = levels.update(hierarchy, kOne, 0.5);
-    const Solution& solution = solver.solve(halfway);
-    ASSERT_LE(worst_stationarity(certify(halfway, solution.x)), 1e-9);
-    for (std::size_t k = 0; k < 2; ++k) ASSERT_NEAR(solution.levels[k].residual, before[k], 1e-9);
+    Transition transition(hierarchy, all_but({2}), kAll);
+    const Solution& halfway = transition.at(0.5);
+    for (std::size_t k = 0; k < 2; ++k)
+      ASSERT_NEAR(halfway.levels[k].residual, transition.after().levels[k].residual, 1e-9);
+    Hierarchy above = hierarchy;
+    for (std::size_t k = 2; k < above.num_levels(); ++k) above.level(k).clear();
+    ASSERT_LE(worst_stationarity(certify(above, halfway.x)), 1e-9);
   }
 }
 
-TEST(SoftLevels, InATableOneHierarchyXHasNoJump) {
-  for (int seed = 0; seed < 40; ++seed) {
+TEST(SoftLevels, LevelsBelowAreNoWorseThanTheSharesOfBothSides) {
+  for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    RandomMatrices random(static_cast<std::uint64_t>(seed));
-    const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 4, 0.5));
-    constexpr std::array<std::size_t, 1> kSoft{6};
-    Transition transition(hierarchy, kSoft);
-    const double size = 1.0 + transition.x(0.0).norm() + transition.x(1.0).norm();
-    for (int i = 0; i < 10; ++i) {
-      ASSERT_LE(change_at_the_steepest_place(transition, 0.1 * i, 0.1 * (i + 1)), 1e-5 * size);
+    const Hierarchy hierarchy = random_hierarchy(seed);
+    Transition transition(hierarchy, all_but({2}), all_but({0}));
+    for (const double share : {0.1, 0.5, 0.9}) {
+      const Solution& solution = transition.at(share);
+      for (std::size_t k = 3; k < hierarchy.num_levels(); ++k) {
+        const double before = transition.before().levels[k].residual;
+        const double after = transition.after().levels[k].residual;
+        ASSERT_LE(solution.levels[k].residual, (1.0 - share) * before + share * after + 1e-9);
+      }
     }
   }
+}
+
+TEST(SoftLevels, TellWhatEachRowDoes) {
+  HierarchyData data;
+  data.push_back(
+      {Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.0, -1.0), Eigen::Vector2d(1.0, 1.0)});
+  data.push_back(equalities(Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.0, 4.0)));
+  const Hierarchy hierarchy = make_hierarchy(2, data);
+  Transition transition(hierarchy, all_but({0}), kAll);  // from (0, 4) to (0, 1)
+  const Solution& solution = transition.at(0.5);
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_EQ(solution.levels[0].rows[0], RowState::at_lower);
+  EXPECT_EQ(solution.levels[0].rows[1], RowState::above_upper);
+  EXPECT_NEAR(solution.levels[0].residual, 1.5, 1e-12);
+  EXPECT_EQ(solution.levels[1].rows[1], RowState::equality);
+  EXPECT_NEAR(solution.levels[1].residual, 1.5, 1e-12);
+}
+
+TEST(SoftLevels, WhereOneSideFailedWhatIsBetweenFailed) {
+  const Hierarchy hierarchy = random_hierarchy(1);
+  SoftLevels soft(hierarchy);
+  Solution good = CascadeSolver(hierarchy).solve(hierarchy), capped = good, invalid = good;
+  capped.status = SolveStatus::iteration_cap;
+  capped.failed_level = 3;
+  invalid.status = SolveStatus::invalid_input;
+  EXPECT_EQ(soft.between(hierarchy, good, capped, 0.5).status, SolveStatus::iteration_cap);
+  EXPECT_EQ(soft.between(hierarchy, capped, good, 0.5).failed_level, 3);
+  EXPECT_EQ(soft.between(hierarchy, invalid, capped, 0.5).status, SolveStatus::invalid_input);
+  EXPECT_EQ(soft.between(hierarchy, capped, invalid, 0.5).x.norm(), 0.0);
 }
 
 TEST(SoftLevels, NothingIsAllocatedDuringATransition) {
   RandomMatrices random(3);
   const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 4, 0.5));
-  SoftLevels levels(hierarchy);
+  SoftLevels soft(hierarchy);
+  LexicographicSolver one(hierarchy), other(hierarchy);
   const MallocCounter counter;
-  for (const double share : {0.0, 0.3, 0.7, 1.0}) (void)levels.update(hierarchy, kTwo, share);
+  for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+    const Solution& before = one.solve(soft.select(hierarchy, all_but({4, 6})));
+    const Solution& after = other.solve(soft.select(hierarchy, kAll));
+    (void)soft.between(hierarchy, before, after, share);
+  }
   EXPECT_EQ(counter.count(), 0u);
-}
-
-TEST(SoftLevels, AHierarchyBeyondTheCapacityComesBackAsItIs) {
-  Hierarchy small(2);
-  small.add_level("", 1);
-  const Hierarchy large = random_hierarchy(1);
-  SoftLevels levels(small);
-  EXPECT_EQ(&levels.update(large, kOne, 0.5), &large);
 }
 
 }  // namespace

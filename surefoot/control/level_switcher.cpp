@@ -1,0 +1,120 @@
+#include "surefoot/control/level_switcher.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/smoothstep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+std::string text(double number) {
+  std::ostringstream stream;
+  stream << number;
+  return stream.str();
+}
+
+/// What may be switched, for the errors.
+std::string free_levels(const StackOptions& stack) {
+  std::string list;
+  for (const LevelSpec& level : stack.levels) {
+    if (!keeps_physics(level)) list += (list.empty() ? "" : " ") + level.name;
+  }
+  return "the stack \"" + stack.name + "\" can switch: " + list;
+}
+
+void check_level(const StackOptions& stack, const std::string& name) {
+  const auto found = std::ranges::find(stack.levels, name, &LevelSpec::name);
+  if (found == stack.levels.end()) {
+    throw Error("unknown level \"" + name + "\"; " + free_levels(stack));
+  }
+  if (keeps_physics(*found)) {
+    throw Error("the level \"" + name + "\" keeps the physics and is always there; " +
+                free_levels(stack));
+  }
+}
+
+void check_time(const char* what, double value) {
+  if (value >= 0.0 && std::isfinite(value)) return;
+  throw Error(std::string(what) + " of a level switch is " + text(value) +
+              "; valid is a time of at least 0 s");
+}
+
+LevelSet levels_of(const StackOptions& stack, const std::vector<std::string>& names) {
+  LevelSet set;
+  for (std::size_t k = 0; k < std::min(stack.levels.size(), set.size()); ++k) {
+    set[k] = std::ranges::find(names, stack.levels[k].name) != names.end();
+  }
+  return set;
+}
+
+}  // namespace
+
+void check_level_switch(const StackOptions& stack, const LevelSwitch& change) {
+  check_time("time", change.time);
+  check_time("duration", change.duration);
+  if (change.add.empty() && change.remove.empty()) {
+    throw Error("a level switch that adds and removes nothing; " + free_levels(stack));
+  }
+  for (const std::string& name : change.add) check_level(stack, name);
+  for (const std::string& name : change.remove) {
+    check_level(stack, name);
+    if (std::ranges::find(change.add, name) != change.add.end())
+      throw Error("the level \"" + name + "\" is to be added and removed at once");
+  }
+}
+
+LevelSwitcher::LevelSwitcher(const StackOptions& stack, const std::vector<LevelSwitch>& schedule)
+    : stack_(stack) {
+  double end = 0.0;
+  for (const LevelSwitch& change : schedule) {
+    schedule_.push_back(compiled(change));
+    if (change.time < end) {
+      throw Error("the level switch at " + text(change.time) +
+                  " s begins before the one above it has ended, at " + text(end) + " s");
+    }
+    end = change.time + change.duration;
+  }
+  transition_.before.set();
+  transition_.after.set();
+}
+
+bool LevelSwitcher::start(const LevelSwitch& change) {
+  const Change valid = compiled(change);
+  if (is_requested_ || transition_.is_going_on()) return false;
+  requested_ = valid;
+  is_requested_ = true;
+  return true;
+}
+
+const LevelTransition& LevelSwitcher::update(double time) noexcept {
+  if (transition_.is_going_on()) transition_.share = smooth_ramp(time - begin_, duration_);
+  if (transition_.share >= 1.0) transition_.before = transition_.after;
+  if (is_requested_ && !transition_.is_going_on()) {
+    begin(requested_, time);
+    is_requested_ = false;
+  }
+  while (!transition_.is_going_on() && next_ < schedule_.size() && schedule_[next_].time <= time) {
+    begin(schedule_[next_++], time);
+  }
+  return transition_;
+}
+
+void LevelSwitcher::begin(const Change& change, double time) {
+  begin_ = time;
+  duration_ = change.duration;
+  transition_.after = (transition_.before | change.add) & ~change.remove;
+  transition_.share = duration_ > 0.0 ? 0.0 : 1.0;
+  if (transition_.share >= 1.0) transition_.before = transition_.after;
+}
+
+LevelSwitcher::Change LevelSwitcher::compiled(const LevelSwitch& change) const {
+  check_level_switch(stack_, change);
+  return {change.time, change.duration, levels_of(stack_, change.add),
+          levels_of(stack_, change.remove)};
+}
+
+}  // namespace surefoot

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "surefoot/control/level_switch.hpp"
+#include "surefoot/control/stack_options.hpp"
+#include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/solver/soft_levels.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace surefoot {
+
+/// On the way from one set of levels to another; at rest the two are the same.
+struct LevelTransition {
+  LevelSet before, after;
+  double share = 1.0;  ///< of `after`, 0 … 1
+
+  [[nodiscard]] bool is_going_on() const { return before != after; }
+};
+
+/// Throws Error on a switch that the stack can't make: levels that it does not have, levels that
+/// keep the physics, none at all, a time or duration that is none.
+void check_level_switch(const StackOptions& stack, const LevelSwitch& change);
+
+/// Says at each tick which levels of the stack are there. One transition at a time.
+class LevelSwitcher {
+ public:
+  /// All levels are there until the first switch. Throws Error on a switch that can't be made, or
+  /// begins before the one above it has ended.
+  LevelSwitcher(const StackOptions& stack, const std::vector<LevelSwitch>& schedule);
+
+  /// Begins at the next tick, whatever its time. False, and nothing happens, while another is going
+  /// on; one of the schedule then waits. Throws Error on a switch that can't be made, and does not
+  /// allocate otherwise.
+  [[nodiscard]] bool start(const LevelSwitch& change);
+
+  /// Once a tick, with its time [s]. Does not allocate.
+  const LevelTransition& update(double time) noexcept;
+
+ private:
+  struct Change {
+    double time, duration;
+    LevelSet add, remove;
+  };
+
+  [[nodiscard]] Change compiled(const LevelSwitch& change) const;
+  void begin(const Change& change, double time);
+
+  StackOptions stack_;
+  std::vector<Change> schedule_;
+  std::size_t next_ = 0;
+  bool is_requested_ = false;
+  Change requested_{};
+  LevelTransition transition_;
+  double begin_ = 0.0, duration_ = 0.0;  // of the transition [s]
+};
+
+}  // namespace surefoot
