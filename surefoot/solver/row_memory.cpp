@@ -1,7 +1,6 @@
 #include "surefoot/solver/row_memory.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace surefoot {
 RowMemory::RowMemory(const Hierarchy& capacity) : levels_(capacity.num_levels()) {
@@ -27,7 +26,7 @@ const RowMemory::LevelMemory* RowMemory::find(std::size_t k, std::size_t name) c
 
 bool RowMemory::has_rows_of(const LevelMemory& memory, const Level& level) {
   return memory.num_rows == static_cast<std::size_t>(level.num_rows()) &&
-         std::memcmp(memory.id.data(), level.ids(), memory.num_rows * sizeof(int)) == 0;
+         std::equal(memory.id.begin(), memory.id.begin() + level.num_rows(), level.ids());
 }
 
 void RowMemory::recall(std::size_t k, const Level& level, signed char* side) const {
