@@ -100,10 +100,17 @@ static void reflect_packs(double* rows, int stride, const int* list, int count, 
   } else {
     for (int i = 0; i < count; ++i) {
       double* row = rows + (long)list[i] * stride;
-      Pack along = Pack{};
-      for (int k = 0; k < packs; ++k) along += at(row + k * kPack) * at(v + k * kPack);
-      along = sum(along) * beta;
-      for (int k = 0; k < packs; ++k) at(row + k * kPack) -= along * at(v + k * kPack);
+      Pack chain[4] = {};  // four sums, so that none waits for itself
+      int k = 0;
+      for (; k + 4 <= packs; k += 4) {
+#pragma GCC unroll 4
+        for (int c = 0; c < 4; ++c) {
+          chain[c] += at(row + (k + c) * kPack) * at(v + (k + c) * kPack);
+        }
+      }
+      for (; k < packs; ++k) chain[0] += at(row + k * kPack) * at(v + k * kPack);
+      const Pack along = sum((chain[0] + chain[1]) + (chain[2] + chain[3])) * beta;
+      for (k = 0; k < packs; ++k) at(row + k * kPack) -= along * at(v + k * kPack);
     }
   }
 }
