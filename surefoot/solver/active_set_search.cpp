@@ -1,5 +1,7 @@
 #include "surefoot/solver/active_set_search.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,16 +23,10 @@ constexpr std::size_t kFewRows = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-int rows_of(const Hierarchy& capacity) {
-  Eigen::Index rows = 0;
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k) rows += capacity.level(k).max_rows();
-  return static_cast<int>(rows);
-}
-
 }  // namespace
 
 ActiveSetSearch::ActiveSetSearch(const Hierarchy& capacity) {
-  const std::size_t rows = at(rows_of(capacity));
+  const std::size_t rows = static_cast<std::size_t>(max_rows(capacity));
   undecided_.reserve(rows);
   wrong_.reserve(rows);
   violated_.reserve(rows);

@@ -1,6 +1,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 
 #include "surefoot/solver/denormals.hpp"
+#include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +12,12 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A row within this share of ‖a‖ ‖x‖ of a bound is reported as being at it.
-constexpr double kAtBound = 1e-10;
-
-Index total_rows(const Hierarchy& hierarchy) {
-  Index rows = 0;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).max_rows();
-  return rows;
-}
-
-bool is_valid_level(const Level& level) {
-  for (Index i = 0; i < level.num_rows(); ++i) {
-    const double lower = level.lower()[i];
-    const double upper = level.upper()[i];
-    // The squared length is finite only if every element is, and if none would overflow.
-    const bool is_finite = std::isfinite(level.A().row(i).squaredNorm());
-    if (!is_finite || !(lower <= upper) || lower == kInfinity || upper == -kInfinity) return false;
-  }
-  return true;
-}
-
-RowState state_of(double value, double lower, double upper, double tolerance) {
-  if (lower == upper) return RowState::equality;
-  if (value > upper + tolerance) return RowState::above_upper;
-  if (value < lower - tolerance) return RowState::below_lower;
-  if (value >= upper - tolerance) return RowState::at_upper;
-  if (value <= lower + tolerance) return RowState::at_lower;
-  return RowState::inactive;
-}
-
 }  // namespace
 
 CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options)
     : options_(options),
-      tableau_(capacity.unknowns(), total_rows(capacity)),
-      level_solver_(capacity.unknowns(), total_rows(capacity)) {
+      tableau_(capacity.unknowns(), max_rows(capacity)),
+      level_solver_(capacity.unknowns(), max_rows(capacity)) {
   solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
   solution_.levels.resize(capacity.num_levels());
   for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
@@ -98,7 +69,7 @@ bool CascadeSolver::is_valid(const Hierarchy& hierarchy) const {
   if (hierarchy.num_levels() > solution_.levels.size()) return false;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const auto rows = static_cast<std::size_t>(hierarchy.level(k).num_rows());
-    if (rows > solution_.levels[k].rows.size() || !is_valid_level(hierarchy.level(k))) return false;
+    if (rows > solution_.levels[k].rows.size() || !is_sound(hierarchy.level(k))) return false;
   }
   return true;
 }
@@ -113,7 +84,7 @@ void CascadeSolver::reject(const Hierarchy& hierarchy) {
     result.residual = 0.0;
     result.iterations = 0;
     result.degrees_of_freedom_left = tableau_.unknowns;
-    const bool is_bad = k < hierarchy.num_levels() && !is_valid_level(hierarchy.level(k));
+    const bool is_bad = k < hierarchy.num_levels() && !is_sound(hierarchy.level(k));
     if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);
   }
 }

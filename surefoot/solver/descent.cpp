@@ -1,5 +1,7 @@
 #include "surefoot/solver/descent.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,10 +21,9 @@ constexpr double kViolated = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Of the tableau: those of the hierarchy and y.
 std::size_t rows_of(const Hierarchy& capacity) {
-  Eigen::Index rows = capacity.unknowns();
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k) rows += capacity.level(k).max_rows();
-  return static_cast<std::size_t>(rows);
+  return static_cast<std::size_t>(max_rows(capacity) + capacity.unknowns());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "surefoot/solver/lexicographic_solver.hpp"
 
 #include "surefoot/solver/denormals.hpp"
+#include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,70 +13,15 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A row within this share of ‖a‖ ‖x‖ of a bound is reported as being at it.
-constexpr double kAtBound = 1e-10;
-
 /// Times that a guess is improved before the search starts without one.
 constexpr int kTries = 2;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-bool are_sound(double lower, double upper) {
-  return lower <= upper && lower < kInfinity && upper > -kInfinity;
-}
-
-bool is_sound(const Level& level) {
-  for (Index i = 0; i < level.num_rows(); ++i) {
-    if (!are_sound(level.lower()[i], level.upper()[i])) return false;
-    if (!std::isfinite(level.A().row(i).squaredNorm())) return false;
-  }
-  return true;
-}
-
-/// What a row does at the solution; adds the square of its violation.
-RowState state_of(double value, double lower, double upper, double tolerance, double& square) {
-  const double above = value - upper, below = lower - value;
-  const double violation = above > 0.0 ? above : below > 0.0 ? below : 0.0;
-  square += violation * violation;
-  if (lower == upper) return RowState::equality;
-  if (above >= -tolerance) return above > tolerance ? RowState::above_upper : RowState::at_upper;
-  if (below >= -tolerance) return below > tolerance ? RowState::below_lower : RowState::at_lower;
-  return RowState::inactive;
-}
-
 signed char side_of(RowState state) {
   const int side = static_cast<int>(state);
   if (state == RowState::equality) return 2;
   return static_cast<signed char>((side > 0) - (side < 0));
-}
-
-struct RowKinds {
-  bool are_sound = true, has_inequality = false;
-};
-
-/// Appends the rows of a level. Their sides are the guess: kept where an inequality has the bound.
-RowKinds load_level(Sweep& s, const Level& level) {
-  RowKinds kinds;
-  const int rows = static_cast<int>(level.num_rows());
-  const Index unknowns = s.unknowns;
-  const double* a = level.A().data();
-  const double* lower = level.lower().data();
-  const double* upper = level.upper().data();
-  const double** pointer = s.a + s.num_rows;
-  signed char* side = s.side + s.num_rows;
-  std::copy_n(lower, rows, s.lower + s.num_rows);
-  std::copy_n(upper, rows, s.upper + s.num_rows);
-  for (int i = 0; i < rows; ++i, a += unknowns) {
-    pointer[i] = a;
-    kinds.are_sound = kinds.are_sound && are_sound(lower[i], upper[i]);
-    const bool is_equality = lower[i] == upper[i];
-    kinds.has_inequality = kinds.has_inequality || !is_equality;
-    const bool has_bound = side[i] < 0 ? lower[i] > -kInfinity : upper[i] < kInfinity;
-    const signed char guess = side[i] != 2 && has_bound ? side[i] : static_cast<signed char>(0);
-    side[i] = is_equality ? static_cast<signed char>(2) : guess;
-  }
-  s.num_rows += rows;
-  return kinds;
 }
 
 }  // namespace
@@ -195,7 +141,7 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
     } else {
       std::fill_n(s.side + s.num_rows, level.num_rows(), static_cast<signed char>(0));
     }
-    const RowKinds kinds = load_level(s, level);
+    const RowKinds kinds = append_level(s, level);
     is_sound = is_sound && kinds.are_sound;
     if (kinds.has_inequality) first_level_ = std::min(first_level_, k);
   }
@@ -407,7 +353,9 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
     const double *lower = s.lower + begin, *upper = s.upper + begin;
     RowState* states = result.rows.data();
     for (Index i = 0; i < result.num_rows; ++i) {
-      states[i] = state_of(value[i], lower[i], upper[i], tolerance * scale[i], sum);
+      const double violation = std::max(std::max(0.0, lower[i] - value[i]), value[i] - upper[i]);
+      sum += violation * violation;
+      states[i] = state_of(value[i], lower[i], upper[i], tolerance * scale[i]);
     }
     result.residual = std::sqrt(sum);
   }

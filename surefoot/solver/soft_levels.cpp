@@ -1,5 +1,7 @@
 #include "surefoot/solver/soft_levels.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,16 +17,6 @@ constexpr double kTouching = 1e-9;
 double violation(double value, double lower, double upper) {
   if (value > upper) return value - upper;
   return std::min(value - lower, 0.0);
-}
-
-RowState state_of(double value, double lower, double upper) {
-  if (lower == upper) return RowState::equality;
-  const double noise = kTouching * (1.0 + std::abs(value));
-  if (value < lower - noise) return RowState::below_lower;
-  if (value > upper + noise) return RowState::above_upper;
-  if (value < lower + noise) return RowState::at_lower;
-  if (value > upper - noise) return RowState::at_upper;
-  return RowState::inactive;
 }
 
 }  // namespace
@@ -69,7 +61,8 @@ void SoftLevels::describe(const Hierarchy& hierarchy) {
       const double lower = level.lower()[i], upper = level.upper()[i];
       const double beyond = violation(value[i], lower, upper);
       sum += beyond * beyond;
-      result.rows[static_cast<std::size_t>(i)] = state_of(value[i], lower, upper);
+      result.rows[static_cast<std::size_t>(i)] =
+          state_of(value[i], lower, upper, kTouching * (1.0 + std::abs(value[i])));
     }
     result.num_rows = level.num_rows();
     result.residual = std::sqrt(sum);

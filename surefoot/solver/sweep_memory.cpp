@@ -1,7 +1,10 @@
 #include "surefoot/solver/sweep_memory.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -77,6 +80,31 @@ SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
   sweep.side = sides_.data();
   pointers_.assign(rows + 1, nullptr);
   sweep.a = pointers_.data();
+}
+
+RowKinds append_level(Sweep& s, const Level& level) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  RowKinds kinds;
+  const int rows = static_cast<int>(level.num_rows());
+  const Eigen::Index unknowns = s.unknowns;
+  const double* a = level.A().data();
+  const double* lower = level.lower().data();
+  const double* upper = level.upper().data();
+  const double** pointer = s.a + s.num_rows;
+  signed char* side = s.side + s.num_rows;
+  std::copy_n(lower, rows, s.lower + s.num_rows);
+  std::copy_n(upper, rows, s.upper + s.num_rows);
+  for (int i = 0; i < rows; ++i, a += unknowns) {
+    pointer[i] = a;
+    kinds.are_sound = kinds.are_sound && are_sound(lower[i], upper[i]);
+    const bool is_equality = lower[i] == upper[i];
+    kinds.has_inequality = kinds.has_inequality || !is_equality;
+    const bool has_bound = side[i] < 0 ? lower[i] > -kInfinity : upper[i] < kInfinity;
+    const signed char guess = side[i] != 2 && has_bound ? side[i] : static_cast<signed char>(0);
+    side[i] = is_equality ? static_cast<signed char>(2) : guess;
+  }
+  s.num_rows += rows;
+  return kinds;
 }
 
 }  // namespace surefoot
