@@ -2,7 +2,7 @@
 
 import json
 
-from test_command_line import complaint, surefoot
+from program import complaint, surefoot
 
 WALK = ["dump", "walk_flat", "--set", "duration=0.2"]
 

@@ -1,0 +1,24 @@
+"""Calls of the program, as its user makes them."""
+
+import os
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "build/release/app/surefoot"))
+SHORT = ["--set", "duration=0.1"]
+
+
+def surefoot(*arguments, cwd=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
+
+
+def complaint(*arguments, cwd=None):
+    """The one line on stderr of a call whose input is wrong."""
+    result = surefoot(*arguments, cwd=cwd)
+    assert result.returncode == 2, result
+    assert result.stdout == ""
+    lines = result.stderr.strip().splitlines()
+    assert len(lines) == 1, result.stderr
+    assert lines[0].startswith("surefoot: ")
+    return lines[0]

@@ -1,0 +1,48 @@
+"""`surefoot solve` on lines that are wrong, empty or without rows."""
+
+import json
+import subprocess
+
+import pytest
+
+from program import PROGRAM
+
+GOOD = '{"levels":[{"A":[[1]],"b":[3]}]}'
+
+
+@pytest.mark.parametrize(
+    "line, message",
+    [
+        ("levels: 3", "is not JSON"),
+        ("\x00\x01", "is not JSON"),
+        ("[" * 100000, "is nested deeper than 64"),
+        ("[]", 'has no array "levels"'),
+        ('{"levels":[]}', "has no unknowns"),
+        ('{"levels":[{},{"A":[],"b":[]}]}', "has no unknowns"),
+        ('{"levels":[{"A":[[1]],"b":[1]},{"A":[[1],[1,2]],"b":[1,2]}]}', "level 2: A: row 2: has 2 elements"),
+        ('{"levels":[{"A":[[1]],"b":[1]},{"D":[[1]],"f":[1,2]}]}', "level 2: f has 2 elements, D has 1 row"),
+        ('{"levels":[{},{"A":[[1,2],[NaN,1]],"b":[1,2]}]}', 'level 2: A: row 2: element 1 is "NaN"'),
+        ('{"levels":[{"D":[[1]],"f":[-Infinity]}]}', 'level 1: f: element 1 is "-Infinity"'),
+        ('{"levels":[{"A":[[1e999]],"b":[1]}]}', 'level 1: A: row 1: element 1 is "1e999"'),
+        ('{"levels":[{"A":[[1e200]],"b":[1]}]}', "level 1: A: row 1: element 1 is 1e+200, too large"),
+        (json.dumps({"levels": [{"A": [[1] * 501], "b": [1]}]}), "has 501 unknowns; expected at most 500"),
+        (
+            json.dumps({"levels": [{"A": [[1]], "b": [1]}, {"A": [[1]] * 6000, "b": [1] * 6000}]}),
+            "level 2: row 5000 is one too many; expected at most 500 unknowns and 5000 rows",
+        ),
+    ],
+)
+def test_a_bad_line_is_named_and_the_lines_around_it_are_solved(line, message, tmp_path):
+    (tmp_path / "lines.jsonl").write_text(f"{GOOD}\n\n{line}\n{GOOD}\n")
+    done = subprocess.run([PROGRAM, "solve", "lines.jsonl"], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stderr.startswith("lines.jsonl:3: ") and message in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+    assert [json.loads(answer)["x"] for answer in done.stdout.splitlines()] == [[3.0], [3.0]]
+
+
+def test_a_level_without_rows_is_met_by_any_x(tmp_path):
+    (tmp_path / "lines.jsonl").write_text('{"levels":[{"A":[],"b":[]},{"A":[[2]],"b":[4]},{}]}\n')
+    done = subprocess.run([PROGRAM, "solve", "--certify", "lines.jsonl"], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0
+    assert [level["residual"] for level in json.loads(done.stdout)["levels"]] == [0, 0, 0]
