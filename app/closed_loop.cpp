@@ -45,8 +45,8 @@ class ClosedLoop {
         model_(scenario.robot),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, scenario.controller,
-                    make_estimator(scenario.estimation,
-                                   {scenario.robot, scenario.controller.period, plant_})),
+                    make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                         plant_, scenario.estimator})),
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);

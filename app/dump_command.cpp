@@ -84,7 +84,8 @@ void dump_scenario(const DumpArguments& arguments, Dump& dump) {
   Plant plant(scenario.robot, scenario.plant);
   Controller controller(
       scenario.robot, scenario.controller,
-      make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period, plant}));
+      make_estimator(scenario.estimation,
+                     {scenario.robot, scenario.controller.period, plant, scenario.estimator}));
   const auto ticks = static_cast<long>(std::ceil(scenario.duration / scenario.controller.period));
   for (long tick = 0; tick < ticks; ++tick) {
     check_not_interrupted();

@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 class PlaybackEstimator final : public StateEstimator {
  public:
   explicit PlaybackEstimator(const RobotState& state) : state_(state) {}
-  const RobotState& update(const SensorReading&) noexcept override { return state_; }
+  const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
+    return state_;
+  }
 
  private:
   const RobotState& state_;

@@ -151,8 +151,8 @@ class Loop {
       : scenario_(scenario),
         plant_(scenario.robot, scenario.plant),
         controller_(scenario.robot, scenario.controller,
-                    make_estimator(scenario.estimation,
-                                   {scenario.robot, scenario.controller.period, plant_})),
+                    make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                         plant_, scenario.estimator})),
         physics_(plant_, scenario.controller.period) {
     controller_.set_stage_observer(&timer_);
   }

@@ -22,8 +22,8 @@ class TimedController {
  public:
   TimedController(const Scenario& scenario, const Plant& plant)
       : controller(scenario.robot, scenario.controller,
-                   make_estimator(scenario.estimation,
-                                  {scenario.robot, scenario.controller.period, plant})) {
+                   make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                        plant, scenario.estimator})) {
     controller.set_stage_observer(&timer);
   }
 

@@ -38,7 +38,8 @@ ProblemSet record(const std::string& scenario_name, int first, int count) {
   Plant plant(scenario.robot, scenario.plant);
   Controller controller(
       scenario.robot, scenario.controller,
-      make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period, plant}));
+      make_estimator(scenario.estimation,
+                     {scenario.robot, scenario.controller.period, plant, scenario.estimator}));
   ProblemSet set{scenario_name, true, {}};
   for (int tick = 0; tick < first + count; ++tick) {
     const SensorReading& reading = plant.read();

@@ -81,8 +81,10 @@ void read_swing(Section& section, SwingOptions& swing) {
 
 void read_contact(Section& section, TouchdownOptions& contact) {
   section.number("touchdown_force", contact.touchdown_force, kPositive);
+  section.number("torque_error", contact.torque_error, kNotNegative);
   section.number("lift_off_force", contact.lift_off_force, kPositive);
   section.number("stall_error", contact.stall_error, kPositive);
+  section.number("bounce_speed", contact.bounce_speed, kPositive);
   section.number("stall_force", contact.stall_force, kNotNegative);
   section.number("lost_force", contact.lost_force, kNotNegative);
   section.number("lost_duration", contact.lost_duration, kNotNegative);
@@ -103,6 +105,15 @@ void read_torso(Section& section, TorsoOptions& torso) {
   section.number("restart_position", torso.restart_position, kPositive);
   section.number("restart_angle", torso.restart_angle, kPositive);
   section.flag("follow_terrain", torso.follow_terrain);
+}
+
+void read_calibration(Section& section, CalibrationOptions& calibration) {
+  const NumberRange tilt{.min = 0.0, .max = 0.3, .words = "from 0 to 0.3 rad"};
+  section.number("duration", calibration.duration, kNotNegative);
+  section.number("settle", calibration.settle, kNotNegative);
+  section.number("roll", calibration.roll, tilt);
+  section.number("pitch", calibration.pitch, tilt);
+  section.number("yaw", calibration.yaw, tilt);
 }
 
 void read_foothold(Section& section, FootholdOptions& foothold) {
@@ -126,6 +137,7 @@ void check_switch(const Section& section, const PlannerOptions& options) {
 }  // namespace
 
 void read_planner(Section& section, PlannerOptions& options) {
+  section.section("calibration", [&](Section& s) { read_calibration(s, options.calibration); });
   section.section("stance", [&](Section& s) { read_stance(s, options.stance); });
   section.section("gait", [&](Section& s) { read_gait(s, options.gait); });
   section.section("force", [&](Section& s) { read_force(s, options.force); });

@@ -3,6 +3,7 @@
 #include "surefoot/config/randomise.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/estimation/estimation.hpp"
+#include "surefoot/estimation/leg_inertial_estimator.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/user_command.hpp"
@@ -50,7 +51,8 @@ struct Scenario {
   std::vector<std::string> assignments;  ///< "path.to.key=value", as they were asked for
   std::uint64_t seed = 0;
   double duration = 20.0;  ///< longest [s]
-  Estimation estimation = Estimation::truth;
+  Estimation estimation = Estimation::sensors;
+  LegInertialOptions estimator;  ///< of `estimation: sensors`
   RobotDescription robot;
   ControllerOptions controller;
   PlantOptions plant;

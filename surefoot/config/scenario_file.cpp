@@ -4,6 +4,7 @@
 #include "surefoot/config/config_json.hpp"
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/estimator_section.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/planner_section.hpp"
@@ -143,7 +144,7 @@ void read_safety(Section& section, SafetyOptions& safety) {
 }
 
 void read_contact_force(Section& section, ContactForceOptions& contact_force) {
-  section.number("cutoff_hz", contact_force.cutoff_hz, kPositive);
+  section.number("bandwidth_hz", contact_force.bandwidth_hz, kPositive);
   section.flag("use_foot_sensor", contact_force.use_foot_sensor);
 }
 
@@ -206,6 +207,7 @@ void read_body(Section& top, Scenario& scenario) {
   top.text("description", scenario.description);
   top.number("duration", scenario.duration, kPositive);
   top.choice<Estimation>("estimation", scenario.estimation, named(kEstimations));
+  top.section("estimator", [&](Section& s) { read_estimator(s, scenario.estimator); });
   read_controller(top, scenario.controller);
   read_plant(top, scenario.plant);
   check_period(top, scenario);

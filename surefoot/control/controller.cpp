@@ -38,6 +38,13 @@ UserCommand sane(const UserCommand& user) {
   return result;
 }
 
+/// The feet that a plan lets carry.
+PerLeg<bool> standing(const MotionPlan& plan) {
+  PerLeg<bool> result{};
+  for (const Leg leg : kLegs) result[index(leg)] = plan.contact(leg);
+  return result;
+}
+
 /// No robot comes near these; a single such number would stay in the filters for long.
 constexpr double kFurthest = 1e6;    // [m]
 constexpr double kFastest = 1e3;     // [m/s] and [rad/s]
@@ -68,6 +75,7 @@ struct Controller::Implementation {
         safety(options.safety, robot, stack.first_free_level()) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+  [[nodiscard]] TickContext context() noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
   void describe_refused_state() noexcept;
@@ -93,7 +101,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   record.user = sane(user);
-  record.state = estimator->update(reading);
+  record.state = estimator->update(reading, context());
   ended(Stage::estimate);
   const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestGap;
   const bool believed = is_plausible(record.state) && !clock_jumps;
@@ -105,9 +113,20 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   return record.command;
 }
 
+TickContext Controller::Implementation::context() noexcept {
+  TickContext result{.joint_velocity = contact_force.observe(record.reading)};
+  for (const Leg leg : kLegs) {
+    const Vec3& force = record.state.foot_force[index(leg)];
+    result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
+                                   .normal_force = planner.terrain_normal().dot(force)};
+  }
+  return result;
+}
+
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
-  contact_force.update(dynamics, planner.terrain_normal(), record.reading, record.state);
+  contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), record.reading,
+                       record.state);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);

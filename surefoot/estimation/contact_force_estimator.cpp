@@ -1,5 +1,6 @@
 #include "surefoot/estimation/contact_force_estimator.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -9,39 +10,99 @@ namespace surefoot {
 namespace {
 
 constexpr double kInverseDamping = 0.01;  // [m], of the 3×3 leg Jacobian near the straight leg
+constexpr double kBaseCutoffHz = 40.0;    // of the base's acceleration
+constexpr double kMostPeriods = 1e6;
+
+int leg_rows(Leg leg) { return 6 + first_joint(leg); }
+
+Mat3 leg_jacobian(const Dynamics& dynamics, Leg leg) {
+  return dynamics.contact[index(leg)].J.middleCols<kJointsPerLeg>(leg_rows(leg));
+}
+
+/// J Jᵀ, damped.
+Mat3 damped(const Mat3& J) {
+  return J * J.transpose() + kInverseDamping * kInverseDamping * Mat3::Identity();
+}
 
 }  // namespace
 
 ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options, double period)
     : options_(options),
       period_(period),
-      decay_(std::exp(-2.0 * kPi * options.cutoff_hz * period)) {}
+      force_observer_(2.0 * kPi * options.bandwidth_hz, period),
+      velocity_observer_(force_observer_) {}
 
-void ContactForceEstimator::update(const Dynamics& dynamics, const Vec3& terrain_normal_W,
-                                   const SensorReading& reading, RobotState& state) noexcept {
-  // Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
-  const double periods = std::max(1.0, std::round((state.time - previous_time_) / period_));
-  const GeneralizedVector acceleration =
-      initialised_ ? GeneralizedVector((dynamics.u - previous_u_) / (periods * period_))
-                   : GeneralizedVector::Zero();
-  const double gain = initialised_ ? 1.0 - std::pow(decay_, periods) : 1.0;
-  previous_u_ = dynamics.u;
-  previous_time_ = state.time;
-  const JointVector residual = dynamics.M.bottomRows<kNumJoints>() * acceleration +
-                               dynamics.h.tail<kNumJoints>() - state.torque;
-  residual_ += gain * (residual - residual_);
-  initialised_ = true;
-  for (const Leg leg : kLegs) {
-    const std::size_t k = index(leg);
-    const Mat3 J = dynamics.contact[k].J.middleCols<kJointsPerLeg>(6 + first_joint(leg));
-    const Vec3 torque = residual_.segment<kJointsPerLeg>(first_joint(leg));
-    const Mat3 normal_matrix =
-        J * J.transpose() + kInverseDamping * kInverseDamping * Mat3::Identity();
-    state.foot_force[k] = normal_matrix.inverse() * (J * torque);
-    if (options_.use_foot_sensor && std::isfinite(reading.foot_force[k])) {
-      state.foot_force[k] = reading.foot_force[k] * terrain_normal_W;
+// Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
+int ContactForceEstimator::periods_until(double time) const {
+  const double periods = std::round((time - time_) / period_);
+  return periods > 1.0 ? static_cast<int>(std::min(periods, kMostPeriods)) : 1;
+}
+
+const JointVector& ContactForceEstimator::observe(const SensorReading& reading) noexcept {
+  is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
+  periods_ = periods_until(reading.time);
+  time_ = reading.time;
+  for (JointObserver* observer : {&force_observer_, &velocity_observer_}) {
+    if (is_first_) {
+      observer->start(reading.q);
+    } else {
+      observer->update(reading.q, periods_);
     }
   }
+  return velocity_observer_.velocity();
+}
+
+void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+                                   const Vec3& terrain_normal_W, const SensorReading& reading,
+                                   RobotState& state) noexcept {
+  update_base_acceleration(dynamics.u);
+  JointVector free, constrained;
+  for (const Leg leg : kLegs) {
+    const Vec3 a = free_acceleration(dynamics, leg, state.torque);
+    free.segment<3>(first_joint(leg)) = a;
+    constrained.segment<3>(first_joint(leg)) =
+        stands[index(leg)] ? stance_acceleration(dynamics, leg) : a;
+  }
+  force_observer_.expect(free);
+  velocity_observer_.expect(constrained);
+  if (is_first_) force_observer_.balance();
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const bool sensed = options_.use_foot_sensor && std::isfinite(reading.foot_force[k]);
+    state.foot_force[k] =
+        sensed ? Vec3(reading.foot_force[k] * terrain_normal_W) : force(dynamics, leg);
+  }
+}
+
+void ContactForceEstimator::update_base_acceleration(const GeneralizedVector& u) {
+  const BaseVector velocity = u.head<6>();
+  const double dt = periods_ * period_;
+  const double gain = is_first_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * kBaseCutoffHz * dt);
+  base_acceleration_ += gain * ((velocity - base_velocity_) / dt - base_acceleration_);
+  base_velocity_ = velocity;
+}
+
+Vec3 ContactForceEstimator::free_acceleration(const Dynamics& dynamics, Leg leg,
+                                              const JointVector& torque) const {
+  const int first = leg_rows(leg);
+  const Vec3 left = torque.segment<3>(first_joint(leg)) - dynamics.h.segment<3>(first) -
+                    dynamics.M.block<3, 6>(first, 0) * base_acceleration_;
+  return dynamics.M.block<3, 3>(first, first).llt().solve(left);
+}
+
+Vec3 ContactForceEstimator::stance_acceleration(const Dynamics& dynamics, Leg leg) const {
+  const PointKinematics& contact = dynamics.contact[index(leg)];
+  const Vec3 rest = contact.J.leftCols<6>() * base_acceleration_ + contact.Jdot_u;
+  const Mat3 J = leg_jacobian(dynamics, leg);
+  return -J.transpose() * damped(J).inverse() * rest;
+}
+
+Vec3 ContactForceEstimator::force(const Dynamics& dynamics, Leg leg) const {
+  const int first = leg_rows(leg);
+  const Vec3 torque = dynamics.M.block<3, 3>(first, first) *
+                      force_observer_.disturbance().segment<3>(first_joint(leg));
+  const Mat3 J = leg_jacobian(dynamics, leg);
+  return damped(J).inverse() * (J * torque);
 }
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/estimation/joint_observer.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
@@ -7,35 +8,54 @@
 namespace surefoot {
 
 struct ContactForceOptions {
-  double cutoff_hz = 40.0;  ///< low-pass of the generalized residual
+  double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
   /// Take the normal force of a foot force sensor instead, where there is one.
   bool use_foot_sensor = false;
 };
 
-/// Ground forces on the feet from joint torques alone, without foot sensors:
+/// Ground forces on the feet and joint velocities, from encoders and joint torques alone.
 ///
-///     f_k = (J_kᵀ)⁻¹ LPF(M Δu/Δt + h − Sᵀτ)_k      (rows and columns of leg k; from Eq. 2)
+/// A JointObserver compares the motion of each leg k with what Eq. (2) says without ground forces:
 ///
-/// Δt are the whole periods since the last update: ticks that were left out count. J_k is the 3×3
-/// block of the contact Jacobian of leg k, inverted with a damping that matters only near the
-/// straight leg. In W, of the ground on the foot [N]. Does not allocate.
+///     a = M_kk⁻¹ (τ − h − M_kb u̇_b)_k,    f_k = (J_kᵀ)⁻¹ M_kk d̂_k
+///
+/// A second one, for the velocities, takes the same a of legs in the air, and of legs that stand
+/// the one that keeps the foot where it is, J_k a + J_kb u̇_b + J̇ u = 0: torques that the ground
+/// takes up don't move a joint. u̇_b is the base's acceleration, the low-passed difference of the
+/// believed velocities. J_k is the 3×3 block of the contact Jacobian of leg k, inverted with a
+/// damping that matters only near the straight leg. Forces in W, of the ground on the foot [N].
+/// Does not allocate.
 class ContactForceEstimator {
  public:
   ContactForceEstimator(const ContactForceOptions& options, double period);
 
-  /// Fills state.foot_force from state.torque and the dynamics at that state. `terrain_normal_W` is
-  /// the unit normal as believed: a foot sensor gives the force along it.
-  void update(const Dynamics& dynamics, const Vec3& terrain_normal_W, const SensorReading& reading,
-              RobotState& state) noexcept;
+  /// First in a tick: takes the encoders in; joint velocities from the readings so far [rad/s].
+  const JointVector& observe(const SensorReading& reading) noexcept;
+
+  /// Then, with the dynamics at the state: fills state.foot_force. `terrain_normal_W` is the unit
+  /// normal as believed: a foot sensor gives the force along it. `stands` says which feet the plan
+  /// lets carry.
+  void update(const Dynamics& dynamics, const PerLeg<bool>& stands, const Vec3& terrain_normal_W,
+              const SensorReading& reading, RobotState& state) noexcept;
 
  private:
+  using BaseVector = Eigen::Matrix<double, 6, 1>;
+
+  [[nodiscard]] int periods_until(double time) const;
+  void update_base_acceleration(const GeneralizedVector& u);
+  /// Of a leg's joints: in the air under the measured torques, and with the foot on the ground.
+  [[nodiscard]] Vec3 free_acceleration(const Dynamics& dynamics, Leg leg,
+                                       const JointVector& torque) const;
+  [[nodiscard]] Vec3 stance_acceleration(const Dynamics& dynamics, Leg leg) const;
+  [[nodiscard]] Vec3 force(const Dynamics& dynamics, Leg leg) const;
+
   ContactForceOptions options_;
   double period_;
-  double decay_;                 ///< of the low-pass in one period
-  double previous_time_ = kNaN;  ///< [s]
-  GeneralizedVector previous_u_ = GeneralizedVector::Zero();
-  JointVector residual_ = JointVector::Zero();
-  bool initialised_ = false;
+  JointObserver force_observer_, velocity_observer_;
+  double time_ = kNaN;  ///< of the last reading [s]
+  int periods_ = 0;     ///< between the last two readings
+  bool is_first_ = true;
+  BaseVector base_velocity_ = BaseVector::Zero(), base_acceleration_ = BaseVector::Zero();
 };
 
 }  // namespace surefoot

@@ -7,16 +7,19 @@ namespace surefoot {
 
 /// Where the controller's state comes from: what a scenario's `estimation:` chooses.
 enum class Estimation : int {
-  truth = 0,  ///< base state from the simulator's truth, joint positions from the encoders
+  truth = 0,    ///< base state from the simulator's truth, joint positions from the encoders
+  sensors = 1,  ///< base state from IMU, encoders and contacts
 };
 
-inline constexpr std::array kEstimations{Estimation::truth};
+inline constexpr std::array kEstimations{Estimation::truth, Estimation::sensors};
 
 /// As scenarios, logs and results have it.
 [[nodiscard]] constexpr std::string_view name(Estimation estimation) {
   switch (estimation) {
     case Estimation::truth:
       return "truth";
+    case Estimation::sensors:
+      return "sensors";
   }
   return "unknown";
 }

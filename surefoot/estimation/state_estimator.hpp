@@ -2,6 +2,7 @@
 
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
+#include "surefoot/signals/tick_context.hpp"
 
 namespace surefoot {
 
@@ -13,8 +14,10 @@ class StateEstimator {
   StateEstimator& operator=(const StateEstimator&) = delete;
   virtual ~StateEstimator() = default;
 
-  /// One tick. `foot_force` of the result is filled later, by the ContactForceEstimator.
-  [[nodiscard]] virtual const RobotState& update(const SensorReading& reading) noexcept = 0;
+  /// One tick. `context` is what the tick before left. `foot_force` of the result is filled later,
+  /// by the ContactForceEstimator.
+  [[nodiscard]] virtual const RobotState& update(const SensorReading& reading,
+                                                 const TickContext& context) noexcept = 0;
 };
 
 }  // namespace surefoot

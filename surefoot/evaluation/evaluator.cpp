@@ -49,6 +49,9 @@ void Evaluator::Squares::add(double value) {
 double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
 
 void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
+  frame_.update(truth, tick);
+  estimate_.add(truth, tick.state);
+  touchdowns_.add(truth, tick.plan);
   add_progress(truth, tick);
   add_com(truth, tick);
   add_torso(truth, tick);
@@ -69,29 +72,36 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
   if (tick.plan.event == static_cast<int>(PlanEvent::no_ground)) ++metrics_.no_ground_events;
-  if (!tick.user.walk) return;
+  if (!tick.user.walk || tick.plan.calibrating) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;
   ++walk_ticks_;
 }
 
 void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
-  const double error = (truth.p_WCom.head<2>() - tick.plan.com.p).norm();
+  // Frames differ by a turn about the vertical, so the height of the plan's COM plays no part.
+  const Vec3 desired = frame_.to_truth({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
+  const double error = (truth.p_WCom - desired).head<2>().norm();
+  raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
+  if (tick.plan.calibrating) {
+    raise(metrics_.com_error_calibrating_max_m, error);
+    return;
+  }
   raise(metrics_.com_error_max_m, error);
   com_error_.add(error);
-  raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
   if (!tick.user.walk) return;
   Vec3 centre = Vec3::Zero();
   for (const FootPlan& foot : tick.plan.feet) centre += foot.p_WF / kNumLegs;
-  const double lateral = tick.plan.R_WC.col(1).dot(truth.p_WCom - centre);
+  const Vec3 across = frame_.R() * tick.plan.R_WC.col(1);
+  const double lateral = across.dot(truth.p_WCom - frame_.to_truth(centre));
   const bool first = walk_ticks_ == 1;
   sway_min_ = first ? lateral : std::min(sway_min_, lateral);
   sway_max_ = first ? lateral : std::max(sway_max_, lateral);
 }
 
 void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
-  height_error_.add(truth.p_WB.z() - tick.plan.torso.height);
-  orientation_error_.add(truth.q_WB.angularDistance(tick.plan.torso.q_WB));
+  height_error_.add(truth.p_WB.z() - frame_.to_truth({0.0, 0.0, tick.plan.torso.height}).z());
+  orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
   raise(metrics_.max_tilt_rad, tilt(truth.q_WB));
 }
 
@@ -184,6 +194,8 @@ void Evaluator::check_fall(const GroundTruth& truth) {
 
 Metrics Evaluator::metrics(const RunEnd& end) const {
   Metrics result = metrics_;
+  estimate_.write(result);
+  touchdowns_.write(result);
   result.reason = metrics_.fell ? fall_ : end.reason;
   result.goal_reached = end.goal_reached;
   result.duration_s = ticks_ * options_.control_period;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "surefoot/evaluation/belief_frame.hpp"
+#include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/evaluation/touchdown_judge.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
@@ -72,6 +75,9 @@ class Evaluator {
 
   EvaluatorOptions options_;
   Metrics metrics_;  // what is final at every tick
+  BeliefFrame frame_;
+  EstimateJudge estimate_;
+  TouchdownJudge touchdowns_;
   std::string fall_;
   int ticks_ = 0;
   Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base

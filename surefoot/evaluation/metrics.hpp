@@ -30,7 +30,11 @@ struct Metrics {
   double distance_m = 0.0;  ///< of the base, in the plane, from start to end
   double speed_mps = 0.0;   ///< the same over the time in which walking was commanded
 
-  double com_error_max_m = kNaN;  ///< centre of mass against the desired one, in the plane
+  /// Centre of mass against the desired one, in the plane; what the controller desires relative to
+  /// its feet is taken to the true feet (evaluation/belief_frame.hpp). While the robot calibrates
+  /// itself on the spot the error counts apart.
+  double com_error_max_m = kNaN;
+  double com_error_calibrating_max_m = kNaN;
   double com_error_rms_m = kNaN;
   double com_lateral_sway_m =
       kNaN;  ///< half the range of the COM across the heading, seen from the feet's centre
@@ -39,6 +43,14 @@ struct Metrics {
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference
   double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
+
+  double velocity_error_rms_mps = kNaN;  ///< believed base velocity against the true one, in B
+  double tilt_error_rms_rad = kNaN;      ///< angle between the believed vertical and the true one
+  double tilt_error_max_rad = kNaN;
+  double position_drift_m = kNaN;         ///< of the believed way since the start, at the end
+  double heading_drift_rad = kNaN;        ///< the same of the heading
+  double touchdown_latency_p95_s = kNaN;  ///< from a foot's touch to the tick that notices it
+  int false_touchdowns = 0;               ///< noticed, but not there
 
   int steps_taken = 0;        ///< swings that ended on the ground
   int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)

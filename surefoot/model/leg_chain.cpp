@@ -38,6 +38,14 @@ Vec3 LegChain::foot_in_base(const Vec3& q, Mat3* jacobian) const noexcept {
   return p;
 }
 
+Mat3 LegChain::shank_in_base(const Vec3& q) const noexcept {
+  Frame frame;
+  for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+    frame.follow(hinges[j], q[static_cast<Eigen::Index>(j)]);
+  }
+  return frame.R;
+}
+
 Vec3 LegChain::hip_in_base(const Vec3& q) const noexcept {
   Frame frame;
   for (int j = 0; j <= hip_hinge; ++j) frame.follow(hinges[static_cast<std::size_t>(j)], q[j]);

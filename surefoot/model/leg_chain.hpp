@@ -20,6 +20,8 @@ struct LegChain {
 
   /// Position of the foot in B [m] and, if asked for, its Jacobian J with v = J q̇.
   [[nodiscard]] Vec3 foot_in_base(const Vec3& q, Mat3* jacobian = nullptr) const noexcept;
+  /// Orientation in B of the body that carries the foot.
+  [[nodiscard]] Mat3 shank_in_base(const Vec3& q) const noexcept;
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
 
   /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns

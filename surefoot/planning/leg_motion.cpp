@@ -11,6 +11,9 @@ namespace {
 constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kCertain = 2.0;  // times the touchdown force: an impact, needs no second look
 constexpr int kFirmTicks = 2;     // debounce of a touchdown
+constexpr double kFastStall =
+    4.0;  // times the stall error: a fast foot is not quite where it is asked
+constexpr double kSlowFrom = 0.8;  // share of a swing from which on its speed is followed well
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -53,12 +56,12 @@ void LegMotion::search(double time, const Vec3& p_WF, const Vec3& normal) {
   phase_ = LegPhase::search;
 }
 
-LegEvent LegMotion::observe(double time, const Motion<Vec3>& hip, const Vec3& p_WF,
-                            const Vec3& force, const Vec3& normal) {
-  hip_ = hip;
-  normal_force_ = normal.dot(force);
-  if (!down()) return observe_swing(time, p_WF);
-  foothold_ = p_WF;  // the sphere rolls with its shank: the foothold wanders by a centimetre
+LegEvent LegMotion::observe(double time, const LegObservation& seen) {
+  hip_ = seen.hip;
+  normal_force_ = seen.normal.dot(seen.force);
+  force_per_torque_ = seen.force_per_torque;
+  if (!down()) return observe_swing(time, seen.foot);
+  foothold_ = seen.foot.p;  // the sphere rolls with its shank: the foothold wanders by a centimetre
   return observe_stance();
 }
 
@@ -69,18 +72,33 @@ LegEvent LegMotion::observe_stance() {
                                                                     : LegEvent::none;
 }
 
-LegEvent LegMotion::observe_swing(double time, const Vec3& p_WF) {
+LegEvent LegMotion::observe_swing(double time, const Motion<Vec3>& foot) {
   const double t = since(time);
   const SwingTarget& target = curve_.target();
   if (t > target.duration) phase_ = LegPhase::search;
   if (t < swing_.armed_after * target.duration) return LegEvent::none;
-  const double behind = target.normal.dot(p_WF - reference(time).p);
-  const bool pressed = normal_force_ > touchdown_.touchdown_force;
-  const bool stalled = behind > touchdown_.stall_error && normal_force_ > touchdown_.stall_force;
-  const bool certain = normal_force_ > kCertain * touchdown_.touchdown_force;
-  firm_ticks_ = pressed || stalled ? firm_ticks_ + 1 : 0;
-  if (certain || firm_ticks_ >= kFirmTicks) return LegEvent::touchdown;
-  return phase_ == LegPhase::search ? observe_search(time, p_WF) : LegEvent::none;
+  if (touches(time, foot)) return LegEvent::touchdown;
+  return phase_ == LegPhase::search ? observe_search(time, foot.p) : LegEvent::none;
+}
+
+// A foot that meets ground bounces: it is fast for some milliseconds before it presses, and off the
+// ground again before it stays behind its reference.
+bool LegMotion::touches(double time, const Motion<Vec3>& foot) {
+  const Motion<Vec3> asked = reference(time);
+  const Vec3& normal = curve_.target().normal;
+  // Where the leg is nearly straight its torques say little of the force along it.
+  const double doubt =
+      std::max(1.0, force_per_torque_ * touchdown_.torque_error / touchdown_.touchdown_force);
+  const double force = normal_force_ / doubt;
+  const bool is_slow = since(time) > kSlowFrom * curve_.target().duration;
+  const bool carries = force > touchdown_.stall_force;
+  const double behind = normal.dot(foot.p - asked.p) / touchdown_.stall_error;
+  const bool stalled = carries && behind > (is_slow ? 1.0 : kFastStall);
+  const bool bounced = is_slow && carries && normal.dot(foot.v - asked.v) > touchdown_.bounce_speed;
+  const bool pressed = force > touchdown_.touchdown_force;
+  const bool certain = force > kCertain * touchdown_.touchdown_force;
+  firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
+  return certain || firm_ticks_ >= kFirmTicks;
 }
 
 // The reference waits for a foot that stays behind, and at the end of the leg's reach.

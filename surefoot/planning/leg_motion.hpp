@@ -11,6 +11,14 @@ namespace surefoot {
 /// What a leg notices at a tick.
 enum class LegEvent { none, touchdown, unreachable, lost };
 
+/// A leg as it is believed to be, in W.
+struct LegObservation {
+  Motion<Vec3> hip, foot;         ///< accelerations are not used
+  Vec3 force;                     ///< estimated, of the ground on the foot [N]
+  Vec3 normal;                    ///< of the terrain
+  double force_per_torque = 0.0;  ///< error of the normal force by one of the joint torques [1/m]
+};
+
 /// Phase, reference and force limits of one leg, and the tests that end its phases.
 class LegMotion {
  public:
@@ -29,10 +37,8 @@ class LegMotion {
   /// Goes straight down from p along −normal: a lost stance foot, or a swing to be ended at once.
   void search(double time, const Vec3& p_WF, const Vec3& normal);
 
-  /// Looks at the true leg: motion of the hip, position and estimated ground force of the foot, all
-  /// in W.
-  [[nodiscard]] LegEvent observe(double time, const Motion<Vec3>& hip, const Vec3& p_WF,
-                                 const Vec3& force, const Vec3& normal);
+  /// Looks at the leg as it is.
+  [[nodiscard]] LegEvent observe(double time, const LegObservation& seen);
 
   [[nodiscard]] FootPlan plan(double time) const;
   [[nodiscard]] LegPhase phase() const { return phase_; }
@@ -46,7 +52,8 @@ class LegMotion {
 
  private:
   [[nodiscard]] LegEvent observe_stance();
-  [[nodiscard]] LegEvent observe_swing(double time, const Vec3& p_WF);
+  [[nodiscard]] LegEvent observe_swing(double time, const Motion<Vec3>& foot);
+  [[nodiscard]] bool touches(double time, const Motion<Vec3>& foot);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
@@ -62,6 +69,7 @@ class LegMotion {
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
+  double force_per_torque_ = 0.0;
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]

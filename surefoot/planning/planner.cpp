@@ -2,6 +2,8 @@
 
 #include "surefoot/math/rotation.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +21,14 @@ constexpr double kStandDuration = 1.0;    // for the COM to come to the centre o
 constexpr double kLevel = 1e-3;           // apex of a move that does not rise [m]
 constexpr int kMostCollisions = 2;        // of one swing with an edge, before the touch is believed
 constexpr double kRetreatSpeed = 0.5;     // of a foot that found no ground [m/s]
+constexpr double kInverseDamping = 0.01;  // of a leg's Jacobian near the straight leg [m]
+
+/// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
+double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal) {
+  const Mat3 J = foot.J.middleCols<kJointsPerLeg>(6 + first_joint(leg));
+  const Mat3 squared = J * J.transpose() + kInverseDamping * kInverseDamping * Mat3::Identity();
+  return (J.transpose() * squared.inverse() * normal).norm();
+}
 
 }  // namespace
 
@@ -28,6 +38,7 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
       com_planner_(options.com, options.force, weight),
       foothold_planner_(options.stance, options.foothold),
       torso_(options.torso, period),
+      calibration_(options.calibration),
       legs_{LegMotion(options.swing, options.contact, options.force, period),
             LegMotion(options.swing, options.contact, options.force, period),
             LegMotion(options.swing, options.contact, options.force, period),
@@ -48,6 +59,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = true;
+  calibrated_from_ = time_ + options_.calibration.settle;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
     leg(k).plant(time_, dynamics.foot[index(k)].p, true);
@@ -79,8 +91,13 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
                            const Dynamics& dynamics) {
   for (const Leg k : kLegs) {
     const std::size_t i = index(k);
-    const Motion<Vec3> hip{dynamics.hip[i].p, dynamics.hip[i].v, Vec3::Zero()};
-    switch (leg(k).observe(time_, hip, dynamics.foot[i].p, state.foot_force[i], plane_.normal)) {
+    const LegObservation seen{
+        .hip = {dynamics.hip[i].p, dynamics.hip[i].v, Vec3::Zero()},
+        .foot = {dynamics.foot[i].p, dynamics.foot[i].v, Vec3::Zero()},
+        .force = state.foot_force[i],
+        .normal = plane_.normal,
+        .force_per_torque = force_per_torque(dynamics.foot[i], k, plane_.normal)};
+    switch (leg(k).observe(time_, seen)) {
       case LegEvent::none:
         break;
       case LegEvent::touchdown:
@@ -199,7 +216,7 @@ void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) 
 void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
   switch (mode_) {
     case Mode::stand:
-      if (user.walk && all_down()) {
+      if (user.walk && all_down() && !calibrating()) {
         begin_support(user, options_.gait.start_duration);
         replan_com(user, dynamics);
       }
@@ -361,11 +378,13 @@ void Planner::write_plan(const UserCommand& user) {
   plan_.com = com_planner_.at(time_);
   plan_.com_zmp_slack = com_planner_.zmp_slack();
   const double yaw_rate = mode_ != Mode::stand ? user.yaw_rate : 0.0;
-  torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height);
+  torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height,
+                calibration_.at(time_ - calibrated_from_));
   plan_.torso = torso_.plan();
   plan_.R_WC = control_frame(plane_.normal, yaw_);
   plan_.terrain_point = plane_.point;
   plan_.friction = options_.force.friction;
+  plan_.calibrating = calibrating();
   plan_.event = static_cast<int>(event_);
 }
 

@@ -2,6 +2,7 @@
 
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
 #include "surefoot/planning/leg_motion.hpp"
@@ -56,6 +57,9 @@ class Planner {
   void begin_support(const UserCommand& user, double duration);
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
   void write_plan(const UserCommand& user);
+  [[nodiscard]] bool calibrating() const {
+    return calibration_.duration() > 0.0 && time_ < calibrated_from_ + calibration_.duration();
+  }
 
   [[nodiscard]] Leg next_leg(int ahead = 0) const;
   [[nodiscard]] double support_duration(int ahead = 0) const;
@@ -76,6 +80,7 @@ class Planner {
   ComPlanner com_planner_;
   FootholdPlanner foothold_planner_;
   TorsoReference torso_;
+  CalibrationMotion calibration_;
   PerLeg<LegMotion> legs_;
   TerrainPlane plane_;
   MotionPlan plan_;
@@ -84,6 +89,7 @@ class Planner {
   bool initialised_ = false;
   bool slowed_ = false;  // strides are too short for the commanded velocity
   double time_ = 0.0;
+  double calibrated_from_ = 0.0;  // beginning of the calibration [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
   int cursor_ = 0;          // place of the next leg in the gait's order

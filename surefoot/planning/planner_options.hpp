@@ -66,9 +66,13 @@ struct SwingOptions {
 
 /// When a foot counts as down, as up, or as lost.
 struct TouchdownOptions {
-  double touchdown_force = 15.0;  ///< [N]
-  double lift_off_force = 15.0;   ///< [N]
-  double stall_error = 0.005;  ///< foot behind its reference by this, with at least stall_force [m]
+  double touchdown_force = 10.0;  ///< [N]
+  /// The forces above hold where torques that are wrong by this make up less of a force; elsewhere,
+  /// as with a leg nearly straight, all are larger in proportion [N·m].
+  double torque_error = 1.6;
+  double lift_off_force = 15.0;  ///< [N]
+  double stall_error = 0.003;  ///< foot behind its reference by this, with at least stall_force [m]
+  double bounce_speed = 0.09;  ///< … or faster upward than its reference by this [m/s]
   double stall_force = 3.0;    ///< [N]
   double lost_force = 2.0;     ///< a loaded stance foot below this … [N]
   double lost_duration = 0.06;  ///< … for this long is lost [s]
@@ -102,7 +106,17 @@ struct FootholdOptions {
   double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
 };
 
+/// Turning on the spot before the first step, for the estimator.
+struct CalibrationOptions {
+  double duration = 0.0;  ///< 0: none [s]
+  double settle = 0.5;    ///< standing still before it [s]
+  double roll = 0.12;     ///< amplitudes, under a window that rises and falls [rad]
+  double pitch = 0.10;
+  double yaw = 0.15;
+};
+
 struct PlannerOptions {
+  CalibrationOptions calibration;
   StanceOptions stance;
   GaitOptions gait;
   ForceOptions force;

@@ -35,7 +35,7 @@ bool TorsoReference::far_off(const RobotState& state) const {
 }
 
 void TorsoReference::update(const TerrainPlane& plane, double yaw, double yaw_rate,
-                            const ComPlan& com, double height) {
+                            const ComPlan& com, double height, const Motion<Vec3>& turn) {
   const double w = options_.frequency;
   const Vec3 level = options_.follow_terrain ? plane.normal : Vec3::UnitZ();
   const Vec2 target_tilt = roll_pitch_of(rotation_about_z(-yaw) * level);
@@ -50,22 +50,28 @@ void TorsoReference::update(const TerrainPlane& plane, double yaw, double yaw_ra
   height_rate_ += period_ * height_acceleration;
   height_ += period_ * height_rate_;
 
-  const Mat3 R_heading = rotation_about_z(yaw);
-  const Mat3 R_pitch = Eigen::AngleAxisd(tilt_.y(), Vec3::UnitY()).toRotationMatrix();
-  const auto angular = [&](const Vec2& roll_pitch) -> Vec3 {
-    return R_heading * (R_pitch.col(0) * roll_pitch.x() + Vec3::UnitY() * roll_pitch.y());
-  };
-  plan_.q_WB = from_roll_pitch_yaw(Vec3(tilt_.x(), tilt_.y(), yaw));
-  plan_.w_WB = angular(tilt_rate_) + yaw_rate * Vec3::UnitZ();
-  // The axes of pitch and roll turn too: ẇ = axes · r̈ + their own rates.
-  const Vec3 w_heading = yaw_rate * Vec3::UnitZ();
-  const Vec3 w_pitch = tilt_rate_.y() * R_heading.col(1);
-  const Vec3 w_roll = tilt_rate_.x() * (R_heading * R_pitch.col(0));
-  plan_.wdot_WB =
-      angular(tilt_acceleration) + w_heading.cross(w_pitch + w_roll) + w_pitch.cross(w_roll);
+  const Vec3 angles = Vec3(tilt_.x(), tilt_.y(), yaw) + turn.p;
+  const Vec3 rates = Vec3(tilt_rate_.x(), tilt_rate_.y(), yaw_rate) + turn.v;
+  const Vec3 accelerations = Vec3(tilt_acceleration.x(), tilt_acceleration.y(), 0.0) + turn.a;
+  write_orientation(angles, rates, accelerations);
   plan_.height = height_;
   plan_.height_rate = height_rate_;
   plan_.height_acceleration = height_acceleration;
+}
+
+// The axes of pitch and roll turn too: ω = axes · ṙ and ω̇ = axes · r̈ + their own rates.
+void TorsoReference::write_orientation(const Vec3& angles, const Vec3& rates,
+                                       const Vec3& accelerations) {
+  Mat3 axes;  // of roll, pitch and yaw, in W
+  const Mat3 R_heading = rotation_about_z(angles.z());
+  const Mat3 R_pitch = Eigen::AngleAxisd(angles.y(), Vec3::UnitY()).toRotationMatrix();
+  axes << R_heading * R_pitch.col(0), R_heading.col(1), Vec3::UnitZ();
+  const Vec3 w_roll = rates.x() * axes.col(0);
+  const Vec3 w_pitch = rates.y() * axes.col(1);
+  const Vec3 w_yaw = rates.z() * axes.col(2);
+  plan_.q_WB = from_roll_pitch_yaw(angles);
+  plan_.w_WB = axes * rates;
+  plan_.wdot_WB = axes * accelerations + w_yaw.cross(w_pitch + w_roll) + w_pitch.cross(w_roll);
 }
 
 }  // namespace surefoot

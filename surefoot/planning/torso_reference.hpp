@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/estimation/terrain_plane.hpp"
+#include "surefoot/math/quintic.hpp"
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/robot_state.hpp"
@@ -18,13 +19,17 @@ class TorsoReference {
   void restart(const RobotState& state);
   /// Is the torso further from the reference than the options allow?
   [[nodiscard]] bool far_off(const RobotState& state) const;
-  /// One period on. `com` gives where over the plane the torso is and how fast it goes.
+  /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
+  /// added to roll, pitch and yaw.
   void update(const TerrainPlane& plane, double yaw, double yaw_rate, const ComPlan& com,
-              double height);
+              double height, const Motion<Vec3>& turn = no_turn());
 
   [[nodiscard]] const TorsoPlan& plan() const { return plan_; }
 
  private:
+  void write_orientation(const Vec3& angles, const Vec3& rates, const Vec3& accelerations);
+  static Motion<Vec3> no_turn() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+
   TorsoOptions options_;
   double period_;
   Vec2 tilt_{0.0, 0.0}, tilt_rate_{0.0, 0.0};  // roll and pitch [rad], [rad/s]

@@ -55,6 +55,7 @@ struct MotionPlan {
       Vec3::Zero();            ///< a point of the terrain plane, at sphere-centre height, in W [m]
   double friction = 0.0;       ///< μ that the contact forces may use
   double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
+  bool calibrating = false;    ///< the torso turns on the spot for the estimator, before it walks
   int event = 0;               ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }

@@ -9,6 +9,8 @@ std::unique_ptr<StateEstimator> make_estimator(Estimation estimation, const Esti
   switch (estimation) {
     case Estimation::truth:
       return std::make_unique<TruthEstimator>(setup.plant.truth());
+    case Estimation::sensors:
+      return std::make_unique<LegInertialEstimator>(setup.robot, setup.options, setup.period);
   }
   throw Error("there is no such estimation");
 }

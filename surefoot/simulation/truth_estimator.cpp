@@ -2,7 +2,8 @@
 
 namespace surefoot {
 
-const RobotState& TruthEstimator::update(const SensorReading& reading) noexcept {
+const RobotState& TruthEstimator::update(const SensorReading& reading,
+                                         const TickContext&) noexcept {
   state_.time = reading.time;
   state_.p_WB = truth_.p_WB;
   state_.q_WB = truth_.q_WB;

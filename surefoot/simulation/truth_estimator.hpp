@@ -13,7 +13,8 @@ class TruthEstimator final : public StateEstimator {
   /// `truth` must outlive the estimator and belong to the time of the readings.
   explicit TruthEstimator(const GroundTruth& truth) : truth_(truth) {}
 
-  [[nodiscard]] const RobotState& update(const SensorReading& reading) noexcept override;
+  [[nodiscard]] const RobotState& update(const SensorReading& reading,
+                                         const TickContext& context) noexcept override;
 
  private:
   const GroundTruth& truth_;

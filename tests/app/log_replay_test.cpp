@@ -32,13 +32,14 @@ void expect_replayed(const ScenarioRequest& request) {
 }
 
 TEST(LogReplay, a_log_alone_gives_a_controller_with_the_same_torques_bit_by_bit) {
-  expect_replayed({"step_down", 3, {"duration=4"}});
+  expect_replayed({"step_down", 3, {"duration=4", "planner.calibration.duration=0"}});
 }
 
 TEST(LogReplay, also_of_a_stack_over_another_with_gains_from_the_command_line) {
   expect_replayed({"step_down",
                    0,
                    {"duration=4", "stack=terrain_without_limits", "tasks.swing_foot.kp=700",
+                    "planner.calibration.duration=0",
                     "user=[{time: 0.2, walk: true, velocity: [0.05, 0.0]}]"}});
 }
 

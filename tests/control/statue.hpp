@@ -22,7 +22,9 @@ inline constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
 class ScriptedEstimator final : public StateEstimator {
  public:
   explicit ScriptedEstimator(const RobotState& state) : state_(state) {}
-  const RobotState& update(const SensorReading&) noexcept override { return state_; }
+  const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
+    return state_;
+  }
 
  private:
   const RobotState& state_;

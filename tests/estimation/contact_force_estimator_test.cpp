@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -56,6 +57,32 @@ RobotState at_rest(Random& random, const RobotDescription& robot) {
   return state;
 }
 
+constexpr PerLeg<bool> kInTheAir{}, kStanding{true, true, true, true};
+
+/// An estimator whose robot's encoders read state.q.
+struct Bench {
+  explicit Bench(const ContactForceOptions& options = {}) : estimator(options, kPeriod) {}
+
+  void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
+    reading.time = state.time;
+    reading.q = state.q;
+    velocity = estimator.observe(reading);
+    estimator.update(dynamics, stands, normal, reading, state);
+  }
+
+  ContactForceEstimator estimator;
+  SensorReading reading;
+  PerLeg<bool> stands = kInTheAir;
+  JointVector velocity = JointVector::Zero();
+};
+
+/// `dt` on with a constant acceleration.
+void move(Dynamics& dynamics, RobotState& state, const GeneralizedVector& acceleration, double dt) {
+  state.q += dt * dynamics.u.tail<kNumJoints>() + 0.5 * dt * dt * acceleration.tail<kNumJoints>();
+  dynamics.u += dt * acceleration;
+  state.time += dt;
+}
+
 TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
   RobotModel model(anymal_b());
   Random random(1);
@@ -65,8 +92,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
     const Dynamics& dynamics = model.update(state, kUp);
     const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
     state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
-    ContactForceEstimator estimator({}, kPeriod);
-    estimator.update(dynamics, kUp, SensorReading{}, state);
+    Bench().tick(dynamics, state);
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       sum += state.foot_force[k];
@@ -82,6 +108,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
   for (int trial = 0; trial < kTrials; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     RobotState state = random.standing_state(model.description().q_nominal);
+    state.time = 0.0;
     Dynamics dynamics = model.update(state, kUp);
     PerLeg<Vec3> forces;
     for (Vec3& force : forces) force = Vec3(0.0, 0.0, 70.0) + random.vector(30.0);
@@ -89,10 +116,10 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
     GeneralizedVector applied = generalized(dynamics, forces) - dynamics.h;
     applied.tail<kNumJoints>() += state.torque;
     const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
-    ContactForceEstimator estimator({}, kPeriod);
-    for (int tick = 0; tick < 60; ++tick) {  // the low-pass settles
-      estimator.update(dynamics, kUp, SensorReading{}, state);
-      dynamics.u += kPeriod * acceleration;
+    Bench bench;
+    for (int tick = 0; tick < 60; ++tick) {  // the observer settles
+      bench.tick(dynamics, state);
+      move(dynamics, state, acceleration, kPeriod);
     }
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << k;
@@ -110,73 +137,91 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
     state.torque.setZero();
     Dynamics dynamics = model.update(state, kUp);
     const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
-    ContactForceEstimator estimator({}, kPeriod);
+    Bench bench;
     for (int tick = 0; tick < 200; ++tick) {
-      const double step = tick < 199 ? kPeriod : (1 + left_out) * kPeriod;
-      dynamics.u += step * acceleration;
-      state.time += step;
-      estimator.update(dynamics, kUp, SensorReading{}, state);
+      move(dynamics, state, acceleration, tick < 199 ? kPeriod : (1 + left_out) * kPeriod);
+      bench.tick(dynamics, state);
     }
     for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
   }
 }
 
-TEST(ContactForceEstimator, AfterTicksThatWereLeftOutForgetsAsMuchAsWithThem) {
-  RobotModel model(anymal_b());
-  Random random(8);
-  RobotState all = at_rest(random, model.description());
-  all.time = 3.0;
-  const Dynamics& dynamics = model.update(all, kUp);
-  all.torque = dynamics.h.tail<kNumJoints>();
-  RobotState some = all;
-  ContactForceEstimator every({}, kPeriod), few({}, kPeriod);
-  every.update(dynamics, kUp, SensorReading{}, all);
-  few.update(dynamics, kUp, SensorReading{}, some);
-  all.torque.setConstant(5.0);
-  some.torque = all.torque;
-  for (int tick = 0; tick < 4; ++tick) {
-    all.time += kPeriod;
-    every.update(dynamics, kUp, SensorReading{}, all);
-  }
-  some.time = all.time;
-  few.update(dynamics, kUp, SensorReading{}, some);
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
-    EXPECT_LT((all.foot_force[k] - some.foot_force[k]).norm(), 1e-9);
-  }
-}
-
-TEST(ContactForceEstimator, FeelsNothingInFreeFall) {
+TEST(ContactForceEstimator, VelocitiesOfAMovingLegDoNotLag) {
   RobotModel model(anymal_b());
   Random random(3);
   RobotState state = random.standing_state(model.description().q_nominal);
-  state.torque.setZero();
+  state.time = 0.0;
+  state.torque.setConstant(3.0);
   Dynamics dynamics = model.update(state, kUp);
-  const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);
-  ContactForceEstimator estimator({}, kPeriod);
+  GeneralizedVector applied = -dynamics.h;
+  applied.tail<kNumJoints>() += state.torque;
+  const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
+  Bench bench;
   for (int tick = 0; tick < 200; ++tick) {
-    estimator.update(dynamics, kUp, SensorReading{}, state);
-    dynamics.u += kPeriod * acceleration;
+    move(dynamics, state, acceleration, kPeriod);
+    bench.tick(dynamics, state);
   }
-  for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+  EXPECT_LT((bench.velocity - dynamics.u.tail<kNumJoints>()).norm(), 1e-6);
+}
+
+TEST(ContactForceEstimator, TorquesThatTheGroundTakesUpMoveNoJoint) {
+  RobotModel model(anymal_b());
+  Random random(10);
+  RobotState state = at_rest(random, model.description());
+  state.time = 0.0;
+  const Dynamics& dynamics = model.update(state, kUp);
+  state.torque = dynamics.h.tail<kNumJoints>();
+  Bench standing, hanging;
+  standing.stands = kStanding;
+  for (Bench* bench : {&standing, &hanging}) bench->tick(dynamics, state);
+  state.torque.array() += 10.0;
+  for (int tick = 0; tick < 4; ++tick) {
+    state.time += kPeriod;
+    for (Bench* bench : {&standing, &hanging}) bench->tick(dynamics, state);
+  }
+  EXPECT_LT(standing.velocity.norm(), 1e-9);
+  EXPECT_GT(hanging.velocity.norm(), 0.05);
+}
+
+TEST(ContactForceEstimator, AReadingThatIsMissingIsBridged) {
+  RobotModel model(anymal_b());
+  Random random(8);
+  RobotState state = at_rest(random, model.description());
+  state.time = 0.0;
+  const Dynamics& dynamics = model.update(state, kUp);
+  state.torque = dynamics.h.tail<kNumJoints>();
+  Bench bench;
+  bench.stands = kStanding;
+  bench.tick(dynamics, state);
+  RobotState missing = state;
+  missing.q[4] = kNaN;
+  missing.time += kPeriod;
+  bench.tick(dynamics, missing);
+  EXPECT_LT(bench.velocity.norm(), 1e-9);
+  for (const Vec3& force : missing.foot_force) EXPECT_LT(force.norm(), 1e-6);
 }
 
 TEST(ContactForceEstimator, FollowsASuddenForceWithinAFewTicks) {
   RobotModel model(anymal_b());
   Random random(4);
   RobotState state = at_rest(random, model.description());
+  state.time = 0.0;
   const Dynamics& dynamics = model.update(state, kUp);
-  ContactForceEstimator estimator({.cutoff_hz = 40.0}, kPeriod);
+  Bench bench;
   state.torque = dynamics.h.tail<kNumJoints>();
-  estimator.update(dynamics, kUp, SensorReading{}, state);
+  bench.tick(dynamics, state);
   EXPECT_LT(state.foot_force[0].norm(), 1e-9);
   const PerLeg<Vec3> touch{Vec3(0.0, 0.0, 50.0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   state.torque -= generalized(dynamics, touch).tail<kNumJoints>();
-  estimator.update(dynamics, kUp, SensorReading{}, state);
-  const double first = state.foot_force[0].z();
-  for (int tick = 0; tick < 5; ++tick) estimator.update(dynamics, kUp, SensorReading{}, state);
-  EXPECT_GT(first, 15.0);
-  EXPECT_LT(first, 35.0);
-  EXPECT_GT(state.foot_force[0].z(), 45.0);
+  std::vector<double> force;
+  for (int tick = 0; tick < 12; ++tick) {
+    state.time += kPeriod;
+    bench.tick(dynamics, state);
+    force.push_back(state.foot_force[0].z());
+  }
+  EXPECT_GT(force[3], 10.0) << "a touchdown's threshold, 10 ms after it";
+  EXPECT_GT(force.back(), 45.0);
+  EXPECT_LT(force.back(), 60.0);
   EXPECT_LT(state.foot_force[1].norm(), 0.5);
 }
 
@@ -184,8 +229,7 @@ TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
   RobotModel model(anymal_b());
   RobotState state = test::straight_legged_state();
   state.torque.setConstant(5.0);
-  ContactForceEstimator estimator({}, kPeriod);
-  estimator.update(model.update(state, kUp), kUp, SensorReading{}, state);
+  Bench().tick(model.update(state, kUp), state);
   for (const Vec3& force : state.foot_force) {
     EXPECT_TRUE(force.allFinite());
     EXPECT_LT(force.norm(), 2000.0);
@@ -198,15 +242,13 @@ TEST(ContactForceEstimator, TakesAFootSensorsForceOnlyWhereItIsAskedToAndThereIs
   RobotState state = at_rest(random, model.description());
   const Dynamics& dynamics = model.update(state, kUp);
   state.torque = dynamics.h.tail<kNumJoints>();
-  SensorReading reading;
-  reading.foot_force = {42.0, kNaN, 7.0, kNaN};
-  ContactForceEstimator with({.use_foot_sensor = true}, kPeriod);
-  with.update(dynamics, kUp, reading, state);
+  Bench with({.use_foot_sensor = true}), without;
+  with.reading.foot_force = without.reading.foot_force = {42.0, kNaN, 7.0, kNaN};
+  with.tick(dynamics, state);
   EXPECT_EQ(state.foot_force[0], Vec3(0.0, 0.0, 42.0));
   EXPECT_LT(state.foot_force[1].norm(), 1e-9);
   EXPECT_EQ(state.foot_force[2], Vec3(0.0, 0.0, 7.0));
-  ContactForceEstimator without({}, kPeriod);
-  without.update(dynamics, kUp, reading, state);
+  without.tick(dynamics, state);
   EXPECT_LT(state.foot_force[0].norm(), 1e-9);
 }
 
@@ -215,13 +257,12 @@ TEST(ContactForceEstimator, LaysAFootSensorsForceAlongTheTerrainNormal) {
   Random random(9);
   RobotState state = at_rest(random, model.description());
   state.torque.setZero();
-  SensorReading reading;
-  reading.foot_force = {42.0, 0.0, 7.0, -1.0};
   const Vec3 normal = Vec3(0.2, -0.1, 1.0).normalized();
-  ContactForceEstimator estimator({.use_foot_sensor = true}, kPeriod);
-  estimator.update(model.update(state, normal), normal, reading, state);
+  Bench bench({.use_foot_sensor = true});
+  bench.reading.foot_force = {42.0, 0.0, 7.0, -1.0};
+  bench.tick(model.update(state, normal), state, normal);
   for (std::size_t k = 0; k < kNumLegs; ++k) {
-    EXPECT_LT((state.foot_force[k] - reading.foot_force[k] * normal).norm(), 1e-12);
+    EXPECT_LT((state.foot_force[k] - bench.reading.foot_force[k] * normal).norm(), 1e-12);
   }
 }
 
@@ -231,10 +272,10 @@ TEST(ContactForceEstimator, AllocatesNothing) {
   RobotState state = at_rest(random, model.description());
   state.torque.setZero();
   const Dynamics& dynamics = model.update(state, kUp);
-  ContactForceEstimator estimator({}, kPeriod);
+  Bench bench;
   const test::MallocCounter counter;
-  estimator.update(dynamics, kUp, SensorReading{}, state);
-  estimator.update(dynamics, kUp, SensorReading{}, state);
+  bench.tick(dynamics, state);
+  bench.tick(dynamics, state);
   EXPECT_EQ(counter.count(), 0u);
 }
 

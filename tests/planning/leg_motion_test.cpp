@@ -24,8 +24,13 @@ struct Bench {
       : leg(SwingOptions{}, TouchdownOptions{}, force, kPeriod) {}
 
   LegEvent observe(const Vec3& force) {
-    return leg.observe(time, {hip ? *hip : p + 0.3 * kUp, hip_velocity, Vec3::Zero()}, p, force,
-                       kUp);
+    const Motion<Vec3> hip_motion{hip ? *hip : p + 0.3 * kUp, hip_velocity, Vec3::Zero()};
+    const Vec3 v = foot_velocity ? *foot_velocity : leg.plan(time).v_WF;
+    return leg.observe(time, {.hip = hip_motion,
+                              .foot = {p, v, Vec3::Zero()},
+                              .force = force,
+                              .normal = kUp,
+                              .force_per_torque = force_per_torque});
   }
   LegEvent observe(double normal_force) { return observe(normal_force * kUp); }
 
@@ -57,6 +62,8 @@ struct Bench {
   Vec3 p{1.0, 2.0, 0.03};
   std::optional<Vec3> hip;  // without one the leg is never too short
   Vec3 hip_velocity = Vec3::Zero();
+  double force_per_torque = 0.0;      // [1/m]
+  std::optional<Vec3> foot_velocity;  // without one that of the reference
 };
 
 constexpr double kDuration = 0.5;  // of a swing [s]
@@ -116,6 +123,24 @@ TEST(LegMotion, OneTickOfLightForceIsNoTouchdown) {
 TEST(LegMotion, AnImpactIsATouchdownAtOnce) {
   Bench bench = searching();
   EXPECT_EQ(bench.follow(kPeriod, 100.0), LegEvent::touchdown);
+}
+
+TEST(LegMotion, AStraightLegsTorquesAreDoubted) {
+  const TouchdownOptions options;
+  Bench bench = searching();
+  bench.force_per_torque = 3.0 * options.touchdown_force / options.torque_error;
+  EXPECT_EQ(bench.follow(0.2, 2.9 * options.touchdown_force), LegEvent::none);
+  EXPECT_EQ(bench.follow(2 * kPeriod, 3.1 * options.touchdown_force), LegEvent::touchdown);
+}
+
+TEST(LegMotion, AFootThatBouncesHasTouched) {
+  const TouchdownOptions options;
+  Bench bench = searching();
+  bench.foot_velocity = bench.leg.plan(bench.time).v_WF + 0.9 * options.bounce_speed * kUp;
+  EXPECT_EQ(bench.follow(0.2, 1.1 * options.stall_force), LegEvent::none);
+  bench.foot_velocity = bench.leg.plan(bench.time).v_WF + 1.1 * options.bounce_speed * kUp;
+  EXPECT_EQ(bench.follow(0.2, 0.9 * options.stall_force), LegEvent::none);
+  EXPECT_EQ(bench.follow(2 * kPeriod, 1.1 * options.stall_force), LegEvent::touchdown);
 }
 
 TEST(LegMotion, TouchesDownWhereItStallsUnderASmallForce) {

@@ -7,7 +7,7 @@ import pytest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
-def record(path, *arguments, scenario="walk_flat", duration=2):
+def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     """Runs two seconds of the flat walk, long enough for a step, or another scenario, and records it."""
     program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))
     command = [program, "run", str(SOURCE / "scenarios" / f"{scenario}.yaml"), "--set", f"duration={duration}",

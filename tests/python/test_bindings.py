@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 @pytest.fixture(scope="module")
 def scenario():
-    return surefoot.load_scenario("walk_flat", set=["duration=1"])
+    return surefoot.load_scenario("walk_flat_ideal", set=["duration=1"])
 
 
 def walked(scenario, ticks):

@@ -83,7 +83,7 @@ def test_ticks_are_a_control_period_apart_on_every_topic(log):
 
 def test_the_files_that_the_run_was_made_from_are_in_it(log):
     header = json.loads(attachment(log, "header.json"))
-    assert header["scenario"] == "walk_flat"
+    assert header["scenario"] == "walk_flat_ideal"
     assert header["robot"]["name"] == "anymal_b"
     assert attachment(log, "model.xml").startswith(b"<mujoco")
     assert b"<robot" in attachment(log, "robot.urdf")

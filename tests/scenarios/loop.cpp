@@ -17,8 +17,8 @@ Loop::Loop(const Scenario& scenario)
     : scenario_(scenario),
       plant_(scenario.robot, scenario.plant),
       controller_(scenario.robot, scenario.controller,
-                  make_estimator(scenario.estimation,
-                                 {scenario.robot, scenario.controller.period, plant_})) {}
+                  make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
+                                                       plant_, scenario.estimator})) {}
 
 PlanEvent Loop::tick() {
   const SensorReading& reading = plant_.read();

@@ -20,7 +20,7 @@ TEST(Walk, WithDelayLagAndNoiseItStillFollowsWithinAMillimetre) {
 }
 
 TEST(Walk, NothingIsAllocatedAfterTheFirstTick) {
-  Loop loop(scenario("walk_flat", {}));
+  Loop loop(scenario("walk_flat", {"planner.calibration.duration=0"}));
   (void)loop.tick();
   const std::size_t first = loop.allocations();
   loop.run_until(6.0);

@@ -10,12 +10,17 @@ namespace surefoot {
 namespace {
 
 TEST(MakeEstimator, MakesOneOfEveryKindThatFollowsThePlant) {
-  Plant plant(test::anymal_b(), test::falling_options());
   for (const Estimation estimation : kEstimations) {
+    Plant plant(test::anymal_b(), test::falling_options());
     const auto estimator = make_estimator(estimation, {test::anymal_b(), 0.0025, plant});
     ASSERT_NE(estimator, nullptr) << name(estimation);
-    for (int tick = 0; tick < 10; ++tick) plant.write({});
-    const RobotState& state = estimator->update(plant.read());
+    TickContext falling;
+    for (FootContact& contact : falling.contacts) contact.carries = false;
+    for (int tick = 0; tick < 10; ++tick) {
+      (void)estimator->update(plant.read(), falling);
+      plant.write({});
+    }
+    const RobotState& state = estimator->update(plant.read(), falling);
     EXPECT_EQ(state.time, plant.time()) << name(estimation);
     EXPECT_LT((state.q - plant.truth().q).norm(), 0.01) << name(estimation);
     EXPECT_LT((state.v_WB - plant.truth().v_WB).norm(), 0.01) << name(estimation);

@@ -20,7 +20,7 @@ TEST(TruthEstimator, SensesJointPositionsAndTorquesAndTakesTheRestFromTheTruth) 
   reading.q.setConstant(0.8);
   reading.torque.setConstant(11.0);
 
-  const RobotState& state = estimator.update(reading);
+  const RobotState& state = estimator.update(reading, {});
   EXPECT_EQ(state.time, 1.5);
   EXPECT_EQ(state.p_WB, truth.p_WB);
   EXPECT_EQ(state.q_WB.coeffs(), truth.q_WB.coeffs());

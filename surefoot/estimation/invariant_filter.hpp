@@ -1,0 +1,96 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// Standard deviations of what an InvariantFilter is told.
+struct InvariantFilterOptions {
+  double gyro_noise = 2e-4;               ///< [rad/s/√Hz]
+  double accelerometer_noise = 2e-3;      ///< [m/s²/√Hz]
+  double gyro_bias_walk = 1e-5;           ///< [rad/s²/√Hz]
+  double accelerometer_bias_walk = 1e-4;  ///< [m/s³/√Hz]
+  double encoder_noise = 2.5e-4;          ///< [rad]
+  double foot_position_noise = 3e-4;      ///< of the leg's kinematics, each axis [m]
+  /// A foot position whose squared Mahalanobis distance exceeds this is an outlier (χ², 3 degrees
+  /// of freedom: 99.9 % lie below 16.3).
+  double gate = 16.3;
+  double initial_tilt = 0.02;                ///< [rad]
+  double initial_velocity = 0.02;            ///< [m/s]
+  double initial_gyro_bias = 2e-3;           ///< [rad/s]
+  double initial_accelerometer_bias = 0.12;  ///< [m/s²]
+};
+
+/// Contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle 2020, with
+/// the right-invariant error): orientation R, velocity v and position p of the IMU, the positions
+/// d_k of the feet that stand, and the IMU's biases b_g, b_a.
+///
+///     Ṙ = R S(ω − b_g),   v̇ = R (a − b_a) + g,   ṗ = v,   ḋ_k = 0       (each with white noise)
+///     measured:  R h_k(q) = d_k − p                                      (a foot k that stands)
+///
+/// The error ξ = (θ, ξ_v, ξ_p, ξ_d1 … ξ_d4, ξ_g, ξ_a) is defined by X̂ = exp(ξ) X and b̂ = b + ξ, so
+/// the measurement is linear in it: R̂ h − (d̂ − p̂) = ξ_p − ξ_d. Position and heading of W are those
+/// of the start and drift: they can't be observed. Does not allocate.
+class InvariantFilter {
+ public:
+  static constexpr int kTheta = 0, kVelocity = 3, kPosition = 6, kFeet = 9;
+  static constexpr int kGyroBias = kFeet + 3 * kNumLegs, kAccelerometerBias = kGyroBias + 3;
+  static constexpr int kSize = kAccelerometerBias + 3;
+  using Covariance = Eigen::Matrix<double, kSize, kSize>;
+
+  explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
+
+  /// At rest at the origin with heading 0, level as the mean specific force in B says [m/s²]. No
+  /// foot stands yet.
+  void start(const Vec3& specific_force, const Vec3& angular_velocity) noexcept;
+
+  /// Says where the base is, right after the start.
+  void place(const Vec3& p_WB) noexcept { p_ = p_WB; }
+
+  /// `dt` [s] ahead with the gyroscope's and the accelerometer's mean readings over that time, in
+  /// B.
+  void propagate(const Vec3& gyro, const Vec3& accelerometer, double dt) noexcept;
+
+  /// Foot k begins to stand at h, its position in B [m]; J = ∂h/∂q of its leg.
+  void plant(Leg leg, const Vec3& h, const Mat3& J) noexcept;
+  /// Foot k leaves the ground.
+  void release(Leg leg) noexcept;
+  /// A standing foot has moved by `step` in W [m], as a sphere that rolls does, and may have
+  /// slipped by `walk` (standard deviation of each axis, [m]).
+  void move(Leg leg, const Vec3& step, double walk) noexcept;
+
+  /// Takes in where a standing foot is seen from B. An outlier is taken as a slip: it moves the
+  /// foot, hardly the base. Returns the squared Mahalanobis distance of what was seen.
+  double correct(Leg leg, const Vec3& h, const Mat3& J) noexcept;
+
+  [[nodiscard]] const Mat3& R_WB() const { return R_; }
+  [[nodiscard]] const Vec3& v_WB() const { return v_; }
+  [[nodiscard]] const Vec3& p_WB() const { return p_; }
+  [[nodiscard]] const Vec3& p_WF(Leg leg) const { return d_[index(leg)]; }
+  [[nodiscard]] bool stands(Leg leg) const { return stands_[index(leg)]; }
+  [[nodiscard]] const Vec3& gyro_bias() const { return gyro_bias_; }
+  [[nodiscard]] const Vec3& accelerometer_bias() const { return accelerometer_bias_; }
+  /// Of ξ; rows and columns of feet that don't stand are zero.
+  [[nodiscard]] const Covariance& covariance() const { return P_; }
+
+ private:
+  using Rows = Eigen::Matrix<double, 3, kSize>;
+
+  [[nodiscard]] static int foot(Leg leg) { return kFeet + 3 * static_cast<int>(leg); }
+  /// P + dt A P for the error's dynamics ξ̇ = A ξ.
+  [[nodiscard]] Covariance advanced(const Covariance& P, double dt) const;
+  void add_process_noise(double dt);
+  [[nodiscard]] Mat3 measurement_noise(const Mat3& J) const;
+  /// X ← exp(−ξ) X.
+  void retract(const Eigen::Matrix<double, kSize, 1>& xi);
+
+  InvariantFilterOptions options_;
+  Mat3 R_ = Mat3::Identity();
+  Vec3 v_ = Vec3::Zero(), p_ = Vec3::Zero();
+  PerLeg<Vec3> d_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  PerLeg<bool> stands_{};
+  Vec3 gyro_bias_ = Vec3::Zero(), accelerometer_bias_ = Vec3::Zero();
+  Covariance P_ = Covariance::Zero();
+};
+
+}  // namespace surefoot

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// Joint velocities, and the accelerations that a model can't explain, from encoder readings alone:
+/// a steady-state Kalman filter of each joint's (q, q̇, d) around the model's acceleration a.
+///
+///     q̈ = a + d,   ḋ = white noise
+///     predict   q̂ ← q̂ + Δt q̇̂ + ½Δt² (a + d̂),   q̇̂ ← q̇̂ + Δt (a + d̂)
+///     correct   e = q − q̂:   q̂ += α e,   q̇̂ += β/Δt e,   d̂ += 2γ/Δt² e
+///
+/// with the gains that put all three poles at θ = exp(−ω Δt): α = 1 − θ³, β = 3/2 (1 − θ)² (1 + θ),
+/// γ = ½ (1 − θ)³ (fading memory; Brookner 1998, Sec. 1.3). With M d as the torque, this is the
+/// generalized-momentum observer (De Luca 2003) in its Kalman form (Wahrburg 2018): velocities
+/// don't lag, since the model's acceleration feeds them. Does not allocate.
+class JointObserver {
+ public:
+  /// `bandwidth` is ω [rad/s].
+  JointObserver(double bandwidth, double period);
+
+  /// At rest at q.
+  void start(const JointVector& q) noexcept;
+  /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only.
+  void update(const JointVector& q, int periods) noexcept;
+  /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
+  void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }
+  /// Holds what is unknown to be such that the joints don't accelerate now.
+  void balance() noexcept { disturbance_ = -expected_; }
+
+  [[nodiscard]] const JointVector& q() const { return q_; }
+  [[nodiscard]] const JointVector& velocity() const { return velocity_; }
+  /// d̂ [rad/s²].
+  [[nodiscard]] const JointVector& disturbance() const { return disturbance_; }
+
+ private:
+  double period_;
+  double alpha_, beta_, gamma_;
+  JointVector q_ = JointVector::Zero(), velocity_ = JointVector::Zero();
+  JointVector disturbance_ = JointVector::Zero(), expected_ = JointVector::Zero();
+};
+
+}  // namespace surefoot

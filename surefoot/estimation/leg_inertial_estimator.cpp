@@ -1,0 +1,107 @@
+#include "surefoot/estimation/leg_inertial_estimator.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/model/body_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLongAgo = 1e3;  // [s]
+
+Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
+
+}  // namespace
+
+LegInertialEstimator::LegInertialEstimator(const RobotDescription& robot,
+                                           const LegInertialOptions& options, double period)
+    : options_(options), period_(period), foot_radius_(robot.foot_radius), filter_(options.filter) {
+  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
+}
+
+const RobotState& LegInertialEstimator::update(const SensorReading& reading,
+                                               const TickContext& context) noexcept {
+  if (!started_) {
+    start(reading);
+  } else {
+    const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
+    advance(reading, dt);
+    for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
+  }
+  write_state(reading);
+  state_.qd = context.joint_velocity;
+  return state_;
+}
+
+void LegInertialEstimator::start(const SensorReading& reading) {
+  started_ = true;
+  gyro_before_ = reading.gyro;
+  filter_.start(reading.accelerometer, reading.gyro);
+  see_feet(reading);
+  double lowest = 0.0;
+  for (const Foot& foot : feet_) lowest += (filter_.R_WB() * foot.p_BF).z() / kNumLegs;
+  filter_.place({0.0, 0.0, foot_radius_ - lowest});
+  for (const Leg leg : kLegs) {
+    Foot& foot = feet_[index(leg)];
+    foot.stands_for = kLongAgo;
+    filter_.plant(leg, foot.p_BF, foot.J);
+  }
+}
+
+void LegInertialEstimator::advance(const SensorReading& reading, double dt) {
+  R_WB_before_ = filter_.R_WB();
+  filter_.propagate(0.5 * (gyro_before_ + reading.gyro), reading.accelerometer, dt);
+  gyro_before_ = reading.gyro;
+  see_feet(reading);
+}
+
+void LegInertialEstimator::see_feet(const SensorReading& reading) {
+  for (const Leg leg : kLegs) {
+    Foot& foot = feet_[index(leg)];
+    const LegChain& chain = chains_[index(leg)];
+    const Vec3 q = angles(reading.q, leg);
+    const Mat3 R_WS_before = R_WB_before_ * foot.R_BS;
+    foot.p_BF = chain.foot_in_base(q, &foot.J);
+    foot.R_BS = chain.shank_in_base(q);
+    const Mat3 R_WS = filter_.R_WB() * foot.R_BS;
+    const Vec3 turn = log_rotation(Quat(Mat3(R_WS * R_WS_before.transpose())));
+    foot.roll = turn.cross(foot_radius_ * Vec3::UnitZ());
+  }
+}
+
+void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, double dt) {
+  Foot& foot = feet_[index(leg)];
+  if (!contact.carries) {
+    if (filter_.stands(leg)) filter_.release(leg);
+    return;
+  }
+  if (!filter_.stands(leg)) {
+    foot.stands_for = 0.0;
+    filter_.plant(leg, foot.p_BF, foot.J);
+    return;
+  }
+  foot.stands_for += dt;
+  filter_.move(leg, foot.roll, walk(foot, contact) * std::sqrt(dt));
+  filter_.correct(leg, foot.p_BF, foot.J);
+}
+
+double LegInertialEstimator::walk(const Foot& foot, const FootContact& contact) const {
+  const double trust = std::min(1.0, foot.stands_for / options_.trust_time) *
+                       std::clamp(contact.normal_force / options_.trust_force, 0.0, 1.0);
+  return options_.foot_walk + options_.loose_foot_walk * (1.0 - trust) * (1.0 - trust);
+}
+
+void LegInertialEstimator::write_state(const SensorReading& reading) {
+  state_.time = reading.time;
+  state_.p_WB = filter_.p_WB();
+  state_.q_WB = Quat(filter_.R_WB());
+  state_.v_WB = filter_.v_WB();
+  state_.w_WB_B = reading.gyro - filter_.gyro_bias();
+  state_.q = reading.q;
+  state_.torque = reading.torque;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "surefoot/estimation/invariant_filter.hpp"
+#include "surefoot/estimation/state_estimator.hpp"
+#include "surefoot/model/description.hpp"
+#include "surefoot/model/leg_chain.hpp"
+
+namespace surefoot {
+
+struct LegInertialOptions {
+  InvariantFilterOptions filter;
+  double foot_walk = 0.001;      ///< of a foot that stands firmly [m/√s]
+  double loose_foot_walk = 0.3;  ///< … of one that hardly touches [m/√s]
+  double trust_time = 0.08;      ///< after a touchdown until a foot is trusted fully [s]
+  double trust_force = 30.0;     ///< normal force from which on it is [N]
+};
+
+/// Base state from the IMU, the encoders and the feet that stand: an InvariantFilter, fed.
+///
+/// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
+/// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
+/// since the last tick, r the radius and n the vertical. The filter takes no joint
+/// velocities. Position and heading begin at 0, with the
+/// feet's lowest points at z = 0. Does not allocate after construction.
+class LegInertialEstimator final : public StateEstimator {
+ public:
+  /// Throws Error where the URDF can't be read. `period` of the control loop [s].
+  LegInertialEstimator(const RobotDescription& robot, const LegInertialOptions& options,
+                       double period);
+
+  [[nodiscard]] const RobotState& update(const SensorReading& reading,
+                                         const TickContext& context) noexcept override;
+
+  [[nodiscard]] const InvariantFilter& filter() const { return filter_; }
+
+ private:
+  struct Foot {
+    Vec3 p_BF = Vec3::Zero();
+    Mat3 J = Mat3::Zero();
+    Mat3 R_BS = Mat3::Identity();  // shank
+    Vec3 roll = Vec3::Zero();      // of the sphere since the last tick [m]
+    double stands_for = 0.0;       // [s]
+  };
+
+  void start(const SensorReading& reading);
+  void advance(const SensorReading& reading, double dt);
+  void see_feet(const SensorReading& reading);
+  void update_foot(Leg leg, const FootContact& contact, double dt);
+  [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
+  void write_state(const SensorReading& reading);
+
+  LegInertialOptions options_;
+  double period_;
+  double foot_radius_;
+  PerLeg<LegChain> chains_;
+  InvariantFilter filter_;
+  PerLeg<Foot> feet_{};
+  Vec3 gyro_before_ = Vec3::Zero();
+  Mat3 R_WB_before_ = Mat3::Identity();
+  RobotState state_;
+  bool started_ = false;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,47 @@
+#include "surefoot/evaluation/touchdown_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kBounce = 0.05;   // [s]
+constexpr double kJustNow = 0.02;  // [s]
+
+}  // namespace
+
+void TouchdownJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
+  const double time = truth.time;
+  for (const Leg leg : kLegs) {
+    Foot& foot = feet_[index(leg)];
+    const bool contact = plan.contact(leg);
+    if (truth.feet[index(leg)].touching) {
+      const bool is_new = !(time - foot.touching_at <= kBounce);
+      if (is_new || foot.was_contact) foot.touched_at = time;
+      foot.touching_at = time;
+    }
+    if (contact && !foot.was_contact) judge(foot, time);
+    foot.was_contact = contact;
+  }
+}
+
+void TouchdownJudge::judge(const Foot& foot, double time) {
+  if (time - foot.touching_at <= kJustNow) {
+    latencies_.push_back(time - foot.touched_at);
+  } else {
+    ++false_touchdowns_;
+  }
+}
+
+void TouchdownJudge::write(Metrics& metrics) const {
+  metrics.false_touchdowns = false_touchdowns_;
+  if (latencies_.empty()) return;
+  std::vector<double> sorted = latencies_;
+  std::ranges::sort(sorted);
+  const auto count = static_cast<double>(sorted.size());
+  const auto rank = static_cast<std::size_t>(std::ceil(0.95 * count)) - 1;
+  metrics.touchdown_latency_p95_s = sorted[rank];
+}
+
+}  // namespace surefoot

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "surefoot/signals/leg.hpp"
+
+namespace surefoot {
+
+/// What is believed of a foot's contact when readings come in, from the tick before.
+struct FootContact {
+  bool carries = true;        ///< the plan lets the foot stand
+  double normal_force = 0.0;  ///< estimated, along the terrain normal [N]
+};
+
+/// What a state estimator is told beside the readings.
+struct TickContext {
+  PerLeg<FootContact> contacts{};
+  JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
+};
+
+}  // namespace surefoot

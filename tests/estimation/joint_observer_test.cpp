@@ -1,0 +1,85 @@
+#include "surefoot/estimation/joint_observer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+constexpr double kBandwidth = 2.0 * kPi * 40.0;
+
+TEST(JointObserver, FollowsAMotionThatItsModelKnowsWithoutError) {
+  JointObserver observer(kBandwidth, kPeriod);
+  JointVector q = JointVector::LinSpaced(-1.0, 1.0), v = JointVector::Zero();
+  const JointVector a = JointVector::LinSpaced(-30.0, 50.0);
+  observer.start(q);
+  for (int tick = 0; tick < 100; ++tick) {
+    observer.expect(a);
+    q += kPeriod * v + 0.5 * kPeriod * kPeriod * a;
+    v += kPeriod * a;
+    observer.update(q, 1);
+    ASSERT_LT((observer.velocity() - v).norm(), 1e-9);
+    ASSERT_LT(observer.disturbance().norm(), 1e-6);
+  }
+}
+
+TEST(JointObserver, FindsAnAccelerationThatItsModelDoesNotKnow) {
+  JointObserver observer(kBandwidth, kPeriod);
+  JointVector q = JointVector::Zero(), v = JointVector::Zero();
+  const JointVector unknown = JointVector::LinSpaced(-100.0, 100.0);
+  observer.start(q);
+  double first = 0.0;
+  for (int tick = 0; tick < 40; ++tick) {
+    q += kPeriod * v + 0.5 * kPeriod * kPeriod * unknown;
+    v += kPeriod * unknown;
+    observer.update(q, 1);
+    if (tick == 0) first = observer.disturbance()[11];
+  }
+  EXPECT_LT((observer.disturbance() - unknown).norm(), 0.01 * unknown.norm());
+  EXPECT_LT((observer.velocity() - v).norm(), 0.01 * v.norm());
+  EXPECT_LT(first, 0.2 * unknown[11]) << "one reading is not believed";
+}
+
+TEST(JointObserver, SeveralPeriodsAtOnceAreAsLongAsOneByOne) {
+  const JointVector a = JointVector::Constant(7.0);
+  JointVector q = JointVector::Constant(0.3);
+  JointObserver observer(kBandwidth, kPeriod);
+  observer.start(q);
+  observer.expect(a);
+  const double dt = 12 * kPeriod;
+  q += 0.5 * dt * dt * a;
+  observer.update(q, 12);
+  EXPECT_LT((observer.velocity() - dt * a).norm(), 1e-12);
+  EXPECT_LT((observer.q() - q).norm(), 1e-12);
+}
+
+TEST(JointObserver, AJointWithoutReadingGoesOnAsItsModelSays) {
+  JointObserver observer(kBandwidth, kPeriod);
+  observer.start(JointVector::Zero());
+  observer.expect(JointVector::Constant(4.0));
+  JointVector q = JointVector::Constant(0.5 * kPeriod * kPeriod * 4.0);
+  q[3] = std::numeric_limits<double>::quiet_NaN();
+  observer.update(q, 1);
+  for (const double v : observer.velocity()) EXPECT_NEAR(v, 4.0 * kPeriod, 1e-12);
+}
+
+TEST(JointObserver, NoiseOfAnEncoderGivesLessNoiseThanItsDifferences) {
+  JointObserver observer(kBandwidth, kPeriod);
+  observer.start(JointVector::Zero());
+  double sum = 0.0;
+  constexpr int kTicks = 4000;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    // Half a step of an encoder, up and down without a pattern.
+    const double noise = 2.2e-4 * std::sin(1.7 * tick * tick);
+    observer.update(JointVector::Constant(noise), 1);
+    sum += observer.velocity()[0] * observer.velocity()[0];
+  }
+  const double differences = std::sqrt(2.0) * 2.2e-4 / std::sqrt(2.0) / kPeriod;
+  EXPECT_LT(std::sqrt(sum / kTicks), 0.6 * differences);
+}
+
+}  // namespace
+}  // namespace surefoot

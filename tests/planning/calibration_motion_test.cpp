@@ -1,0 +1,49 @@
+#include "surefoot/planning/calibration_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr CalibrationOptions kOptions{
+    .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
+
+TEST(CalibrationMotion, BeginsAndEndsAtRest) {
+  const CalibrationMotion motion(kOptions);
+  for (const double t : {-1.0, 0.0, 1e-9, 6.0 - 1e-9, 6.0, 9.0}) {
+    EXPECT_LT(motion.at(t).p.norm(), 1e-9) << t;
+    EXPECT_LT(motion.at(t).v.norm(), 1e-7) << t;
+    EXPECT_LT(motion.at(t).a.norm(), 1e-6) << t;
+  }
+}
+
+TEST(CalibrationMotion, RatesAndAccelerationsAreTheDerivatives) {
+  const CalibrationMotion motion(kOptions);
+  constexpr double kStep = 1e-4;
+  for (double t = 0.05; t < 6.0; t += 0.17) {
+    const Vec3 v = (motion.at(t + kStep).p - motion.at(t - kStep).p) / (2.0 * kStep);
+    const Vec3 a = (motion.at(t + kStep).v - motion.at(t - kStep).v) / (2.0 * kStep);
+    EXPECT_LT((motion.at(t).v - v).norm(), 1e-6) << t;
+    EXPECT_LT((motion.at(t).a - a).norm(), 1e-4) << t;
+  }
+}
+
+TEST(CalibrationMotion, TurnsAboutEveryAxisUpToItsAmplitude) {
+  const CalibrationMotion motion(kOptions);
+  Vec3 most = Vec3::Zero();
+  for (double t = 0.0; t < 6.0; t += 0.01) most = most.cwiseMax(motion.at(t).p.cwiseAbs());
+  const Vec3 amplitudes(kOptions.roll, kOptions.pitch, kOptions.yaw);
+  EXPECT_TRUE((most.array() <= amplitudes.array()).all());
+  EXPECT_TRUE((most.array() > 0.6 * amplitudes.array()).all());
+}
+
+TEST(CalibrationMotion, WithoutADurationThereIsNone) {
+  const CalibrationMotion motion{CalibrationOptions{}};
+  EXPECT_EQ(motion.at(0.0).p, Vec3::Zero());
+  EXPECT_EQ(motion.at(1.0).p, Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace surefoot
