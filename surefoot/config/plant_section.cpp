@@ -19,15 +19,32 @@ void read_foot_contact(Section& section, double timestep, ContactOptions& contac
     section.fail("solimp_max", "must not be below solimp_min");
 }
 
+void read_rotor(Section& section, RotorOptions& rotor) {
+  section.number("inertia", rotor.inertia, kPositive);
+  section.number("gear_ratio", rotor.gear_ratio, kPositive);
+  section.number("viscous", rotor.viscous, kNotNegative);
+  section.number("coulomb", rotor.coulomb, kNotNegative);
+  section.number("coulomb_speed", rotor.coulomb_speed, kPositive);
+}
+
 void read_actuators(Section& section, ActuatorOptions& actuators) {
   section.choice<ActuatorModel>("model", actuators.model,
                                 {{"ideal", ActuatorModel::ideal}, {"sea", ActuatorModel::sea}});
+  section.integer("level", actuators.level, 1, 2);
   section.integer("delay_ticks", actuators.delay_ticks, 0);
   section.number("bandwidth_hz", actuators.bandwidth_hz, kPositive);
   section.number("stall_torque", actuators.stall_torque, kPositive);
   section.number("no_load_speed", actuators.no_load_speed, kPositive);
   section.number("quantisation", actuators.quantisation, kNotNegative);
   section.number("torque_gain", actuators.torque_gain, kPositive);
+  section.section("spring", [&](Section& spring) {
+    spring.number("stiffness", actuators.spring.stiffness, kPositive);
+  });
+  section.section("rotor", [&](Section& rotor) { read_rotor(rotor, actuators.rotor); });
+  section.section("torque_loop", [&](Section& loop) {
+    loop.number("damping", actuators.torque_loop.damping, kPositive);
+    loop.number("integral_time", actuators.torque_loop.integral_time, kPositive);
+  });
 }
 
 void read_sensors(Section& section, SensorOptions& sensors) {

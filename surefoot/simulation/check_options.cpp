@@ -116,6 +116,19 @@ void check(const ActuatorOptions& actuators) {
   require_positive("actuators.no_load_speed", actuators.no_load_speed);
   require_not_negative("actuators.quantisation", actuators.quantisation);
   require_positive("actuators.torque_gain", actuators.torque_gain);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    require_positive(text("actuators.joint_torque_gain[", i, "]"), actuators.joint_torque_gain[i]);
+  }
+  require(actuators.level == 1 || actuators.level == 2, "actuators.level", actuators.level,
+          "1 or 2");
+  require_positive("actuators.spring.stiffness", actuators.spring.stiffness);
+  require_positive("actuators.rotor.inertia", actuators.rotor.inertia);
+  require_positive("actuators.rotor.gear_ratio", actuators.rotor.gear_ratio);
+  require_not_negative("actuators.rotor.viscous", actuators.rotor.viscous);
+  require_not_negative("actuators.rotor.coulomb", actuators.rotor.coulomb);
+  require_positive("actuators.rotor.coulomb_speed", actuators.rotor.coulomb_speed);
+  require_positive("actuators.torque_loop.damping", actuators.torque_loop.damping);
+  require_positive("actuators.torque_loop.integral_time", actuators.torque_loop.integral_time);
 }
 
 void check(const SensorOptions& sensors) {

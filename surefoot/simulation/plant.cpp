@@ -99,6 +99,7 @@ void Plant::Implementation::place(const RobotDescription& description) {
   base[4] = base[5] = 0.0;
   base[6] = std::sin(0.5 * initial.yaw);
   set_joints(initial.q);
+  actuators.rest_at(initial.q);
   mj_kinematics(&model, &data);
   base[2] = std::isnan(initial.position.z()) ? touching_height(description) : initial.position.z();
 }
@@ -121,7 +122,8 @@ double Plant::Implementation::touching_height(const RobotDescription& descriptio
 }
 
 void Plant::Implementation::set_torques() {
-  const JointVector torque = actuators.torque(simulation::joint_velocities(data, parts));
+  const JointVector torque = actuators.torque(simulation::joint_positions(data, parts),
+                                              simulation::joint_velocities(data, parts));
   for (std::size_t i = 0; i < kNumJoints; ++i) {
     data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
   }
@@ -135,7 +137,7 @@ void Plant::Implementation::physics_step() {
   mj_step2(&model, &data);
   const Vec3 acceleration = (simulation::base_velocity(data, parts) - v_before) / options.timestep;
   sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
-  actuators.advance();
+  actuators.advance(simulation::joint_positions(data, parts));
   mj_step1(&model, &data);
 }
 

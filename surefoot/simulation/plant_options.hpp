@@ -65,15 +65,40 @@ struct ContactOptions {
 
 enum class ActuatorModel { ideal, sea };
 
+/// Between motor and joint, of `sea` at level 2.
+struct SpringOptions {
+  double stiffness = 180.9;  ///< [N·m/rad]
+};
+
+/// Motor and gear, of `sea` at level 2. Friction is told at the joint's side of the gear.
+struct RotorOptions {
+  double inertia = 2.4e-5;     ///< of the rotor itself [kg·m²]; 0.06 at the joint
+  double gear_ratio = 50.0;    ///< turns of the rotor per turn of the joint
+  double viscous = 0.2;        ///< [N·m·s/rad]
+  double coulomb = 1.0;        ///< [N·m]
+  double coulomb_speed = 0.1;  ///< over which it changes sign, as tanh(ω / speed) [rad/s]
+};
+
+/// Loop on the spring's torque, of `sea` at level 2. Its gains follow from `bandwidth_hz`.
+struct TorqueLoopOptions {
+  double damping = 0.7;        ///< ratio of the closed loop
+  double integral_time = 0.1;  ///< [s]
+};
+
 struct ActuatorOptions {
   ActuatorModel model = ActuatorModel::ideal;
   // sea:
+  int level = 1;                ///< 1: delay and lag; 2: motor, spring and torque loop
   int delay_ticks = 1;          ///< control ticks between command and motor
-  double bandwidth_hz = 70.0;   ///< first-order torque response
+  double bandwidth_hz = 70.0;   ///< of the lag at level 1, of the torque loop at level 2
   double stall_torque = 40.0;   ///< torque–speed line: full torque at rest … [N·m]
   double no_load_speed = 12.0;  ///< … none at this speed [rad/s]
-  double quantisation = 0.2;    ///< of the applied torque [N·m]
-  double torque_gain = 1.0;     ///< true torque per commanded
+  double quantisation = 0.2;    ///< of the torque that is applied (1) or measured (2) [N·m]
+  double torque_gain = 1.0;     ///< true torque per commanded, of all joints …
+  JointVector joint_torque_gain = JointVector::Ones();  ///< … and of each, on top
+  SpringOptions spring;
+  RotorOptions rotor;
+  TorqueLoopOptions torque_loop;
 };
 
 // Sensors, one by one. Noise is white, the standard deviation of a sample. A rate is that of the
