@@ -139,5 +139,37 @@ TEST(SeaActuators, MultiplyTheCommandByTheirGain) {
   EXPECT_NEAR(actuators.torque(kStill, kStill)[3], 18.0, 1e-6);
 }
 
+TEST(SeaActuators, MultiplyEachJointByItsOwnGainAtBothLevels) {
+  ActuatorOptions options = sea();
+  options.torque_gain = 0.9;
+  options.joint_torque_gain[3] = 1.1;
+  for (const int level : {1, 2}) {
+    options.level = level;
+    Actuators actuators(options, kLimit, kTimestep);
+    actuators.rest_at(kStill);
+    hold(actuators, 20.0, 400);
+    EXPECT_NEAR(actuators.torque(kStill, kStill)[3], 19.8, 1e-3) << level;
+    EXPECT_NEAR(actuators.torque(kStill, kStill)[4], 18.0, 1e-3) << level;
+  }
+}
+
+TEST(SeaActuators, OfLevelTwoStartWithoutTorqueAndWaitForTheDelay) {
+  ActuatorOptions options = sea();
+  options.level = 2;
+  options.delay_ticks = 2;
+  Actuators actuators(options, kLimit, kTimestep);
+  const JointVector q = JointVector::Constant(0.7);
+  actuators.rest_at(q);
+  EXPECT_EQ(actuators.torque(q, kStill), kStill);
+  for (int tick = 0; tick < 2; ++tick) {
+    actuators.command(constant(20.0));
+    for (int step = 0; step < kStepsPerTick; ++step) actuators.advance(q);
+  }
+  EXPECT_LT(actuators.torque(q, kStill).norm(), 1e-9);
+  actuators.command(constant(20.0));
+  for (int step = 0; step < 200; ++step) actuators.advance(q);
+  EXPECT_NEAR(actuators.torque(q, kStill)[0], 20.0, 0.1);
+}
+
 }  // namespace
 }  // namespace surefoot::simulation
