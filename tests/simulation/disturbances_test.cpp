@@ -115,13 +115,12 @@ TEST(WrongMasses, ScaleEachLinkOfALegByItself) {
   const Plant scaled(test::anymal_b(), options);
   const test::StockMujoco before(plain.model_xml(), plain.truth());
   const test::StockMujoco after(scaled.model_xml(), scaled.truth());
-  // Motors belong to the link that they are fixed to: the knee's to the thigh.
-  for (const auto& [name, link] : {std::pair{"LF_hip_fixed", 0},
-                                   {"LF_HFE", 0},
-                                   {"LF_KFE", 1},
+  for (const auto& [name, link] : {std::pair{"LF_HIP", 0},
+                                   {"LF_THIGH", 1},
+                                   {"LF_SHANK", 2},
                                    {"LF_FOOT", 2},
-                                   {"RF_HFE", 3},
-                                   {"RH_shank_fixed", 11}}) {
+                                   {"RF_HIP", 3},
+                                   {"RH_SHANK", 11}}) {
     const auto i = static_cast<std::size_t>(before.body(name));
     EXPECT_NEAR(after.model->body_mass[i], 1.1 * (0.85 + 0.02 * link) * before.model->body_mass[i],
                 1e-12)
@@ -164,7 +163,7 @@ TEST(WrongLengths, AreThoseThatWereAskedFor) {
     EXPECT_NEAR(other_thigh - thigh, options.disturbances.thigh_length_offset[index(leg)], 1e-9);
     EXPECT_NEAR(other_shank - shank, options.disturbances.shank_length_offset[index(leg)], 1e-9);
   }
-  EXPECT_NEAR(lengths_of(plain, Leg::LF).first, 0.285, 1e-9);
+  EXPECT_NEAR(lengths_of(plain, Leg::LF).first, 0.25, 1e-9);
 }
 
 }  // namespace
