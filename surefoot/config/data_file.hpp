@@ -7,7 +7,7 @@
 namespace surefoot {
 
 /// Names of the files that a data folder holds, without ".yaml", sorted.
-/// `folder` is "robots", "stacks" or "scenarios".
+/// `folder` is "robots", "stacks", "scenarios" or "randomisations".
 [[nodiscard]] std::vector<std::string> list_data(const std::string& folder);
 
 /// What a data file says of itself under `description:`; empty if nothing. Throws FileError.

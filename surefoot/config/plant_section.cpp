@@ -1,5 +1,7 @@
 #include "surefoot/config/plant_section.hpp"
 
+#include "surefoot/config/plant_vectors.hpp"
+#include "surefoot/config/sensor_section.hpp"
 #include "surefoot/config/terrain_section.hpp"
 
 namespace surefoot {
@@ -19,38 +21,33 @@ void read_foot_contact(Section& section, double timestep, ContactOptions& contac
     section.fail("solimp_max", "must not be below solimp_min");
 }
 
+void read_rotor(Section& section, RotorOptions& rotor) {
+  section.number("inertia", rotor.inertia, kPositive);
+  section.number("gear_ratio", rotor.gear_ratio, kPositive);
+  section.number("viscous", rotor.viscous, kNotNegative);
+  section.number("coulomb", rotor.coulomb, kNotNegative);
+  section.number("coulomb_speed", rotor.coulomb_speed, kPositive);
+}
+
 void read_actuators(Section& section, ActuatorOptions& actuators) {
   section.choice<ActuatorModel>("model", actuators.model,
                                 {{"ideal", ActuatorModel::ideal}, {"sea", ActuatorModel::sea}});
-  section.integer("delay_ticks", actuators.delay_ticks, 0);
+  section.integer("level", actuators.level, 1, 2);
+  section.integer("delay_ticks", actuators.delay_ticks, 0, kMaxDelayTicks);
   section.number("bandwidth_hz", actuators.bandwidth_hz, kPositive);
   section.number("stall_torque", actuators.stall_torque, kPositive);
   section.number("no_load_speed", actuators.no_load_speed, kPositive);
   section.number("quantisation", actuators.quantisation, kNotNegative);
   section.number("torque_gain", actuators.torque_gain, kPositive);
-}
-
-void read_sensors(Section& section, SensorOptions& sensors) {
-  section.section("encoders", [&](Section& encoders) {
-    encoders.number("resolution", sensors.encoders.resolution, kNotNegative);
-    encoders.number("noise", sensors.encoders.noise, kNotNegative);
-    encoders.number("rate_hz", sensors.encoders.rate_hz, kPositive);
+  section.elements("joint_torque_gain", actuators.joint_torque_gain.data(), joint_elements(),
+                   kPositive);
+  section.section("spring", [&](Section& spring) {
+    spring.number("stiffness", actuators.spring.stiffness, kPositive);
   });
-  section.section("joint_torques", [&](Section& torques) {
-    torques.number("noise", sensors.joint_torques.noise, kNotNegative);
-    torques.number("rate_hz", sensors.joint_torques.rate_hz, kPositive);
-  });
-  section.section("imu", [&](Section& imu) {
-    imu.number("gyro_noise", sensors.imu.gyro_noise, kNotNegative);
-    imu.number("gyro_bias", sensors.imu.gyro_bias, kNotNegative);
-    imu.number("accelerometer_noise", sensors.imu.accelerometer_noise, kNotNegative);
-    imu.number("accelerometer_bias", sensors.imu.accelerometer_bias, kNotNegative);
-    imu.number("rate_hz", sensors.imu.rate_hz, kPositive);
-  });
-  section.section("foot_force", [&](Section& feet) {
-    feet.flag("present", sensors.foot_force.present);
-    feet.number("noise", sensors.foot_force.noise, kNotNegative);
-    feet.number("rate_hz", sensors.foot_force.rate_hz, kPositive);
+  section.section("rotor", [&](Section& rotor) { read_rotor(rotor, actuators.rotor); });
+  section.section("torque_loop", [&](Section& loop) {
+    loop.number("damping", actuators.torque_loop.damping, kPositive);
+    loop.number("integral_time", actuators.torque_loop.integral_time, kPositive);
   });
 }
 
@@ -92,7 +89,15 @@ void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
   });
   section.number("base_mass_scale", disturbances.base_mass_scale, kPositive);
   section.number("leg_mass_scale", disturbances.leg_mass_scale, kPositive);
+  section.elements("link_mass_scale", disturbances.link_mass_scale.data(), link_elements(),
+                   kPositive);
   section.vector("base_com_offset", disturbances.base_com_offset);
+  constexpr NumberRange kLength{
+      .min = -0.1, .max = 0.1, .words = "a number between -0.1 and 0.1 m"};
+  section.elements("thigh_length_offset", disturbances.thigh_length_offset.data(), leg_elements(),
+                   kLength);
+  section.elements("shank_length_offset", disturbances.shank_length_offset.data(), leg_elements(),
+                   kLength);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "surefoot/config/config_tree.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,25 @@ namespace surefoot {
 struct RandomDraw {
   std::string path;
   double value = 0.0;
+  std::string key{};  ///< of `randomise:` that it belongs to: the path, or that of the whole vector
 };
 
-/// Draws the scenario's `randomise:` section, a map from paths to [min, max], uniformly. A value
-/// depends on seed and path alone, so that scenarios which share a path and a seed share the value
-/// too. Seed 0 draws nothing. Throws Error on ranges that make no sense.
-[[nodiscard]] std::vector<RandomDraw> draw_random(const ConfigNode& scenario, std::uint64_t seed);
+/// Lays the files that `randomise: {include: …}` names under the section's own ranges: one name or
+/// a list, of data files in randomisations/ or paths as seen from `folder`. An entry with nothing
+/// behind it takes an included range away. Returns the files. Throws Error, naming file, line and
+/// key, on files that do not exist or hold anything but ranges.
+std::vector<std::filesystem::path> include_ranges(ConfigNode& scenario,
+                                                  const std::filesystem::path& folder);
+
+/// Draws the scenario's `randomise:` section, a map from paths to [min, max], uniformly, and writes
+/// the values into the scenario. Both ends are included where the key takes whole numbers. For a
+/// key with several numbers each gets its own, told by its name: sensors.encoders.offset.LF_KFE.
+///
+/// A value depends on seed and path alone, so that scenarios which share a path and a seed share
+/// the value too. Paths that were `assigned` are not drawn. Seed 0 draws nothing. Throws Error on
+/// ranges that make no sense.
+std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
+                                  const std::vector<std::string>& assigned);
 
 /// A uniform number in [0, 1) from a seed and a name, the same on every machine.
 [[nodiscard]] double uniform_of(std::uint64_t seed, const std::string& name);

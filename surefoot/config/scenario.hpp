@@ -38,7 +38,8 @@ struct PaperFigure {
 
 /// A file that a scenario was read from, word by word.
 struct SourceFile {
-  std::string name;  ///< "scenario.yaml", "base1.yaml", "robot.yaml" or "stack.yaml"
+  std::string
+      name;  ///< "scenario.yaml", "base1.yaml", "randomise1.yaml", "robot.yaml", "stack.yaml"
   std::string text;
 };
 

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -67,26 +66,11 @@ void drop_paper_of_another(ConfigNode& tree, const std::vector<std::string>& ass
     std::erase_if(tree.members, [](const auto& member) { return member.first == "paper"; });
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end};
-}
-
-/// Draws from the seed what no assignment fixes, and writes it into the tree.
-std::vector<RandomDraw> randomise(ConfigNode& tree, const ScenarioRequest& request) {
-  std::vector<RandomDraw> drawn = draw_random(tree, request.seed);
-  std::erase_if(drawn, [&](const RandomDraw& draw) {
-    return std::ranges::any_of(request.assignments, [&](const std::string& assignment) {
-      return assigned_path(assignment) == draw.path;
-    });
-  });
-  for (const RandomDraw& draw : drawn) {
-    const std::string where = tree.find("randomise")->find(draw.path)->where + ": randomise";
-    set_path(tree, draw.path,
-             {.kind = ConfigNode::Kind::scalar, .text = shortest(draw.value), .where = where});
-  }
-  return drawn;
+std::vector<std::string> assigned_paths(const ScenarioRequest& request) {
+  std::vector<std::string> paths;
+  for (const std::string& assignment : request.assignments)
+    paths.push_back(assigned_path(assignment));
+  return paths;
 }
 
 void keep_source(Scenario& scenario, const std::string& name, const fs::path& file) {
@@ -229,9 +213,8 @@ void read_body(Section& top, Scenario& scenario) {
 }
 
 /// The nominal run draws nothing; paths that could not be drawn are told all the same.
-void check_random_paths(ConfigNode tree, ScenarioRequest request) {
-  request.seed = 1;
-  (void)randomise(tree, request);
+void check_random_paths(ConfigNode tree, const ScenarioRequest& request) {
+  (void)randomise(tree, 1, assigned_paths(request));
   Section top(tree, "");
   Scenario unused;
   read_body(top, unused);
@@ -290,12 +273,16 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.assignments = request.assignments;
   scenario.name = file.stem().string();
   scenario.seed = request.seed;
+  const std::vector<fs::path> ranges = include_ranges(tree, file.parent_path());
   if (request.seed == 0) check_random_paths(tree, request);
-  scenario.drawn = randomise(tree, request);
+  scenario.drawn = randomise(tree, request.seed, assigned_paths(request));
   scenario.options_json = to_json(tree);
   for (std::size_t i = 0; i < files.size(); ++i) {
     keep_source(scenario, i == 0 ? "scenario.yaml" : "base" + std::to_string(i) + ".yaml",
                 files[i]);
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    keep_source(scenario, "randomise" + std::to_string(i + 1) + ".yaml", ranges[i]);
   }
   Section top(tree, "");
   read_body(top, scenario);

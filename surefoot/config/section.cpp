@@ -127,17 +127,25 @@ void Section::text(const char* key, std::string& value) {
   if (const ConfigNode* given = present(key)) value = read_text(*given, path_of(key));
 }
 
-void Section::vector(const char* key, Vec2& value) { fill(key, value.data(), 2); }
+void Section::vector(const char* key, Vec2& value) { elements(key, value.data(), {"x", "y"}); }
 
-void Section::vector(const char* key, Vec3& value) { fill(key, value.data(), 3); }
+void Section::vector(const char* key, Vec3& value) { elements(key, value.data(), {"x", "y", "z"}); }
 
-void Section::fill(const char* key, double* values, std::size_t count) {
+void Section::elements(const char* key, double* values, const std::vector<std::string>& names,
+                       NumberRange range) {
   const ConfigNode* given = present(key);
   if (given == nullptr) return;
-  if (given->kind != ConfigNode::Kind::list || given->items.size() != count) {
-    fail(key, describe(*given) + " is not a list of " + std::to_string(count) + " numbers");
+  if (given->kind == ConfigNode::Kind::map) {
+    Section named(*given, path_of(key));
+    for (std::size_t i = 0; i < names.size(); ++i) named.number(names[i].c_str(), values[i], range);
+    return named.finish();
   }
-  for (std::size_t i = 0; i < count; ++i) values[i] = read_number(given->items[i], path_of(key));
+  if (given->kind != ConfigNode::Kind::list || given->items.size() != names.size()) {
+    fail(key, describe(*given) + " is not a list of " + std::to_string(names.size()) +
+                  " numbers, nor a map from " + names.front() + " … " + names.back());
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    values[i] = read_number(given->items[i], path_of(key), range);
 }
 
 void Section::numbers(const char* key, std::vector<double>& values) {

@@ -47,6 +47,9 @@ class Section {
   void vector(const char* key, Vec2& value);
   void vector(const char* key, Vec3& value);
   void numbers(const char* key, std::vector<double>& values);
+  /// As many numbers as there are names: a list of all, or a map with some of them by name.
+  void elements(const char* key, double* values, const std::vector<std::string>& names,
+                NumberRange range = kAnyNumber);
 
   /// One of the named values of an enumeration.
   template <typename T>
@@ -77,7 +80,6 @@ class Section {
   const ConfigNode* present(const char* key);
   std::size_t choose(const char* key, const std::string& given,
                      const std::vector<std::string>& names) const;
-  void fill(const char* key, double* values, std::size_t count);
 
   const ConfigNode& node_;
   std::string path_;

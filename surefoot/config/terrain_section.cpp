@@ -1,6 +1,8 @@
 #include "surefoot/config/terrain_section.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/simulation/random.hpp"
+#include "surefoot/simulation/terrain_generators.hpp"
 
 #include <algorithm>
 
@@ -86,6 +88,47 @@ void read_random_boxes(Section& section, Elements& elements) {
   elements.push_back(boxes);
 }
 
+struct FrictionTiles {
+  Vec3 position = Vec3::Zero();       ///< centre of the field, at the height of its top [m]
+  double size_x = 2.0, size_y = 2.0;  ///< [m]
+  double tile = 0.5;                  ///< edge of a tile [m]
+  double friction_min = 0.4, friction_max = 1.0;
+  std::uint64_t seed = 0;
+};
+
+/// Level tiles, each with a friction of its own, uniform in its range and the same for a seed.
+void add_friction_tiles(const FrictionTiles& field, Elements& elements) {
+  const TerrainRandomBoxes level{.position = field.position,
+                                 .size_x = field.size_x,
+                                 .size_y = field.size_y,
+                                 .cell = field.tile,
+                                 .max_height = 0.0};
+  simulation::Random random(field.seed);
+  for (TerrainBox box : simulation::random_boxes(level)) {
+    box.friction =
+        field.friction_min + (field.friction_max - field.friction_min) * random.uniform();
+    elements.push_back(box);
+  }
+}
+
+void read_friction_tiles(Section& section, Elements& elements) {
+  constexpr double kMostTiles = 2000.0;
+  FrictionTiles tiles;
+  for (const char* key : {"size_x", "size_y", "friction_min", "friction_max"}) section.require(key);
+  section.vector("position", tiles.position);
+  section.number("size_x", tiles.size_x, kPositive);
+  section.number("size_y", tiles.size_y, kPositive);
+  section.number("tile", tiles.tile, kPositive);
+  section.number("friction_min", tiles.friction_min, kNotNegative);
+  section.number("friction_max", tiles.friction_max, kNotNegative);
+  section.integer("seed", tiles.seed);
+  if (tiles.friction_max < tiles.friction_min)
+    section.fail("friction_max", "must not be below friction_min");
+  if (tiles.size_x / tiles.tile * (tiles.size_y / tiles.tile) > kMostTiles)
+    section.fail("tile", "makes more than 2000 tiles of this field; larger ones would be valid");
+  add_friction_tiles(tiles, elements);
+}
+
 struct Steps {
   double edge = 0.5;      ///< x of the first edge [m]
   double height = -0.14;  ///< of one step: below 0 down, above 0 up [m]
@@ -158,6 +201,7 @@ void read_element(Section& section, Elements& elements) {
                           {"box", read_box},
                           {"height_field", read_field},
                           {"random_boxes", read_random_boxes},
+                          {"friction_tiles", read_friction_tiles},
                           {"steps", read_steps},
                           {"slope", read_slope}});
   reader(section, elements);

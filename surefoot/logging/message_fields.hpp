@@ -58,6 +58,9 @@ void fields(Archive& field, T& reading) {
   field("gyro", reading.gyro, "angular velocity of the base, in B [rad/s]");
   field("accelerometer", reading.accelerometer, "specific force of the base, in B [m/s²]");
   field("foot_force", reading.foot_force, "normal force of a foot sensor [N]; null without one");
+  field("encoder_time", reading.encoder_time, "when q was sampled [s]");
+  field("torque_time", reading.torque_time, "when torque was sampled [s]");
+  field("imu_time", reading.imu_time, "when gyro and accelerometer were sampled [s]");
 }
 
 template <typename Archive, Is<UserCommand> T>

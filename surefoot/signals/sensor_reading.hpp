@@ -18,6 +18,10 @@ struct SensorReading {
   Vec3 accelerometer = Vec3::Constant(kNaN);  ///< specific force of the base frame in B [m/s²]
   /// Normal force of a foot sensor [N]; NaN on robots without one (ANYmal B has none).
   PerLeg<double> foot_force{kNaN, kNaN, kNaN, kNaN};
+  /// When the samples above were taken [s]: before `time` where a sensor is slow, late or silent.
+  double encoder_time = kNaN;  ///< of q
+  double torque_time = kNaN;
+  double imu_time = kNaN;  ///< of gyro and accelerometer
 };
 
 }  // namespace surefoot

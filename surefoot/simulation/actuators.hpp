@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/simulation/plant_options.hpp"
+#include "surefoot/simulation/series_elastic_drive.hpp"
 
 #include <vector>
 
@@ -10,32 +11,34 @@ namespace surefoot::simulation {
 ///
 /// `ideal`: the command, clipped to the robot's torque limits.
 ///
-/// `sea`: the clipped command times the gain arrives `delay_ticks` control ticks later, passes a
-/// first-order lag τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is limited
-/// by the torque–speed line
-///
-///     τ ≤ stall · clip(1 − q̇/no_load, 0, 1),   τ ≥ −stall · clip(1 + q̇/no_load, 0, 1)
-///
-/// and is rounded to the torque's quantum. It starts with no torque.
+/// `sea`: the clipped command times the gains arrives `delay_ticks` control ticks later. It starts
+/// with no torque. At level 1 it
+/// passes a first-order lag τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is
+/// limited by the torque–speed line at the joint's speed and is rounded to the torque's quantum.
+/// At level 2 it is the reference of each joint's SeriesElasticDrive.
 class Actuators {
  public:
   Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);
 
+  /// At rest without torque, the joints at `q` [rad].
+  void rest_at(const JointVector& q) noexcept;
   /// A new command [N·m], once a control tick.
   void command(const JointVector& torque) noexcept;
-  /// Torques at the joints now, at joint velocities `qd` [N·m].
-  [[nodiscard]] JointVector torque(const JointVector& qd) const noexcept;
-  /// Time goes on by one physics step.
-  void advance() noexcept;
+  /// Torques at the joints now, at joint angles `q` and velocities `qd` [N·m].
+  [[nodiscard]] JointVector torque(const JointVector& q, const JointVector& qd) const noexcept;
+  /// Time goes on by one physics step, at whose end the joints have come to `q`.
+  void advance(const JointVector& q) noexcept;
 
  private:
   ActuatorOptions options_;
   JointVector limit_;
+  JointVector gain_;
   double lag_;                        ///< share of the gap that is closed in one physics step
   std::vector<JointVector> delayed_;  ///< ring of the last commands
   std::size_t oldest_ = 0;
   JointVector commanded_ = JointVector::Zero();  ///< the command that has arrived
   JointVector motor_ = JointVector::Zero();      ///< after the lag
+  std::vector<SeriesElasticDrive> drives_;       ///< of each joint at level 2, otherwise none
 };
 
 }  // namespace surefoot::simulation

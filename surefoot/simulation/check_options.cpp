@@ -12,6 +12,8 @@ namespace {
 // Heavier grids than this take minutes to compile and gigabytes to hold.
 constexpr int kMaxGridPoints = 4'000'000;
 constexpr double kMaxRandomBoxes = 20'000.0;
+constexpr int kMaxDelayTicks = 1000;
+constexpr double kMaxLengthOffset = 0.1;  // [m]
 
 void require(bool valid, const std::string& name, double given, const std::string& expected) {
   if (!valid) throw Error(text(name, " is ", given, "; it must be ", expected));
@@ -32,6 +34,11 @@ void require_positive(const std::string& name, double value) {
 
 void require_not_negative(const std::string& name, double value) {
   require(std::isfinite(value) && value >= 0.0, name, value, "0 or a finite number above");
+}
+
+void require_delay(const std::string& name, int ticks) {
+  require(ticks >= 0 && ticks <= kMaxDelayTicks, name, ticks,
+          text("between 0 and ", kMaxDelayTicks));
 }
 
 void check(const std::string& name, const TerrainBox& box) {
@@ -109,13 +116,51 @@ void check(const ContactOptions& contact, double timestep) {
 }
 
 void check(const ActuatorOptions& actuators) {
-  require(actuators.delay_ticks >= 0 && actuators.delay_ticks <= 1000, "actuators.delay_ticks",
-          actuators.delay_ticks, "between 0 and 1000");
+  require_delay("actuators.delay_ticks", actuators.delay_ticks);
   require_positive("actuators.bandwidth_hz", actuators.bandwidth_hz);
   require_positive("actuators.stall_torque", actuators.stall_torque);
   require_positive("actuators.no_load_speed", actuators.no_load_speed);
   require_not_negative("actuators.quantisation", actuators.quantisation);
   require_positive("actuators.torque_gain", actuators.torque_gain);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    require_positive(text("actuators.joint_torque_gain[", i, "]"), actuators.joint_torque_gain[i]);
+  }
+  require(actuators.level == 1 || actuators.level == 2, "actuators.level", actuators.level,
+          "1 or 2");
+  require_positive("actuators.spring.stiffness", actuators.spring.stiffness);
+  require_positive("actuators.rotor.inertia", actuators.rotor.inertia);
+  require_positive("actuators.rotor.gear_ratio", actuators.rotor.gear_ratio);
+  require_not_negative("actuators.rotor.viscous", actuators.rotor.viscous);
+  require_not_negative("actuators.rotor.coulomb", actuators.rotor.coulomb);
+  require_positive("actuators.rotor.coulomb_speed", actuators.rotor.coulomb_speed);
+  require_positive("actuators.torque_loop.damping", actuators.torque_loop.damping);
+  require_positive("actuators.torque_loop.integral_time", actuators.torque_loop.integral_time);
+}
+
+void check(const std::string& name, const SensorFault& fault) {
+  require_not_negative(name + ".time", fault.time);
+  require(fault.duration > 0.0, name + ".duration", fault.duration, "above 0");
+  require_finite(name + ".size", fault.size);
+  require(fault.joint >= -1 && fault.joint < kNumJoints, name + ".joint", fault.joint,
+          "between 0 and 11, or -1 for all");
+  if (fault.kind != FaultKind::late) return;
+  require(fault.size >= 1.0 && fault.size <= kMaxDelayTicks && fault.size == std::floor(fault.size),
+          name + ".size", fault.size,
+          text("a whole number of ticks between 1 and ", kMaxDelayTicks));
+}
+
+void check(const ImuOptions& imu) {
+  require_not_negative("sensors.imu.gyro_noise", imu.gyro_noise);
+  require_not_negative("sensors.imu.gyro_bias", imu.gyro_bias);
+  require_not_negative("sensors.imu.gyro_drift", imu.gyro_drift);
+  require_positive("sensors.imu.gyro_drift_time", imu.gyro_drift_time);
+  require_not_negative("sensors.imu.accelerometer_noise", imu.accelerometer_noise);
+  require_not_negative("sensors.imu.accelerometer_bias", imu.accelerometer_bias);
+  require_not_negative("sensors.imu.accelerometer_drift", imu.accelerometer_drift);
+  require_positive("sensors.imu.accelerometer_drift_time", imu.accelerometer_drift_time);
+  require_all_finite("sensors.imu.tilt", imu.tilt);
+  require_positive("sensors.imu.rate_hz", imu.rate_hz);
+  require_delay("sensors.imu.delay_ticks", imu.delay_ticks);
 }
 
 void check(const SensorOptions& sensors) {
@@ -124,13 +169,21 @@ void check(const SensorOptions& sensors) {
   require_positive("sensors.encoders.rate_hz", sensors.encoders.rate_hz);
   require_not_negative("sensors.joint_torques.noise", sensors.joint_torques.noise);
   require_positive("sensors.joint_torques.rate_hz", sensors.joint_torques.rate_hz);
-  require_not_negative("sensors.imu.gyro_noise", sensors.imu.gyro_noise);
-  require_not_negative("sensors.imu.gyro_bias", sensors.imu.gyro_bias);
-  require_not_negative("sensors.imu.accelerometer_noise", sensors.imu.accelerometer_noise);
-  require_not_negative("sensors.imu.accelerometer_bias", sensors.imu.accelerometer_bias);
-  require_positive("sensors.imu.rate_hz", sensors.imu.rate_hz);
+  require_all_finite("sensors.encoders.offset", sensors.encoders.offset);
+  require_delay("sensors.encoders.delay_ticks", sensors.encoders.delay_ticks);
+  require_delay("sensors.joint_torques.delay_ticks", sensors.joint_torques.delay_ticks);
+  check(sensors.imu);
   require_not_negative("sensors.foot_force.noise", sensors.foot_force.noise);
   require_positive("sensors.foot_force.rate_hz", sensors.foot_force.rate_hz);
+  for (std::size_t i = 0; i < sensors.faults.size(); ++i) {
+    check(text("sensors.faults[", i, "]"), sensors.faults[i]);
+  }
+}
+
+void require_length_offset(const char* link, std::size_t leg, double offset) {
+  require(std::abs(offset) <= kMaxLengthOffset,
+          text("disturbances.", link, "_length_offset[", leg, "]"), offset,
+          text("between -", kMaxLengthOffset, " and ", kMaxLengthOffset, " m"));
 }
 
 void check(const DisturbanceOptions& disturbances) {
@@ -146,6 +199,14 @@ void check(const DisturbanceOptions& disturbances) {
   require_positive("disturbances.base_mass_scale", disturbances.base_mass_scale);
   require_positive("disturbances.leg_mass_scale", disturbances.leg_mass_scale);
   require_all_finite("disturbances.base_com_offset", disturbances.base_com_offset);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    require_positive(text("disturbances.link_mass_scale[", i, "]"),
+                     disturbances.link_mass_scale[i]);
+  }
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    require_length_offset("thigh", leg, disturbances.thigh_length_offset[leg]);
+    require_length_offset("shank", leg, disturbances.shank_length_offset[leg]);
+  }
 }
 
 void check(const InitialState& initial) {

@@ -12,8 +12,6 @@ namespace {
 // MuJoCo wants an inertia above zero; this one is that of a millimetre-sized lump.
 constexpr double kPointInertia = 1e-9;
 
-bool has_joint(mjsBody& body) { return mjs_firstChild(&body, mjOBJ_JOINT, 0) != nullptr; }
-
 void scale_mass(mjsBody& body, double scale) {
   body.mass *= scale;
   for (double& value : body.inertia) value *= scale;
@@ -24,20 +22,46 @@ void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
   for (int i = 0; i < 3; ++i) body.ipos[i] += offset[i];
 }
 
-/// Goes through the tree; `q_Xbase` turns base coordinates into the body's, while they are fixed.
-void disturb_tree(mjsBody& body, bool fixed_to_base, const Quat& q_Xbase,
+/// Scale of the links from this joint on to the next.
+double link_scale(mjsElement& joint, const RobotDescription& description,
                   const DisturbanceOptions& options) {
-  scale_mass(body, fixed_to_base ? options.base_mass_scale : options.leg_mass_scale);
-  if (fixed_to_base && body.mass > 0.0) {
-    shift_center_of_mass(body, q_Xbase * options.base_com_offset);
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+      if (description.legs[leg].joints[j] != name_of(&joint)) continue;
+      const auto i = static_cast<Eigen::Index>(leg * kJointsPerLeg + j);
+      return options.leg_mass_scale * options.link_mass_scale[i];
+    }
   }
-  for (mjsElement* element = mjs_firstChild(&body, mjOBJ_BODY, 0); element != nullptr;
-       element = mjs_nextChild(&body, element, 0)) {
-    mjsBody& child = *mjs_asBody(element);
-    const Quat q_BX(child.quat[0], child.quat[1], child.quat[2], child.quat[3]);
-    disturb_tree(child, fixed_to_base && !has_joint(child), q_BX.conjugate() * q_Xbase, options);
-  }
+  return options.leg_mass_scale;
 }
+
+/// Goes through the tree of bodies.
+class MassDisturber {
+ public:
+  MassDisturber(const RobotDescription& description, const DisturbanceOptions& options)
+      : description_(description), options_(options) {}
+
+  /// `scale` is that of the link above; `q_Xbase` turns base coordinates into the body's, while
+  /// they are fixed.
+  void disturb(mjsBody& body, double scale, bool fixed_to_base, const Quat& q_Xbase) const {
+    scale_mass(body, scale);
+    if (fixed_to_base && body.mass > 0.0) {
+      shift_center_of_mass(body, q_Xbase * options_.base_com_offset);
+    }
+    for (mjsElement* element = mjs_firstChild(&body, mjOBJ_BODY, 0); element != nullptr;
+         element = mjs_nextChild(&body, element, 0)) {
+      mjsBody& child = *mjs_asBody(element);
+      mjsElement* joint = mjs_firstChild(&child, mjOBJ_JOINT, 0);
+      const Quat q_BX(child.quat[0], child.quat[1], child.quat[2], child.quat[3]);
+      disturb(child, joint == nullptr ? scale : link_scale(*joint, description_, options_),
+              fixed_to_base && joint == nullptr, q_BX.conjugate() * q_Xbase);
+    }
+  }
+
+ private:
+  const RobotDescription& description_;
+  const DisturbanceOptions& options_;
+};
 
 void add_payload(mjsBody& base, const Payload& payload) {
   mjsBody* body = mjs_addBody(&base, nullptr);
@@ -67,8 +91,10 @@ double share(const Push& push, double time, double timestep) {
 
 }  // namespace
 
-void disturb_masses(mjSpec&, mjsBody& base, const DisturbanceOptions& options) {
-  disturb_tree(base, true, Quat::Identity(), options);
+void disturb_masses(mjsBody& base, const RobotDescription& description,
+                    const DisturbanceOptions& options) {
+  const MassDisturber masses(description, options);
+  masses.disturb(base, options.base_mass_scale, true, Quat::Identity());
   if (options.payload.mass > 0.0) add_payload(base, options.payload);
 }
 

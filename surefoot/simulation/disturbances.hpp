@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/model/description.hpp"
 #include "surefoot/simulation/mujoco_handles.hpp"
 #include "surefoot/simulation/plant_options.hpp"
 
@@ -11,7 +12,8 @@ namespace surefoot::simulation {
 /// Gives the robot in the spec masses that the controller's model does not know: scales, an offset
 /// of the base's centre of mass, a payload. What is fixed to the base link counts as base, the rest
 /// as legs.
-void disturb_masses(mjSpec& spec, mjsBody& base, const DisturbanceOptions& options);
+void disturb_masses(mjsBody& base, const RobotDescription& description,
+                    const DisturbanceOptions& options);
 
 /// Pushes by their time. A force acts at the centre of mass of the link it is given for; at the
 /// origin of the base link if that link's own inertia was dropped.

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/simulation/disturbances.hpp"
+#include "surefoot/simulation/link_lengths.hpp"
 #include "surefoot/simulation/robot_parts.hpp"
 #include "surefoot/simulation/terrain.hpp"
 #include "surefoot/simulation/text.hpp"
@@ -182,7 +183,8 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
   for (const LegDescription& leg : description.legs) {
     for (const std::string& joint : leg.joints) add_motor(*spec, joint);
   }
-  disturb_masses(*spec, base, options.disturbances);
+  disturb_masses(base, description, options.disturbances);
+  change_link_lengths(*spec, description, options.disturbances);
   add_terrain(*spec, options.terrain, options.contact);
   static_cast<void>(compile(*spec, description.urdf_path));
 

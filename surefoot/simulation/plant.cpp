@@ -6,6 +6,7 @@
 #include "surefoot/simulation/disturbances.hpp"
 #include "surefoot/simulation/model_builder.hpp"
 #include "surefoot/simulation/robot_parts.hpp"
+#include "surefoot/simulation/sensor_link.hpp"
 #include "surefoot/simulation/sensors.hpp"
 #include "surefoot/simulation/terrain.hpp"
 #include "surefoot/simulation/text.hpp"
@@ -23,6 +24,7 @@ using simulation::MessageCatcher;
 using simulation::ModelHandle;
 using simulation::Pushes;
 using simulation::RobotParts;
+using simulation::SensorLink;
 using simulation::Sensors;
 using simulation::text;
 
@@ -44,7 +46,8 @@ struct Plant::Implementation {
         parts(simulation::find_parts(model, description)),
         pushes(options.disturbances.pushes, model, description.base_link),
         actuators(options.actuators, description.torque_limit, options.timestep),
-        sensors(options.sensors, options.control_period, options.seed) {
+        sensors(options.sensors, options.control_period, options.seed),
+        link(options.sensors, options.control_period) {
     place(description);
     mj_step1(&model, &data);
     observe();
@@ -78,8 +81,9 @@ struct Plant::Implementation {
   Pushes pushes;
   Actuators actuators;
   Sensors sensors;
+  SensorLink link;
   GroundTruth truth;
-  SensorReading reading;
+  SensorReading sampled;
   std::int64_t tick = 0;
 };
 
@@ -99,6 +103,7 @@ void Plant::Implementation::place(const RobotDescription& description) {
   base[4] = base[5] = 0.0;
   base[6] = std::sin(0.5 * initial.yaw);
   set_joints(initial.q);
+  actuators.rest_at(initial.q);
   mj_kinematics(&model, &data);
   base[2] = std::isnan(initial.position.z()) ? touching_height(description) : initial.position.z();
 }
@@ -121,7 +126,8 @@ double Plant::Implementation::touching_height(const RobotDescription& descriptio
 }
 
 void Plant::Implementation::set_torques() {
-  const JointVector torque = actuators.torque(simulation::joint_velocities(data, parts));
+  const JointVector torque = actuators.torque(simulation::joint_positions(data, parts),
+                                              simulation::joint_velocities(data, parts));
   for (std::size_t i = 0; i < kNumJoints; ++i) {
     data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
   }
@@ -135,7 +141,7 @@ void Plant::Implementation::physics_step() {
   mj_step2(&model, &data);
   const Vec3 acceleration = (simulation::base_velocity(data, parts) - v_before) / options.timestep;
   sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
-  actuators.advance();
+  actuators.advance(simulation::joint_positions(data, parts));
   mj_step1(&model, &data);
 }
 
@@ -147,7 +153,8 @@ void Plant::Implementation::observe() {
   check_state();
   truth.time = static_cast<double>(tick) * options.control_period;
   simulation::extract_truth(model, data, parts, truth);
-  sensors.read(truth, reading);
+  sensors.read(truth, sampled);
+  link.transmit(sampled);
 }
 
 void Plant::Implementation::check_state() const {
@@ -185,7 +192,7 @@ Plant::Plant(const RobotDescription& description, const PlantOptions& options)
 
 Plant::~Plant() = default;
 
-const SensorReading& Plant::read() { return implementation_->reading; }
+const SensorReading& Plant::read() { return implementation_->link.received(); }
 
 void Plant::write(const JointCommand& command) { implementation_->write(command.torque); }
 

@@ -65,30 +65,58 @@ struct ContactOptions {
 
 enum class ActuatorModel { ideal, sea };
 
+/// Between motor and joint, of `sea` at level 2.
+struct SpringOptions {
+  double stiffness = 180.9;  ///< [N·m/rad]
+};
+
+/// Motor and gear, of `sea` at level 2. Friction is told at the joint's side of the gear.
+struct RotorOptions {
+  double inertia = 2.4e-5;     ///< of the rotor itself [kg·m²]; 0.06 at the joint
+  double gear_ratio = 50.0;    ///< turns of the rotor per turn of the joint
+  double viscous = 0.2;        ///< [N·m·s/rad]
+  double coulomb = 1.0;        ///< [N·m]
+  double coulomb_speed = 0.1;  ///< over which it changes sign, as tanh(ω / speed) [rad/s]
+};
+
+/// Loop on the spring's torque, of `sea` at level 2. Its gains follow from `bandwidth_hz`.
+struct TorqueLoopOptions {
+  double damping = 0.7;        ///< ratio of the closed loop
+  double integral_time = 0.1;  ///< [s]
+};
+
 struct ActuatorOptions {
   ActuatorModel model = ActuatorModel::ideal;
   // sea:
+  int level = 1;                ///< 1: delay and lag; 2: motor, spring and torque loop
   int delay_ticks = 1;          ///< control ticks between command and motor
-  double bandwidth_hz = 70.0;   ///< first-order torque response
+  double bandwidth_hz = 70.0;   ///< of the lag at level 1, of the torque loop at level 2
   double stall_torque = 40.0;   ///< torque–speed line: full torque at rest … [N·m]
   double no_load_speed = 12.0;  ///< … none at this speed [rad/s]
-  double quantisation = 0.2;    ///< of the applied torque [N·m]
-  double torque_gain = 1.0;     ///< true torque per commanded
+  double quantisation = 0.2;    ///< of the torque that is applied (1) or measured (2) [N·m]
+  double torque_gain = 1.0;     ///< true torque per commanded, of all joints …
+  JointVector joint_torque_gain = JointVector::Ones();  ///< … and of each, on top
+  SpringOptions spring;
+  RotorOptions rotor;
+  TorqueLoopOptions torque_loop;
 };
 
 // Sensors, one by one. Noise is white, the standard deviation of a sample. A rate is that of the
 // samples; one above the control rate counts as the control rate, below it a sample is held until
-// the next.
+// the next. A delay is that of the way to the controller, in control ticks.
 
 struct EncoderOptions {
-  double resolution = 4.4e-4;  ///< [rad], 0.025°; 0 = exact
-  double noise = 0.0;          ///< before it is rounded [rad]
+  double resolution = 4.4e-4;                ///< [rad], 0.025°; 0 = exact
+  double noise = 0.0;                        ///< before it is rounded [rad]
+  JointVector offset = JointVector::Zero();  ///< where each joint's zero is wrong by [rad]
   double rate_hz = 400.0;
+  int delay_ticks = 0;
 };
 
 struct JointTorqueSensorOptions {
   double noise = 0.2;  ///< [N·m]
   double rate_hz = 400.0;
+  int delay_ticks = 0;
 };
 
 struct ImuOptions {
@@ -96,7 +124,16 @@ struct ImuOptions {
   double gyro_bias = 1e-3;             ///< standard deviation of the constant bias [rad/s]
   double accelerometer_noise = 0.015;  ///< [m/s²]
   double accelerometer_bias = 0.08;    ///< standard deviation of the constant bias [m/s²]
+  // Biases also wander: a Gauss–Markov process from 0 at the start, with the standard deviation
+  // that it has in the long run and its correlation time. 0 = they stand still.
+  double gyro_drift = 0.0;                  ///< [rad/s]
+  double gyro_drift_time = 1000.0;          ///< [s]
+  double accelerometer_drift = 0.0;         ///< [m/s²]
+  double accelerometer_drift_time = 300.0;  ///< [s]
+  Vec3 tilt =
+      Vec3::Zero();  ///< roll, pitch, yaw of the IMU in B, which is taken for B itself [rad]
   double rate_hz = 400.0;
+  int delay_ticks = 0;
 };
 
 struct FootForceSensorOptions {
@@ -105,11 +142,33 @@ struct FootForceSensorOptions {
   double rate_hz = 400.0;
 };
 
+enum class FaultySensor { imu, gyro, accelerometer, encoders, joint_torques };
+
+enum class FaultKind {
+  stops,    ///< nothing comes: NaN, and the sample's time stands still
+  repeats,  ///< the last sample again and again, with its time
+  nan,      ///< samples come, but are NaN
+  jump,     ///< every sample is off by `size`
+  late,     ///< samples are `size` ticks older than usual
+  spike,    ///< one sample is off by `size`
+};
+
+/// A sensor that fails for a time.
+struct SensorFault {
+  FaultySensor sensor = FaultySensor::imu;
+  FaultKind kind = FaultKind::stops;
+  double time = 0.0;                                          ///< start [s]
+  double duration = std::numeric_limits<double>::infinity();  ///< [s]
+  double size = 0.0;  ///< in the sensor's unit, on each of its values; of `late` in control ticks
+  int joint = -1;     ///< encoders and joint_torques: this one alone; -1: all
+};
+
 struct SensorOptions {
   EncoderOptions encoders;
   JointTorqueSensorOptions joint_torques;
   ImuOptions imu;
   FootForceSensorOptions foot_force;
+  std::vector<SensorFault> faults;  ///< one after the other, where they overlap
 };
 
 /// A push: a force on a body over a time, or an impulse spread over it.
@@ -125,12 +184,18 @@ struct Payload {
   Vec3 position = Vec3(0.0, 0.0, 0.2);  ///< in B [m]
 };
 
+/// What acts on the robot, and what is wrong in the controller's model of it: all this is the
+/// plant's alone.
 struct DisturbanceOptions {
   std::vector<Push> pushes;
   Payload payload;
-  double base_mass_scale = 1.0;  ///< wrong masses: the plant's, not the controller's model
-  double leg_mass_scale = 1.0;
-  Vec3 base_com_offset = Vec3::Zero();  ///< [m]
+  double base_mass_scale = 1.0;
+  double leg_mass_scale = 1.0;  ///< of all links of the legs …
+  JointVector link_mass_scale =
+      JointVector::Ones();               ///< … and of the one behind each joint, on top
+  Vec3 base_com_offset = Vec3::Zero();   ///< [m]
+  PerLeg<double> thigh_length_offset{};  ///< longer by this, HFE axis to KFE axis [m]
+  PerLeg<double> shank_length_offset{};  ///< KFE axis to the foot sphere's centre [m]
 };
 
 /// Where the robot stands at the start.

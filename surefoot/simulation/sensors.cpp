@@ -1,6 +1,7 @@
 #include "surefoot/simulation/sensors.hpp"
 
 #include "surefoot/math/random_bits.hpp"
+#include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,12 @@ Vector normal_vector(Random& random) {
   Vector result;
   for (double& value : result) value = random.normal();
   return result;
+}
+
+/// One step of a Gauss–Markov process of this standard deviation and correlation time.
+Vec3 drifted(const Vec3& drift, double deviation, double time, double step, Random& random) {
+  const double kept = std::exp(-step / time);
+  return kept * drift + deviation * std::sqrt(1.0 - kept * kept) * normal_vector<Vec3>(random);
 }
 
 }  // namespace
@@ -39,6 +46,9 @@ Sensors::Sensors(const SensorOptions& options, double control_period, std::uint6
       random_(seed),
       encoder_random_(named_bits(seed, "encoders")),
       foot_random_(named_bits(seed, "foot_force")),
+      drift_random_(named_bits(seed, "imu_drift")),
+      control_period_(control_period),
+      q_BS_(from_roll_pitch_yaw(options.imu.tilt)),
       gyro_bias_(options.imu.gyro_bias * normal_vector<Vec3>(random_)),
       accelerometer_bias_(options.imu.accelerometer_bias * normal_vector<Vec3>(random_)) {}
 
@@ -51,9 +61,11 @@ void Sensors::accumulate(const Vec3& specific_force) noexcept {
 void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
   const Noise noise = draw();
   reading.time = truth.time;
+  wander();
   read_encoders(truth, reading);
   if (torque_clock_.is_due()) {
     reading.torque = truth.torque + options_.joint_torques.noise * noise.torque;
+    reading.torque_time = truth.time;
   }
   if (imu_clock_.is_due()) read_imu(truth, noise, reading);
   if (options_.foot_force.present) read_feet(truth, reading);
@@ -67,14 +79,23 @@ Sensors::Noise Sensors::draw() noexcept {
   return noise;
 }
 
+void Sensors::wander() noexcept {
+  const ImuOptions& imu = options_.imu;
+  gyro_drift_ =
+      drifted(gyro_drift_, imu.gyro_drift, imu.gyro_drift_time, control_period_, drift_random_);
+  accelerometer_drift_ = drifted(accelerometer_drift_, imu.accelerometer_drift,
+                                 imu.accelerometer_drift_time, control_period_, drift_random_);
+}
+
 void Sensors::read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept {
   const EncoderOptions& encoders = options_.encoders;
-  JointVector q = truth.q;
+  JointVector q = truth.q + encoders.offset;
   if (encoders.noise > 0.0) q += encoders.noise * normal_vector<JointVector>(encoder_random_);
   if (!encoder_clock_.is_due()) return;
   const double step = encoders.resolution;
   for (double& angle : q) angle = step > 0.0 ? step * std::round(angle / step) : angle;
   reading.q = q;
+  reading.encoder_time = truth.time;
 }
 
 void Sensors::read_imu(const GroundTruth& truth, const Noise& noise,
@@ -84,9 +105,11 @@ void Sensors::read_imu(const GroundTruth& truth, const Noise& noise,
   const Vec3 specific_force = num_forces_ > 0 ? Vec3(force_sum_ / num_forces_) : at_rest;
   force_sum_.setZero();
   num_forces_ = 0;
-  reading.gyro = truth.w_WB_B + gyro_bias_ + imu.gyro_noise * noise.gyro;
-  reading.accelerometer =
-      specific_force + accelerometer_bias_ + imu.accelerometer_noise * noise.accelerometer;
+  const Quat q_SB = q_BS_.conjugate();
+  reading.gyro = q_SB * truth.w_WB_B + gyro_bias_ + gyro_drift_ + imu.gyro_noise * noise.gyro;
+  reading.accelerometer = q_SB * specific_force + accelerometer_bias_ + accelerometer_drift_ +
+                          imu.accelerometer_noise * noise.accelerometer;
+  reading.imu_time = truth.time;
 }
 
 void Sensors::read_feet(const GroundTruth& truth, SensorReading& reading) noexcept {

@@ -22,8 +22,8 @@ class SampleClock {
 };
 
 /// What the robot's sensors make of the truth: encoders with noise that round, noisy torques, an
-/// IMU at the base frame with constant biases drawn from the seed, optional foot force sensors.
-/// Each has its rate, and a sample is held until the next one is due.
+/// IMU at the base frame, perhaps tilted, with biases that are drawn from the seed and may wander,
+/// optional foot force sensors. Each has its rate, and a sample is held until the next one is due.
 ///
 /// The gyroscope gives the angular velocity at the moment of the sample. The accelerometer gives
 /// the mean specific force since its last sample, as strapdown IMUs do, so that its integral is the
@@ -47,6 +47,7 @@ class Sensors {
     Vec3 gyro, accelerometer;
   };
   [[nodiscard]] Noise draw() noexcept;
+  void wander() noexcept;
   void read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept;
   void read_imu(const GroundTruth& truth, const Noise& noise, SensorReading& reading) noexcept;
   void read_feet(const GroundTruth& truth, SensorReading& reading) noexcept;
@@ -54,9 +55,11 @@ class Sensors {
   SensorOptions options_;
   SampleClock encoder_clock_, torque_clock_, imu_clock_, foot_clock_;
   Random random_;  // of biases, torques and IMU
-  Random encoder_random_, foot_random_;
-  Vec3 gyro_bias_;
-  Vec3 accelerometer_bias_;
+  Random encoder_random_, foot_random_, drift_random_;
+  double control_period_;
+  Quat q_BS_;  // of the IMU's own frame S
+  Vec3 gyro_bias_, accelerometer_bias_;
+  Vec3 gyro_drift_ = Vec3::Zero(), accelerometer_drift_ = Vec3::Zero();
   Vec3 force_sum_ = Vec3::Zero();
   int num_forces_ = 0;
 };

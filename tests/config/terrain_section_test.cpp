@@ -68,6 +68,65 @@ TEST(TerrainSection, a_slope_down_falls_and_one_along_rises_to_the_left) {
   EXPECT_NEAR(along.terrain_height(1.5, -0.3), -0.3 * std::tan(0.2), 1e-9);
 }
 
+TEST(TerrainSection, friction_tiles_are_level_and_each_has_its_own_friction_from_the_seed) {
+  const auto tiles = [](int seed) {
+    return read(
+               "elements: {a: {shape: friction_tiles, size_x: 4, size_y: 2, tile: 0.5, position: "
+               "[1, "
+               "0, -0.2], friction_min: 0.3, friction_max: 0.9, seed: " +
+               std::to_string(seed) + "}}")
+        .elements;
+  };
+  const std::vector<TerrainElement> first = tiles(4), again = tiles(4), other = tiles(5);
+  ASSERT_EQ(first.size(), 32u);
+  double lowest = 1.0, highest = 0.0;
+  int same = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto& box = std::get<TerrainBox>(first[i]);
+    EXPECT_NEAR(box.position.z() + box.size.z() / 2.0, -0.2, 1e-12);
+    EXPECT_EQ(box.friction, std::get<TerrainBox>(again[i]).friction);
+    same += box.friction == std::get<TerrainBox>(other[i]).friction ? 1 : 0;
+    lowest = std::min(lowest, box.friction);
+    highest = std::max(highest, box.friction);
+  }
+  EXPECT_EQ(same, 0);
+  EXPECT_TRUE(lowest >= 0.3 && lowest < 0.4 && highest > 0.8 && highest <= 0.9)
+      << lowest << ", " << highest;
+}
+
+TEST(TerrainSection, friction_tiles_that_make_no_sense_say_why) {
+  const auto says = [](const std::string& keys, const char* what) {
+    const std::string text =
+        message_of([&] { (void)read("elements: {a: {shape: friction_tiles, " + keys + "}}"); });
+    EXPECT_TRUE(holds(text, what)) << text;
+  };
+  says("size_x: 4, size_y: 2, friction_min: 0.3", "terrain.elements.a.friction_max: this key is");
+  says("size_x: 4, size_y: 2, friction_min: 0.9, friction_max: 0.3", "not be below friction_min");
+  says("size_x: 4, size_y: 2, tile: 0.01, friction_min: 0, friction_max: 1", "a.tile: makes more");
+}
+
+TEST(TerrainSection, rough_ground_and_boxes_stay_within_their_heights) {
+  const Plant rough = plant_on(
+      "elements: {a: {shape: height_field, size_x: 6, size_y: 4, amplitude: 0.05, wavelength: 0.6, "
+      "seed: 3}}");
+  const Plant boxes = plant_on(
+      "elements: {a: {shape: random_boxes, size_x: 6, size_y: 4, cell: 0.4, max_height: 0.1, seed: "
+      "3}}");
+  double rough_lowest = 1.0, rough_highest = -1.0, box_lowest = 1.0, box_highest = -1.0;
+  for (double x = -2.7; x < 2.7; x += 0.11) {
+    for (double y = -1.7; y < 1.7; y += 0.11) {
+      rough_lowest = std::min(rough_lowest, rough.terrain_height(x, y));
+      rough_highest = std::max(rough_highest, rough.terrain_height(x, y));
+      box_lowest = std::min(box_lowest, boxes.terrain_height(x, y));
+      box_highest = std::max(box_highest, boxes.terrain_height(x, y));
+    }
+  }
+  EXPECT_TRUE(rough_lowest >= -0.0501 && rough_lowest < -0.02) << rough_lowest;
+  EXPECT_TRUE(rough_highest <= 0.0501 && rough_highest > 0.02) << rough_highest;
+  EXPECT_TRUE(box_lowest >= 0.0 && box_lowest < 0.02) << box_lowest;
+  EXPECT_TRUE(box_highest <= 0.1 && box_highest > 0.08) << box_highest;
+}
+
 TEST(TerrainSection, an_unknown_shape_lists_the_shapes) {
   EXPECT_TRUE(
       holds(message_of([] { (void)read("elements: {a: {shape: bxo}}"); }),

@@ -105,5 +105,66 @@ TEST(WrongMasses, MoveTheCenterOfMassOfTheBase) {
   EXPECT_LT((after - before - (16.793507758 + 0.05) / kMass * offset).norm(), 1e-9);
 }
 
+TEST(WrongMasses, ScaleEachLinkOfALegByItself) {
+  PlantOptions options = test::standing_options();
+  const Plant plain(test::anymal_b(), options);
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    options.disturbances.link_mass_scale[i] = 0.85 + 0.02 * static_cast<double>(i);
+  }
+  options.disturbances.leg_mass_scale = 1.1;
+  const Plant scaled(test::anymal_b(), options);
+  const test::StockMujoco before(plain.model_xml(), plain.truth());
+  const test::StockMujoco after(scaled.model_xml(), scaled.truth());
+  for (const auto& [name, link] : {std::pair{"LF_HIP", 0},
+                                   {"LF_THIGH", 1},
+                                   {"LF_SHANK", 2},
+                                   {"LF_FOOT", 2},
+                                   {"RF_HIP", 3},
+                                   {"RH_SHANK", 11}}) {
+    const auto i = static_cast<std::size_t>(before.body(name));
+    EXPECT_NEAR(after.model->body_mass[i], 1.1 * (0.85 + 0.02 * link) * before.model->body_mass[i],
+                1e-12)
+        << name;
+  }
+  const auto base = static_cast<std::size_t>(before.body("base_inertia"));
+  EXPECT_EQ(after.model->body_mass[base], before.model->body_mass[base]);
+}
+
+/// Distances HFE to KFE axis and KFE axis to the centre of the foot sphere, seen along the axes.
+std::pair<double, double> lengths_of(const Plant& plant, Leg leg) {
+  const test::StockMujoco mujoco(plant.model_xml(), plant.truth());
+  const std::string name(kLegNames[index(leg)]);
+  const auto joint = [&](const char* which) {
+    return mj_name2id(mujoco.model.get(), mjOBJ_JOINT, (name + which).c_str());
+  };
+  const auto at = [](const mjtNum* values, int i) {
+    return Vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+  };
+  const auto across = [](const Vec3& v, const Vec3& axis) {
+    return (v - axis * axis.dot(v)).norm();
+  };
+  const Vec3 hip = at(mujoco.data->xanchor, joint("_HFE"));
+  const Vec3 knee = at(mujoco.data->xanchor, joint("_KFE"));
+  return {across(knee - hip, at(mujoco.data->xaxis, joint("_HFE"))),
+          across(plant.truth().p_WF[index(leg)] - knee, at(mujoco.data->xaxis, joint("_KFE")))};
+}
+
+TEST(WrongLengths, AreThoseThatWereAskedFor) {
+  PlantOptions options = test::standing_options();
+  options.initial.q.setLinSpaced(-0.4, 0.5);  // any posture
+  options.initial.position.z() = 5.0;
+  const Plant plain(test::anymal_b(), options);
+  options.disturbances.thigh_length_offset = {0.01, -0.01, 0.0, 0.004};
+  options.disturbances.shank_length_offset = {-0.008, 0.01, -0.01, 0.0};
+  const Plant other(test::anymal_b(), options);
+  for (const Leg leg : kLegs) {
+    const auto [thigh, shank] = lengths_of(plain, leg);
+    const auto [other_thigh, other_shank] = lengths_of(other, leg);
+    EXPECT_NEAR(other_thigh - thigh, options.disturbances.thigh_length_offset[index(leg)], 1e-9);
+    EXPECT_NEAR(other_shank - shank, options.disturbances.shank_length_offset[index(leg)], 1e-9);
+  }
+  EXPECT_NEAR(lengths_of(plain, Leg::LF).first, 0.25, 1e-9);
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -304,5 +304,74 @@ TEST(Sensors, APlantsFootForceSensorReadsItsNormalForce) {
   EXPECT_NEAR(sum, test::kMass * kGravity, 0.01 * test::kMass * kGravity);
 }
 
+TEST(Sensors, EncodersHaveTheirZerosWhereTheyWereSet) {
+  SensorOptions options = test::exact_sensors();
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    options.encoders.offset[i] = 0.001 * static_cast<double>(i - 5);
+  }
+  Sensors sensors(options, kPeriod, 1);
+  const GroundTruth truth = some_truth();
+  SensorReading reading;
+  sensors.read(truth, reading);
+  EXPECT_LT((reading.q - truth.q - options.encoders.offset).norm(), 1e-12);
+}
+
+TEST(Sensors, ATiltedImuMeasuresAlongItsOwnAxes) {
+  SensorOptions options = test::exact_sensors();
+  options.imu.tilt = Vec3(0.02, -0.03, 0.05);
+  Sensors sensors(options, kPeriod, 1);
+  const GroundTruth truth = some_truth();
+  SensorReading reading;
+  sensors.read(truth, reading);
+  const Mat3 R_BS =
+      (Eigen::AngleAxisd(0.05, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.03, Vec3::UnitY()) *
+       Eigen::AngleAxisd(0.02, Vec3::UnitX()))
+          .toRotationMatrix();
+  EXPECT_LT((R_BS * reading.gyro - truth.w_WB_B).norm(), 1e-12);
+  const Vec3 force_B = kGravity * (truth.q_WB.conjugate() * Vec3::UnitZ());
+  EXPECT_LT((R_BS * reading.accelerometer - force_B).norm(), 1e-12);
+}
+
+TEST(Sensors, BiasesWanderSlowlyFromZeroToTheirLongRunDeviation) {
+  SensorOptions options = test::exact_sensors();
+  options.imu.gyro_drift = 1e-3;
+  options.imu.gyro_drift_time = 1.0;
+  options.imu.accelerometer_drift = 0.05;
+  options.imu.accelerometer_drift_time = 0.5;
+  Sensors sensors(options, kPeriod, 3);
+  const GroundTruth truth;
+  SensorReading reading;
+  sensors.read(truth, reading);
+  EXPECT_LT((reading.gyro - truth.w_WB_B).norm(), 5e-4);
+  Statistics gyro, change, accelerometer;
+  for (int tick = 0; tick < 400'000; ++tick) {
+    const double before = reading.gyro.x();
+    sensors.read(truth, reading);
+    gyro.add(reading.gyro.x());
+    change.add(reading.gyro.x() - before);
+    accelerometer.add(reading.accelerometer.y());
+  }
+  EXPECT_NEAR(gyro.deviation() / 1e-3, 1.0, 0.1);
+  EXPECT_NEAR(accelerometer.deviation() / 0.05, 1.0, 0.1);
+  // In a step it goes by σ √(2 h / T).
+  EXPECT_NEAR(change.deviation() / (1e-3 * std::sqrt(2.0 * kPeriod)), 1.0, 0.02);
+}
+
+TEST(Sensors, SayWhenTheyTookTheirSamples) {
+  SensorOptions options = test::exact_sensors();
+  options.imu.rate_hz = 100.0;
+  options.encoders.rate_hz = 200.0;
+  Sensors sensors(options, kPeriod, 1);
+  SensorReading reading;
+  GroundTruth truth;
+  for (int tick = 0; tick < 9; ++tick) {
+    truth.time = tick * kPeriod;
+    sensors.read(truth, reading);
+    EXPECT_NEAR(reading.imu_time, tick / 4 * 4 * kPeriod, 1e-12) << tick;
+    EXPECT_NEAR(reading.encoder_time, tick / 2 * 2 * kPeriod, 1e-12) << tick;
+    EXPECT_EQ(reading.torque_time, truth.time) << tick;
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::simulation

@@ -1,0 +1,115 @@
+#include "surefoot/simulation/sensor_link.hpp"
+
+#include <algorithm>
+
+namespace surefoot::simulation {
+
+namespace {
+
+constexpr double kRounding = 1e-9;  // of times [s]
+
+int usual_delay(FaultySensor sensor, const SensorOptions& options) {
+  if (sensor == FaultySensor::encoders) return options.encoders.delay_ticks;
+  if (sensor == FaultySensor::joint_torques) return options.joint_torques.delay_ticks;
+  return options.imu.delay_ticks;
+}
+
+/// A spike lasts for one tick.
+double duration_of(const SensorFault& fault, double control_period) {
+  return fault.kind == FaultKind::spike ? control_period : fault.duration;
+}
+
+/// Calls `change(value, other value)` on what the fault's sensor measures.
+template <typename Change>
+void change_values(const SensorFault& fault, SensorReading& reading, const SensorReading& other,
+                   const Change& change) {
+  const auto each = [&](auto& values, const auto& others) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const bool is_meant = values.size() != kNumJoints || fault.joint < 0 || fault.joint == i;
+      if (is_meant) change(values[i], others[i]);
+    }
+  };
+  const bool whole_imu = fault.sensor == FaultySensor::imu;
+  if (fault.sensor == FaultySensor::encoders) each(reading.q, other.q);
+  if (fault.sensor == FaultySensor::joint_torques) each(reading.torque, other.torque);
+  if (whole_imu || fault.sensor == FaultySensor::gyro) each(reading.gyro, other.gyro);
+  if (whole_imu || fault.sensor == FaultySensor::accelerometer)
+    each(reading.accelerometer, other.accelerometer);
+}
+
+/// The sample times are those of another reading, where the whole sensor is concerned.
+void take_time(const SensorFault& fault, SensorReading& reading, const SensorReading& other) {
+  if (fault.joint >= 0) return;
+  if (fault.sensor == FaultySensor::encoders) reading.encoder_time = other.encoder_time;
+  if (fault.sensor == FaultySensor::joint_torques) reading.torque_time = other.torque_time;
+  if (fault.sensor == FaultySensor::imu) reading.imu_time = other.imu_time;
+}
+
+}  // namespace
+
+SensorLink::SensorLink(const SensorOptions& options, double control_period)
+    : encoder_delay_(options.encoders.delay_ticks),
+      torque_delay_(options.joint_torques.delay_ticks),
+      imu_delay_(options.imu.delay_ticks) {
+  int longest = std::max({encoder_delay_, torque_delay_, imu_delay_});
+  for (const SensorFault& fault : options.faults) {
+    const int late = fault.kind == FaultKind::late ? static_cast<int>(fault.size) : 0;
+    const int delay = usual_delay(fault.sensor, options) + late;
+    faults_.push_back(
+        {.options = fault, .end = fault.time + duration_of(fault, control_period), .delay = delay});
+    longest = std::max(longest, delay);
+  }
+  sent_.resize(static_cast<std::size_t>(longest) + 1);
+}
+
+void SensorLink::transmit(const SensorReading& sampled) noexcept {
+  sent_[num_sent_++ % sent_.size()] = sampled;
+  delay(sampled);
+  for (Fault& fault : faults_) apply(fault);
+}
+
+const SensorReading& SensorLink::sent(int ticks_ago) const noexcept {
+  const std::size_t ago = std::min(static_cast<std::size_t>(ticks_ago), num_sent_ - 1);
+  return sent_[(num_sent_ - 1 - ago) % sent_.size()];
+}
+
+void SensorLink::delay(const SensorReading& sampled) noexcept {
+  received_ = sampled;
+  received_.q = sent(encoder_delay_).q;
+  received_.encoder_time = sent(encoder_delay_).encoder_time;
+  received_.torque = sent(torque_delay_).torque;
+  received_.torque_time = sent(torque_delay_).torque_time;
+  received_.gyro = sent(imu_delay_).gyro;
+  received_.accelerometer = sent(imu_delay_).accelerometer;
+  received_.imu_time = sent(imu_delay_).imu_time;
+}
+
+void SensorLink::apply(Fault& fault) noexcept {
+  const SensorFault& options = fault.options;
+  const double time = received_.time;
+  const bool active = time >= options.time - kRounding && time < fault.end - kRounding;
+  if (!active || num_sent_ == 1) fault.before = received_;
+  if (!active) return;
+  const SensorReading& other = options.kind == FaultKind::late ? sent(fault.delay) : fault.before;
+  change_values(options, received_, other, [&](double& value, double other_value) {
+    switch (options.kind) {
+      case FaultKind::stops:
+      case FaultKind::nan:
+        value = kNaN;
+        break;
+      case FaultKind::repeats:
+      case FaultKind::late:
+        value = other_value;
+        break;
+      case FaultKind::jump:
+      case FaultKind::spike:
+        value += options.size;
+        break;
+    }
+  });
+  const bool has_other_time = options.kind == FaultKind::stops ||
+                              options.kind == FaultKind::repeats || options.kind == FaultKind::late;
+  if (has_other_time) take_time(options, received_, other);
+}
+
+}  // namespace surefoot::simulation

@@ -1,0 +1,175 @@
+#include "surefoot/simulation/sensor_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace surefoot::simulation {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+
+/// A reading whose every value tells the tick that it was sampled at.
+SensorReading sampled_at(int tick) {
+  SensorReading reading;
+  reading.time = tick * kPeriod;
+  reading.encoder_time = reading.torque_time = reading.imu_time = reading.time;
+  reading.q.setConstant(1000.0 + tick);
+  reading.torque.setConstant(2000.0 + tick);
+  reading.gyro.setConstant(3000.0 + tick);
+  reading.accelerometer.setConstant(4000.0 + tick);
+  return reading;
+}
+
+std::vector<SensorReading> received(const SensorOptions& options, int ticks = 40) {
+  SensorLink link(options, kPeriod);
+  std::vector<SensorReading> readings;
+  for (int tick = 0; tick < ticks; ++tick) {
+    link.transmit(sampled_at(tick));
+    readings.push_back(link.received());
+  }
+  return readings;
+}
+
+SensorOptions with_fault(SensorFault fault) {
+  SensorOptions options;
+  options.faults = {fault};
+  return options;
+}
+
+/// From tick 10 on for 5 ticks.
+SensorFault fault(FaultySensor sensor, FaultKind kind, double size = 0.0) {
+  return {.sensor = sensor,
+          .kind = kind,
+          .time = 10 * kPeriod,
+          .duration = 5 * kPeriod,
+          .size = size,
+          .joint = -1};
+}
+
+bool active(int tick) { return tick >= 10 && tick < 15; }
+
+void expect_same(const SensorReading& a, const SensorReading& b, int tick) {
+  EXPECT_EQ(a.q, b.q) << tick;
+  EXPECT_EQ(a.torque, b.torque) << tick;
+  EXPECT_EQ(a.gyro, b.gyro) << tick;
+  EXPECT_EQ(a.accelerometer, b.accelerometer) << tick;
+  EXPECT_EQ(a.encoder_time, b.encoder_time) << tick;
+  EXPECT_EQ(a.torque_time, b.torque_time) << tick;
+  EXPECT_EQ(a.imu_time, b.imu_time) << tick;
+}
+
+TEST(SensorLink, passes_everything_on_where_nothing_is_wrong) {
+  const std::vector<SensorReading> readings = received({});
+  for (int tick = 0; tick < 40; ++tick)
+    expect_same(readings[static_cast<std::size_t>(tick)], sampled_at(tick), tick);
+}
+
+TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
+  SensorOptions options;
+  options.encoders.delay_ticks = 3;
+  options.joint_torques.delay_ticks = 1;
+  options.imu.delay_ticks = 7;
+  const std::vector<SensorReading> readings = received(options);
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(reading.time, tick * kPeriod);
+    EXPECT_EQ(reading.q[5], 1000.0 + std::max(0, tick - 3));
+    EXPECT_EQ(reading.torque[5], 2000.0 + std::max(0, tick - 1));
+    EXPECT_EQ(reading.gyro.y(), 3000.0 + std::max(0, tick - 7));
+    EXPECT_EQ(reading.accelerometer.y(), 4000.0 + std::max(0, tick - 7));
+    EXPECT_EQ(reading.encoder_time, std::max(0, tick - 3) * kPeriod);
+    EXPECT_EQ(reading.imu_time, std::max(0, tick - 7) * kPeriod);
+  }
+}
+
+TEST(SensorLink, gives_nothing_but_the_last_time_of_a_sensor_that_stops) {
+  const auto readings = received(with_fault(fault(FaultySensor::imu, FaultKind::stops)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(std::isnan(reading.gyro.z()), active(tick)) << tick;
+    EXPECT_EQ(std::isnan(reading.accelerometer.z()), active(tick)) << tick;
+    EXPECT_EQ(reading.imu_time, (active(tick) ? 9 : tick) * kPeriod) << tick;
+    EXPECT_EQ(reading.q, sampled_at(tick).q) << tick;
+  }
+}
+
+TEST(SensorLink, gives_nan_with_a_fresh_time_of_a_sensor_that_sends_it) {
+  const auto readings = received(with_fault(fault(FaultySensor::encoders, FaultKind::nan)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(reading.q.hasNaN(), active(tick)) << tick;
+    EXPECT_EQ(reading.encoder_time, tick * kPeriod) << tick;
+    EXPECT_EQ(reading.torque, sampled_at(tick).torque) << tick;
+  }
+}
+
+TEST(SensorLink, repeats_the_last_sample_with_its_time) {
+  const auto readings =
+      received(with_fault(fault(FaultySensor::joint_torques, FaultKind::repeats)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    const int sample = active(tick) ? 9 : tick;
+    EXPECT_EQ(reading.torque, sampled_at(sample).torque) << tick;
+    EXPECT_EQ(reading.torque_time, sample * kPeriod) << tick;
+  }
+}
+
+TEST(SensorLink, adds_the_size_of_a_jump_while_it_lasts) {
+  const auto readings = received(with_fault(fault(FaultySensor::gyro, FaultKind::jump, 0.25)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(reading.gyro.x(), 3000.0 + tick + (active(tick) ? 0.25 : 0.0)) << tick;
+    EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
+    EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
+  }
+}
+
+TEST(SensorLink, adds_the_size_of_a_spike_to_one_sample) {
+  const auto readings =
+      received(with_fault(fault(FaultySensor::accelerometer, FaultKind::spike, -20.0)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(reading.accelerometer.z(), 4000.0 + tick - (tick == 10 ? 20.0 : 0.0)) << tick;
+  }
+}
+
+TEST(SensorLink, makes_late_samples_later_than_the_usual_delay) {
+  SensorOptions options = with_fault(fault(FaultySensor::encoders, FaultKind::late, 4.0));
+  options.encoders.delay_ticks = 2;
+  const std::vector<SensorReading> readings = received(options);
+  for (int tick = 6; tick < 40; ++tick) {
+    const int sample = tick - 2 - (active(tick) ? 4 : 0);
+    EXPECT_EQ(readings[static_cast<std::size_t>(tick)].q[0], 1000.0 + sample) << tick;
+    EXPECT_EQ(readings[static_cast<std::size_t>(tick)].encoder_time, sample * kPeriod) << tick;
+  }
+}
+
+TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
+  SensorFault one = fault(FaultySensor::encoders, FaultKind::stops);
+  one.joint = 7;
+  const std::vector<SensorReading> readings = received(with_fault(one));
+  const SensorReading& reading = readings[12];
+  for (Eigen::Index joint = 0; joint < kNumJoints; ++joint)
+    EXPECT_EQ(std::isnan(reading.q[joint]), joint == 7);
+  EXPECT_EQ(reading.encoder_time, 12 * kPeriod);
+}
+
+TEST(SensorLink, that_fails_from_the_first_tick_on_has_the_first_sample_to_repeat) {
+  SensorFault repeats = fault(FaultySensor::encoders, FaultKind::repeats);
+  repeats.time = 0.0;
+  const std::vector<SensorReading> readings = received(with_fault(repeats));
+  EXPECT_EQ(readings[0].q[0], 1000.0);
+  EXPECT_EQ(readings[3].q[0], 1000.0);
+  EXPECT_EQ(readings[5].q[0], 1005.0);
+}
+
+TEST(SensorLink, without_an_end_stays_faulty) {
+  SensorFault stops = fault(FaultySensor::imu, FaultKind::stops);
+  stops.duration = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(received(with_fault(stops)).back().gyro.hasNaN());
+}
+
+}  // namespace
+}  // namespace surefoot::simulation
