@@ -175,6 +175,8 @@ std::vector<std::string> Controller::level_names() const {
   return names;
 }
 
+std::vector<std::string> Controller::level_units() const { return implementation_->stack.units(); }
+
 std::string Controller::row_name(int level, int id) const {
   return implementation_->stack.row_name(level, id);
 }

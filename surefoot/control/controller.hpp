@@ -66,6 +66,8 @@ class Controller {
   [[nodiscard]] const Hierarchy& hierarchy() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
+  /// Unit of each level's residual; empty where it has none.
+  [[nodiscard]] std::vector<std::string> level_units() const;
   /// Name of the row with this id in a level, for logs and tables.
   [[nodiscard]] std::string row_name(int level, int id) const;
   /// Lines worth telling at start (what the model dropped, …).

@@ -47,11 +47,13 @@ LogTerrain parse_terrain(const json& piece) {
           .heights = piece.at("heights").get<std::vector<double>>()};
 }
 
-// What logs have since version 1.2.
+// What not all logs have.
 void parse_newer(const json& header, LogHeader& result) {
   result.commit = header.value("commit", "");
   result.command = header.value("command", "");
   result.description = header.value("description", "");
+  result.level_units = header.value("level_units", std::vector<std::string>());
+  result.level_units.resize(result.level_names.size());
   const json drawn = header.value("drawn", json::array());
   for (const json& draw : drawn) {
     result.drawn.push_back({draw.at("path").get<std::string>(), number(draw.at("value"))});

@@ -40,6 +40,8 @@ class SyntheticRun {
         "equations of motion", "no contact motion", "torque limits", "friction", "COM",
         "swing foot",          "limb limits",       "yaw",           "height",   "roll and pitch",
         "contact forces"};
+    header.level_units = {"",     "m/s²",   "N·m",  "N",      "m/s²", "m/s²",
+                          "m/s²", "rad/s²", "m/s²", "rad/s²", "N"};
     header.event_names = {"none", "lift-off", "touchdown"};
     header.robot.name = "anymal_b";
     for (const Leg leg : kLegs) {
