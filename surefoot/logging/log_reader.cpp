@@ -101,6 +101,26 @@ void add_blockers(const logged::Hierarchy& named, HierarchyReport& report) {
   }
 }
 
+void set_change(const std::vector<std::string>& names, LevelChange change,
+                const logged::Hierarchy& named, LevelSwitchReport& report) {
+  for (const std::string& name : names) {
+    const auto level = static_cast<std::size_t>(index_of(name, named));
+    if (level >= std::min(named.levels.size(), report.change.size()))
+      throw JsonError{"a switch of the level \"" + name + "\", which is none of the levels"};
+    report.change[level] = change;
+  }
+}
+
+void add_switch(const logged::Hierarchy& named, HierarchyReport& report) {
+  report.transition_share = named.transition_share;
+  if (named.level_switches.empty()) return;
+  const logged::LevelSwitch& change = named.level_switches.front();
+  report.level_switch.begins = true;
+  report.level_switch.duration = change.duration;
+  set_change(change.add, LevelChange::comes, named, report.level_switch);
+  set_change(change.remove, LevelChange::goes, named, report.level_switch);
+}
+
 HierarchyReport without_names(const logged::Hierarchy& named) {
   HierarchyReport report;
   report.status = named.status;
@@ -117,6 +137,7 @@ HierarchyReport without_names(const logged::Hierarchy& named) {
                         .id = row.id};
   }
   add_blockers(named, report);
+  add_switch(named, report);
   return report;
 }
 

@@ -39,8 +39,8 @@ void expect_mentions(const std::string& text, const std::vector<std::string>& pa
   }
 }
 
-const std::vector<std::string> kStacks{"walk", "terrain_adaptation", "manipulability", "regular",
-                                       "terrain_without_limits"};
+const std::vector<std::string> kStacks{"walk",    "terrain_adaptation",     "manipulability",
+                                       "regular", "terrain_without_limits", "torso_in_bounds"};
 
 TEST(TaskStack, HasOneLevelForEachOfTheFileInItsOrder) {
   for (const std::string& name : kStacks) {
