@@ -151,10 +151,6 @@ INSTANTIATE_TEST_SUITE_P(
         Absence{"HeightWithinBoundsWhileWalking", "torso_in_bounds", "[torso_height]", {}},
         Absence{
             "RollAndPitchWithinBoundsWhileWalking", "torso_in_bounds", "[torso_roll_pitch]", {}},
-        Absence{"HeightRollAndPitchWithinBoundsWhileWalking",
-                "torso_in_bounds",
-                "[torso_height, torso_roll_pitch]",
-                {}},
         Absence{"HeightWhileStanding", "terrain_adaptation", "[torso_height]", kStanding},
         Absence{"HeightWithinBoundsWhileStanding", "torso_in_bounds", "[torso_height]", kStanding},
         Absence{"RollAndPitchWithinBoundsWhileStanding", "torso_in_bounds", "[torso_roll_pitch]",
