@@ -51,6 +51,7 @@ class ClosedLoop {
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);
     if (options.record_path.empty()) return;
+    controller_.explain_levels(true);
     recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
     truth_log_.emplace(*recorder_);
   }

@@ -59,9 +59,14 @@ class Dump {
 
   void write(const Controller& controller) {
     const Hierarchy& hierarchy = controller.hierarchy();
-    out_ << format_hierarchy(hierarchy, [&](std::size_t level, Eigen::Index row) {
-      return controller.row_name(static_cast<int>(level), hierarchy.level(level).id(row));
-    }) << '\n';
+    out_ << format_hierarchy(
+                hierarchy,
+                [&](std::size_t level, Eigen::Index row) {
+                  return controller.row_name(static_cast<int>(level),
+                                             hierarchy.level(level).id(row));
+                },
+                controller.level_units())
+         << '\n';
     if (!out_)
       throw FileError((arguments_.out.empty() ? "standard output" : arguments_.out) +
                       ": can't be written; check the space there");

@@ -1,65 +1,70 @@
 #include "app/explanation_text.hpp"
 
 #include "app/results_table.hpp"
-#include "surefoot/solver/explanation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 namespace surefoot {
 namespace {
 
-using Index = Eigen::Index;
-
-constexpr double kNothing = 1e-9;     // shown as 0
 constexpr std::size_t kMostRows = 5;  // of a kind that a level shows
 
 std::string number(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < kNothing ? 0.0 : value);
+  std::snprintf(text.data(), text.size(), "%.4g", value);
   return text.data();
 }
 
-const char* words(RowState state) {
-  switch (state) {
-    case RowState::inactive:
-      return "between its bounds";
-    case RowState::at_lower:
-      return "at its lower bound";
-    case RowState::at_upper:
-      return "at its upper bound";
-    case RowState::equality:
-      return "an equality";
-    case RowState::below_lower:
-      return "below its lower bound";
-    case RowState::above_upper:
-      return "above its upper bound";
-  }
-  return "";
+std::string microseconds(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f µs", 1e6 * seconds);
+  return text.data();
 }
 
 class Text {
  public:
-  Text(const NamedHierarchy& question, const Solution& solution)
-      : question_(question), solution_(solution) {}
+  Text(const std::vector<LevelAccount>& levels, const std::vector<LevelCertificate>& certificates)
+      : levels_(levels), certificates_(certificates) {}
 
-  std::string whole() {
-    std::vector<std::vector<std::string>> heads{
-        {"level", "residual", "rows", "at or beyond a bound", "freedom left"}};
-    const auto explanations = explain(question_.hierarchy, solution_.x);
-    for (std::size_t k = 0; k < explanations.size(); ++k) heads.push_back(head(k));
-    const std::vector<std::string> lines = split(aligned(heads));
+  [[nodiscard]] std::string whole() const {
+    const std::vector<std::string> lines = split(aligned(heads()));
     std::string text = lines[0];
-    for (std::size_t k = 0; k < explanations.size(); ++k) {
-      text += lines[k + 1] + missed(k) + held_back(explanations[k]);
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+      text += lines[k + 1] + missed(levels_[k]) + held(levels_[k]) + held_back(levels_[k]);
     }
     return text;
   }
 
  private:
+  using Table = std::vector<std::vector<std::string>>;
+
+  [[nodiscard]] Table heads() const {
+    Table table{{"level", "status", "residual", "rows", "at a bound", "missed", "freedom left",
+                 "iterations", "time"}};
+    if (!certificates_.empty()) table.front().emplace_back("certificate");
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+      table.push_back(head(k));
+      if (!certificates_.empty()) table.back().push_back(number(certificates_[k].stationarity));
+    }
+    return table;
+  }
+
+  [[nodiscard]] std::vector<std::string> head(std::size_t k) const {
+    const LevelAccount& level = levels_[k];
+    return {level_name(k),
+            std::string(level.status),
+            amount(level, level.residual),
+            std::to_string(level.num_rows),
+            std::to_string(level.held.size()),
+            std::to_string(level.missed.size()),
+            std::to_string(level.freedom_left),
+            std::to_string(level.iterations),
+            microseconds(level.time)};
+  }
+
   static std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -70,85 +75,85 @@ class Text {
     return lines;
   }
 
-  static std::string more(std::size_t number) {
-    return number == 0 ? "" : "      and " + std::to_string(number) + " more\n";
-  }
-
   [[nodiscard]] std::string level_name(std::size_t k) const {
-    return std::to_string(k + 1) + " " + question_.hierarchy.level(k).name();
+    const std::string number = std::to_string(k + 1);
+    const std::string& name = levels_[k].name;
+    return name == "level " + number ? name : number + " " + name;
   }
 
-  [[nodiscard]] std::vector<std::string> head(std::size_t k) const {
-    const LevelResult& result = solution_.levels[k];
-    return {level_name(k), number(result.residual), std::to_string(result.num_rows),
-            std::to_string(result.num_active()), std::to_string(result.degrees_of_freedom_left)};
+  static std::string amount(const LevelAccount& level, double value) {
+    return number(value) + (level.unit.empty() ? "" : " " + level.unit);
   }
 
-  /// Signed: positive above the upper bound.
-  [[nodiscard]] double violation(std::size_t k, Index i) const {
-    const Level& level = question_.hierarchy.level(k);
-    const double value = level.A().row(i).dot(solution_.x);
-    return std::max(0.0, value - level.upper()[i]) - std::max(0.0, level.lower()[i] - value);
-  }
-
-  [[nodiscard]] std::string missed(std::size_t k) const {
-    std::vector<Index> rows;
-    for (Index i = 0; i < solution_.levels[k].num_rows; ++i) {
-      if (std::abs(violation(k, i)) > kNothing) rows.push_back(i);
-    }
-    std::ranges::stable_sort(rows, std::ranges::greater{},
-                             [&](Index i) { return std::abs(violation(k, i)); });
+  static std::string missed(const LevelAccount& level) {
     std::string text;
-    for (std::size_t n = 0; n < std::min(rows.size(), kMostRows); ++n) {
-      const double by = violation(k, rows[n]);
-      text += "      " + name({k, rows[n]}) + " is " + number(std::abs(by)) +
-              (by > 0.0 ? " too high\n" : " too low\n");
+    for (std::size_t i = 0; i < std::min(level.missed.size(), kMostRows); ++i) {
+      const MissedRow& row = level.missed[i];
+      text += "      " + row.name + " is " + amount(level, std::abs(row.by)) +
+              (row.by > 0.0 ? " too high\n" : " too low\n");
     }
-    return text + more(rows.size() - std::min(rows.size(), kMostRows));
+    return text + more(level.missed.size(), "      and ", "\n");
   }
 
-  [[nodiscard]] std::string held_back(const LevelExplanation& level) const {
-    std::string text;
-    for (std::size_t j = 0; j < level.cost_of_level.size(); ++j) {
-      if (level.cost_of_level[j] > kNothing) text += held_back_by(level, j);
+  static std::string held(const LevelAccount& level) {
+    if (level.held.empty()) return "";
+    std::string text = "      at a bound: ";
+    for (std::size_t i = 0; i < std::min(level.held.size(), kMostRows); ++i) {
+      const HeldRow& row = level.held[i];
+      text += (i == 0 ? "" : ", ") + row.name + (row.at_upper ? " (upper)" : " (lower)");
     }
+    return text + more(level.held.size(), " and ", "") + "\n";
+  }
+
+  [[nodiscard]] std::string held_back(const LevelAccount& level) const {
+    if (level.status == "missed" && level.blocked_by.empty())
+      return "   held back by nothing above: its own rows can't all be had\n";
+    std::string text;
+    for (const BlockingLevelAccount& by : level.blocked_by)
+      text += "   held back by " + level_name(by.level) + share(level, by) + rows(level, by);
     return text;
   }
 
-  [[nodiscard]] std::string held_back_by(const LevelExplanation& level, std::size_t j) const {
-    std::string text = "   held back by " + level_name(j) + ": without it the residual would be " +
-                       number(level.residual - level.cost_of_level[j]) + "\n";
-    std::size_t shown = 0;
-    std::size_t hidden = 0;
-    for (const Blocker& blocker : level.blocked_by) {
-      if (blocker.at.level != j) continue;
-      if (shown == kMostRows) {
-        ++hidden;
-        continue;
-      }
-      ++shown;
-      text += "      " + name(blocker.at) + ", " + words(state(blocker.at)) + ", costs " +
-              number(blocker.cost) + " (multiplier " + number(blocker.multiplier) + ")\n";
+  static std::string share(const LevelAccount& level, const BlockingLevelAccount& by) {
+    if (by.cost == 0.0) return " and by others, none of which costs anything alone\n";
+    return ", which costs " + amount(level, by.cost) + ": without it the residual would be " +
+           amount(level, std::max(0.0, level.residual - by.cost)) + "\n";
+  }
+
+  static std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
+      const BlockingRowAccount& row = by.rows[i];
+      text += "      " + row.name + ", " + std::string(row.state) + ", alone costs " +
+              amount(level, row.cost) + " (multiplier " + number(row.multiplier) + ")\n";
     }
-    return text + more(hidden);
+    return text + more(by.rows.size(), "      and ", "\n");
   }
 
-  [[nodiscard]] const std::string& name(RowIndex at) const {
-    return question_.row_names[at.level][static_cast<std::size_t>(at.row)];
+  static std::string more(std::size_t count, const std::string& before, const std::string& after) {
+    return count <= kMostRows ? "" : before + std::to_string(count - kMostRows) + " more" + after;
   }
 
-  [[nodiscard]] RowState state(RowIndex at) const {
-    return solution_.levels[at.level].rows[static_cast<std::size_t>(at.row)];
-  }
-
-  const NamedHierarchy& question_;
-  const Solution& solution_;
+  const std::vector<LevelAccount>& levels_;
+  const std::vector<LevelCertificate>& certificates_;
 };
+
+std::string headline(const std::vector<LevelAccount>& levels, const Solution& solution) {
+  int iterations = 0;
+  for (const LevelAccount& level : levels) iterations += level.iterations;
+  std::string text = "status: " + std::string(name(solution.status));
+  if (solution.failed_level >= 0)
+    text += " in level " + std::to_string(solution.failed_level + 1) +
+            "; the levels before it are optimal";
+  return text + ", " + std::to_string(iterations) +
+         (iterations == 1 ? " iteration, " : " iterations, ") + microseconds(solution.time) + "\n";
+}
 
 }  // namespace
 
-std::string explanation_text(const NamedHierarchy& question, const Solution& solution) {
-  return Text(question, solution).whole();
+std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
+                             const std::vector<LevelCertificate>& certificates) {
+  return headline(levels, solution) + Text(levels, certificates).whole();
 }
 
 }  // namespace surefoot

@@ -1,15 +1,19 @@
 #pragma once
 
-#include "surefoot/config/hierarchy_json.hpp"
+#include "app/level_account.hpp"
+#include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
-/// Why a hierarchy came out as it did, for people: each level with its residual, the rows at or
-/// beyond a bound, and the rows above that hold it back, dearest first.
-[[nodiscard]] std::string explanation_text(const NamedHierarchy& question,
-                                           const Solution& solution);
+/// Why a hierarchy came out as it did, for people: status, iterations and time, then each level
+/// with its residual, the rows that it missed or holds at a bound, and the rows above that hold it
+/// back, dearest first. `certificates` may be empty.
+[[nodiscard]] std::string explanation_text(const std::vector<LevelAccount>& levels,
+                                           const Solution& solution,
+                                           const std::vector<LevelCertificate>& certificates);
 
 }  // namespace surefoot

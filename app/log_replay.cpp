@@ -86,12 +86,26 @@ LogReplay::LogReplay(const std::string& path) : log_(path) {
   const Scenario scenario = scenario_of(log_.header(), folder);
   controller_ = std::make_unique<Controller>(scenario.robot, scenario.controller,
                                              std::make_unique<PlaybackEstimator>(tick_.state));
+  explain_levels(true);
 }
 
 bool LogReplay::step() {
   if (!log_.next(tick_)) return false;
+  switch_levels(tick_.hierarchy.level_switch);
   controller_->step(tick_.reading, tick_.user);
   return true;
+}
+
+void LogReplay::switch_levels(const LevelSwitchReport& logged) {
+  if (!logged.begins) return;
+  LevelSwitch change{.duration = logged.duration};
+  const std::vector<std::string>& names = log_.header().level_names;
+  for (std::size_t k = 0; k < std::min(names.size(), logged.change.size()); ++k) {
+    if (logged.change[k] == LevelChange::comes) change.add.push_back(names[k]);
+    if (logged.change[k] == LevelChange::goes) change.remove.push_back(names[k]);
+  }
+  // Refused only where the program is another one; then `is_same` says so.
+  (void)controller_->switch_levels(change);
 }
 
 bool LogReplay::is_same() const {

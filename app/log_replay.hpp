@@ -16,6 +16,9 @@ class LogReplay {
   /// from, Error if this program can't make sense of that.
   explicit LogReplay(const std::string& path);
 
+  /// See `Controller::explain_levels`; a replay does unless it is told not to.
+  void explain_levels(bool wanted) { controller_->explain_levels(wanted); }
+
   /// One tick; false after the last whole one. Throws FileError.
   [[nodiscard]] bool step();
 
@@ -26,6 +29,8 @@ class LogReplay {
   [[nodiscard]] bool is_same() const;
 
  private:
+  void switch_levels(const LevelSwitchReport& logged);
+
   LogReader log_;
   TickRecord tick_;
   std::unique_ptr<Controller> controller_;

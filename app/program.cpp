@@ -46,7 +46,12 @@ Examples:
 constexpr const char* kSolveFooter = R"(
 The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²) of each level:
   {"x":[…],"levels":[{"residual":…},…]}
-Levels may have a "name", their rows "A_names" and "D_names", which --explain shows.
+Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows.
+A level without rows asks for nothing: it is named, and the line is solved.
+
+--explain: a cost is what the level's residual would fall by without that row alone, or without all
+rows of that level, while everything else above keeps what it has. A multiplier is how fast half the
+squared residual falls as the row's bound gives way. With --json it is one object a line.
 
 Exit codes: 0 all lines are solved, 1 an answer failed --certify, 2 a line is wrong (the others are
 still solved).
@@ -54,6 +59,7 @@ still solved).
 Examples:
   surefoot solve hierarchies.jsonl
   surefoot solve hierarchies.jsonl --explain
+  surefoot solve hierarchies.jsonl --explain --json
 )";
 
 constexpr const char* kDumpFooter = R"(
@@ -180,6 +186,8 @@ void add_solve(CLI::App& app, Command& chosen) {
   solve->add_flag(
       "--explain", arguments->explain,
       "Tables instead of JSON: what each level missed, and which rows above cost it how much");
+  solve->add_flag("--json", arguments->json,
+                  "One JSON object a line, which is the default, also with --explain");
   solve->callback([&chosen, arguments] {
     chosen = [arguments] { return run_solve(*arguments, std::cout, std::cerr); };
   });

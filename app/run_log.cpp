@@ -109,6 +109,7 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   for (const RandomDraw& draw : scenario.drawn) header.drawn.push_back({draw.path, draw.value});
   header.control_period = scenario.controller.period;
   header.level_names = controller.level_names();
+  header.level_units = controller.level_units();
   header.event_names = event_names();
   header.robot = robot_of(model);
   header.limb = limb_limits(stack);

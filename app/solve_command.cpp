@@ -1,7 +1,9 @@
 #include "app/solve_command.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/explanation_json.hpp"
 #include "app/explanation_text.hpp"
+#include "app/level_account.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
@@ -10,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -60,6 +63,11 @@ double worst_ratio(const Hierarchy& hierarchy) {
 /// the certificate, ratio² · 1e-16.
 constexpr double kLargestRatio = 1e4;
 constexpr double kProven = 1e-8;  // a certificate below it is rounding
+constexpr int kMostNotes = 10;    // on `err`
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 class SolveCommand {
  public:
@@ -77,6 +85,7 @@ class SolveCommand {
         exit_code_ = kWrongInput;
       }
     }
+    tell_hidden_notes(name);
     return exit_code_;
   }
 
@@ -84,7 +93,8 @@ class SolveCommand {
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy question = parse_hierarchy(line, place);
     check_size(question.hierarchy, place);
-    CascadeSolver solver(question.hierarchy);
+    CascadeSolver solver(question.hierarchy,
+                         {.rank = {}, .clock = arguments_.explain ? seconds : nullptr});
     const Solution& solution = solver.solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
       throw FileError(
@@ -94,14 +104,52 @@ class SolveCommand {
     std::vector<LevelCertificate> certificates;
     if (arguments_.certify) certificates = certify(question.hierarchy, solution.x);
     if (arguments_.explain) {
-      out_ << place << "\n" << explanation_text(question, solution);
-      if (arguments_.certify) out_ << "certificate: " << worst_stationarity(certificates) << "\n";
-      out_ << std::endl;
+      explain_line(place, question, solution, certificates);
     } else {
-      out_ << json_line(question, solution, certificates) << std::endl;
+      out_ << with_notes(json_line(question, solution, certificates), question.hierarchy).dump()
+           << std::endl;
     }
+    tell_levels_without_rows(place, question.hierarchy);
     if (worst_stationarity(certificates) > kProven)
       tell_unproven(place, question.hierarchy, certificates);
+  }
+
+  void explain_line(const std::string& place, const NamedHierarchy& question,
+                    const Solution& solution, const std::vector<LevelCertificate>& certificates) {
+    const std::vector<LevelAccount> levels = account_for(question, solution);
+    if (arguments_.json) {
+      const Json line = explanation_json(levels, solution, certificates);
+      out_ << with_notes(line, question.hierarchy).dump() << std::endl;
+    } else {
+      out_ << place << "\n" << explanation_text(levels, solution, certificates) << std::endl;
+    }
+  }
+
+  static std::string without_rows(const Hierarchy& hierarchy, std::size_t level) {
+    const std::string number = "level " + std::to_string(level + 1);
+    const std::string& name = hierarchy.level(level).name();
+    return number + (name == number ? "" : " (" + name + ")") +
+           " has no rows, so it asks for nothing";
+  }
+
+  static Json with_notes(Json line, const Hierarchy& hierarchy) {
+    for (const std::size_t level : levels_without_rows(hierarchy))
+      line["notes"].push_back(without_rows(hierarchy, level));
+    return line;
+  }
+
+  /// The lines of a recorded walk are thousands with the same empty level.
+  void tell_levels_without_rows(const std::string& place, const Hierarchy& hierarchy) {
+    for (const std::size_t level : levels_without_rows(hierarchy)) {
+      if (++num_notes_ <= kMostNotes)
+        err_ << place << ": note: " << without_rows(hierarchy, level) << '\n';
+    }
+  }
+
+  void tell_hidden_notes(const std::string& name) {
+    if (num_notes_ <= kMostNotes) return;
+    err_ << name << ": note: " << num_notes_ - kMostNotes
+         << " more levels without rows are named in the results only\n";
   }
 
   void tell_unproven(const std::string& place, const Hierarchy& hierarchy,
@@ -119,8 +167,8 @@ class SolveCommand {
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 
-  static std::string json_line(const NamedHierarchy& question, const Solution& solution,
-                               const std::vector<LevelCertificate>& certificates) {
+  static Json json_line(const NamedHierarchy& question, const Solution& solution,
+                        const std::vector<LevelCertificate>& certificates) {
     Json levels = Json::array();
     for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
       Json level = {{"residual", solution.levels[k].residual}};
@@ -130,13 +178,14 @@ class SolveCommand {
     const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());
     Json line = {{"x", x}, {"levels", std::move(levels)}};
     if (solution.status == SolveStatus::iteration_cap) line["status"] = "iteration_cap";
-    return line.dump();
+    return line;
   }
 
   SolveArguments arguments_;
   std::ostream& out_;
   std::ostream& err_;
   int exit_code_ = 0;
+  int num_notes_ = 0;
 };
 
 }  // namespace

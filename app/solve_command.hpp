@@ -9,6 +9,7 @@ struct SolveArguments {
   std::string file;      ///< "-": standard input
   bool certify = false;  ///< check each answer against the optimality conditions
   bool explain = false;  ///< tables for people instead of JSON
+  bool json = false;     ///< with `explain`: JSON all the same, with all that the tables say
 };
 
 /// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file and writes one line
@@ -18,8 +19,12 @@ struct SolveArguments {
 ///     residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²)
 ///
 /// With `certify` each level has its "certificate", the distance from its optimality conditions
-/// that `LevelCertificate` defines, computed without the solver; with `explain` a table says which
-/// rows each level missed and which rows above held it back, at what cost.
+/// that `LevelCertificate` defines, computed without the solver. With `explain` a table has status,
+/// iterations and time of each level, the rows that it missed or holds at a bound, and the rows
+/// above that held it back, with multiplier and cost; with `json` too, the line has all of it.
+///
+/// A level without rows asks for nothing: the line is solved, a message on `err` names line and
+/// level, and the result has it under "notes".
 ///
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines

@@ -134,9 +134,15 @@ Block read_block(const Json& level, const char* matrix_key, const char* vector_k
 }
 
 struct LevelBlocks {
-  std::string name;
+  std::string name, unit;
   Block equal, at_most;
 };
+
+/// A text of a level; what is no text counts as missing.
+std::string text_or(const Json& level, const char* key, const std::string& otherwise) {
+  const auto given = level.find(key);
+  return given != level.end() && given->is_string() ? given->get<std::string>() : otherwise;
+}
 
 std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, const Place& place) {
   if (!line.is_object() || !line.contains("levels") || !line["levels"].is_array()) {
@@ -148,9 +154,7 @@ std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, co
     const Place here = place.at(name);
     if (!level.is_object())
       here.fail("is " + quoted(level) + "; expected an object with A, b, D and f");
-    const auto given = level.find("name");
-    const bool is_named = given != level.end() && given->is_string();
-    levels.push_back({is_named ? given->get<std::string>() : name,
+    levels.push_back({text_or(level, "name", name), text_or(level, "unit", ""),
                       read_block(level, "A", "b", unknowns, here),
                       read_block(level, "D", "f", unknowns, here)});
   }
@@ -189,12 +193,13 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   const std::vector<LevelBlocks> levels =
       read_levels(parse_json_line(line, place_name, kForm), unknowns, place);
   if (unknowns == 0) place.fail("has no unknowns; expected at least one row in A or D of a level");
-  NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}};
+  NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}, {}};
   for (const LevelBlocks& level : levels) {
     const auto rows = static_cast<Index>(level.equal.rows.size() + level.at_most.rows.size());
     const std::size_t k = result.hierarchy.add_level(level.name, rows);
     append(level.equal, true, result.hierarchy.level(k));
     append(level.at_most, false, result.hierarchy.level(k));
+    result.units.push_back(level.unit);
     result.row_names.push_back(level.equal.names);
     result.row_names.back().insert(result.row_names.back().end(), level.at_most.names.begin(),
                                    level.at_most.names.end());
@@ -202,7 +207,8 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   return result;
 }
 
-std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name) {
+std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name,
+                             const std::vector<std::string>& units) {
   Json levels = Json::array();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const Level& level = hierarchy.level(k);
@@ -226,11 +232,12 @@ std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name
         blocks.D_names.push_back(name);
       }
     }
-    Json object = {{"name", level.name()},
-                   {"A", std::move(blocks.A)},
-                   {"b", std::move(blocks.b)},
-                   {"D", std::move(blocks.D)},
-                   {"f", std::move(blocks.f)}};
+    Json object = {{"name", level.name()}};
+    if (k < units.size() && !units[k].empty()) object["unit"] = units[k];
+    object["A"] = std::move(blocks.A);
+    object["b"] = std::move(blocks.b);
+    object["D"] = std::move(blocks.D);
+    object["f"] = std::move(blocks.f);
     if (row_name) {
       object["A_names"] = std::move(blocks.A_names);
       object["D_names"] = std::move(blocks.D_names);

@@ -13,6 +13,7 @@ namespace surefoot {
 struct NamedHierarchy {
   Hierarchy hierarchy;
   std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
+  std::vector<std::string> units;                   ///< of each level's rows; empty: not given
 };
 
 /// A hierarchy from one line of a .jsonl file:
@@ -21,9 +22,10 @@ struct NamedHierarchy {
 ///     8)
 ///
 /// An empty or missing block has no rows. A level may have a "name", its blocks "A_names" and
-/// "D_names", a text for each row; without them rows are called "A 1", "D 3". Other members are
-/// ignored. The number of unknowns is the length of the rows. `place` ("file:line") starts the
-/// message of the FileError that is thrown for anything else: numbers are finite and at most 1e100.
+/// "D_names", a text for each row; without them rows are called "A 1", "D 3"; and its rows a
+/// "unit". Other members are ignored. The number of unknowns is the length of the rows. `place`
+/// ("file:line") starts the message of the FileError that is thrown for anything else: numbers are
+/// finite and at most 1e100.
 [[nodiscard]] NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place);
 
 /// What a row is called: level and row, as indices.
@@ -31,8 +33,10 @@ using RowName = std::function<std::string(std::size_t, Eigen::Index)>;
 
 /// The line for a hierarchy, without a line break. Numbers read back to the same doubles. A row
 /// between two bounds becomes two rows of D, lower ≤ a x as −a x ≤ −lower. Beside the blocks each
-/// level has its "name", and with `row_name` its rows have theirs.
+/// level has its "name", with `row_name` its rows have theirs, and with `units` its "unit" where
+/// that is not empty.
 [[nodiscard]] std::string format_hierarchy(const Hierarchy& hierarchy,
-                                           const RowName& row_name = nullptr);
+                                           const RowName& row_name = nullptr,
+                                           const std::vector<std::string>& units = {});
 
 }  // namespace surefoot

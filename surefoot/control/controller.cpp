@@ -92,6 +92,7 @@ struct Controller::Implementation {
   HierarchySolver solver;
   Safety safety;
   TickRecord record;
+  bool explains_levels = false;
   StageObserver* observer = nullptr;
   double last_time = kNaN;  // of the last state that was believed [s]
 };
@@ -145,7 +146,9 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
 void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
   summarise(solution, stack.hierarchy(), record.hierarchy);
-  summarise_blockers(solver.blockers(), stack.hierarchy(), record.hierarchy);
+  if (explains_levels) summarise_blockers(solver.blockers(), stack.hierarchy(), record.hierarchy);
+  record.hierarchy.transition_share = switcher.transition().share;
+  record.hierarchy.level_switch = switcher.begun();
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   for (const Leg leg : kLegs) {
@@ -194,11 +197,15 @@ std::vector<std::string> Controller::level_names() const {
   return names;
 }
 
+std::vector<std::string> Controller::level_units() const { return implementation_->stack.units(); }
+
 std::string Controller::row_name(int level, int id) const {
   return implementation_->stack.row_name(level, id);
 }
 
 std::vector<std::string> Controller::notes() const { return implementation_->model.notes(); }
+
+void Controller::explain_levels(bool wanted) { implementation_->explains_levels = wanted; }
 
 void Controller::set_stage_observer(StageObserver* observer) {
   implementation_->observer = observer;

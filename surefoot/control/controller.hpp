@@ -57,7 +57,7 @@ class Controller {
   /// Between two ticks: begins to put levels into the stack or to take them out, as one of
   /// `level_switches` whose time has come. False, and nothing happens, while another switch is
   /// going on. Throws Error on a switch that the stack can't make; allocates in that case only.
-  /// A log does not have it, so the replay of such a run is another one.
+  /// The record of the tick at which it begins has it.
   [[nodiscard]] bool switch_levels(const LevelSwitch& change);
 
   /// Everything of the last tick.
@@ -66,10 +66,15 @@ class Controller {
   [[nodiscard]] const Hierarchy& hierarchy() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
+  /// Unit of each level's residual; empty where it has none.
+  [[nodiscard]] std::vector<std::string> level_units() const;
   /// Name of the row with this id in a level, for logs and tables.
   [[nodiscard]] std::string row_name(int level, int id) const;
   /// Lines worth telling at start (what the model dropped, …).
   [[nodiscard]] std::vector<std::string> notes() const;
+  /// Whether the record says from the next tick on what holds each level back, which takes some
+  /// microseconds a tick; not without this call. No torque depends on it.
+  void explain_levels(bool wanted);
   /// May be null. Must outlive the controller.
   void set_stage_observer(StageObserver* observer);
   /// Steps taken, searches that met no ground, …: counts since the start.

@@ -18,7 +18,8 @@ HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
 
 const Solution& HierarchySolver::solve(const Hierarchy& hierarchy, const Substitution* substitution,
                                        const LevelTransition& transition) noexcept {
-  if (!transition.is_going_on()) return solve_with(solver_, hierarchy, substitution);
+  is_optimum_ = !transition.is_going_on();
+  if (is_optimum_) return solve_with(solver_, hierarchy, substitution);
   const Solution& before =
       solve_with(solver_, soft_levels_.select(hierarchy, transition.before), substitution);
   const Solution& after =
@@ -36,7 +37,7 @@ const Solution& HierarchySolver::solve_with(Solver& solver, const Hierarchy& hie
 
 std::span<const LevelBlockers> HierarchySolver::blockers() noexcept {
   auto* lexicographic = std::get_if<LexicographicSolver>(&solver_);
-  if (lexicographic == nullptr) return {};
+  if (lexicographic == nullptr || !is_optimum_) return {};
   return lexicographic->blockers();
 }
 

@@ -25,8 +25,8 @@ class HierarchySolver {
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution,
                         const LevelTransition& transition) noexcept;
 
-  /// What holds each level of the last solution back; empty where the solver doesn't say. The
-  /// hierarchy must be as it was.
+  /// What holds each level of the last solution back; empty where the solver doesn't say, and
+  /// during a transition, which is no optimum. The hierarchy must be as it was.
   [[nodiscard]] std::span<const LevelBlockers> blockers() noexcept;
 
  private:
@@ -40,6 +40,7 @@ class HierarchySolver {
   Solver solver_after_;  // of what is behind a transition
   SoftLevels soft_levels_;
   bool wants_substitution_;
+  bool is_optimum_ = false;  // the last solution, of one hierarchy
 };
 
 }  // namespace surefoot

@@ -93,8 +93,10 @@ bool LevelSwitcher::start(const LevelSwitch& change) {
 const LevelTransition& LevelSwitcher::update(double time) noexcept {
   if (transition_.is_going_on()) transition_.share = smooth_ramp(time - begin_, duration_);
   if (transition_.share >= 1.0) transition_.before = transition_.after;
-  if (is_requested_ && !transition_.is_going_on()) {
+  begun_.begins = is_requested_ && !transition_.is_going_on();
+  if (begun_.begins) {
     begin(requested_, time);
+    begun_ = report(requested_);
     is_requested_ = false;
   }
   while (!transition_.is_going_on() && next_ < schedule_.size() && schedule_[next_].time <= time) {
@@ -109,6 +111,15 @@ void LevelSwitcher::begin(const Change& change, double time) {
   transition_.after = (transition_.before | change.add) & ~change.remove;
   transition_.share = duration_ > 0.0 ? 0.0 : 1.0;
   if (transition_.share >= 1.0) transition_.before = transition_.after;
+}
+
+LevelSwitchReport LevelSwitcher::report(const Change& change) {
+  LevelSwitchReport report{.begins = true, .duration = change.duration, .change = {}};
+  for (std::size_t k = 0; k < report.change.size(); ++k) {
+    if (change.add[k]) report.change[k] = LevelChange::comes;
+    if (change.remove[k]) report.change[k] = LevelChange::goes;
+  }
+  return report;
 }
 
 LevelSwitcher::Change LevelSwitcher::compiled(const LevelSwitch& change) const {

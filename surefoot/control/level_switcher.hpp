@@ -37,12 +37,17 @@ class LevelSwitcher {
   /// Once a tick, with its time [s]. Does not allocate.
   const LevelTransition& update(double time) noexcept;
 
+  [[nodiscard]] const LevelTransition& transition() const { return transition_; }
+  /// The switch by `start` that has begun at the last update, so that a log can have it.
+  [[nodiscard]] const LevelSwitchReport& begun() const { return begun_; }
+
  private:
   struct Change {
     double time, duration;
     LevelSet add, remove;
   };
 
+  [[nodiscard]] static LevelSwitchReport report(const Change& change);
   [[nodiscard]] Change compiled(const LevelSwitch& change) const;
   void begin(const Change& change, double time);
 
@@ -51,6 +56,7 @@ class LevelSwitcher {
   std::size_t next_ = 0;
   bool is_requested_ = false;
   Change requested_{};
+  LevelSwitchReport begun_;
   LevelTransition transition_;
   double begin_ = 0.0, duration_ = 0.0;  // of the transition [s]
 };

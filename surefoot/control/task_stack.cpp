@@ -5,6 +5,7 @@
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace surefoot {
@@ -69,6 +70,19 @@ void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,
     if (tasks.weights[i] != 1.0) level.rows(first).weigh(tasks.weights[i]);
   }
   if (tasks.damping > 0.0) add_damping(level, tasks.damping, no_motion_, tasks.num_ids);
+}
+
+std::vector<std::string> TaskStack::units() const {
+  std::vector<std::string> units;
+  for (const LevelTasks& level : levels_) {
+    const std::string_view unit = task_info(level.tasks.front()->name()).unit;
+    const auto is_same = [&](const auto& task) { return task_info(task->name()).unit == unit; };
+    const bool is_weighted = std::ranges::any_of(level.weights, [](double w) { return w != 1.0; });
+    const bool is_one =
+        std::ranges::all_of(level.tasks, is_same) && !is_weighted && level.damping == 0.0;
+    units.emplace_back(is_one ? unit : "");
+  }
+  return units;
 }
 
 std::string TaskStack::row_name(int level, int id) const {

@@ -70,6 +70,7 @@ std::string to_json(const LogHeader& header) {
       .member("control_period", header.control_period);
   drawn_member(json, header.drawn);
   list(json, "level_names", header.level_names);
+  list(json, "level_units", header.level_units);
   list(json, "event_names", header.event_names);
   robot_member(json, header.robot);
   json.key("limb")

@@ -66,6 +66,7 @@ struct LogHeader {
   std::vector<LogDraw> drawn;            ///< what the seed chose, besides the sensors' noise
   double control_period = 0.0025;        ///< [s]
   std::vector<std::string> level_names;  ///< of the hierarchy, highest first
+  std::vector<std::string> level_units;  ///< of their residuals; empty texts where there is none
   std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
   LogRobot robot;
   LogLimbLimits limb;

@@ -47,11 +47,13 @@ LogTerrain parse_terrain(const json& piece) {
           .heights = piece.at("heights").get<std::vector<double>>()};
 }
 
-// What logs have since version 1.2.
+// What not all logs have.
 void parse_newer(const json& header, LogHeader& result) {
   result.commit = header.value("commit", "");
   result.command = header.value("command", "");
   result.description = header.value("description", "");
+  result.level_units = header.value("level_units", std::vector<std::string>());
+  result.level_units.resize(result.level_names.size());
   const json drawn = header.value("drawn", json::array());
   for (const json& draw : drawn) {
     result.drawn.push_back({draw.at("path").get<std::string>(), number(draw.at("value"))});
@@ -99,6 +101,26 @@ void add_blockers(const logged::Hierarchy& named, HierarchyReport& report) {
   }
 }
 
+void set_change(const std::vector<std::string>& names, LevelChange change,
+                const logged::Hierarchy& named, LevelSwitchReport& report) {
+  for (const std::string& name : names) {
+    const auto level = static_cast<std::size_t>(index_of(name, named));
+    if (level >= std::min(named.levels.size(), report.change.size()))
+      throw JsonError{"a switch of the level \"" + name + "\", which is none of the levels"};
+    report.change[level] = change;
+  }
+}
+
+void add_switch(const logged::Hierarchy& named, HierarchyReport& report) {
+  report.transition_share = named.transition_share;
+  if (named.level_switches.empty()) return;
+  const logged::LevelSwitch& change = named.level_switches.front();
+  report.level_switch.begins = true;
+  report.level_switch.duration = change.duration;
+  set_change(change.add, LevelChange::comes, named, report.level_switch);
+  set_change(change.remove, LevelChange::goes, named, report.level_switch);
+}
+
 HierarchyReport without_names(const logged::Hierarchy& named) {
   HierarchyReport report;
   report.status = named.status;
@@ -115,6 +137,7 @@ HierarchyReport without_names(const logged::Hierarchy& named) {
                         .id = row.id};
   }
   add_blockers(named, report);
+  add_switch(named, report);
   return report;
 }
 

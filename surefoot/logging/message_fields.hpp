@@ -32,6 +32,12 @@ struct BlockingRow {
   surefoot::BlockingRow report;
 };
 
+/// A switch of levels that was asked for between two ticks, with names.
+struct LevelSwitch {
+  std::vector<std::string> add, remove;
+  double duration = 0.0;
+};
+
 /// HierarchyReport, with names.
 struct Hierarchy {
   std::int32_t status = 0, failed_level = -1;
@@ -39,6 +45,8 @@ struct Hierarchy {
   std::vector<Row> active;
   bool blocking_is_known = false;
   std::vector<BlockingRow> blocked_by;
+  double transition_share = 1.0;
+  std::vector<LevelSwitch> level_switches;
 };
 
 inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloading", "swing",
@@ -169,6 +177,13 @@ void fields(Archive& field, T& blocking) {
         "what the residual falls by if this row alone gives way, in the unit of the level's rows");
 }
 
+template <typename Archive, Is<LevelSwitch> T>
+void fields(Archive& field, T& change) {
+  field("add", change.add, "names of the levels that come");
+  field("remove", change.remove, "names of the levels that go");
+  field("duration", change.duration, "[s]");
+}
+
 template <typename Archive, Is<Hierarchy> T>
 void fields(Archive& field, T& hierarchy) {
   field("status", hierarchy.status,
@@ -181,6 +196,10 @@ void fields(Archive& field, T& hierarchy) {
         "whether blocked_by speaks of all levels");
   field("blocked_by", hierarchy.blocked_by,
         "rows of higher levels that kept a level from a smaller residual, dearest first");
+  field("transition_share", hierarchy.transition_share,
+        "of the levels that come or go; 1 where none does");
+  field("level_switches", hierarchy.level_switches,
+        "asked for at run time and begun at this tick; those of the scenario stand in the header");
 }
 
 template <typename Archive, Is<JointCommand> T>

@@ -57,6 +57,8 @@ class Namer {
       named_.active[i] = {level(row.level), row_name(row.level, row.id), row.id, row.state};
     }
     name_blockers(report);
+    named_.transition_share = report.transition_share;
+    name_switch(report.level_switch);
     return named_;
   }
 
@@ -69,6 +71,17 @@ class Namer {
       const BlockingRow& row = report.blocking[i];
       named_.blocked_by[i] = {level(row.level), level(row.by_level), row_name(row.by_level, row.id),
                               row};
+    }
+  }
+
+  void name_switch(const LevelSwitchReport& change) {
+    named_.level_switches.clear();
+    if (!change.begins) return;
+    logged::LevelSwitch& named = named_.level_switches.emplace_back();
+    named.duration = change.duration;
+    for (std::size_t k = 0; k < change.change.size(); ++k) {
+      if (change.change[k] == LevelChange::comes) named.add.push_back(level(static_cast<int>(k)));
+      if (change.change[k] == LevelChange::goes) named.remove.push_back(level(static_cast<int>(k)));
     }
   }
 

@@ -35,6 +35,16 @@ struct BlockingRow {
   double cost = 0.0;  ///< what the residual falls by if this row alone gives way (BlockerSearch)
 };
 
+/// What happens to a level from a tick on.
+enum class LevelChange : std::int8_t { stays = 0, comes = 1, goes = -1 };
+
+/// A switch of levels that was asked for between two ticks, beside those of the options.
+struct LevelSwitchReport {
+  bool begins = false;    ///< at this tick
+  double duration = 0.0;  ///< [s]
+  std::array<LevelChange, kMaxLevels> change{};
+};
+
 /// How the hierarchy came out at one tick: plain data for the log and the viewer.
 struct HierarchyReport {
   std::int32_t status = 0;         ///< SolveStatus; invalid_input also where no state was believed
@@ -42,11 +52,14 @@ struct HierarchyReport {
   std::int32_t num_levels = 0;
   std::int32_t num_active = 0;    ///< entries of `active`
   std::int32_t num_blocking = 0;  ///< entries of `blocking`
-  /// Whether the solver can say of each level what holds it back.
+  /// Whether the solver was asked, and can say of each level what holds it back.
   bool blocking_is_known = false;
   std::array<LevelReport, kMaxLevels> levels{};
   std::array<ActiveRow, kMaxReportedRows> active{};
   std::array<BlockingRow, kMaxReportedBlockers> blocking{};  ///< by level, dearest first
+  /// Of the levels that come or go, 0 … 1; 1 where none does. Before, no lexicographic optimum.
+  double transition_share = 1.0;
+  LevelSwitchReport level_switch;
 };
 
 }  // namespace surefoot

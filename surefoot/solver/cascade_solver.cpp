@@ -28,6 +28,7 @@ CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& op
 
 const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
   const FlushDenormals flush_denormals;
+  const double begin = now();
   if (!is_valid(hierarchy)) {
     reject(hierarchy);
     return solution_;
@@ -39,6 +40,7 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     LevelResult& result = solution_.levels[k];
     result.iterations = 0;
+    const double level_begin = now();
     if (solution_.status == SolveStatus::optimal && tableau_.num_free() > 0) {
       tableau_.append(hierarchy.level(k));
       if (level_solver_.minimize(tableau_, max_iterations())) {
@@ -50,6 +52,7 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
       result.iterations = level_solver_.iterations();
     }
     result.degrees_of_freedom_left = tableau_.num_free();
+    result.time = now() - level_begin;
   }
   solution_.x = tableau_.value.head(tableau_.unknowns);
   if (!solution_.x.allFinite()) {
@@ -61,6 +64,7 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
     result.num_rows = 0;
     if (k < hierarchy.num_levels()) describe(hierarchy.level(k), result);
   }
+  solution_.time = now() - begin;
   return solution_;
 }
 
@@ -77,12 +81,14 @@ bool CascadeSolver::is_valid(const Hierarchy& hierarchy) const {
 void CascadeSolver::reject(const Hierarchy& hierarchy) {
   solution_.status = SolveStatus::invalid_input;
   solution_.failed_level = -1;
+  solution_.time = 0.0;
   solution_.x.setZero();
   for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
     LevelResult& result = solution_.levels[k];
     result.num_rows = 0;
     result.residual = 0.0;
     result.iterations = 0;
+    result.time = 0.0;
     result.degrees_of_freedom_left = tableau_.unknowns;
     const bool is_bad = k < hierarchy.num_levels() && !is_sound(hierarchy.level(k));
     if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);

@@ -10,6 +10,9 @@ namespace surefoot {
 struct CascadeOptions {
   RankTolerance rank;      ///< what counts as an independent row
   int max_iterations = 0;  ///< of the active-set method in a level; 0: 50 + 10 × rows so far
+  /// Seconds of any steady clock, with which Solution::time and that of each level are measured;
+  /// nothing else depends on it.
+  double (*clock)() = nullptr;
 };
 
 /// The paper's cascade (Eqs. 8–13), exact: level k is solved in the null space of everything that
@@ -38,6 +41,7 @@ class CascadeSolver {
  private:
   [[nodiscard]] bool is_valid(const Hierarchy& hierarchy) const;
   void reject(const Hierarchy& hierarchy);
+  [[nodiscard]] double now() const { return options_.clock != nullptr ? options_.clock() : 0.0; }
   [[nodiscard]] int max_iterations() const;
   void describe(const Level& level, LevelResult& result) const;
 

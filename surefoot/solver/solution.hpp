@@ -30,7 +30,8 @@ struct LevelResult {
   Eigen::Index num_rows = 0;
   Eigen::Index degrees_of_freedom_left = 0;  ///< columns of the null space after this level
   int iterations = 0;                        ///< of the active-set method
-  std::vector<RowState> rows;                ///< capacity max_rows; the first num_rows are valid
+  double time = 0.0;  ///< that the level took [s]; 0 unless CascadeSolver was given a clock
+  std::vector<RowState> rows;  ///< capacity max_rows; the first num_rows are valid
   [[nodiscard]] int num_active() const {
     int count = 0;
     for (Eigen::Index i = 0; i < num_rows; ++i) {

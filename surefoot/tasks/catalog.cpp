@@ -59,8 +59,9 @@ class Entry {
  public:
   using Options = typename OptionsOf<T>::type;
 
-  Entry(std::string_view name, std::string_view summary, std::string_view equation)
-      : info_{name, summary, equation, {}, {}} {}
+  Entry(std::string_view name, std::string_view summary, std::string_view equation,
+        std::string_view unit)
+      : info_{name, summary, equation, unit, {}, {}} {}
 
   Entry&& number(std::string_view name, double Options::* member, std::string_view unit,
                  std::string_view help, double minimum = 0.0) && {
@@ -171,15 +172,15 @@ void add_bound(Entry<T>&& entry, Catalog& catalog) {
 
 void add_dynamics(Catalog& catalog) {
   Entry<EquationsOfMotion>("equations_of_motion",
-                           "accelerations and torques obey the robot's dynamics", "(15)")
+                           "accelerations and torques obey the robot's dynamics", "(15)", "")
       .add_to(catalog);
-  Entry<NoContactMotion>("no_contact_motion", "supporting feet stay where they are", "(16)")
+  Entry<NoContactMotion>("no_contact_motion", "supporting feet stay where they are", "(16)", "m/s²")
       .number("kd", &NoContactMotion::Options::kd, "1/s", "damping of the contact point's velocity")
       .add_to(catalog);
 }
 
 void add_limits(Catalog& catalog) {
-  Entry<TorqueLimits>("torque_limits", "torques stay within what the actuators give", "(28)")
+  Entry<TorqueLimits>("torque_limits", "torques stay within what the actuators give", "(28)", "N·m")
       .number("fraction", &TorqueLimits::Options::fraction, kNoUnit,
               "of the torque limit, at most 1")
       .choice("speed_line", &TorqueLimits::Options::speed_line, {"none", "linear"},
@@ -190,7 +191,7 @@ void add_limits(Catalog& catalog) {
   Entry<FrictionCone>("friction_cone",
                       "contact forces stay in the friction pyramid and the plan's "
                       "normal-force limits",
-                      "(29)–(31)")
+                      "(29)–(31)", "N")
       .choice("pyramid", &FrictionCone::Options::pyramid, {"inner", "outer"},
               "inside the friction cone (μ/√2) or around it (μ)")
       .choice("axes", &FrictionCone::Options::axes, {"control", "gravity"},
@@ -199,12 +200,12 @@ void add_limits(Catalog& catalog) {
 }
 
 void add_tracking(Catalog& catalog) {
-  Entry<ComXy>("com_xy", "centre of mass follows its horizontal reference", "(17)")
+  Entry<ComXy>("com_xy", "centre of mass follows its horizontal reference", "(17)", "m/s²")
       .number("kp", &ComXy::Options::kp, "1/s²", "position gain")
       .number("kd", &ComXy::Options::kd, "1/s", "velocity gain")
       .number("max_error", &ComXy::Options::max_error, "m", kErrorHelp)
       .add_to(catalog);
-  Entry<SwingFoot>("swing_foot", "feet in the air follow their swing curves", "(19)")
+  Entry<SwingFoot>("swing_foot", "feet in the air follow their swing curves", "(19)", "m/s²")
       .number("kp", &SwingFoot::Options::kp, "1/s²", "position gain")
       .number("kd", &SwingFoot::Options::kd, "1/s", "velocity gain")
       .number("max_error", &SwingFoot::Options::max_error, "m", kErrorHelp)
@@ -212,24 +213,24 @@ void add_tracking(Catalog& catalog) {
 }
 
 void add_torso(Catalog& catalog) {
-  Entry<TorsoYaw>("torso_yaw", "torso follows its desired heading", "(18), row z")
+  Entry<TorsoYaw>("torso_yaw", "torso follows its desired heading", "(18), row z", "rad/s²")
       .number("kp", &TorsoOrientationOptions::kp, "1/s²", "orientation gain")
       .number("kd", &TorsoOrientationOptions::kd, "1/s", "angular velocity gain")
       .number("max_error", &TorsoOrientationOptions::max_error, "rad", kErrorHelp)
       .add_to(catalog);
-  Entry<TorsoHeight>("torso_height", "base follows its desired height", "(24), tracking")
+  Entry<TorsoHeight>("torso_height", "base follows its desired height", "(24), tracking", "m/s²")
       .number("kp", &TorsoHeight::Options::kp, "1/s²", "height gain")
       .number("kd", &TorsoHeight::Options::kd, "1/s", "velocity gain")
       .number("max_error", &TorsoHeight::Options::max_error, "m", kErrorHelp)
       .add_to(catalog);
   Entry<TorsoRollPitch>("torso_roll_pitch", "torso follows its desired roll and pitch",
-                        "(18), rows x and y")
+                        "(18), rows x and y", "rad/s²")
       .number("kp", &TorsoOrientationOptions::kp, "1/s²", "orientation gain")
       .number("kd", &TorsoOrientationOptions::kd, "1/s", "angular velocity gain")
       .number("max_error", &TorsoOrientationOptions::max_error, "rad", kErrorHelp)
       .add_to(catalog);
   Entry<Manipulability>("manipulability", "base moves to the height where the legs can move best",
-                        "(22)–(24)")
+                        "(22)–(24)", "m/s²")
       .choice("form", &Manipulability::Options::form, {"chained", "paper"},
               "gradient taken through the kinematics, or as printed")
       .number("k0", &Manipulability::Options::k0, "1/(m s²)", "gain of the gradient")
@@ -244,38 +245,40 @@ void add_torso(Catalog& catalog) {
 void add_motion_bounds(Catalog& catalog) {
   add_bound(
       Entry<LimbExtensionLimits>("limb_extension_limits",
-                                 "distance from hip to foot stays in bounds", "(35)")
+                                 "distance from hip to foot stays in bounds", "(35)", "m/s²")
           .choice("form", &LimbExtensionLimits::Options::form, {"paper", "relative", "radial"},
                   "vertical with a still foot, vertical, or along the leg")
           .number("min", &LimbExtensionLimits::Options::min, "m", "shortest distance")
           .number("max", &LimbExtensionLimits::Options::max, "m", "longest distance"),
       catalog);
-  add_bound(
-      Entry<BodyHeightLimits>("body_height_limits",
-                              "height of the base above its feet stays in bounds", "(32)–(34)")
-          .number("min", &BodyHeightLimits::Options::min, "m", "lowest height")
-          .number("max", &BodyHeightLimits::Options::max, "m", "greatest height"),
-      catalog);
-  add_bound(
-      Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges", "by (27)")
-          .number("margin", &JointPositionLimits::Options::margin, "rad",
-                  "distance kept from the ends of the range"),
-      catalog);
-  add_bound(Entry<TorsoTiltLimits>("torso_tilt_limits",
-                                   "roll and pitch of the torso stay in bounds", "by (27)")
-                .number("max_roll", &TorsoTiltLimits::Options::max_roll, "rad", "below π/2")
-                .number("max_pitch", &TorsoTiltLimits::Options::max_pitch, "rad", "below π/2"),
+  add_bound(Entry<BodyHeightLimits>("body_height_limits",
+                                    "height of the base above its feet stays in bounds",
+                                    "(32)–(34)", "m/s²")
+                .number("min", &BodyHeightLimits::Options::min, "m", "lowest height")
+                .number("max", &BodyHeightLimits::Options::max, "m", "greatest height"),
             catalog);
+  add_bound(Entry<JointPositionLimits>("joint_position_limits", "joints stay in their ranges",
+                                       "by (27)", "rad/s²")
+                .number("margin", &JointPositionLimits::Options::margin, "rad",
+                        "distance kept from the ends of the range"),
+            catalog);
+  add_bound(
+      Entry<TorsoTiltLimits>("torso_tilt_limits", "roll and pitch of the torso stay in bounds",
+                             "by (27)", "rad/s²")
+          .number("max_roll", &TorsoTiltLimits::Options::max_roll, "rad", "below π/2")
+          .number("max_pitch", &TorsoTiltLimits::Options::max_pitch, "rad", "below π/2"),
+      catalog);
 }
 
 void add_efforts(Catalog& catalog) {
-  Entry<ContactForceMinimisation>("contact_force_minimisation", "contact forces are small", "(21)")
+  Entry<ContactForceMinimisation>("contact_force_minimisation", "contact forces are small", "(21)",
+                                  "N")
       .number("weight_tangential", &ContactForceMinimisation::Options::weight_tangential, kNoUnit,
               "of forces along the ground")
       .number("weight_normal", &ContactForceMinimisation::Options::weight_normal, kNoUnit,
               "of forces along the terrain normal")
       .add_to(catalog);
-  Entry<TorqueMinimisation>("torque_minimisation", "joint torques are small", "(20)")
+  Entry<TorqueMinimisation>("torque_minimisation", "joint torques are small", "(20)", "N·m")
       .number("weight_HAA", &TorqueMinimisation::Options::weight_HAA, kNoUnit, "of hip abduction")
       .number("weight_HFE", &TorqueMinimisation::Options::weight_HFE, kNoUnit, "of hip flexion")
       .number("weight_KFE", &TorqueMinimisation::Options::weight_KFE, kNoUnit, "of knees")

@@ -15,45 +15,18 @@ using plot::Svg;
 constexpr double kRowHeight = 27.0, kNames = 205.0, kMaxima = 118.0, kHead = 24.0;
 constexpr double kZero = 1e-6;  // what is below is rounding, in every unit of below
 
-// A task of a level, by the beginning of its name: its rows' unit.
-struct Unit {
-  std::string_view task, unit;
-};
-constexpr std::array kUnits{
-    Unit{"no_contact_motion", "m/s²"},  Unit{"torque_limits", "N·m"},
-    Unit{"friction_cone", "N"},         Unit{"com_xy", "m/s²"},
-    Unit{"swing_foot", "m/s²"},         Unit{"limb_extension_limits", "m/s²"},
-    Unit{"torso_yaw", "rad/s²"},        Unit{"torso_height", "m/s²"},
-    Unit{"torso_roll_pitch", "rad/s²"}, Unit{"contact_force_minimisation", "N"},
-    Unit{"torque_minimisation", "N·m"}};
-
 std::string task_of(const RunData& run, std::size_t level) {
   const auto& names = run.header.level_names;
   return level < names.size() ? names[level] : "";
 }
 
-std::string unit_of(const std::string& task) {
-  const auto found = std::ranges::find(kUnits, task, &Unit::task);
-  return found == kUnits.end() ? "" : " " + std::string(found->unit);
+std::string unit_of(const RunData& run, std::size_t level) {
+  const auto& units = run.header.level_units;
+  return level < units.size() && !units[level].empty() ? " " + units[level] : "";
 }
 
 // What asks for no force or torque at all is never content.
 bool never_zero(const std::string& task) { return task.ends_with("_minimisation"); }
-
-std::string superscript(int number) {
-  constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string digits;
-  for (const char digit : std::to_string(std::abs(number)))
-    digits += kDigits[static_cast<std::size_t>(digit - '0')];
-  return (number < 0 ? "⁻" : "") + digits;
-}
-
-// With two digits: "0.42", "1.3·10⁻⁴".
-std::string two_digits(double value) {
-  const int power = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
-  if (power >= -2) return plot::decimal(value, std::max(0, 1 - power));
-  return plot::decimal(value / std::pow(10.0, power), 1) + "·10" + superscript(power);
-}
 
 std::vector<double> residuals(const RunData& run, std::size_t level) {
   std::vector<double> result;
@@ -87,7 +60,7 @@ void draw_level(Svg& svg, const Frame& frame, const RunData& run, std::size_t le
   std::replace(words.begin(), words.end(), '_', ' ');
   svg.text({kNames - 8.0, bottom - 7.0}, std::to_string(level + 1) + "  " + words, "tick",
            plot::Anchor::end);
-  const std::string size = largest > kZero ? two_digits(largest) + unit_of(task) : "0";
+  const std::string size = largest > kZero ? plot::two_digits(largest) + unit_of(run, level) : "0";
   svg.text({frame.corner.x + frame.width + 8.0, bottom - 7.0}, size + (restless ? "  *" : ""),
            largest > kZero ? "label" : "tick");
 }

@@ -2,6 +2,7 @@
 
 #include "surefoot/view/captions.hpp"
 #include "surefoot/view/outcome.hpp"
+#include "surefoot/view/report_blockers.hpp"
 #include "surefoot/view/report_figures.hpp"
 #include "surefoot/view/report_head.hpp"
 #include "surefoot/view/report_numbers.hpp"
@@ -55,6 +56,7 @@ std::string hierarchy(const RunData& run, Figures& figure) {
              "down: there they hold by themselves.");
   if (active.empty())
     out += "<p class=\"soft\">No inequality acted but where a foot was lifted or set down.</p>\n";
+  out += report::blocker_table(run);
   return out + figure(report::timing_figure(run), report::timing_caption(run));
 }
 

@@ -26,6 +26,7 @@ body { margin: 0 auto; padding: 2.5rem 1.25rem 4rem; max-width: 60rem; backgroun
   color: var(--ink); font: 16px/1.5 system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; font-weight: 650; letter-spacing: -.01em; }
 h2 { font-size: 1.15rem; margin: 2.75rem 0 .75rem; font-weight: 650; }
+h3 { font-size: 1rem; margin: 2rem 0 .5rem; font-weight: 650; }
 p { margin: .5rem 0; max-width: 46rem; }
 .lead { font-size: 1.05rem; margin: 0; }
 .facts { color: var(--soft); }

@@ -5,6 +5,8 @@
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace surefoot {
 namespace logged {
@@ -90,6 +92,42 @@ class ActiveTimes {
       last_;  // index of a row's latest stretch
 };
 
+// Adds up what held each level back.
+class GaveWaySum {
+ public:
+  void add(double time, const HierarchyReport& report) {
+    if (!report.blocking_is_known) return;
+    ++num_ticks_;
+    for (int i = 0; i < report.num_blocking; ++i) {
+      const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
+      if (row.cost > kRounding) add(time, row);
+    }
+  }
+
+  void move_into(RunData& run) {
+    run.num_explained_ticks = num_ticks_;
+    for (const auto& [key, sum] : sums_) run.gave_way.push_back(sum);
+  }
+
+ private:
+  static constexpr double kRounding = 1e-6;  // in every unit
+
+  void add(double time, const BlockingRow& row) {
+    GaveWay& sum = sums_[{row.level, row.by_level, row.id}];
+    sum.level = row.level;
+    sum.by_level = row.by_level;
+    sum.id = row.id;
+    ++sum.num_ticks;
+    sum.sum += row.cost;
+    if (row.cost <= sum.largest) return;
+    sum.largest = row.cost;
+    sum.time = time;
+  }
+
+  std::map<std::tuple<std::int16_t, std::int16_t, std::int32_t>, GaveWay> sums_;
+  int num_ticks_ = 0;
+};
+
 // Both are in the order of time; a tick without a truth keeps its NaN.
 bool merge(const std::vector<TruthSample>& truths, std::vector<TickSample>& ticks) {
   std::size_t next = 0;
@@ -122,15 +160,18 @@ RunData read_run(const std::string& log_path) {
   RunData run;
   run.header = log.header();
   ActiveTimes active(run.header.control_period);
+  GaveWaySum gave_way;
   TickRecord tick;
   while (log.next(tick)) {
     run.ticks.push_back(sample(tick));
     active.add(tick.reading.time, tick.hierarchy);
+    gave_way.add(tick.reading.time, tick.hierarchy);
   }
   if (run.ticks.empty())
     throw FileError(log_path + ": the log holds no tick, so there is nothing to report");
   run.timings = log.timings();
   run.active = std::move(active.times);
+  gave_way.move_into(run);
   run.row_names = log.row_names();
   run.summary = log.summary();
   run.problem = log.problem();

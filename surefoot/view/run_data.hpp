@@ -46,12 +46,25 @@ struct ActiveTime {
   bool beyond = false;  ///< its bound was exceeded at some tick of it
 };
 
+/// A row of a higher level that held a level back, over a whole run.
+struct GaveWay {
+  std::int16_t level = 0;     ///< that gave way
+  std::int16_t by_level = 0;  ///< of the row
+  std::int32_t id = 0;        ///< of the row
+  int num_ticks = 0;
+  double sum = 0.0;      ///< of its costs, over the ticks, in the unit of the level that gave way
+  double largest = 0.0;  ///< of its costs
+  double time = 0.0;     ///< of the largest [s]
+};
+
 /// A whole log in memory.
 struct RunData {
   LogHeader header;
   std::vector<TickSample> ticks;
   std::vector<TickTiming> timings;
   std::vector<ActiveTime> active;
+  std::vector<GaveWay> gave_way;  ///< by level, then by row
+  int num_explained_ticks = 0;    ///< at which the log knows what held each level back
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why the log could not be read to its end; empty if it is whole

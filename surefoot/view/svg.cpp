@@ -1,5 +1,6 @@
 #include "surefoot/view/svg.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -21,6 +22,14 @@ std::string attribute(std::string_view name, double value) {
 }
 
 std::string css(std::string_view style) { return " class=\"" + std::string(style) + "\""; }
+
+std::string superscript(int number) {
+  constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string digits;
+  for (const char digit : std::to_string(std::abs(number)))
+    digits += kDigits[static_cast<std::size_t>(digit - '0')];
+  return (number < 0 ? "⁻" : "") + digits;
+}
 
 }  // namespace
 
@@ -59,6 +68,12 @@ std::string decimal(double value, int decimals) {
     if (digits.back() == '.') digits.pop_back();
   }
   return value < 0.0 && digits != "0" ? "−" + digits : digits;
+}
+
+std::string two_digits(double value) {
+  const int power = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
+  if (power >= -2) return decimal(value, std::max(0, 1 - power));
+  return decimal(value / std::pow(10.0, power), 1) + "·10" + superscript(power);
 }
 
 void Svg::element(std::string_view text, std::string_view tip, std::string_view name) {

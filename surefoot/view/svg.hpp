@@ -16,6 +16,8 @@ struct Point {
 [[nodiscard]] std::string escape(std::string_view text);
 /// At most `decimals` decimals, without trailing zeros, with a true minus sign.
 [[nodiscard]] std::string decimal(double value, int decimals);
+/// With two digits, for values from 0 on: "42", "0.42", "1.3·10⁻⁴".
+[[nodiscard]] std::string two_digits(double value);
 
 enum class Anchor { start, middle, end };
 

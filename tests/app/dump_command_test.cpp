@@ -61,6 +61,8 @@ TEST(DumpCommand, WritesTheTicksOfTheRangeAsSolveReadsThem) {
     EXPECT_EQ(read.hierarchy.unknowns(), 30);
     EXPECT_EQ(CascadeSolver(read.hierarchy).solve(read.hierarchy).status, SolveStatus::optimal);
     EXPECT_EQ(read.row_names[0][0].find("A 1"), std::string::npos) << "rows have names";
+    EXPECT_EQ(read.units[0], "") << "of several";
+    EXPECT_EQ(read.units[2], "N·m");
   }
 }
 
@@ -86,6 +88,32 @@ TEST(DumpCommand, AScenarioAndItsLogGiveTheSameLines) {
   const std::string lines = dump(of_scenario);
   EXPECT_EQ(lines_of(lines).size(), 80u);
   EXPECT_EQ(dump(of_log), lines);
+}
+
+TEST(DumpCommand, ALogWithSwitchedLevelsGivesTheLinesOfItsScenario) {
+  const std::vector<std::string> switched{
+      "duration=0.2", "stack_switches=[{time: 0.1, remove: [torso_yaw], duration: 0.05}]"};
+  const TemporaryFolder folder;
+  ClosedLoopOptions options;
+  options.record_path = folder / "run.mcap";
+  (void)run_closed_loop(load_scenario({"walk_flat", 0, switched}), options);
+  DumpArguments of_log;
+  of_log.source = folder / "run.mcap";
+  DumpArguments of_scenario;
+  of_scenario.source = "walk_flat";
+  of_scenario.assignments = switched;
+  const std::string lines = dump(of_scenario);
+  EXPECT_EQ(dump(of_log), lines);
+  const auto rows_of_yaw = [&](std::size_t tick) {
+    const NamedHierarchy read = parse_hierarchy(lines_of(lines).at(tick), "line");
+    for (std::size_t k = 0; k < read.hierarchy.num_levels(); ++k) {
+      if (read.hierarchy.level(k).name() == "torso_yaw") return read.hierarchy.level(k).num_rows();
+    }
+    return Eigen::Index{-1};
+  };
+  EXPECT_EQ(rows_of_yaw(39), 1);
+  EXPECT_EQ(rows_of_yaw(50), 1) << "of both sides, on the way";
+  EXPECT_EQ(rows_of_yaw(65), 0);
 }
 
 TEST(DumpCommand, AFileHasItsNameOnlyOnceItIsWhole) {

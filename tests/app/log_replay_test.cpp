@@ -1,7 +1,10 @@
 #include "app/log_replay.hpp"
 
 #include "app/closed_loop.hpp"
+#include "app/run_log.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/logging/recorder.hpp"
+#include "surefoot/simulation/truth_estimator.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +44,60 @@ TEST(LogReplay, also_of_a_stack_over_another_with_gains_from_the_command_line) {
                    {"duration=4", "stack=terrain_without_limits", "tasks.swing_foot.kp=700",
                     "planner.calibration.duration=0",
                     "user=[{time: 0.2, walk: true, velocity: [0.05, 0.0]}]"}});
+}
+
+const std::string kSwitches =
+    "stack_switches=[{time: 0.5, remove: [torso_yaw], duration: 0.3}, "
+    "{time: 1, remove: [contact_force_minimisation]}, "
+    "{time: 2.2, add: [torso_yaw, contact_force_minimisation], duration: 0}]";
+
+TEST(LogReplay, also_of_a_run_whose_scenario_switches_levels) {
+  expect_replayed({"walk_flat", 0, {"duration=4", kSwitches}});
+}
+
+/// Runs a walk whose levels are switched from outside, and records it.
+void record_switched_walk(const std::string& path) {
+  const Scenario scenario = load_scenario({"walk_flat", 0, {"duration=4"}});
+  Plant plant(scenario.robot, scenario.plant);
+  Controller controller(scenario.robot, scenario.controller,
+                        std::make_unique<TruthEstimator>(plant.truth()));
+  controller.explain_levels(true);
+  Recorder recorder(path, log_header(scenario, controller, plant, RobotModel(scenario.robot)));
+  for (int tick = 0; tick < 1000; ++tick) {
+    if (tick == 301) {
+      EXPECT_TRUE(controller.switch_levels({.remove = {"torso_yaw"}, .duration = 0.1 / 3.0}));
+    } else if (tick == 700) {
+      EXPECT_TRUE(controller.switch_levels(
+          {.add = {"torso_yaw"}, .remove = {"contact_force_minimisation"}, .duration = 0.2}));
+    }
+    const SensorReading& reading = plant.read();
+    const JointCommand& command = controller.step(reading, scenario.user(reading.time));
+    recorder.record(controller.record());
+    plant.write(command);
+  }
+  recorder.close();
+}
+
+TEST(LogReplay, also_of_a_run_whose_levels_were_switched_from_outside) {
+  const test::TemporaryFolder folder;
+  record_switched_walk(folder / "run.mcap");
+  LogReplay log(folder / "run.mcap");
+  int different = 0, begun = 0, transition = 0;
+  while (log.step()) {
+    const HierarchyReport &replayed = log.controller().record().hierarchy,
+                          &logged = log.logged().hierarchy;
+    different += log.is_same() ? 0 : 1;
+    begun += logged.level_switch.begins ? 1 : 0;
+    transition += logged.transition_share < 1.0 ? 1 : 0;
+    EXPECT_EQ(replayed.level_switch.begins, logged.level_switch.begins);
+    EXPECT_EQ(replayed.transition_share, logged.transition_share);
+    ASSERT_EQ(replayed.num_blocking, logged.num_blocking);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(logged.num_blocking); ++i)
+      EXPECT_EQ(replayed.blocking[i].cost, logged.blocking[i].cost);
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(begun, 2);
+  EXPECT_NEAR(transition, 14 + 80, 1);
 }
 
 }  // namespace

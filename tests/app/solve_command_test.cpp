@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,7 @@ struct CommandRun {
     exit_code = run_solve(arguments, out, err);
     std::filesystem::remove(file);
     std::istringstream lines(out.str());
-    for (std::string line; !arguments.explain && std::getline(lines, line);) {
+    for (std::string line; (!arguments.explain || arguments.json) && std::getline(lines, line);) {
       results.push_back(Json::parse(line));
     }
   }
@@ -130,10 +131,97 @@ TEST(SolveCommand, ExplainsByNameWhichRowCostALevelHowMuch) {
   const CommandRun run(kLimitedWish, {.file = "", .explain = true});
   EXPECT_EQ(run.exit_code, 0);
   const std::string text = run.out.str();
-  for (const char* part : {"2 wish", "A 1 is 2 too low", "held back by 1 limit",
-                           "LF torque, at its upper bound, costs 2 (multiplier 2)"}) {
+  for (const char* part :
+       {"2 wish", "A 1 is 2 too low", "at a bound: LF torque (upper)",
+        "held back by 1 limit, which costs 2: without it the residual would be 0",
+        "LF torque, at its upper bound, alone costs 2 (multiplier 2)"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
+}
+
+TEST(SolveCommand, ExplainsInTheUnitOfTheLevel) {
+  const CommandRun run(R"({"levels":[{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3],"unit":"N"}]})",
+                       {.file = "", .explain = true});
+  const std::string text = run.out.str();
+  for (const char* part : {"A 1 is 2 N too low", "costs 2 N: without it", "alone costs 2 N"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(SolveCommand, ExplainsWithStatusIterationsAndTimeOfEachLevel) {
+  const std::string text = CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
+  const std::regex headline("\nstatus: optimal, 1 iteration, [0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, headline)) << text;
+  const std::regex met("\n1 limit +met +0 +1 +1 +0 +1 +0 +[0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, met)) << text;
+  const std::regex missed("\n2 wish +missed +2 +1 +0 +1 +0 +1 +[0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, missed)) << text;
+}
+
+TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
+  const CommandRun alone(R"({"levels":[{"A":[[1],[1]],"b":[1,3]}]})",
+                         {.file = "", .explain = true});
+  EXPECT_NE(alone.out.str().find("held back by nothing above"), std::string::npos)
+      << alone.out.str();
+  const CommandRun both(
+      R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})",
+      {.file = "", .explain = true});
+  EXPECT_NE(both.out.str().find("held back by level 1 and by others"), std::string::npos)
+      << both.out.str();
+}
+
+TEST(SolveCommand, ExplainsTheSameAsJson) {
+  const CommandRun run(kLimitedWish, {.file = "", .certify = true, .explain = true, .json = true});
+  ASSERT_EQ(run.results.size(), 1u);
+  const Json& line = run.results[0];
+  EXPECT_EQ(line.at("status"), "optimal");
+  EXPECT_EQ(line.at("iterations"), 1);
+  EXPECT_NEAR(line.at("x").at(0).get<double>(), 1.0, 1e-12);
+  const Json &limit = line.at("levels").at(0), &wish = line.at("levels").at(1);
+  EXPECT_EQ(limit.at("status"), "met");
+  EXPECT_EQ(limit.at("at_bound").at(0).at("row"), "LF torque");
+  EXPECT_EQ(wish.at("status"), "missed");
+  EXPECT_EQ(wish.at("iterations"), 1);
+  EXPECT_NEAR(wish.at("residual").get<double>(), 2.0, 1e-12);
+  EXPECT_NEAR(wish.at("missed").at(0).at("by").get<double>(), -2.0, 1e-12);
+  EXPECT_LE(wish.at("certificate").get<double>(), 1e-12);
+  const Json& by = wish.at("blocked_by").at(0);
+  EXPECT_EQ(by.at("level"), 1);
+  EXPECT_EQ(by.at("name"), "limit");
+  EXPECT_NEAR(by.at("cost").get<double>(), 2.0, 1e-12);
+  EXPECT_EQ(by.at("rows").at(0).at("row"), "LF torque");
+  EXPECT_NEAR(by.at("rows").at(0).at("multiplier").get<double>(), 2.0, 1e-12);
+  EXPECT_GT(line.at("time_s").get<double>(), 0.0);
+  EXPECT_LE(limit.at("time_s").get<double>() + wish.at("time_s").get<double>(),
+            line.at("time_s").get<double>() + 1e-9);
+}
+
+TEST(SolveCommand, ALevelWithoutRowsIsNamedWithItsLineAndAllLinesAreSolved) {
+  const CommandRun run(
+      "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"
+      "{\"levels\":[{\"A\":[[1]],\"b\":[2]},{\"name\":\"swing\"},{\"D\":[],\"f\":[]}]}\n"
+      "{\"levels\":[{\"A\":[[1]],\"b\":[3]}]}\n");
+  EXPECT_EQ(run.exit_code, 0);
+  ASSERT_EQ(run.results.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(run.results[i]["x"][0].get<double>(), 1.0 + static_cast<double>(i), 1e-12);
+  const std::string place = run.file.string() + ":2: note: ";
+  EXPECT_EQ(run.err.str(), place + "level 2 (swing) has no rows, so it asks for nothing\n" + place +
+                               "level 3 has no rows, so it asks for nothing\n");
+  EXPECT_FALSE(run.results[0].contains("notes"));
+  EXPECT_EQ(run.results[1].at("notes").size(), 2u);
+  EXPECT_EQ(run.results[1].at("notes").at(0),
+            "level 2 (swing) has no rows, so it asks for nothing");
+}
+
+TEST(SolveCommand, OfManyLevelsWithoutRowsOnlyTheFirstAreToldOutsideOfTheResults) {
+  std::string text;
+  for (int i = 0; i < 15; ++i) text += "{\"levels\":[{\"A\":[[1]],\"b\":[1]},{}]}\n";
+  const CommandRun run(text);
+  EXPECT_EQ(std::ranges::count(run.err.str(), '\n'), 11) << run.err.str();
+  EXPECT_NE(run.err.str().find("5 more levels without rows"), std::string::npos);
+  ASSERT_EQ(run.results.size(), 15u);
+  for (const Json& line : run.results) EXPECT_EQ(line.at("notes").size(), 1u);
 }
 
 }  // namespace

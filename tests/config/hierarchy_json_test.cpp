@@ -104,6 +104,17 @@ TEST(HierarchyJson, LevelsKeepTheirNames) {
   EXPECT_EQ(parse(line).level(0).name(), "torque \"limits\"");
 }
 
+TEST(HierarchyJson, LevelsKeepTheirUnits) {
+  Hierarchy hierarchy(1);
+  for (const char* name : {"first", "second"}) {
+    const std::size_t k = hierarchy.add_level(name, 1);
+    hierarchy.level(k).add(1, 0).A << 2.0;
+  }
+  const std::string line = format_hierarchy(hierarchy, nullptr, {"N·m", ""});
+  EXPECT_EQ(line.find("unit"), line.rfind("unit"));
+  EXPECT_EQ(parse_hierarchy(line, "line").units, (std::vector<std::string>{"N·m", ""}));
+}
+
 TEST(HierarchyJson, ALineThatIsNotJsonIsNamed) {
   expect_error("levels: 3", "not JSON");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1]}])", "not JSON");

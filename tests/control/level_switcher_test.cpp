@@ -67,6 +67,24 @@ TEST(LevelSwitcher, MakesOneTransitionAtATimeAndThoseOfTheScheduleWait) {
   EXPECT_EQ(next.share, 0.0);
 }
 
+TEST(LevelSwitcher, SaysWhenASwitchThatWasAskedForBegins) {
+  LevelSwitcher switcher(table_one(), {{.time = 0.0, .remove = {"com_xy"}, .duration = 0.1}});
+  (void)switcher.update(0.0);
+  EXPECT_FALSE(switcher.begun().begins) << "that of the schedule";
+  (void)switcher.update(0.2);
+  ASSERT_TRUE(switcher.start({.add = {"com_xy"}, .remove = {"torso_yaw"}, .duration = 0.25}));
+  EXPECT_FALSE(switcher.begun().begins) << "only at the next update";
+  (void)switcher.update(0.3);
+  const LevelSwitchReport begun = switcher.begun();
+  EXPECT_TRUE(begun.begins);
+  EXPECT_EQ(begun.duration, 0.25);
+  EXPECT_EQ(begun.change[kComXy], LevelChange::comes);
+  EXPECT_EQ(begun.change[kTorsoYaw], LevelChange::goes);
+  EXPECT_EQ(begun.change[kTorsoHeight], LevelChange::stays);
+  (void)switcher.update(0.4);
+  EXPECT_FALSE(switcher.begun().begins);
+}
+
 std::string complaint(const std::vector<LevelSwitch>& schedule) {
   try {
     const LevelSwitcher switcher(table_one(), schedule);
@@ -132,6 +150,39 @@ TEST(Controller, SwitchesLevelsWithoutAllocating) {
   EXPECT_EQ(counter.count(), 0u);
   EXPECT_EQ(statue.controller.hierarchy().level(kTorsoHeight).num_rows(), 0);
   EXPECT_EQ(statue.controller.record().hierarchy.levels[kTorsoHeight].num_rows, 0);
+}
+
+TEST(Controller, SaysWhatHoldsALevelBackOnlyWhereItIsAskedAndAtAnOptimum) {
+  Statue silent, explained;
+  explained.controller.explain_levels(true);
+  for (Statue* statue : {&silent, &explained})
+    statue->state.q_WB = Quat(Eigen::AngleAxisd(0.05, Vec3::UnitX()));
+  const auto expect_same_torques = [&] {
+    EXPECT_EQ(silent.controller.record().command.torque,
+              explained.controller.record().command.torque);
+  };
+  for (int tick = 0; tick < 100; ++tick) {
+    const MallocCounter counter;
+    (void)silent.tick();
+    (void)explained.tick();
+    EXPECT_EQ(counter.count(), 0u);
+    expect_same_torques();
+  }
+  EXPECT_FALSE(silent.controller.record().hierarchy.blocking_is_known);
+  EXPECT_EQ(silent.controller.record().hierarchy.num_blocking, 0);
+  EXPECT_TRUE(explained.controller.record().hierarchy.blocking_is_known);
+  EXPECT_GT(explained.controller.record().hierarchy.num_blocking, 0);
+  for (Statue* statue : {&silent, &explained})
+    EXPECT_TRUE(statue->controller.switch_levels({.remove = {"torso_yaw"}, .duration = 0.1}));
+  for (int tick = 0; tick < 100; ++tick) {
+    (void)silent.tick();
+    (void)explained.tick();
+    expect_same_torques();
+    const HierarchyReport& report = explained.controller.record().hierarchy;
+    EXPECT_EQ(report.level_switch.begins, tick == 0);
+    EXPECT_EQ(report.blocking_is_known, report.transition_share >= 1.0) << tick;
+  }
+  EXPECT_EQ(explained.controller.record().hierarchy.transition_share, 1.0);
 }
 
 }  // namespace

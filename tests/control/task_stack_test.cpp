@@ -39,8 +39,8 @@ void expect_mentions(const std::string& text, const std::vector<std::string>& pa
   }
 }
 
-const std::vector<std::string> kStacks{"walk", "terrain_adaptation", "manipulability", "regular",
-                                       "terrain_without_limits"};
+const std::vector<std::string> kStacks{"walk",    "terrain_adaptation",     "manipulability",
+                                       "regular", "terrain_without_limits", "torso_in_bounds"};
 
 TEST(TaskStack, HasOneLevelForEachOfTheFileInItsOrder) {
   for (const std::string& name : kStacks) {
@@ -230,6 +230,17 @@ TEST(TaskStack, WeightsAreOnTheRowsOfTheirTaskAndDampingFollowsThem) {
   EXPECT_NEAR(after.A().row(5).norm(), 0.1, 1e-12);
   EXPECT_EQ(weighted.row_name(0, after.id(5)), "damping");
   EXPECT_EQ(weighted.row_name(0, after.id(2)), plain.row_name(0, before.id(2)));
+}
+
+TEST(TaskStack, ALevelHasAUnitWhereItsRowsHaveOneAndTheSame) {
+  const TaskSpec com{"com_xy", {}, {}}, height{"torso_height", {}, {}}, yaw{"torso_yaw", {}, {}};
+  TaskSpec heavy = height;
+  heavy.weight = 2.0;
+  StackOptions options = stack_of(
+      {{"one", {yaw}}, {"same", {com, height}}, {"two", {com, yaw}}, {"weighted", {heavy}}});
+  options.levels.push_back({.name = "damped", .tasks = {yaw}, .damping = 0.1});
+  EXPECT_EQ(TaskStack(options, anymal_b()).units(),
+            (std::vector<std::string>{"rad/s²", "m/s²", "", "", ""}));
 }
 
 TEST(TaskStack, AWeightedStackHasTheSameRowsInFewerLevels) {

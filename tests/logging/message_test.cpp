@@ -78,7 +78,8 @@ TEST(Messages, EveryMessageIsWhatItsSchemaSays) {
   expect_conforming(logged::Hierarchy{.status = 0,
                                       .levels = {{"COM", {}}},
                                       .active = {{"COM", "row", 3, -1}},
-                                      .blocked_by = {{"COM", "limits", "row", {}}}});
+                                      .blocked_by = {{"COM", "limits", "row", {}}},
+                                      .level_switches = {{{"COM"}, {"yaw", "height"}, 0.5}}});
 }
 
 TEST(Messages, UnmeasuredValuesAreNull) {

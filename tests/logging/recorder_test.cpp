@@ -56,6 +56,10 @@ void expect_same_blockers(const HierarchyReport& a, const HierarchyReport& b) {
   ASSERT_EQ(a.failed_level, b.failed_level);
   ASSERT_EQ(a.blocking_is_known, b.blocking_is_known);
   ASSERT_EQ(a.num_blocking, b.num_blocking);
+  ASSERT_EQ(a.transition_share, b.transition_share);
+  ASSERT_EQ(a.level_switch.begins, b.level_switch.begins);
+  ASSERT_EQ(a.level_switch.duration, b.level_switch.duration);
+  ASSERT_EQ(a.level_switch.change, b.level_switch.change);
   for (std::size_t i = 0; i < static_cast<std::size_t>(a.num_blocking); ++i) {
     const BlockingRow &x = a.blocking[i], &y = b.blocking[i];
     ASSERT_EQ(x.level, y.level);
@@ -133,6 +137,7 @@ TEST(Recorder, TheHeaderIsReadBack) {
   EXPECT_EQ(header.version, expected.version);
   EXPECT_EQ(header.seed, expected.seed);
   EXPECT_EQ(header.level_names, expected.level_names);
+  EXPECT_EQ(header.level_units, expected.level_units);
   EXPECT_EQ(header.robot.joint_names, expected.robot.joint_names);
   EXPECT_EQ(header.robot.torque_limit, expected.robot.torque_limit);
   EXPECT_EQ(header.limb.level, expected.limb.level);

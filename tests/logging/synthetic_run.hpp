@@ -40,6 +40,8 @@ class SyntheticRun {
         "equations of motion", "no contact motion", "torque limits", "friction", "COM",
         "swing foot",          "limb limits",       "yaw",           "height",   "roll and pitch",
         "contact forces"};
+    header.level_units = {"",     "m/s²",   "N·m",  "N",      "m/s²", "m/s²",
+                          "m/s²", "rad/s²", "m/s²", "rad/s²", "N"};
     header.event_names = {"none", "lift-off", "touchdown"};
     header.robot.name = "anymal_b";
     for (const Leg leg : kLegs) {
@@ -209,6 +211,13 @@ class SyntheticRun {
     report.blocking_is_known = true;
     report.num_blocking = a > 0.2 ? 1 : 0;
     report.blocking[0] = {9, 6, 1, 3.0 * a, 8.0 * a};
+    report.level_switch = {};
+    if (tick_ % 40 == 3) {
+      report.level_switch = {.begins = true, .duration = 0.1 / 3.0, .change = {}};
+      report.level_switch.change[7] = LevelChange::goes;
+      report.level_switch.change[9] = LevelChange::comes;
+    }
+    report.transition_share = tick_ % 40 > 3 && tick_ % 40 < 17 ? tick_ % 40 / 17.0 : 1.0;
   }
 
   void command() {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,83 @@ INSTANTIATE_TEST_SUITE_P(, LevelSwitchOf,
                                               "",
                                               "remove: [contact_force_minimisation]"}),
                          [](const auto& of) { return std::string(of.param.what); });
+
+/// Levels that go at 2 s and are back at 5 s.
+struct Absence {
+  const char* what;
+  const char* stack;
+  const char* levels;  // "[…]"
+  std::vector<std::string> before;
+};
+
+constexpr double kLying = 0.15;  // height of the base's centre [m]
+constexpr double kTipped = 0.7;  // [rad]
+
+struct Outcome {
+  bool stays_up = true;
+  bool is_optimal = true;   // the command of every tick
+  double largest_step = 0;  // of a torque, over the whole run [N·m]
+  double step_on_the_way = 0.0;
+  double tilt = 0.0;  // [rad]
+};
+
+Outcome run(const Absence& absence, const std::string& switches) {
+  std::vector<std::string> changes = absence.before;
+  changes.push_back(std::string("stack=") + absence.stack);
+  if (!switches.empty()) changes.push_back("stack_switches=[" + switches + "]");
+  Loop loop(test::scenario("walk_flat", changes));
+  Outcome outcome;
+  JointVector last = JointVector::Constant(kNaN);
+  while (loop.truth().time < 8.0) {
+    (void)loop.tick();
+    const TickRecord& record = loop.record();
+    const double step = (record.command.torque - last).cwiseAbs().maxCoeff();
+    last = record.command.torque;
+    if (step > outcome.largest_step) outcome.largest_step = step;
+    if (record.hierarchy.transition_share < 1.0 && step > outcome.step_on_the_way)
+      outcome.step_on_the_way = step;
+    outcome.is_optimal = outcome.is_optimal && record.command.mode == CommandMode::optimal;
+    const double tilt = std::acos((loop.truth().q_WB * Vec3::UnitZ()).z());
+    outcome.tilt = std::max(outcome.tilt, tilt);
+    outcome.stays_up = outcome.stays_up && tilt < kTipped && loop.truth().p_WB.z() > kLying;
+  }
+  return outcome;
+}
+
+class AbsenceOf : public testing::TestWithParam<Absence> {};
+
+TEST_P(AbsenceOf, IsSurvivedWithoutALargerTorqueStepThanTheWalksOwn) {
+  const std::string levels = GetParam().levels;
+  const Outcome with =
+      run(GetParam(), "{time: 2, remove: " + levels +
+                          ", duration: 0.5}, {time: 4.5, add: " + levels + ", duration: 0.5}");
+  Absence walk = GetParam();
+  walk.before.clear();
+  EXPECT_TRUE(with.stays_up) << "tilt " << with.tilt;
+  EXPECT_TRUE(with.is_optimal);
+  EXPECT_GT(with.step_on_the_way, 0.0);
+  // Without a level it is another walk, so its own largest step is another one, too.
+  EXPECT_LE(with.step_on_the_way, 1.02 * run(walk, "").largest_step);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , AbsenceOf,
+    testing::Values(
+        Absence{"LimbLimitsWhileWalking", "terrain_adaptation", "[limb_extension_limits]", {}},
+        Absence{"YawWhileWalking", "terrain_adaptation", "[torso_yaw]", {}},
+        Absence{"ForceMinimisationWhileWalking",
+                "terrain_adaptation",
+                "[contact_force_minimisation]",
+                {}},
+        Absence{"HeightWithinBoundsWhileWalking", "torso_in_bounds", "[torso_height]", {}},
+        Absence{
+            "RollAndPitchWithinBoundsWhileWalking", "torso_in_bounds", "[torso_roll_pitch]", {}},
+        Absence{"HeightWhileStanding", "terrain_adaptation", "[torso_height]", kStanding},
+        Absence{"HeightWithinBoundsWhileStanding", "torso_in_bounds", "[torso_height]", kStanding},
+        Absence{"RollAndPitchWithinBoundsWhileStanding", "torso_in_bounds", "[torso_roll_pitch]",
+                kStanding},
+        Absence{"YawWhileStanding", "terrain_adaptation", "[torso_yaw]", kStanding}),
+    [](const auto& of) { return std::string(of.param.what); });
 
 }  // namespace
 }  // namespace surefoot

@@ -234,5 +234,17 @@ TEST(Solution, HasTheTimeOfTheClockThatTheSolverWasGiven) {
   EXPECT_EQ(timed.solver.solution().time, 0.25);
 }
 
+TEST(Solution, OfTheCascadeHasTheTimeOfEachLevelToo) {
+  const Hierarchy hierarchy = make_hierarchy(2, pushed_mass(8.0));
+  CascadeSolver silent(hierarchy);
+  EXPECT_EQ(silent.solve(hierarchy).time, 0.0);
+  EXPECT_EQ(silent.solution().levels[0].time, 0.0);
+  CascadeSolver timed(hierarchy, {.rank = {}, .clock = ticking_clock});
+  const Solution& solution = timed.solve(hierarchy);
+  for (const LevelResult& level : solution.levels) EXPECT_EQ(level.time, 0.25);
+  EXPECT_EQ(solution.time, 0.25 * (1.0 + 2.0 * static_cast<double>(solution.levels.size())));
+  EXPECT_EQ(solution.x, silent.solution().x);
+}
+
 }  // namespace
 }  // namespace surefoot::test

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <string>
 
 namespace surefoot {
@@ -25,6 +26,7 @@ struct Options {
   double seconds = 5.0;
   bool truth = true;
   bool walked_down = true;
+  double explained = 1.0;  // share of the ticks at which it is known what held levels back
 };
 
 // A log of a synthetic run with everything the report shows.
@@ -37,6 +39,7 @@ void record(const std::string& path, const Options& options,
   SyntheticRun run(1, options.walked_down ? 2.0 : 1e9);
   for (int i = 0; i < options.seconds / SyntheticRun::kPeriod; ++i) {
     run.step();
+    if (i % 100 >= 100.0 * options.explained) run.tick.hierarchy.blocking_is_known = false;
     if (truth_log) truth_log->record(run.truth);
     recorder.record(run.tick);
     recorder.record(run.timing);
@@ -100,6 +103,30 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
     EXPECT_TRUE(here != std::string::npos && here > before) << number;
     before = here;
   }
+}
+
+TEST(Report, SaysWhatGaveWayToWhatForHowLongAndAtWhichCost) {
+  const std::string page = report_of({});
+  const std::size_t table = page.find("<h3>What gave way to what</h3>");
+  ASSERT_NE(table, std::string::npos);
+  const std::string rest = page.substr(table, page.find("</table>", table) - table);
+  const std::regex row(
+      "<td>10  roll and pitch</td><td>7  limb limits: RF extension</td>"
+      "<td class=\"number\">([0-9.]+) s</td><td class=\"number\">([0-9.]+) %</td>"
+      "<td class=\"number\">8 rad/s²</td><td class=\"number\">([0-9.]+) s</td>");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(rest, found, row)) << rest;
+  EXPECT_NEAR(std::stod(found[1]), 1.76, 0.01);
+  EXPECT_NEAR(std::stod(found[2]), 35.2, 0.2);
+  EXPECT_NEAR(std::stod(found[3]), 3.25, 0.05);
+}
+
+TEST(Report, SaysNothingOfWhatGaveWayWhereTheLogDoesNotKnow) {
+  EXPECT_EQ(report_of({.explained = 0.0}).find("What gave way"), std::string::npos);
+  const std::string page = report_of({.explained = 0.25});
+  EXPECT_NE(page.find("Known at 25 % of the ticks"), std::string::npos);
+  const std::string flat = report_of({.walked_down = false});
+  EXPECT_NE(flat.find("No level was held back"), std::string::npos);
 }
 
 TEST(Report, FiguresOfThePaperAreTheScenariosAndNoOthers) {

@@ -1,0 +1,65 @@
+#include "app/explanation_json.hpp"
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount& level) {
+  Json list = Json::array();
+  for (const BlockingLevelAccount& by : level.blocked_by) {
+    Json rows = Json::array();
+    for (const BlockingRowAccount& row : by.rows) {
+      rows.push_back({{"row", row.name},
+                      {"state", row.state},
+                      {"cost", row.cost},
+                      {"multiplier", row.multiplier}});
+    }
+    list.push_back({{"level", by.level + 1},
+                    {"name", levels[by.level].name},
+                    {"cost", by.cost},
+                    {"rows", std::move(rows)}});
+  }
+  return list;
+}
+
+Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& level) {
+  Json json = {{"name", level.name}};
+  if (!level.unit.empty()) json["unit"] = level.unit;
+  json["status"] = level.status;
+  json["residual"] = level.residual;
+  json["rows"] = level.num_rows;
+  json["freedom_left"] = level.freedom_left;
+  json["iterations"] = level.iterations;
+  json["time_s"] = level.time;
+  json["missed"] = Json::array();
+  for (const MissedRow& row : level.missed)
+    json["missed"].push_back({{"row", row.name}, {"by", row.by}});
+  json["at_bound"] = Json::array();
+  for (const HeldRow& row : level.held)
+    json["at_bound"].push_back({{"row", row.name}, {"bound", row.at_upper ? "upper" : "lower"}});
+  json["blocked_by"] = blocking_levels(levels, level);
+  return json;
+}
+
+}  // namespace
+
+Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& solution,
+                      const std::vector<LevelCertificate>& certificates) {
+  Json list = Json::array();
+  int iterations = 0;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    iterations += levels[k].iterations;
+    list.push_back(level_json(levels, levels[k]));
+    if (!certificates.empty()) list.back()["certificate"] = certificates[k].stationarity;
+  }
+  Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
+               {"status", name(solution.status)}};
+  if (solution.failed_level >= 0) json["failed_level"] = solution.failed_level + 1;
+  json["iterations"] = iterations;
+  json["time_s"] = solution.time;
+  json["levels"] = std::move(list);
+  return json;
+}
+
+}  // namespace surefoot
