@@ -6,7 +6,7 @@ from surefoot_campaign.results import is_number
 from surefoot_campaign.spec import yaml_text
 from surefoot_campaign.units import label, unit_of_parameter
 
-RUNS_A_BIN = 10
+SEEDS_A_BIN = 10  # points of a grid share their draws: more of them fill no bin better
 MAX_BINS = 8
 
 
@@ -17,6 +17,7 @@ class Axis:
     ticks: list  # a text for each cell
     places: list  # a number for each cell
     drawn: bool
+    is_choice: bool  # between values that have no distance
     of: object  # value -> number of its cell
 
     def cells(self, records):
@@ -34,23 +35,22 @@ def number_text(value):
 def grid_axis(parameter, values, text):
     if all(is_number(value) for value in values):
         values = sorted(values)
-        ticks, places = [number_text(value) for value in values], [float(value) for value in values]
-    else:
-        ticks, places = [yaml_text(value) for value in values], [float(place) for place in range(len(values))]
-    return Axis(parameter, text, ticks, places, False, values.index)
+        return Axis(parameter, text, [number_text(value) for value in values], values, False, False, values.index)
+    places = list(range(len(values)))
+    return Axis(parameter, text, [yaml_text(value) for value in values], places, False, True, values.index)
 
 
-def drawn_axis(parameter, range_, text, runs):
-    count = max(2, min(MAX_BINS, runs // RUNS_A_BIN))
+def drawn_axis(parameter, range_, text, seeds):
+    count = max(2, min(MAX_BINS, seeds // SEEDS_A_BIN))
     width = (range_.upper - range_.lower) / count
     edges = [range_.lower + width * number for number in range(count)] + [range_.upper]
     ticks = [f"{low:.3g} … {high:.3g}" for low, high in zip(edges, edges[1:])]
     places = [(low + high) / 2 for low, high in zip(edges, edges[1:])]
-    return Axis(parameter, text, ticks, places, True, lambda value: min(count - 1, int((value - range_.lower) / width)))
+    return Axis(parameter, text, ticks, places, True, False, lambda value: min(count - 1, int((value - range_.lower) / width)))
 
 
-def axis_of(spec, parameter, runs):
+def axis_of(spec, parameter):
     text = label(parameter, unit_of_parameter(parameter, spec))
     if parameter in spec.grid:
         return grid_axis(parameter, spec.grid[parameter], text)
-    return drawn_axis(parameter, spec.draw[parameter], text, runs)
+    return drawn_axis(parameter, spec.draw[parameter], text, len(spec.seeds))

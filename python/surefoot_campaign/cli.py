@@ -13,6 +13,7 @@ from surefoot_campaign.errors import InputError, valid_names
 from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
 from surefoot_campaign.plan import by_seed, folder_of, make_plan
+from surefoot_campaign.plots import write_plots
 from surefoot_campaign.program import Program, arguments_of
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.report import short_table, write_all
@@ -68,6 +69,7 @@ def parser():
                       help="processes at once; one a core (%(default)s) by default")  # fmt: skip
     made.add_argument("--dry-run", action="store_true", help="list the runs and which are done; run and write nothing")
     made.add_argument("--retry", action="store_true", help="make runs again that crashed, took too long or were refused")
+    made.add_argument("--no-plots", action="store_true", help="leave the plots out")
     made.add_argument("--scheduler", choices=SCHEDULERS, default="local", help="who runs them; local by default")
     made.add_argument("--json", action="store_true", help="print one JSON object instead of a table")
     return made
@@ -142,6 +144,8 @@ def finish(plan, journal, program, arguments, folder):
     if not records:
         return ALL_RIGHT
     found = write_all(plan, records, program, folder)
+    if not arguments.no_plots:
+        write_plots(plan, records, folder / "plots")
     print(json.dumps(found) if arguments.json else short_table(plan, found, folder), end="\n" if arguments.json else "")
     return SOME_BROKE if any(found["runs"][outcome] for outcome in BROKEN) else ALL_RIGHT
 

@@ -5,15 +5,11 @@ import textwrap
 
 from surefoot_campaign.axes import axis_of
 from surefoot_campaign.statistics import quantile, rate_of
-from surefoot_campaign.units import label, unit_of_metric
+from surefoot_campaign.units import metric_label
 
 FORMATS = ["png", "svg"]
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]  # told apart by the colour-blind, too
 MARKERS = "osD^vP"
-
-
-def judge_label(plan):
-    return label(plan.spec.judge, unit_of_metric(plan.spec.judge))
 
 
 def values_of(plan, records):
@@ -25,12 +21,17 @@ def draw_curve(axes, axis, places, middles, lows, highs, style):
     kept = [i for i, middle in enumerate(middles) if middle is not None]
     x, y = [places[i] for i in kept], [middles[i] for i in kept]
     low, high = [lows[i] for i in kept], [highs[i] for i in kept]
-    if axis.places == list(range(len(axis.places))) and not axis.drawn:
+    if axis.is_choice:
         errors = [[a - b for a, b in zip(y, low)], [b - a for a, b in zip(y, high)]]
         axes.errorbar(x, y, errors, linestyle="none", capsize=5, **style)
     else:
         axes.fill_between(x, low, high, alpha=0.2, linewidth=0, color=style["color"])
         axes.plot(x, y, **style)
+
+
+def side_by_side(axis, number, count):
+    """Where a series stands, so that the bars of several do not hide each other."""
+    return [place + 0.12 * (number - (count - 1) / 2) for place in axis.places] if axis.is_choice else axis.places
 
 
 def draw_rates(axes, axis, records, style, places):
@@ -50,21 +51,24 @@ def curve_figure(plan, records, parameter):
     """Success rate with Wilson's interval, and below it the judging metric: median and 5 to 95 % of the runs."""
     from matplotlib.figure import Figure
 
-    axis = axis_of(plan.spec, parameter, len(records))
+    axis = axis_of(plan.spec, parameter)
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
     trials = set()
     for number, scenario in enumerate(plan.spec.scenarios):
         style = {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)], "label": scenario}
         of_scenario = [record for record in records if record.run.scenario == scenario]
-        rates = draw_rates(upper, axis, of_scenario, style, axis.places)
+        places = side_by_side(axis, number, len(plan.spec.scenarios))
+        rates = draw_rates(upper, axis, of_scenario, style, places)
         trials |= {rate.trials for rate in rates if rate}
-        draw_judge(lower, plan, axis, of_scenario, style, axis.places)
+        draw_judge(lower, plan, axis, of_scenario, style, places)
     upper.set(ylim=(-4, 104), ylabel="succeeded [%]")
-    upper.set_title(f"{plan.spec.name}: {counts_text(trials)} a point", fontsize=11)
-    lower.set(xlabel=axis.label, ylabel=judge_label(plan))
-    note(upper, "band: Wilson's 95 % interval")
-    note(lower, "median, band: 5–95 % of the runs")
+    upper.set_title(f"{plan.spec.name}: {counts_text(trials)} a point", fontsize=10, loc="left")
+    lower.set(xlabel=axis.label, ylabel=metric_label(plan.spec.judge))
+    note(upper, "with Wilson's 95 % interval")
+    note(lower, "median, and where 5–95 % of the runs are")
+    if axis.is_choice:
+        lower.set_xlim(-0.5, len(axis.places) - 0.5)
     if not axis.drawn and len(axis.places) <= 12:
         lower.set_xticks(axis.places, [textwrap.fill(tick, 14) for tick in axis.ticks])
     for axes in (upper, lower):
@@ -83,7 +87,7 @@ def counts_text(trials):
     return f"{low} runs" if low == high else f"{low} to {high} runs"
 
 
-def heat_map(figure, axes, x, y, numbers, texts, colours, bar_label):
+def heat_map(figure, axes, x, y, numbers, texts, colours, title):
     """Cells with a text each; those without a number stay white. `colours`: map, smallest, largest."""
     import numpy
 
@@ -99,14 +103,15 @@ def heat_map(figure, axes, x, y, numbers, texts, colours, bar_label):
     axes.set_xticks(range(len(x.ticks)), x.ticks, **slanted)
     axes.set_yticks(range(len(y.ticks)), y.ticks)
     axes.set_xlabel(x.label)
-    figure.colorbar(image, ax=axes, label=bar_label)
+    axes.set_title(title, fontsize=10)
+    figure.colorbar(image, ax=axes)
 
 
 def map_figure(plan, records, scenario, parameters):
     """Success rate, and the median of the judging metric, over two parameters."""
     from matplotlib.figure import Figure
 
-    x, y = (axis_of(plan.spec, parameter, len(records)) for parameter in parameters)
+    x, y = (axis_of(plan.spec, parameter) for parameter in parameters)
     cells = [x.cells(row) for row in y.cells(records)]
     figure = Figure(figsize=(4.0 + 1.6 * max(3, len(x.ticks)), 1.8 + 0.62 * max(3, len(y.ticks))), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
@@ -116,7 +121,7 @@ def map_figure(plan, records, scenario, parameters):
     heat_map(figure, left, x, y, percent, texts, ("cividis", 0, 100), "succeeded [%]")
     medians = [[quantile(values_of(plan, cell), 0.5) for cell in row] for row in cells]
     texts = [["" if m is None else f"{m:.3g}" for m in row] for row in medians]
-    heat_map(figure, right, x, y, medians, texts, ("viridis_r", None, None), f"median of {judge_label(plan)}")
+    heat_map(figure, right, x, y, medians, texts, ("viridis_r", None, None), f"median of {metric_label(plan.spec.judge)}")
     left.set_ylabel(y.label)
     figure.suptitle(f"{plan.spec.name}: {scenario}", fontsize=11)
     return figure

@@ -6,7 +6,6 @@ import io
 import json
 
 from surefoot_campaign.outcome import OUTCOMES
-from surefoot_campaign.plots import write_plots
 from surefoot_campaign.results import Table, csv_text, is_number
 from surefoot_campaign.spec import yaml_text
 from surefoot_campaign.statistics import median, rate_of
@@ -79,13 +78,12 @@ def rates_csv(plan, found):
 
 
 def write_all(plan, records, program, folder):
-    """Table, rates, plots, worst runs and summary; returns the summary."""
+    """Table, rates, worst runs and summary; returns the summary."""
     table = Table(plan, records)
     found = summary(plan, records, program, table)
     table.write(folder)
     (folder / "rates.csv").write_text(rates_csv(plan, found))
     (folder / "worst.md").write_text(worst_text(plan, records, program))
-    write_plots(plan, records, folder / "plots")
     (folder / "summary.json").write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
     return found
 
@@ -120,5 +118,6 @@ def short_table(plan, found, folder):
     text = aligned(rows)
     if found["worst"]:
         first = found["worst"][0]
-        text += f"\nworst: {first['outcome'].replace('_', ' ')}, {first['reason']}\n  {first['command']}\n"
+        measured = f", {judge} {number(first[judge])}" if first[judge] is not None else ""
+        text += f"\nworst: {first['outcome'].replace('_', ' ')}, {first['reason']}{measured}\n  {first['command']}\n"
     return text + f"\nall of it: {folder}/  digest {found['digest']}\n"

@@ -11,9 +11,13 @@ LAST_WORDS = {
 PATHS = {"initial.x": "m", "initial.y": "m", "initial.z": "m"}
 
 
-def unit_of_metric(name):
-    head = name.split(".")[0]
-    return next((unit for ending, unit in METRIC_ENDINGS.items() if head.endswith(ending)), "")
+def metric_label(name):
+    """`com_error_max_m` as "com_error_max [m]"."""
+    head, *member = name.split(".")
+    for ending, unit in METRIC_ENDINGS.items():
+        if head.endswith(ending):
+            return label(".".join([head.removesuffix(ending), *member]), unit)
+    return name
 
 
 def unit_of_parameter(name, spec):
