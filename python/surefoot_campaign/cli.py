@@ -170,6 +170,7 @@ def make_campaign(plan, program, arguments, folder, typed):
                 trouble = f"{ended} runs were ended from outside"
         except KeyboardInterrupt:
             trouble = "interrupted"
+            journal.reload()
         finally:
             copy.unlink(missing_ok=True)
         status = finish(plan, journal, program, arguments, folder)
