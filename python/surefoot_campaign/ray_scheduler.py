@@ -1,6 +1,7 @@
 """The same tasks on a Ray cluster, all of whose machines have this tree, and the results' folder, at the same path."""
 
 import itertools
+import os
 
 import ray
 
@@ -13,8 +14,8 @@ class RayScheduler:
 
     def run(self, tasks):
         if not ray.is_initialized():
-            ray.init()
-        remote = ray.remote(num_cpus=1, max_retries=0)(run_one)
+            ray.init(runtime_env={"env_vars": {"PYTHONPATH": os.environ.get("PYTHONPATH", "")}})
+        remote = ray.remote(num_cpus=1, max_retries=2)(run_one)  # again where a machine was lost
         tasks = iter(tasks)
         running = [remote.remote(task) for task in itertools.islice(tasks, self.jobs)]
         try:

@@ -301,3 +301,34 @@ def test_the_example_is_a_campaign_that_the_program_takes(tmp_path):
     for spec in sorted((pathlib.Path(__file__).resolve().parents[2] / "campaigns").glob("*.yaml")):
         folder.spec = spec
         assert folder.run("--dry-run").returncode == 0, spec
+
+
+def test_the_hash_of_a_scenario_is_that_of_every_file_it_is_made_from(tmp_path):
+    files = {
+        "scenario.yaml": "base: below.yaml\nstack: stack.yaml\n",
+        "below.yaml": "base: walk_flat\nduration: 3\n",
+        "stack.yaml": "name: mine\nbase: lower.yaml\n",
+        "lower.yaml": "name: lower\nbase: terrain_adaptation\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+
+    def sources_hash():
+        done = subprocess.run([PROGRAM, "run", "scenario.yaml", "--check", "--json"], cwd=tmp_path, capture_output=True, text=True)
+        return json.loads(done.stdout)["sources_hash"]
+
+    found = [sources_hash(), sources_hash()]
+    assert found[0] == found[1]
+    for name, text in files.items():
+        (tmp_path / name).write_text(text + "# changed\n")
+        found.append(sources_hash())
+    assert len(set(found)) == 1 + len(files)
+
+
+def test_a_check_tells_what_a_run_would_and_runs_nothing():
+    def call(*arguments):
+        return subprocess.run([PROGRAM, "run", "walk_flat", *arguments], capture_output=True, text=True)
+
+    assert call("--check").returncode == 0
+    wrong = ["--set", "terrain.frction=1"]
+    assert call("--check", *wrong).stderr == call(*wrong).stderr != ""

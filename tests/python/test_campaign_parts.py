@@ -171,7 +171,7 @@ class FakeRay(types.ModuleType):
     def is_initialized(self):
         return self.started
 
-    def init(self):
+    def init(self, **_):
         self.started = True
 
     def remote(self, **_):
