@@ -22,6 +22,13 @@ set:
 """
 
 
+def is_running(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().split()[2] != "Z"
+    except OSError:
+        return False
+
+
 class CampaignFolder:
     def __init__(self, path, program=FAKE, plots=False):
         self.path, self.program, self.plots = path, program, plots

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from campaign_folder import SPEC, CampaignFolder
+from campaign_folder import SPEC, CampaignFolder, is_running
 from program import PROGRAM
 
 
@@ -111,13 +111,6 @@ def test_runs_end_with_a_campaign_that_is_killed(folder):
     while is_running(program) and time.monotonic() < deadline:
         time.sleep(0.02)
     assert not is_running(program)
-
-
-def is_running(pid):
-    try:
-        return pathlib.Path(f"/proc/{pid}/stat").read_text().split()[2] != "Z"
-    except OSError:
-        return False
 
 
 def test_a_torn_last_line_is_dropped_and_its_run_made_again(folder):

@@ -7,7 +7,7 @@ import types
 
 import pytest
 
-from campaign_folder import SPEC, CampaignFolder
+from campaign_folder import SPEC, CampaignFolder, is_running
 from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
@@ -225,10 +225,15 @@ def test_without_ray_its_scheduler_is_refused(monkeypatch):
         make_scheduler("ray", 1)
 
 
-def test_the_local_scheduler_ends_what_runs_when_it_is_left():
-    scheduler = LocalScheduler(2).run([Task("quick", ["true"], 9.0), Task("long", ["sleep", "100"], 999.0)])
+def test_the_local_scheduler_ends_what_runs_when_it_is_left(tmp_path):
+    pid = tmp_path / "pid"
+    long = Task("long", ["sh", "-c", f"echo $$ > {pid}; exec sleep 100"], 999.0)
+    quick = Task("quick", ["sh", "-c", f"until [ -s {pid} ]; do sleep 0.05; done"], 999.0)
+    scheduler = LocalScheduler(2).run([long, quick])
     assert next(scheduler).id == "quick"
-    scheduler.close()  # would wait for 100 s
+    assert is_running(int(pid.read_text()))
+    scheduler.close()
+    assert not is_running(int(pid.read_text()))
 
 
 def test_units_stand_where_they_are_known(tmp_path):
