@@ -142,6 +142,8 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
   run->add_option("--report", arguments->report,
                   "Write an HTML report into this folder, and its log unless --record keeps it");
+  run->add_flag("--check", arguments->check,
+                "Read the scenario and say what is wrong; run nothing");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
 }
@@ -238,6 +240,20 @@ int tell(const std::string& message) {
   return kWrongInput;
 }
 
+/// A Python program, which the launcher starts; here it has a name and a line of help only.
+void add_campaign(CLI::App& app, Command& chosen) {
+  CLI::App* campaign = app.add_subcommand(
+      "campaign", "Run a grid of parameters over many seeds: table, rates, plots (bin/surefoot)");
+  campaign->allow_extras();
+  campaign->footer("\nIt is part of the source tree: bin/surefoot campaign --help");
+  campaign->callback([&chosen] {
+    chosen = [] {
+      return tell(
+          "campaign is started by the launcher of the source tree: bin/surefoot campaign …");
+    };
+  });
+}
+
 /// The argument that a command does not know, with those that it does.
 std::string unknown_option(const CLI::App& command) {
   std::vector<std::string> valid;
@@ -284,6 +300,7 @@ int run_program(int argc, char** argv) {
   add_solve(app, chosen);
   add_dump(app, chosen);
   add_demo(app, chosen);
+  add_campaign(app, chosen);
   app.footer(kFooter);  // only now: commands that are added later would have it, too
   try {
     app.parse(argc, argv);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string_view>
 
@@ -24,6 +25,9 @@ constexpr std::array<std::string_view, 5> kRates{"succeeded", "fell", "goal_reac
 constexpr std::array<std::string_view, 5> kMoreIsBetter{"distance_m", "speed_mps",
                                                         "friction_margin_loaded_min",
                                                         "friction_margin_min", "realtime_factor"};
+
+/// What the machine's clock decides, so that it differs between any two runs.
+constexpr std::array<std::string_view, 3> kByClock{"tick_us", "solve_us", "realtime_factor"};
 
 /// What a result must say of itself: truth and sensors that the robot does not have are no secret.
 Json heading(const Scenario& scenario) {
@@ -83,6 +87,20 @@ std::vector<std::string> numeric_metrics() {
   return names;
 }
 
+bool more_is_better(const std::string& metric) {
+  return std::ranges::find(kMoreIsBetter, metric) != kMoreIsBetter.end();
+}
+
+bool is_by_clock(const std::string& metric) {
+  return std::ranges::find(kByClock, metric.substr(0, metric.find('.'))) != kByClock.end();
+}
+
+std::string hex(std::uint64_t number) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
+  return text.data();
+}
+
 /// Median and worst of every metric that is a number.
 Json metrics_json(const std::vector<Json>& runs) {
   Json summaries = Json::object();
@@ -96,8 +114,7 @@ Json metrics_json(const std::vector<Json>& runs) {
         values.push_back(run.at(pointer).get<double>());
     }
     if (values.empty()) continue;
-    const bool more_is_better = std::ranges::find(kMoreIsBetter, name) != kMoreIsBetter.end();
-    summaries[name] = summary_json(std::move(values), more_is_better);
+    summaries[name] = summary_json(std::move(values), more_is_better(name));
   }
   return summaries;
 }
@@ -135,7 +152,8 @@ Json event_totals_json(const std::vector<Json>& runs) {
 
 /// Without what differs between any two runs.
 Json outcome_of(Json run) {
-  for (const char* key : {"seed", "tick_us", "solve_us", "realtime_factor"}) run.erase(key);
+  run.erase("seed");
+  for (const std::string_view key : kByClock) run.erase(std::string(key));
   return run;
 }
 
@@ -150,6 +168,20 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json["drawn"] = Json::object();
   for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;
+  json["sources_hash"] = hex(scenario.sources_hash);
+  return json;
+}
+
+Json check_json(const Scenario& scenario) {
+  Json json = heading(scenario);
+  json["version"] = build_info().version;
+  json["commit"] = build_info().commit;
+  json["sources_hash"] = hex(scenario.sources_hash);
+  json["metrics"] = Json::object();
+  for (const std::string& metric : numeric_metrics()) {
+    json["metrics"][metric] = {{"worst", more_is_better(metric) ? "least" : "greatest"},
+                               {"by_clock", is_by_clock(metric)}};
+  }
   return json;
 }
 

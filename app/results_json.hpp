@@ -14,6 +14,11 @@ namespace surefoot {
 /// `criteria`, `events` (each with leg, count and first time), `drawn` and `notes`.
 [[nodiscard]] nlohmann::ordered_json run_json(const Scenario& scenario, const RunResult& result);
 
+/// What a run of the scenario would be made from: scenario, version and commit of the program,
+/// `sources_hash`, and the `metrics` that it would measure, each with which end of it is the worst
+/// and whether the machine's clock decides it.
+[[nodiscard]] nlohmann::ordered_json check_json(const Scenario& scenario);
+
 /// The row of a run that gave no result: `seed`, `crashed` and the reason.
 [[nodiscard]] nlohmann::ordered_json crash_json(std::uint64_t seed, const std::string& reason);
 

@@ -119,6 +119,15 @@ int run_one(const RunArguments& arguments) {
   return exit_code(scenario, {json});
 }
 
+int check_one(const RunArguments& arguments) {
+  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
+                                           .seed = arguments.seed.value_or(0),
+                                           .assignments = arguments.assignments});
+  check_setup(scenario);
+  print(arguments, check_json(scenario), scenario.name + ": nothing is wrong with it\n");
+  return kPassed;
+}
+
 std::vector<PlannedRun> plan_runs(const RunArguments& arguments) {
   std::vector<PlannedRun> runs;
   for (int i = 0; i < arguments.seeds; ++i) {
@@ -177,6 +186,7 @@ int run_seeds(const RunArguments& arguments) {
 
 int run_command(const RunArguments& arguments) {
   watch_for_interrupt();
+  if (arguments.check) return check_one(arguments);
   return arguments.seeds > 0 ? run_seeds(arguments) : run_one(arguments);
 }
 

@@ -17,6 +17,7 @@ struct RunArguments {
   std::string record;
   std::string report;
   bool json = false;
+  bool check = false;  ///< read the scenario and run nothing
 };
 
 /// Runs a scenario once, or once for each of several seeds. Returns an ExitCode; throws Error on

@@ -62,7 +62,7 @@ install_python_packages() {
   [[ -f $stamp && $(<"$stamp") == "$state" ]] && return 0
 
   start_log
-  echo "setup: installing Python packages into .venv (250 MB to download)"
+  echo "setup: installing Python packages into .venv (330 MB to download)"
   local retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
   local -a robots pip=("$venv/bin/python" -m pip --disable-pip-version-check --no-input)
   mapfile -t robots < <(listed robots.txt)

@@ -38,8 +38,9 @@ struct PaperFigure {
 
 /// A file that a scenario was read from, word by word.
 struct SourceFile {
-  std::string
-      name;  ///< "scenario.yaml", "base1.yaml", "randomise1.yaml", "robot.yaml", "stack.yaml"
+  /// "scenario.yaml", "base1.yaml", "randomise1.yaml", "robot.yaml", "stack.yaml" or
+  /// "stack_base1.yaml".
+  std::string name;
   std::string text;
 };
 
@@ -64,6 +65,7 @@ struct Scenario {
   double success_rate = 1.0;        ///< share of the runs that must succeed, of one or many
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
+  std::uint64_t sources_hash = 0;  ///< of all these files and the URDF
   std::string options_json;  ///< the whole scenario as it was read, assignments and draws included
 
   /// The operator's command at a time.

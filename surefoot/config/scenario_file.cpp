@@ -13,6 +13,7 @@
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/switch_section.hpp"
+#include "surefoot/math/random_bits.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/check_options.hpp"
 
@@ -73,10 +74,30 @@ std::vector<std::string> assigned_paths(const ScenarioRequest& request) {
   return paths;
 }
 
-void keep_source(Scenario& scenario, const std::string& name, const fs::path& file) {
+std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
-  scenario.sources.push_back({.name = name, .text = text.str()});
+  return text.str();
+}
+
+void keep_source(Scenario& scenario, const std::string& name, const fs::path& file) {
+  scenario.sources.push_back({.name = name, .text = text_of(file)});
+}
+
+/// A file as `name`.yaml, and those below it as `base`1.yaml, `base`2.yaml, …
+void keep_sources(Scenario& scenario, const std::string& name, const std::string& base,
+                  const std::vector<fs::path>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    keep_source(scenario, (i == 0 ? name : base + std::to_string(i)) + ".yaml", files[i]);
+  }
+}
+
+std::uint64_t hash_of_sources(const Scenario& scenario) {
+  std::uint64_t hash = named_bits(0, text_of(scenario.robot.urdf_path));
+  for (const SourceFile& source : scenario.sources) {
+    hash = named_bits(named_bits(hash, source.name), source.text);
+  }
+  return hash;
 }
 
 /// Reads what another file holds; an unknown name is told with the line that gives it.
@@ -227,8 +248,9 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
     return load_robot(name, folder);
   });
   scenario.controller.stack = load_named(top, "stack", [&](const std::string& name) {
-    keep_source(scenario, "stack.yaml", find_data_file("stacks", name, folder));
-    return load_stack(name, folder);
+    StackOptions stack = load_stack(name, folder);
+    keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
+    return stack;
   });
   if (const ConfigNode* tasks = top.node("tasks")) {
     override_tasks(scenario.controller.stack, *tasks, "tasks");
@@ -277,16 +299,14 @@ Scenario load_scenario(const ScenarioRequest& request) {
   if (request.seed == 0) check_random_paths(tree, request);
   scenario.drawn = randomise(tree, request.seed, assigned_paths(request));
   scenario.options_json = to_json(tree);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    keep_source(scenario, i == 0 ? "scenario.yaml" : "base" + std::to_string(i) + ".yaml",
-                files[i]);
-  }
+  keep_sources(scenario, "scenario", "base", files);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     keep_source(scenario, "randomise" + std::to_string(i + 1) + ".yaml", ranges[i]);
   }
   Section top(tree, "");
   read_body(top, scenario);
   read_robot_and_stack(top, file, scenario);
+  scenario.sources_hash = hash_of_sources(scenario);
 
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);

@@ -7,6 +7,7 @@
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace surefoot {
 namespace {
@@ -228,6 +229,17 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   if (without != nullptr) leave_out(*without, stack);
   if (weights != nullptr) top.section("weights", [&](Section& map) { weigh(map, stack); });
   return weighted == nullptr ? stack : merge(*weighted, stack);
+}
+
+std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,
+                                               const std::filesystem::path& beside) {
+  std::vector<std::filesystem::path> files{find_data_file("stacks", name_or_path, beside)};
+  const ConfigNode tree = parse_yaml_file(files.front());
+  if (const ConfigNode* base = tree.find("base")) {
+    std::ranges::copy(stack_files(read_text(*base, "base"), files.front().parent_path()),
+                      std::back_inserter(files));
+  }
+  return files;
 }
 
 void override_tasks(StackOptions& stack, const ConfigNode& tasks, const std::string& path) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -42,6 +43,11 @@ namespace surefoot {
 /// Unknown tasks and parameters are errors. Throws Error.
 [[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
                                       const std::filesystem::path& beside = {});
+
+/// The files that a stack is read from: its own, then that of its base, that one's base, …
+/// Throws Error.
+[[nodiscard]] std::vector<std::filesystem::path> stack_files(
+    const std::string& name_or_path, const std::filesystem::path& beside = {});
 
 /// Lays parameters over every task of that name: a map from task names to maps of parameters.
 /// Throws Error on a task that the stack does not have.

@@ -1,0 +1,208 @@
+"""The command `surefoot campaign`."""
+
+import argparse
+import contextlib
+import json
+import os
+import pathlib
+import shlex
+import signal
+import sys
+
+from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.journal import Journal, read_rows
+from surefoot_campaign.outcome import ended_from_outside, row_of
+from surefoot_campaign.plan import by_seed, folder_of, make_plan
+from surefoot_campaign.plots import write_plots
+from surefoot_campaign.program import Program, arguments_of
+from surefoot_campaign.progress import Progress
+from surefoot_campaign.report import short_table, write_all
+from surefoot_campaign.results import records_of
+from surefoot_campaign.scheduler import SCHEDULERS, Task, make_scheduler
+from surefoot_campaign.spec import load_spec
+
+ALL_RIGHT, SOME_BROKE, WRONG_INPUT = 0, 1, 2
+BROKEN = ("crashed", "timed_out", "refused")
+
+DESCRIPTION = """Run a grid or a random draw of scenario parameters times seeds, each run in a process of its own.
+A campaign that was interrupted or killed goes on where it was: start it again with the same words."""
+
+EPILOG = """The spec, in short (docs/campaigns.md has all of it):
+  scenario: step_down                                    or a list
+  seeds: {first: 1, count: 300}                          or a list
+  grid: {terrain.elements.ground.height: [-0.10, -0.14]}
+  draw: {disturbances.payload.mass: [0.0, 6.9]}          uniform, from the seed
+  set: {duration: 60}
+  timeout: 600                                           s of wall clock a run
+  judge: com_error_max_m                                 what makes a run worse than another
+
+Exit codes: 0 every run came to its end, whether it succeeded or not; 1 some crashed, took too long or
+were refused by the program; 2 the input is wrong, or the campaign was interrupted.
+
+Examples:
+  surefoot campaign campaigns/step_down_height.yaml --dry-run
+  surefoot campaign campaigns/step_down_height.yaml --jobs 2 --out results/steps
+"""
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        if message.startswith("unrecognized arguments: "):
+            given = message.split()[2]
+            options = [name for action in self._actions for name in action.option_strings if name.startswith("--")]
+            message = f'unknown argument "{given}" of campaign; {valid_names(given, options)}'
+        raise InputError(f"{message}; see surefoot campaign --help")
+
+
+def jobs(text):
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
+    return int(text)
+
+
+def parser():
+    made = Parser("surefoot campaign", description=DESCRIPTION, epilog=EPILOG, allow_abbrev=False,
+                  formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run")
+    made.add_argument("--out", type=pathlib.Path, metavar="DIR", help="folder of the results; results/NAME by default")
+    made.add_argument("--jobs", type=jobs, metavar="N", default=len(os.sched_getaffinity(0)),
+                      help="processes at once; one a core (%(default)s) by default")  # fmt: skip
+    made.add_argument("--dry-run", action="store_true", help="list the runs and which are done; run and write nothing")
+    made.add_argument("--retry", action="store_true", help="make runs again that crashed, took too long or were refused")
+    made.add_argument("--no-plots", action="store_true", help="leave the plots out")
+    made.add_argument("--scheduler", choices=SCHEDULERS, default="local", help="who runs them; local by default")
+    made.add_argument("--json", action="store_true", help="print one JSON object instead of a table")
+    return made
+
+
+def is_done(run, rows, retry):
+    return run.id in rows and not (retry and rows[run.id]["outcome"] in BROKEN)
+
+
+def dry_run(plan, rows, program, arguments, folder):
+    listed = [(run, is_done(run, rows, arguments.retry)) for run in plan.runs]
+    done = sum(is_done_ for _, is_done_ in listed)
+    commands = [program.command(run.file, run.seed, run.parameters) for run in plan.runs]
+    if arguments.json:
+        runs = [{"id": run.id, "done": state, "command": text} for (run, state), text in zip(listed, commands)]
+        print(json.dumps({"name": plan.spec.name, "planned": len(runs), "done": done, "runs": runs}))
+    else:
+        for (run, state), text in zip(listed, commands):
+            print("done " if state else "to do", run.id, text)
+        print(f"{len(listed)} runs, {done} done, {len(listed) - done} to do; results go to {folder}/")
+    return ALL_RIGHT
+
+
+def description(run, spec):
+    values = [f"{key}={run.parameters[key]:.4g}" if isinstance(run.parameters[key], float) else f"{key}={run.parameters[key]}"
+              for key in spec.varied()]  # fmt: skip
+    return " ".join([run.scenario, *values, f"seed {run.seed}"])
+
+
+def check_unchanged(run, row):
+    found = (row["result"] or {}).get("sources_hash", run.sources_hash)
+    if found != run.sources_hash:
+        raise InputError(
+            f"a file of the scenario {run.scenario} (its own, a base, stack, robot or URDF) changed while the campaign ran; "
+            "rows so far are kept and belong to the files as they were; start again for the new ones"
+        )
+
+
+def run_missing(plan, missing, scheduler, journal, command_path):
+    """Runs what has no row yet. Returns how many were ended from outside, so that they still have none."""
+    tasks = {run.id: Task(run.id, [str(command_path), *arguments_of(run.file, run.seed, run.parameters), "--json"],
+                          plan.spec.timeout) for run in missing}  # fmt: skip
+    of_id = {run.id: run for run in missing}
+    progress = Progress(plan.spec.name, len(plan.runs) - len(missing), len(plan.runs))
+    ended = 0
+    with contextlib.closing(scheduler.run(tasks.values())) as results:
+        try:
+            for result in results:
+                run = of_id[result.id]
+                if ended_from_outside(result):
+                    ended += 1
+                    continue
+                row = row_of(run, tasks[run.id], result)
+                check_unchanged(run, row)
+                journal.append(row)
+                progress.update()
+                if row["outcome"] in BROKEN:
+                    progress.say(f"{description(run, plan.spec)}: {row['outcome'].replace('_', ' ')}: {row['reason']}")
+        finally:
+            progress.wipe()
+    return ended
+
+
+def go_on_message(plan, journal, arguments):
+    done = sum(run.id in journal.rows for run in plan.runs)
+    words = [os.environ.get("SUREFOOT_COMMAND", "bin/surefoot"), "campaign", *arguments]
+    return f"{done} of {len(plan.runs)} runs are finished and kept; to go on: {shlex.join(words)}"
+
+
+def finish(plan, journal, program, arguments, folder):
+    records = records_of(plan, journal.rows)
+    if not records:
+        return ALL_RIGHT
+    found = write_all(plan, records, program, folder)
+    if not arguments.no_plots:
+        write_plots(plan, records, folder / "plots")
+    print(json.dumps(found) if arguments.json else short_table(plan, found, folder), end="\n" if arguments.json else "")
+    return SOME_BROKE if any(found["runs"][outcome] for outcome in BROKEN) else ALL_RIGHT
+
+
+def open_journal(folder):
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return Journal(folder / "rows.jsonl")
+    except OSError as error:
+        raise InputError(f"the folder {folder} can't be written: {error.strerror}; choose another with --out") from None
+
+
+def make_campaign(plan, program, arguments, folder, typed):
+    scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
+    with open_journal(folder) as journal:
+        missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
+        copy = program.copied_to(folder / "program")
+        trouble = None
+        try:
+            ended = run_missing(plan, missing, scheduler, journal, copy.absolute())
+            if ended:
+                trouble = f"{ended} runs were ended from outside"
+        except KeyboardInterrupt:
+            trouble = "interrupted"
+            journal.reload()
+        finally:
+            copy.unlink(missing_ok=True)
+        status = finish(plan, journal, program, arguments, folder)
+        if trouble is None:
+            return status
+        print(f"surefoot: {trouble}: {go_on_message(plan, journal, typed)}", file=sys.stderr)
+        return WRONG_INPUT
+
+
+def campaign(typed):
+    arguments = parser().parse_args(typed)
+    spec = load_spec(arguments.spec)
+    program = Program()
+    plan = make_plan(spec, program, arguments.jobs)
+    folder = arguments.out or folder_of(spec)
+    if arguments.dry_run:
+        return dry_run(plan, read_rows(folder / "rows.jsonl"), program, arguments, folder)
+    return make_campaign(plan, program, arguments, folder, typed)
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
+def main(typed):
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        return campaign(typed)
+    except InputError as error:
+        print(f"surefoot: {error}", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("surefoot: interrupted", file=sys.stderr)
+    except OSError as error:
+        print(f"surefoot: {error}; rows that are finished are kept", file=sys.stderr)
+    return WRONG_INPUT

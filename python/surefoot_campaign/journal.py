@@ -1,0 +1,85 @@
+"""The rows of all finished runs: a file that only grows, one JSON object a line.
+
+A line is written whole or, if the machine stops in the middle, is the torn last one; that one is dropped when the
+file is opened again, and its run made again.
+"""
+
+import fcntl
+import json
+import os
+
+from surefoot_campaign.errors import InputError
+
+
+def is_row(line):
+    try:
+        return "id" in json.loads(line)
+    except (ValueError, TypeError):
+        return False
+
+
+def split_torn(data):
+    """The whole lines, and the bytes of a torn last one."""
+    whole, _, torn = data.rpartition(b"\n")
+    lines = whole.split(b"\n") if whole else []
+    while lines and not is_row(lines[-1]) and not torn:
+        torn = lines.pop() + b"\n"
+    return lines, torn
+
+
+def read_rows(path):
+    """id -> row, the last one of an id; without changing the file."""
+    if not path.exists():
+        return {}
+    lines, _ = split_torn(path.read_bytes())
+    rows = {}
+    for number, line in enumerate(lines, 1):
+        if not is_row(line):
+            raise InputError(f"{path}:{number}: this line is no row; take it away, and its run is made again")
+        row = json.loads(line)
+        rows[row["id"]] = row
+    return rows
+
+
+class Journal:
+    def __init__(self, path):
+        self.path = path
+        self.fd = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
+        try:
+            fcntl.flock(self.fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(self.fd)
+            raise InputError(f"another campaign writes to {path}; wait for it, or choose another folder with --out") from None
+        self._drop_torn_line()
+        self.rows = read_rows(path)
+
+    def _drop_torn_line(self):
+        lines, torn = split_torn(self.path.read_bytes())
+        if torn:
+            os.ftruncate(self.fd, sum(len(line) + 1 for line in lines))
+
+    def append(self, row):
+        """Returns once the row is on the disk."""
+        line = json.dumps(row, separators=(",", ":")).encode() + b"\n"
+        size = os.fstat(self.fd).st_size
+        try:
+            if os.write(self.fd, line) != len(line):
+                raise OSError(f"{self.path}: no space left for a whole row")
+            os.fsync(self.fd)
+        except OSError:
+            os.ftruncate(self.fd, size)
+            raise
+        self.rows[row["id"]] = row
+
+    def reload(self):
+        """After an interrupt, which may have come between a row on the disk and our note of it."""
+        self.rows = read_rows(self.path)
+
+    def close(self):
+        os.close(self.fd)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()

@@ -1,0 +1,73 @@
+"""What became of a run: one row, whatever happened."""
+
+import json
+import signal
+
+OUTCOMES = ["succeeded", "failed", "crashed", "timed_out", "refused"]
+JUDGED = (0, 1, 3)  # exit codes of a run that came to its end
+WRONG_INPUT = 2
+
+
+def last_line(text):
+    lines = text.strip().splitlines()
+    return lines[-1].removeprefix("surefoot: ") if lines else ""
+
+
+def signal_name(number):
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
+def with_words(reason, stderr):
+    words = last_line(stderr)
+    return f"{reason}: {words}" if words else reason
+
+
+def read_result(stdout):
+    """The program's JSON object, or None."""
+    try:
+        result = json.loads(stdout)
+    except ValueError:
+        return None
+    return result if isinstance(result, dict) and isinstance(result.get("succeeded"), bool) else None
+
+
+def ended_from_outside(result):
+    """Somebody asked the run to end: it tells nothing, and must be made again."""
+    asked = result.status in (-signal.SIGTERM, -signal.SIGINT)
+    return not result.timed_out and (
+        asked or (result.status == WRONG_INPUT and last_line(result.stderr).startswith("interrupted"))
+    )
+
+
+def judge(task, result):
+    """Outcome, reason, and the program's JSON object if there is one."""
+    if result.timed_out:
+        return "timed_out", f"no end within {task.timeout:g} s of wall clock", None
+    if result.status < 0:
+        return "crashed", with_words(f"killed by {signal_name(-result.status)}", result.stderr), None
+    if result.status == WRONG_INPUT:
+        return "refused", last_line(result.stderr) or "exit code 2", None
+    if result.status not in JUDGED:
+        return "crashed", with_words(f"exit code {result.status}", result.stderr), None
+    found = read_result(result.stdout)
+    if found is None:
+        return "crashed", f"exit code {result.status}, but its output is no result", None
+    return ("succeeded" if found["succeeded"] else "failed"), found.get("reason", ""), found
+
+
+def row_of(run, task, result):
+    outcome, reason, found = judge(task, result)
+    return {
+        "id": run.id,
+        "scenario": run.scenario,
+        "seed": run.seed,
+        "version": run.version,
+        "parameters": run.parameters,
+        "outcome": outcome,
+        "reason": reason,
+        "wall_time_s": round(result.wall_time, 3),
+        "result": found,
+    }

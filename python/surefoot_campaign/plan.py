@@ -1,0 +1,138 @@
+"""From a spec to its runs, each with an id; checked by the program before any of them starts."""
+
+import concurrent.futures
+import hashlib
+import itertools
+import json
+import pathlib
+from dataclasses import dataclass
+
+from surefoot_campaign.draws import draw
+from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.spec import yaml_text
+
+
+@dataclass(frozen=True)
+class Run:
+    id: str
+    scenario: str  # as the spec names it
+    file: str  # as the program finds it
+    seed: int
+    parameters: dict
+    sources_hash: str
+    version: str
+    point: int  # of the grid, over all scenarios
+
+
+@dataclass
+class Plan:
+    spec: object
+    runs: list
+    metrics: dict  # those the program measures
+    version: str
+
+
+def run_id(sources_hash, seed, parameters, version):
+    """The same for the same run: what it is made from, its seed, its parameters and the program."""
+    values = sorted((key, yaml_text(value)) for key, value in parameters.items())
+    return hashlib.sha256(json.dumps([sources_hash, seed, values, version]).encode()).hexdigest()[:16]
+
+
+def scenario_file(spec, name):
+    """A file is looked for beside the spec first."""
+    beside = spec.path.parent / name
+    return str(beside) if name.endswith((".yaml", ".yml")) and beside.is_file() else name
+
+
+def grid_points(spec):
+    """The parameters of each point, without what is drawn."""
+    for values in itertools.product(*spec.grid.values()):
+        yield dict(zip(spec.grid, values)) | spec.fixed
+
+
+def with_draws(spec, parameters, seed):
+    drawn = {key: draw(seed, key, range_.lower, range_.upper) for key, range_ in spec.draw.items()}
+    return in_order(spec, parameters | drawn)
+
+
+def in_order(spec, parameters):
+    return {key: parameters[key] for key in spec.parameters()}
+
+
+def explain(spec, scenario, parameters, message):
+    """What the program says of a parameter, with the line of the spec that gives it."""
+    for key in parameters:
+        if message.startswith(f"--set {key}="):
+            section = "grid" if key in spec.grid else "draw" if key in spec.draw else "set"
+            # The program's words are "--set key=value: what is wrong".
+            given = message.removeprefix("--set ")
+            return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"
+    values = " ".join(f"{key}={yaml_text(value)}" for key, value in parameters.items())
+    with_values = f" with {values}" if values and not message.startswith("unknown scenario") else ""
+    return f"{spec.where('scenario')}: scenario {scenario}{with_values}: {message}"
+
+
+def check_all(spec, program, jobs):
+    """A Check for each scenario and point of the grid. The ends of every range are asked for, too."""
+    ends = [{key: range_.lower for key, range_ in spec.draw.items()}]
+    if spec.draw:
+        ends.append({key: range_.upper for key, range_ in spec.draw.items()})
+
+    def check(scenario, parameters):
+        checks = []
+        for end in ends:
+            try:
+                checks.append(program.check(scenario_file(spec, scenario), in_order(spec, parameters | end)))
+            except InputError as error:
+                raise InputError(explain(spec, scenario, parameters | end, str(error))) from None
+        return checks[0]
+
+    points = [(scenario, parameters) for scenario in spec.scenarios for parameters in grid_points(spec)]
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        futures = [pool.submit(check, *point) for point in points]
+        try:
+            return points, [future.result() for future in futures]
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def check_judge(spec, metrics):
+    names = [name for name, about in metrics.items() if not about["by_clock"]]
+    if spec.judge in names:
+        return
+    if spec.judge in metrics:
+        raise InputError(f"{spec.where('judge')}: judge: {spec.judge} depends on the machine's clock; valid are: {', '.join(names)}")
+    raise InputError(f"{spec.where('judge')}: judge: unknown metric \"{spec.judge}\"; {valid_names(spec.judge, names)}")
+
+
+def make_plan(spec, program, jobs):
+    points, checks = check_all(spec, program, jobs)
+    check_judge(spec, checks[0].metrics)
+    runs, of_id = [], {}
+    for number, ((scenario, parameters), check) in enumerate(zip(points, checks)):
+        for seed in spec.seeds:
+            full = with_draws(spec, parameters, seed)
+            run = Run(
+                id=run_id(check.sources_hash, seed, full, check.version),
+                scenario=scenario,
+                file=scenario_file(spec, scenario),
+                seed=seed,
+                parameters=full,
+                sources_hash=check.sources_hash,
+                version=check.version,
+                point=number,
+            )
+            if run.id in of_id:
+                raise InputError(f"{spec.where('scenario')}: scenario: {of_id[run.id]} and {scenario} are the same; one of them is valid")
+            of_id[run.id] = scenario
+            runs.append(run)
+    return Plan(spec, runs, checks[0].metrics, checks[0].version)
+
+
+def by_seed(runs):
+    """The order to run them in: so that what is there early tells of every point."""
+    return sorted(runs, key=lambda run: run.seed)
+
+
+def folder_of(spec):
+    return pathlib.Path("results") / spec.name

@@ -1,0 +1,161 @@
+"""Figures: a curve with its interval for each parameter, a heat map with numbers for each pair of them."""
+
+import itertools
+import textwrap
+
+from surefoot_campaign.axes import axis_of
+from surefoot_campaign.statistics import quantile, rate_of
+from surefoot_campaign.units import metric_label
+
+FORMATS = ["png", "svg"]
+COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]  # told apart by the colour-blind, too
+MARKERS = "osD^vP"
+
+
+def values_of(plan, records):
+    return [value for record in records if (value := record.metric(plan.spec.judge)) is not None]
+
+
+def draw_curve(axes, axis, places, middles, lows, highs, style):
+    """A line with a band where the axis is a number, bars where it is a choice."""
+    kept = [i for i, middle in enumerate(middles) if middle is not None]
+    x, y = [places[i] for i in kept], [middles[i] for i in kept]
+    low, high = [lows[i] for i in kept], [highs[i] for i in kept]
+    if axis.is_choice:
+        errors = [[a - b for a, b in zip(y, low)], [b - a for a, b in zip(y, high)]]
+        axes.errorbar(x, y, errors, linestyle="none", capsize=5, **style)
+    else:
+        axes.fill_between(x, low, high, alpha=0.2, linewidth=0, color=style["color"])
+        axes.plot(x, y, **style)
+
+
+def side_by_side(axis, number, count):
+    """Where a series stands, so that the bars of several do not hide each other."""
+    return [place + 0.12 * (number - (count - 1) / 2) for place in axis.places] if axis.is_choice else axis.places
+
+
+def draw_rates(axes, axis, records, style, places):
+    rates = [rate_of(cell) if cell else None for cell in axis.cells(records)]
+    middles = [None if rate is None else 100 * rate.rate for rate in rates]
+    ends = [(0, 0) if rate is None else rate.interval for rate in rates]
+    draw_curve(axes, axis, places, middles, [100 * low for low, _ in ends], [100 * high for _, high in ends], style)
+    return rates
+
+
+def draw_judge(axes, plan, axis, records, style, places):
+    values = [values_of(plan, cell) for cell in axis.cells(records)]
+    draw_curve(axes, axis, places, *([quantile(v, share) for v in values] for share in (0.5, 0.05, 0.95)), style)
+
+
+def curve_figure(plan, records, parameter):
+    """Success rate with Wilson's interval, and below it the judging metric: median and 5 to 95 % of the runs."""
+    from matplotlib.figure import Figure
+
+    axis = axis_of(plan.spec, parameter)
+    figure = Figure(figsize=(7.0, 6.0), layout="constrained")
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    trials = set()
+    for number, scenario in enumerate(plan.spec.scenarios):
+        style = {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)], "label": scenario}
+        of_scenario = [record for record in records if record.run.scenario == scenario]
+        places = side_by_side(axis, number, len(plan.spec.scenarios))
+        rates = draw_rates(upper, axis, of_scenario, style, places)
+        trials |= {rate.trials for rate in rates if rate}
+        draw_judge(lower, plan, axis, of_scenario, style, places)
+    upper.set(ylim=(-4, 104), ylabel="succeeded [%]")
+    upper.set_title(f"{plan.spec.name}: {counts_text(trials)} a point", fontsize=10, loc="left")
+    lower.set(xlabel=axis.label, ylabel=metric_label(plan.spec.judge))
+    note(upper, "with Wilson's 95 % interval")
+    note(lower, "median, and where 5–95 % of the runs are")
+    if axis.is_choice:
+        lower.set_xlim(-0.5, len(axis.places) - 0.5)
+    if not axis.drawn and len(axis.places) <= 12:
+        lower.set_xticks(axis.places, [textwrap.fill(tick, 14) for tick in axis.ticks])
+    for axes in (upper, lower):
+        axes.grid(alpha=0.3)
+    if len(plan.spec.scenarios) > 1:
+        upper.legend(loc="best", fontsize=9)
+    return figure
+
+
+def note(axes, text):
+    axes.text(1.0, 1.01, text, transform=axes.transAxes, ha="right", va="bottom", fontsize=8, color="0.35")
+
+
+def counts_text(trials):
+    low, high = min(trials, default=0), max(trials, default=0)
+    return f"{low} runs" if low == high else f"{low} to {high} runs"
+
+
+def heat_map(figure, axes, x, y, numbers, texts, colours, title):
+    """Cells with a text each; those without a number stay white. `colours`: map, smallest, largest."""
+    import numpy
+
+    name, low, high = colours
+    values = numpy.array([[numpy.nan if n is None else n for n in row] for row in numbers])
+    image = axes.imshow(values, cmap=name, vmin=low, vmax=high, origin="lower", aspect="auto")
+    size = 10 if len(x.ticks) <= 6 else 8 if len(x.ticks) <= 10 else 6
+    for (row, column), value in numpy.ndenumerate(values):
+        red, green, blue, _ = image.cmap(image.norm(value)) if numpy.isfinite(value) else (1, 1, 1, 1)
+        dark = 0.299 * red + 0.587 * green + 0.114 * blue < 0.5
+        axes.text(column, row, texts[row][column], ha="center", va="center", fontsize=size, color="w" if dark else "k")
+    slanted = {"rotation": 30, "ha": "right", "rotation_mode": "anchor"} if max(map(len, x.ticks)) * len(x.ticks) > 45 else {}
+    axes.set_xticks(range(len(x.ticks)), x.ticks, **slanted)
+    axes.set_yticks(range(len(y.ticks)), y.ticks)
+    axes.set_xlabel(x.label)
+    axes.set_title(title, fontsize=10)
+    figure.colorbar(image, ax=axes)
+
+
+def map_figure(plan, records, scenario, parameters):
+    """Success rate, and the median of the judging metric, over two parameters."""
+    from matplotlib.figure import Figure
+
+    x, y = (axis_of(plan.spec, parameter) for parameter in parameters)
+    cells = [x.cells(row) for row in y.cells(records)]
+    figure = Figure(figsize=(4.0 + 1.6 * max(3, len(x.ticks)), 1.8 + 0.62 * max(3, len(y.ticks))), layout="constrained")
+    left, right = figure.subplots(1, 2, sharey=True)
+    rates = [[rate_of(cell) if cell else None for cell in row] for row in cells]
+    texts = [["" if r is None else f"{100 * r.rate:.0f} %\n{r.successes}/{r.trials}" for r in row] for row in rates]
+    percent = [[None if r is None else 100 * r.rate for r in row] for row in rates]
+    heat_map(figure, left, x, y, percent, texts, ("cividis", 0, 100), "succeeded [%]")
+    medians = [[quantile(values_of(plan, cell), 0.5) for cell in row] for row in cells]
+    texts = [["" if m is None else f"{m:.3g}" for m in row] for row in medians]
+    heat_map(figure, right, x, y, medians, texts, ("viridis_r", None, None), f"median of {metric_label(plan.spec.judge)}")
+    left.set_ylabel(y.label)
+    figure.suptitle(f"{plan.spec.name}: {scenario}", fontsize=11)
+    return figure
+
+
+def save(figure, path):
+    """The same bytes for the same figure."""
+    figure.savefig(path, dpi=150, metadata={"Software": None} if path.suffix == ".png" else {"Date": None, "Creator": None})
+
+
+def figures(plan, records):
+    """(name, figure) of everything worth showing."""
+    for parameter in plan.spec.varied():
+        yield parameter, curve_figure(plan, records, parameter)
+    for scenario, pair in itertools.product(plan.spec.scenarios, itertools.combinations(plan.spec.varied(), 2)):
+        name = "__".join(pair) + (f"__{scenario}" if len(plan.spec.scenarios) > 1 else "")
+        of_scenario = [record for record in records if record.run.scenario == scenario]
+        if of_scenario:
+            yield name, map_figure(plan, of_scenario, scenario, pair)
+
+
+def write_plots(plan, records, folder):
+    """The files written. Those of an earlier start are taken away."""
+    import matplotlib
+
+    matplotlib.use("agg")
+    matplotlib.rcParams["svg.hashsalt"] = plan.spec.name
+    folder.mkdir(exist_ok=True)
+    for old in [file for form in FORMATS for file in folder.glob(f"*.{form}")]:
+        old.unlink()
+    written = []
+    for name, figure in figures(plan, records):
+        for form in FORMATS:
+            path = folder / f"{name.replace('/', '_')}.{form}"
+            save(figure, path)
+            written.append(path)
+    return written

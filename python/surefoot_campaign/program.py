@@ -1,0 +1,64 @@
+"""The program surefoot, called as its users call it."""
+
+import hashlib
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+from dataclasses import dataclass
+
+from surefoot_campaign.errors import InputError
+from surefoot_campaign.spec import yaml_text
+
+
+@dataclass(frozen=True)
+class Check:
+    """What the program says of a scenario with parameters, before it runs."""
+
+    sources_hash: str
+    metrics: dict  # name -> {"worst": "greatest" or "least", "by_clock": bool}
+    version: str
+
+
+def arguments_of(scenario, seed, parameters):
+    assignments = [f"{key}={yaml_text(value)}" for key, value in parameters.items()]
+    return ["run", scenario, "--seed", str(seed), *(["--set", *assignments] if assignments else [])]
+
+
+class Program:
+    def __init__(self, path=None):
+        """`path` is the C++ program; its launcher names it in the environment, and itself for commands to be typed."""
+        self.path = pathlib.Path(path or os.environ.get("SUREFOOT_PROGRAM", "surefoot"))
+        self.typed = os.environ.get("SUREFOOT_COMMAND", str(self.path))
+        if not self.path.is_file():
+            raise InputError(f"the program {self.path} is not there; start campaigns with bin/surefoot campaign")
+
+    def check(self, scenario, parameters):
+        """Throws what the program says, if it refuses them."""
+        command = [str(self.path), *arguments_of(scenario, 0, parameters), "--check", "--json"]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        if done.returncode != 0:
+            lines = done.stderr.strip().splitlines() or [f"the program ended with {done.returncode}"]
+            raise InputError(lines[-1].removeprefix("surefoot: "))
+        found = json.loads(done.stdout)
+        return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]))
+
+    def _version(self, version, commit):
+        """Two programs with the same version do the same: where no commit says it alone, the file's hash does."""
+        if commit and not commit.endswith("-dirty"):
+            return f"{version}+{commit}"
+        digest = hashlib.sha256(self.path.read_bytes()).hexdigest()[:12]
+        return f"{version}+{commit or 'unknown'}.{digest}"
+
+    def copied_to(self, path):
+        """A copy that stays as it is while somebody builds the program again."""
+        partial = path.with_name(path.name + ".new")
+        shutil.copy2(self.path, partial)
+        partial.replace(path)
+        return path
+
+    def command(self, scenario, seed, parameters):
+        """What to type to run this again, here."""
+        return shlex.join([self.typed, *arguments_of(scenario, seed, parameters)])

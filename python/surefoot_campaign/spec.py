@@ -1,0 +1,220 @@
+"""The file that says what a campaign runs. Everything that can be wrong with it alone is told with file and line."""
+
+import itertools
+import json
+import math
+import pathlib
+import re
+from dataclasses import dataclass, field
+
+from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.yaml_tree import read_yaml
+
+KEYS = ["name", "scenario", "seeds", "grid", "draw", "set", "timeout", "judge", "units"]
+TIMEOUT = 600.0  # s
+JUDGE = "com_error_max_m"
+MAX_SEED = 999_999_999  # of the program's --seed
+PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
+
+
+def yaml_text(value):
+    """A value as the program's --set reads it."""
+    if isinstance(value, str) and PLAIN_WORD.fullmatch(value):
+        return value
+    return json.dumps(value, ensure_ascii=False)
+
+
+@dataclass(frozen=True)
+class Range:
+    lower: float
+    upper: float
+
+
+@dataclass
+class Spec:
+    path: pathlib.Path
+    name: str
+    scenarios: list  # as written
+    seeds: list
+    grid: dict = field(default_factory=dict)  # parameter -> values
+    draw: dict = field(default_factory=dict)  # parameter -> Range
+    fixed: dict = field(default_factory=dict)  # parameter -> value; `set:` of the file
+    timeout: float = TIMEOUT
+    judge: str = JUDGE
+    units: dict = field(default_factory=dict)  # parameter -> unit
+    lines: dict = field(default_factory=dict)  # parameter or key -> line in the file
+
+    def parameters(self):
+        """Every parameter, in the order of the file: those that vary first."""
+        return [*self.grid, *self.draw, *self.fixed]
+
+    def varied(self):
+        """Those that take more than one value."""
+        return [name for name, values in self.grid.items() if len(values) > 1] + list(self.draw)
+
+    def where(self, key):
+        return f"{self.path}:{self.lines[key]}" if key in self.lines else str(self.path)
+
+
+class Reader:
+    """Takes the tree apart; every complaint names file, line and key."""
+
+    def __init__(self, path):
+        self.path = path
+        self.tree = read_yaml(path)
+        self.lines = {key: node.line for key, node in self.tree.value.items()}
+
+    def fail(self, line, key, message):
+        raise InputError(f"{self.path}:{line}: {key}: {message}")
+
+    def read(self):
+        for key, node in self.tree.value.items():
+            if key not in KEYS:
+                self.fail(node.line, key, f"unknown key; {valid_names(key, KEYS)}")
+        for key in ("scenario", "seeds"):
+            if key not in self.tree.value:
+                self.fail(self.tree.line, key, "this key is missing")
+        spec = Spec(
+            path=self.path,
+            name=self.name(),
+            scenarios=self.scenarios(),
+            seeds=self.seeds(),
+            grid={key: self.values("grid." + key, node) for key, node in self.map("grid").items()},
+            draw={key: self.range("draw." + key, node) for key, node in self.map("draw").items()},
+            fixed={key: self.plain("set." + key, node) for key, node in self.map("set").items()},
+            units={key: self.word("units." + key, node) for key, node in self.map("units").items()},
+            lines=self.lines,
+        )
+        if "timeout" in self.tree.value:
+            spec.timeout = self.number("timeout", self.tree.value["timeout"])
+            if spec.timeout <= 0:
+                self.fail(self.lines["timeout"], "timeout", f"{spec.timeout:g} is not a number of seconds above 0")
+        if "judge" in self.tree.value:
+            spec.judge = self.word("judge", self.tree.value["judge"])
+        self.check_parameters(spec)
+        return spec
+
+    def map(self, key):
+        node = self.tree.value.get(key)
+        if node is None:
+            return {}
+        if not isinstance(node.value, dict):
+            self.fail(node.line, key, "must be a map, `path.to.key: …`")
+        if not node.value:
+            self.fail(node.line, key, "is empty; leave it out, or name a parameter")
+        for name, entry in node.value.items():
+            if key != "units":
+                if name in self.lines:
+                    self.fail(
+                        entry.line,
+                        f"{key}.{name}",
+                        f"this parameter stands at line {self.lines[name]} already; once is valid, in grid, draw or set",
+                    )
+                self.lines[name] = entry.line
+        return node.value
+
+    def name(self):
+        if "name" not in self.tree.value:
+            return self.path.stem
+        node = self.tree.value["name"]
+        name = self.word("name", node)
+        if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]*", name):
+            self.fail(node.line, "name", f'"{name}" is no name for a folder: letters, digits, _ - and . are valid')
+        return name
+
+    def scenarios(self):
+        node = self.tree.value["scenario"]
+        items = node.value if isinstance(node.value, list) else [node]
+        if not items:
+            self.fail(node.line, "scenario", "the list is empty; at least one scenario is needed")
+        names = [self.word("scenario", item) for item in items]
+        self.refuse_twice("scenario", items, names)
+        return names
+
+    def seeds(self):
+        node = self.tree.value["seeds"]
+        if isinstance(node.value, list):
+            seeds = [self.whole("seeds", item, 0) for item in node.value]
+            self.refuse_twice("seeds", node.value, seeds)
+        elif isinstance(node.value, dict):
+            for key, entry in node.value.items():
+                if key not in ("first", "count"):
+                    self.fail(entry.line, f"seeds.{key}", f"unknown key; {valid_names(key, ['first', 'count'])}")
+            if "count" not in node.value:
+                self.fail(node.line, "seeds.count", "this key is missing")
+            first = self.whole("seeds.first", node.value["first"], 0) if "first" in node.value else 1
+            seeds = list(range(first, first + self.whole("seeds.count", node.value["count"], 1)))
+        else:
+            self.fail(node.line, "seeds", "must be {first: 1, count: 100} or a list of seeds")
+        if not seeds:
+            self.fail(node.line, "seeds", "there are none; at least one is needed")
+        if max(seeds) > MAX_SEED:
+            self.fail(node.line, "seeds", f"{max(seeds)} is above {MAX_SEED}, the largest seed")
+        return seeds
+
+    def values(self, key, node):
+        if not isinstance(node.value, list):
+            self.fail(node.line, key, "must be a list of values, [a, b, …]; one value belongs under set")
+        if not node.value:
+            self.fail(node.line, key, "the list is empty; at least one value is needed")
+        values = [self.plain(key, item) for item in node.value]
+        self.refuse_twice(key, node.value, values)
+        return values
+
+    def range(self, key, node):
+        if not isinstance(node.value, list) or len(node.value) != 2:
+            self.fail(node.line, key, "must be a range [lower, upper]")
+        lower, upper = (self.number(key, item) for item in node.value)
+        if lower > upper:
+            self.fail(node.line, key, f"lower is above upper; [{upper:g}, {lower:g}] would be valid")
+        if lower == upper:
+            self.fail(node.line, key, f"the range [{lower:g}, {upper:g}] is empty; one value belongs under set")
+        return Range(float(lower), float(upper))
+
+    def plain(self, key, node):
+        """A value without maps in it."""
+        if isinstance(node.value, dict):
+            self.fail(node.line, key, "must be a value; write keys below it with dots, path.to.key: value")
+        if isinstance(node.value, list):
+            return [self.plain(key, item) for item in node.value]
+        return node.value
+
+    def number(self, key, node):
+        if isinstance(node.value, bool) or not isinstance(node.value, (int, float)) or not math.isfinite(node.value):
+            self.fail(node.line, key, f"{shown(node)} is not a number")
+        return node.value
+
+    def whole(self, key, node, least):
+        if isinstance(node.value, bool) or not isinstance(node.value, int) or node.value < least:
+            self.fail(node.line, key, f"{shown(node)} is not a whole number of at least {least}")
+        return node.value
+
+    def word(self, key, node):
+        if not isinstance(node.value, str) or not node.value:
+            self.fail(node.line, key, f"{shown(node)} is not a word")
+        return node.value
+
+    def refuse_twice(self, key, nodes, values):
+        for number, value in enumerate(values):
+            if value in values[:number]:
+                self.fail(nodes[number].line, key, f"{yaml_text(value)} is given twice")
+
+    def check_parameters(self, spec):
+        for name, other in itertools.permutations(spec.parameters(), 2):
+            if other.startswith(name + "."):
+                self.fail(self.lines[other], other, f'lies below "{name}" of line {self.lines[name]}; one of them is valid')
+        for name, node in self.map("units").items():
+            if name not in spec.parameters():
+                self.fail(node.line, f"units.{name}", f"no such parameter; {valid_names(name, spec.parameters())}")
+
+
+def shown(node):
+    if isinstance(node.value, (dict, list)):
+        return "a list" if isinstance(node.value, list) else "a map"
+    return "nothing" if node.value is None else yaml_text(node.value) if not isinstance(node.value, str) else f'"{node.value}"'
+
+
+def load_spec(path):
+    return Reader(pathlib.Path(path)).read()
+
+

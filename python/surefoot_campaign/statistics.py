@@ -1,0 +1,51 @@
+"""Success rates with their intervals, and what stands for many values."""
+
+import math
+from dataclasses import dataclass
+
+Z = 1.959963984540054  # 95 %
+
+
+@dataclass(frozen=True)
+class Rate:
+    successes: int
+    trials: int
+
+    @property
+    def rate(self):
+        return self.successes / self.trials if self.trials else math.nan
+
+    @property
+    def interval(self):
+        return wilson_interval(self.successes, self.trials)
+
+
+def wilson_interval(successes, trials):
+    """Wilson's 95 % score interval, as evaluation/interval.cpp."""
+    if trials <= 0:
+        return 0.0, 1.0
+    p = successes / trials
+    centre = p + Z * Z / (2 * trials)
+    spread = Z * math.sqrt(p * (1 - p) / trials + Z * Z / (4 * trials * trials))
+    scale = 1 + Z * Z / trials
+    # Against rounding: the rate itself is inside, and so are 0 and 1 where it is one of them.
+    return min(max((centre - spread) / scale, 0.0), p), max(min((centre + spread) / scale, 1.0), p)
+
+
+def rate_of(records):
+    return Rate(sum(record.succeeded for record in records), len(records))
+
+
+def quantile(values, share):
+    """Linear between the sorted values; None of none."""
+    if not values:
+        return None
+    values = sorted(values)
+    place = share * (len(values) - 1)
+    below = math.floor(place)
+    above = min(below + 1, len(values) - 1)
+    return values[below] + (place - below) * (values[above] - values[below])
+
+
+def median(values):
+    return quantile(values, 0.5)

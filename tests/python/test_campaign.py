@@ -1,0 +1,327 @@
+"""Campaigns: what is run, what is kept when something goes wrong, and that the machine makes no difference."""
+
+import csv
+import json
+import pathlib
+import shlex
+import signal
+import subprocess
+import time
+
+import pytest
+
+from campaign_folder import SPEC, CampaignFolder, is_running
+from program import PROGRAM
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return CampaignFolder(tmp_path).write()
+
+
+def table(folder):
+    with (folder.out / "runs.csv").open() as file:
+        return list(csv.DictReader(file))
+
+
+def test_every_point_runs_with_every_seed_once_and_stands_in_the_table(folder):
+    found = folder.result()
+    assert found["runs"]["planned"] == found["runs"]["finished"] == 8
+    runs = [(seed, float(parameters["height"])) for _, seed, parameters in folder.started()]
+    assert sorted(runs) == sorted((seed, height) for seed in range(1, 5) for height in (0.1, 0.3))
+    rows = table(folder)
+    assert [(float(row["height"]), int(row["seed"])) for row in rows] == [(h, s) for h in (0.1, 0.3) for s in range(1, 5)]
+    for name in ["id", "version", "mass", "gait", "outcome", "reason", "com_error_max_m", "drawn.friction", "wall_time_s"]:
+        assert all(row[name] for row in rows), name
+    assert list(rows[0])[-2:] == ["tick_us.median", "wall_time_s"]  # what the clock decides stands last
+
+
+def test_what_is_drawn_depends_on_the_seed_alone(folder):
+    folder.result()
+    masses = {}
+    for row in table(folder):
+        masses.setdefault(row["seed"], set()).add(row["mass"])
+    assert all(len(of_seed) == 1 for of_seed in masses.values())
+    assert len({mass for of_seed in masses.values() for mass in of_seed}) == 4
+
+
+def test_csv_and_parquet_hold_the_same(folder):
+    import pyarrow.parquet
+
+    folder.result()
+    columns = pyarrow.parquet.read_table(folder.out / "runs.parquet").to_pydict()
+    rows = table(folder)
+    assert list(columns) == list(rows[0])
+    assert columns["id"] == [row["id"] for row in rows]
+    assert columns["seed"] == [int(row["seed"]) for row in rows]
+    assert columns["com_error_max_m"] == [float(row["com_error_max_m"]) for row in rows]
+    assert columns["fell"] == [row["fell"] == "true" for row in rows]
+
+
+def test_results_are_the_same_for_any_number_of_jobs(tmp_path):
+    found = []
+    for jobs in (1, 2):
+        (tmp_path / str(jobs)).mkdir()
+        folder = CampaignFolder(tmp_path / str(jobs), plots=True).write()
+        summary = folder.result("--jobs", jobs)
+        rows = [{k: v for k, v in row.items() if k not in ("tick_us.median", "wall_time_s")} for row in table(folder)]
+        files = {file.name: file.read_bytes() for file in [folder.out / "rates.csv", *(folder.out / "plots").iterdir()]}
+        found.append((summary, rows, files))
+    assert found[0] == found[1]
+
+
+def test_started_again_it_runs_nothing_twice_and_says_the_same(folder):
+    first = folder.result()
+    assert folder.result() == first
+    assert len(folder.started()) == 8
+
+
+def test_more_seeds_add_to_what_is_there(folder):
+    folder.result()
+    folder.write(SPEC.replace("count: 4", "count: 6")).result()
+    assert len(folder.started()) == len(table(folder)) == 12
+
+
+def test_killed_and_started_again_it_goes_on_where_it_was(folder):
+    folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 10"))
+    process = folder.start("--jobs", 2)
+    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 3:
+        time.sleep(0.02)
+    process.kill()
+    process.communicate()
+    kept = {row["id"] for row in folder.rows()}
+    assert 3 <= len(kept) < 20
+    begun = len(folder.started())
+    assert folder.result("--jobs", 2)["runs"]["finished"] == 20
+    ids = [row["id"] for row in folder.rows()]
+    assert len(ids) == len(set(ids)) == 20 and kept < set(ids)
+    assert len(folder.started()) - begun == 20 - len(kept)
+
+
+def test_runs_end_with_a_campaign_that_is_killed(folder):
+    folder.write(SPEC.replace("set:", "set:\n  mode: hang"))
+    process = folder.start("--jobs", 1)
+    pids = folder.path / "pids"
+    while not pids.exists() or not pids.read_text():
+        time.sleep(0.02)
+    program = int(pids.read_text().split()[0])
+    process.kill()
+    process.communicate()
+    deadline = time.monotonic() + 5
+    while is_running(program) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert not is_running(program)
+
+
+def test_a_torn_last_line_is_dropped_and_its_run_made_again(folder):
+    first = folder.result()
+    path = folder.out / "rows.jsonl"
+    lines = path.read_bytes().splitlines(keepends=True)
+    path.write_bytes(b"".join(lines[:-1]) + lines[-1][:40])
+    assert folder.result() == first
+    assert len(folder.rows()) == 8 and len(folder.started()) == 9
+
+
+BROKEN = {
+    "crash": ("crashed", "killed by SIGSEGV"),
+    "abort": ("crashed", "killed by SIGABRT: assertion failed"),
+    "hang": ("timed_out", "no end within 4 s of wall clock"),
+    "babble": ("crashed", "exit code 0, but its output is no result"),
+    "refuse": ("refused", "period: 0.3 s is not a whole multiple of the timestep"),
+}
+
+
+def test_what_breaks_is_a_row_with_its_reason_and_the_others_go_on(folder):
+    folder.write(f"scenario: fake\nseeds: [1]\ngrid: {{mode: [{', '.join(BROKEN)}, walk]}}\ntimeout: 4\n")
+    found = folder.result("--jobs", 2, status=1)
+    rows = {row["mode"]: (row["outcome"], row["reason"]) for row in table(folder)}
+    assert rows == BROKEN | {"walk": ("succeeded", "goal reached")}
+    assert found["all"]["trials"] == 6 and found["runs"] == {
+        "planned": 6, "finished": 6, "succeeded": 1, "failed": 0, "crashed": 3, "timed_out": 1, "refused": 1
+    }  # fmt: skip
+    assert [entry["outcome"] for entry in found["worst"]][-1] == "succeeded"
+    # It ends with all its processes.
+    pids = [int(pid) for pid in (folder.path / "pids").read_text().split()]
+    assert len(pids) == 2 and not any(map(is_running, pids))
+
+
+def test_what_broke_is_made_again_only_where_it_is_asked_for(folder):
+    folder.write("scenario: fake\nseeds: [1, 2]\nset: {mode: crash, broken_seed: 2}\n")
+    folder.result(status=1)
+    folder.result(status=1)
+    assert len(folder.started()) == 2
+    folder.result("--retry", status=1)
+    assert len(folder.started()) == 3 and len(table(folder)) == 2
+
+
+def test_a_run_that_was_ended_from_outside_has_no_row(folder):
+    folder.write("scenario: fake\nseeds: [1, 2]\nset: {mode: interrupted, broken_seed: 2}\n")
+    done = folder.run()
+    assert done.returncode == 2 and "1 of 2 runs are finished and kept; to go on: " in done.stderr
+    assert [row["seed"] for row in folder.rows()] == [1]
+
+
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_keeps_what_is_finished_and_says_how_to_go_on(folder, which):
+    folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 20"))
+    process = folder.start("--jobs", 2)
+    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
+        time.sleep(0.02)
+    process.send_signal(which)
+    out, err = process.communicate(timeout=30)
+    assert process.returncode == 2
+    finished = len(folder.rows())
+    assert f"surefoot: interrupted: {finished} of 40 runs are finished and kept; to go on: " in err.splitlines()[-1]
+    assert err.rstrip().endswith(shlex.join(["campaign", *folder.command()[3:], "--jobs", "2"]))
+    assert len(table(folder)) == finished and "succeeded" in out
+    assert not (folder.out / "program").exists()
+
+
+def test_two_campaigns_do_not_write_into_one_folder(folder):
+    folder.write("scenario: fake\nseeds: [1]\nset: {mode: hang}\n")
+    process = folder.start()
+    while not (folder.path / "pids").exists():
+        time.sleep(0.02)
+    done = folder.run()
+    process.terminate()
+    process.communicate()
+    assert done.returncode == 2 and "another campaign writes to" in done.stderr
+
+
+def test_a_file_that_changes_while_the_campaign_runs_ends_it(folder):
+    (folder.path / "mine.yaml").write_text("before")
+    folder.write("scenario: mine.yaml\nseeds: {count: 20}\nset: {mode: slow}\n")
+    process = folder.start("--jobs", 1)
+    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
+        time.sleep(0.02)
+    (folder.path / "mine.yaml").write_text("after")
+    _, err = process.communicate(timeout=30)
+    assert process.returncode == 2 and "changed while the campaign ran" in err
+    kept = len(folder.rows())
+    found = folder.result()
+    assert found["runs"]["finished"] == 20 and len(folder.rows()) == kept + 20  # no row of before counts
+
+
+def test_a_dry_run_lists_what_would_run_and_writes_nothing(folder):
+    done = folder.run("--dry-run")
+    lines = done.stdout.splitlines()
+    assert done.returncode == 0 and not folder.out.exists() and folder.started() == []
+    assert len(lines) == 9 and all(line.startswith("to do ") for line in lines[:8])
+    assert lines[-1].startswith("8 runs, 0 done, 8 to do")
+    folder.result()
+    folder.write(SPEC.replace("count: 4", "count: 5"))
+    assert folder.run("--dry-run").stdout.splitlines()[-1].startswith("10 runs, 8 done, 2 to do")
+    found = json.loads(folder.run("--dry-run", "--json").stdout)
+    assert (found["planned"], found["done"], len(found["runs"])) == (10, 8, 10)
+
+
+def test_progress_goes_to_stderr_and_a_table_to_stdout(folder):
+    done = folder.run()
+    assert done.returncode == 0
+    lines = done.stdout.splitlines()
+    assert lines[0].split()[:3] == ["scenario", "height", "succeeded"] and len(lines[1].split()) > 5
+    assert any(line.startswith("worst: ") for line in lines) and "digest" in lines[-1]
+
+
+def test_the_worst_failed_first_and_then_by_the_metric_that_the_spec_names(folder):
+    folder.write(SPEC.replace("count: 4", "count: 12") + "judge: speed_mps\n")
+    found = folder.result()
+    order = [entry["outcome"] == "succeeded" for entry in found["worst"]]
+    assert len(order) == 10 and order == sorted(order)
+    folder.write(SPEC.replace("count: 4", "count: 12"))
+    failed = [entry["com_error_max_m"] for entry in folder.result()["worst"] if entry["outcome"] == "failed"]
+    assert len(failed) > 1 and failed == sorted(failed, reverse=True)
+
+
+def test_plots_are_there_for_each_parameter_and_each_pair(tmp_path):
+    folder = CampaignFolder(tmp_path, plots=True).write()
+    folder.result()
+    names = {file.name for file in (folder.out / "plots").iterdir()}
+    assert names == {f"{name}.{form}" for name in ("height", "mass", "height__mass") for form in ("png", "svg")}
+
+
+def test_the_help_tells_the_form_of_a_spec():
+    folder = CampaignFolder(pathlib.Path("/tmp"))
+    done = subprocess.run([*folder.command()[:3], "--help"], capture_output=True, text=True, env=folder.environment())
+    assert done.returncode == 0
+    for word in ["SPEC.yaml", "--jobs", "--dry-run", "seeds:", "grid:", "draw:", "timeout:", "Exit codes", "Examples"]:
+        assert word in done.stdout, word
+
+
+def test_the_program_alone_lists_campaigns_and_names_their_launcher():
+    assert "campaign" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+    done = subprocess.run([PROGRAM, "campaign", "x.yaml", "--jobs", "2"], capture_output=True, text=True)
+    assert done.returncode == 2 and "bin/surefoot campaign" in done.stderr
+
+
+REAL = """\
+scenario: step_down
+seeds: {first: 1, count: 2}
+grid: {terrain.elements.ground.height: [-0.10, -0.14]}
+draw: {terrain.friction: [0.4, 1.0]}
+set: {duration: 0.5, goal: null}
+"""
+
+
+def test_with_the_real_program_a_replay_gives_the_same_numbers(tmp_path):
+    folder = CampaignFolder(tmp_path, PROGRAM).write(REAL)
+    found = folder.result("--jobs", 2)
+    assert found["runs"]["finished"] == 4
+    by_id = {row["id"]: row for row in table(folder)}
+    worst = found["worst"][0]
+    replay = subprocess.run([*shlex.split(worst["command"]), "--json"], capture_output=True, text=True)
+    result = json.loads(replay.stdout)
+    row = by_id[worst["id"]]
+    assert result["com_error_max_m"] == worst["com_error_max_m"] == float(row["com_error_max_m"])
+    assert result["seed"] == int(row["seed"]) and result["duration_s"] == 0.5
+    compared = {k: v for k, v in result.items() if isinstance(v, float) and k not in ("realtime_factor",)}
+    assert compared and all(float(row[key]) == value for key, value in compared.items())
+
+
+def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):
+    """step_down draws its friction itself, from [0.4, 1.0]."""
+    folder = CampaignFolder(tmp_path, PROGRAM).write(REAL.replace("count: 2", "count: 1"))
+    folder.result()
+    row = table(folder)[0]
+    own = subprocess.run([PROGRAM, "run", "step_down", "--seed", "1", "--set", "duration=0.1", "--json"],
+                         capture_output=True, text=True)  # fmt: skip
+    assert float(row["terrain.friction"]) == json.loads(own.stdout)["drawn"]["terrain.friction"]
+    assert "drawn.terrain.friction" not in row  # the campaign's takes its place
+
+
+def test_the_example_is_a_campaign_that_the_program_takes(tmp_path):
+    folder = CampaignFolder(tmp_path, PROGRAM)
+    for spec in sorted((pathlib.Path(__file__).resolve().parents[2] / "campaigns").glob("*.yaml")):
+        folder.spec = spec
+        assert folder.run("--dry-run").returncode == 0, spec
+
+
+def test_the_hash_of_a_scenario_is_that_of_every_file_it_is_made_from(tmp_path):
+    files = {
+        "scenario.yaml": "base: below.yaml\nstack: stack.yaml\n",
+        "below.yaml": "base: walk_flat\nduration: 3\n",
+        "stack.yaml": "name: mine\nbase: lower.yaml\n",
+        "lower.yaml": "name: lower\nbase: terrain_adaptation\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+
+    def sources_hash():
+        done = subprocess.run([PROGRAM, "run", "scenario.yaml", "--check", "--json"], cwd=tmp_path, capture_output=True, text=True)
+        return json.loads(done.stdout)["sources_hash"]
+
+    found = [sources_hash(), sources_hash()]
+    assert found[0] == found[1]
+    for name, text in files.items():
+        (tmp_path / name).write_text(text + "# changed\n")
+        found.append(sources_hash())
+    assert len(set(found)) == 1 + len(files)
+
+
+def test_a_check_tells_what_a_run_would_and_runs_nothing():
+    def call(*arguments):
+        return subprocess.run([PROGRAM, "run", "walk_flat", *arguments], capture_output=True, text=True)
+
+    assert call("--check").returncode == 0
+    wrong = ["--set", "terrain.frction=1"]
+    assert call("--check", *wrong).stderr == call(*wrong).stderr != ""

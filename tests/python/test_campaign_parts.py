@@ -1,0 +1,245 @@
+"""The parts of a campaign by themselves: specs that are refused, statistics, the journal, schedulers."""
+
+import json
+import math
+import sys
+import types
+
+import pytest
+
+from campaign_folder import SPEC, CampaignFolder, is_running
+from surefoot_campaign.draws import uniform_of
+from surefoot_campaign.errors import InputError
+from surefoot_campaign.journal import Journal, read_rows
+from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
+from surefoot_campaign.spec import load_spec, yaml_text
+from surefoot_campaign.statistics import Z, quantile, wilson_interval
+from surefoot_campaign.units import label, metric_label, unit_of_parameter
+
+
+@pytest.mark.parametrize(
+    "successes, trials, low, high",
+    [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)],
+)
+def test_wilsons_interval_has_the_published_values(successes, trials, low, high):
+    """Newcombe 1998, table I."""
+    assert wilson_interval(successes, trials) == pytest.approx((low, high), abs=5e-5)
+
+
+def test_wilsons_interval_ends_where_the_rate_is_as_far_away_as_its_own_spread_allows():
+    for trials in range(1, 60):
+        for successes in range(trials + 1):
+            low, high = wilson_interval(successes, trials)
+            p = successes / trials
+            assert 0 <= low <= p <= high <= 1
+            for end in (low, high):
+                assert abs(p - end) == pytest.approx(Z * math.sqrt(end * (1 - end) / trials), abs=1e-9)
+    assert wilson_interval(0, 0) == (0.0, 1.0)
+
+
+def test_quantiles_lie_between_the_values():
+    assert quantile([], 0.5) is None
+    assert quantile([3.0], 0.95) == 3.0
+    assert quantile([4.0, 1.0, 2.0, 3.0], 0.5) == 2.5
+
+
+def test_draws_are_uniform_and_those_of_different_names_have_nothing_to_do_with_each_other():
+    first, second = ([uniform_of(seed, name) for seed in range(2000)] for name in ("a", "b"))
+    for values in (first, second):
+        assert 0 <= min(values) and max(values) < 1
+        assert sum(values) / 2000 == pytest.approx(0.5, abs=0.03)
+        assert sum(value**2 for value in values) / 2000 == pytest.approx(1 / 3, abs=0.03)
+    assert sum(a * b for a, b in zip(first, second)) / 2000 == pytest.approx(0.25, abs=0.03)
+
+
+def read(tmp_path, text):
+    (tmp_path / "s.yaml").write_text(text)
+    return load_spec(tmp_path / "s.yaml")
+
+
+def test_a_spec_is_read_with_its_defaults(tmp_path):
+    spec = read(tmp_path, "scenario: step_down\nseeds: {count: 2}\ngrid: {a: [1, -2e-3, no, 'x y', [1, 2]]}\n")
+    assert (spec.name, spec.scenarios, spec.seeds) == ("s", ["step_down"], [1, 2])
+    assert spec.grid["a"] == [1, -0.002, "no", "x y", [1, 2]]
+    assert [yaml_text(value) for value in spec.grid["a"]] == ["1", "-0.002", "no", '"x y"', "[1, 2]"]
+    assert (spec.timeout, spec.judge) == (600.0, "com_error_max_m")
+
+
+HEAD = "scenario: fake\nseeds: [1]\n"
+WRONG = {
+    HEAD + "sceds: 3\n": 's.yaml:3: sceds: unknown key; did you mean "seeds"? valid are: ',
+    "seeds: [1]\n": "s.yaml:1: scenario: this key is missing",
+    "scenario: fake\n": "s.yaml:1: seeds: this key is missing",
+    "scenario: []\nseeds: [1]\n": "s.yaml:1: scenario: the list is empty",
+    "scenario: [fake, fake]\nseeds: [1]\n": "s.yaml:1: scenario: fake is given twice",
+    "scenario: fake\nseeds: []\n": "s.yaml:2: seeds: there are none",
+    "scenario: fake\nseeds: {count: 0}\n": "s.yaml:2: seeds.count: 0 is not a whole number of at least 1",
+    "scenario: fake\nseeds: {first: -1, count: 2}\n": "s.yaml:2: seeds.first: -1 is not a whole number of at least 0",
+    "scenario: fake\nseeds: {frist: 1, count: 2}\n": 's.yaml:2: seeds.frist: unknown key; did you mean "first"?',
+    "scenario: fake\nseeds: [1, 2, 1]\n": "s.yaml:2: seeds: 1 is given twice",
+    "scenario: fake\nseeds: 5\n": "s.yaml:2: seeds: must be {first: 1, count: 100} or a list of seeds",
+    "scenario: fake\nseeds: [1000000000]\n": "s.yaml:2: seeds: 1000000000 is above 999999999",
+    HEAD + "grid:\n  height: []\n": "s.yaml:4: grid.height: the list is empty",
+    HEAD + "grid:\n  height: 3\n": "s.yaml:4: grid.height: must be a list of values",
+    HEAD + "grid:\n  height: [1, 2, 1]\n": "s.yaml:4: grid.height: 1 is given twice",
+    HEAD + "grid:\n  height: [1]\n  height: [2]\n": 's.yaml:5: the key "height" is given twice',
+    HEAD + "grid:\n": "s.yaml:3: grid: must be a map",
+    HEAD + "grid: {}\n": "s.yaml:3: grid: is empty",
+    HEAD + "draw:\n  mass: [2, 1]\n": "s.yaml:4: draw.mass: lower is above upper; [1, 2] would be valid",
+    HEAD + "draw:\n  mass: [2, 2]\n": "s.yaml:4: draw.mass: the range [2, 2] is empty; one value belongs under set",
+    HEAD + "draw:\n  mass: [a, 2]\n": 's.yaml:4: draw.mass: "a" is not a number',
+    HEAD + "draw:\n  mass: [1, 2, 3]\n": "s.yaml:4: draw.mass: must be a range [lower, upper]",
+    HEAD + "grid:\n  mass: [1]\nset:\n  mass: 2\n": "s.yaml:6: set.mass: this parameter stands at line 4 already",
+    HEAD + "grid:\n  a.b: [1]\nset:\n  a: 2\n": 's.yaml:4: a.b: lies below "a" of line 6',
+    HEAD + "set:\n  a: {b: 2}\n": "s.yaml:4: set.a: must be a value; write keys below it with dots",
+    HEAD + "timeout: 0\n": "s.yaml:3: timeout: 0 is not a number of seconds above 0",
+    HEAD + "timeout: long\n": 's.yaml:3: timeout: "long" is not a number',
+    HEAD + "name: ../x\n": 's.yaml:3: name: "../x" is no name for a folder',
+    HEAD + "set: {a: 1}\nunits: {b: m}\n": "s.yaml:4: units.b: no such parameter; valid are: a",
+    HEAD + "name: [\n": "this is not YAML",
+    "- a\n": "s.yaml: must be YAML of the form",
+    "": "s.yaml: must be YAML of the form",
+    "a: &a [*a]\n": "s.yaml: an alias leads to itself",
+}
+
+
+@pytest.mark.parametrize("text", WRONG)
+def test_a_wrong_spec_is_refused_with_file_line_and_key(tmp_path, text):
+    with pytest.raises(InputError) as error:
+        read(tmp_path, text)
+    assert WRONG[text] in str(error.value)
+
+
+REFUSED = {
+    SPEC.replace("height:", "hieght:"): "spec.yaml:4: grid: hieght=0.1: hieght: unknown key; valid are: height, mass, ",
+    SPEC.replace("[0.0, 6.9]", "[-1, 6.9]"): 'spec.yaml:6: draw: mass=-1.0: mass: "-1.0" is not a number of at least 0',
+    SPEC.replace("fake", "[fake, fkae]"): 'spec.yaml:1: scenario fkae: unknown scenario "fkae"; valid are: fake, other',
+    SPEC + "judge: com_error\n": 'judge: unknown metric "com_error"; did you mean "com_error_max_m"?',
+    SPEC + "judge: tick_us.median\n": "judge: tick_us.median depends on the machine's clock; valid are: com_error_max_m",
+    SPEC + "sceds: 3\n": "spec.yaml:9: sceds: unknown key",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_the_program_does_not_know_is_refused_before_anything_runs(tmp_path, text):
+    assert REFUSED[text] in CampaignFolder(tmp_path).write(text).complaint()
+
+
+@pytest.mark.parametrize("wrong", [["--jobs", "0"], ["--jbos", "2"], ["--scheduler", "slurm"]])
+def test_wrong_arguments_are_told_in_one_line(tmp_path, wrong):
+    assert wrong[1] in (line := CampaignFolder(tmp_path).write().complaint(*wrong)) or wrong[0] in line
+
+
+def test_a_spec_that_is_not_there_is_told(tmp_path):
+    assert "spec.yaml: this file can't be read: No such file" in CampaignFolder(tmp_path).complaint()
+
+
+@pytest.mark.parametrize("torn", [b'{"id":"half', b'{"id":"half\n', b"\0\0\0\n", b"[]\n"])
+def test_the_journal_drops_a_torn_last_line_only(tmp_path, torn):
+    path = tmp_path / "rows.jsonl"
+    with Journal(path) as journal:
+        journal.append({"id": "a"})
+        journal.append({"id": "b", "text": "line\nbreak"})
+    whole = path.read_bytes()
+    path.write_bytes(whole + torn)
+    assert list(read_rows(path)) == ["a", "b"] and path.read_bytes() == whole + torn  # reading changes nothing
+    with Journal(path) as journal:
+        journal.append({"id": "c"})
+        assert list(journal.rows) == ["a", "b", "c"]
+    assert [json.loads(line)["id"] for line in path.read_text().splitlines()] == ["a", "b", "c"]
+
+
+def test_the_journal_tells_a_broken_line_in_its_middle(tmp_path):
+    path = tmp_path / "rows.jsonl"
+    path.write_text('{"id":"a"}\nnonsense\n{"id":"b"}\n')
+    with pytest.raises(InputError, match="rows.jsonl:2: "):
+        Journal(path)
+    assert "nonsense" in path.read_text()
+
+
+TASKS = [Task(str(number), ["sh", "-c", f"echo {number}; exit {number}"], 30.0) for number in range(5)]
+
+
+class FakeRay(types.ModuleType):
+    """Ray's few functions that are used, without a cluster."""
+
+    def __init__(self):
+        super().__init__("ray")
+        self.__spec__ = types.SimpleNamespace(name="ray")
+        self.most, self.cancelled, self.started = 0, [], False
+
+    def is_initialized(self):
+        return self.started
+
+    def init(self, **_):
+        self.started = True
+
+    def remote(self, **_):
+        return lambda function: types.SimpleNamespace(remote=lambda task: (function, task))
+
+    def wait(self, running, num_returns):
+        self.most = max(self.most, len(running))
+        return running[-1:], running[:-1]
+
+    def get(self, reference):
+        function, task = reference
+        return function(task)
+
+    def cancel(self, reference, force):
+        self.cancelled.append(reference)
+
+
+@pytest.fixture
+def ray(monkeypatch):
+    module = FakeRay()
+    monkeypatch.setitem(sys.modules, "ray", module)
+    monkeypatch.delitem(sys.modules, "surefoot_campaign.ray_scheduler", raising=False)
+    yield module
+    sys.modules.pop("surefoot_campaign.ray_scheduler", None)
+
+
+@pytest.mark.parametrize("kind", ["local", "ray"])
+def test_every_scheduler_gives_the_result_of_each_task_once(kind, ray):
+    results = list(make_scheduler(kind, 2).run(TASKS))
+    assert sorted(result.id for result in results) == [task.id for task in TASKS]
+    for result in results:
+        assert result.stdout == f"{result.id}\n" and result.status == int(result.id) and not result.timed_out
+
+
+@pytest.mark.parametrize("kind", ["local", "ray"])
+def test_every_scheduler_ends_what_takes_too_long(kind, ray):
+    (result,) = make_scheduler(kind, 1).run([Task("a", ["sleep", "100"], 0.2)])
+    assert result.timed_out and result.status < 0 and result.wall_time < 60
+
+
+def test_ray_has_as_many_tasks_at_once_as_jobs_and_cancels_them_when_it_is_left(ray):
+    running = make_scheduler("ray", 2).run(TASKS)
+    next(running)
+    running.close()
+    assert ray.most == 2 and len(ray.cancelled) == 2
+
+
+def test_without_ray_its_scheduler_is_refused(monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    with pytest.raises(InputError, match="the Python package ray is not installed here"):
+        make_scheduler("ray", 1)
+
+
+def test_the_local_scheduler_ends_what_runs_when_it_is_left(tmp_path):
+    pid = tmp_path / "pid"
+    long = Task("long", ["sh", "-c", f"echo $$ > {pid}; exec sleep 100"], 999.0)
+    quick = Task("quick", ["sh", "-c", f"until [ -s {pid} ]; do sleep 0.05; done"], 999.0)
+    scheduler = LocalScheduler(2).run([long, quick])
+    assert next(scheduler).id == "quick"
+    assert is_running(int(pid.read_text()))
+    scheduler.close()
+    assert not is_running(int(pid.read_text()))
+
+
+def test_units_stand_where_they_are_known(tmp_path):
+    spec = read(tmp_path, HEAD + "set: {disturbances.payload.mass: 1, terrain.friction: 1, a: 1}\nunits: {a: bar}\n")
+    labels = [label(name, unit_of_parameter(name, spec)) for name in spec.parameters()]
+    assert labels == ["disturbances.payload.mass [kg]", "terrain.friction", "a [bar]"]
+    assert [metric_label(name) for name in ["com_error_max_m", "tick_us.p99", "speed_mps", "steps_taken"]] == [
+        "com_error_max [m]", "tick.p99 [µs]", "speed [m/s]", "steps_taken"
+    ]  # fmt: skip
