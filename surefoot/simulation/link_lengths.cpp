@@ -30,31 +30,25 @@ Vec3 axis_of(mjsBody& link) {
   return Vec3(joint.axis[0], joint.axis[1], joint.axis[2]).normalized();
 }
 
-/// Moves what is behind the link's longest offset, so that `point` of the body `end` comes further
-/// from the link's axis.
+/// Moves everything that is fixed behind the link, shapes that touch ground with it, so that
+/// `point` of the body `end` comes further from the link's axis.
 void lengthen(mjsBody& link, mjsBody& end, const Vec3& point, double offset) {
   if (offset == 0.0) return;
-  Quat q_link_parent = Quat::Identity();  // of each body's parent on the way
-  Quat q_link_moved_parent = q_link_parent;
-  Vec3 p_link = Vec3::Zero();
-  mjsBody* moved = nullptr;
-  for (mjsBody* body : way(link, end)) {
-    if (moved == nullptr || position_of(*body).norm() > position_of(*moved).norm()) {
-      moved = body;
-      q_link_moved_parent = q_link_parent;
-    }
-    p_link += q_link_parent * position_of(*body);
-    q_link_parent = q_link_parent * orientation_of(*body);
-  }
-  if (moved == nullptr) {
+  const std::vector<mjsBody*> bodies = way(link, end);
+  if (bodies.empty()) {
     throw Error(text("link \"", name_of(link.element),
                      "\" has no fixed link before its end, so its ", "length can't be changed"));
   }
-  p_link += q_link_parent * point;
+  Quat q_link_body = Quat::Identity();
+  Vec3 p_link = Vec3::Zero();  // of the point
+  for (mjsBody* body : bodies) {
+    p_link += q_link_body * position_of(*body);
+    q_link_body = q_link_body * orientation_of(*body);
+  }
+  p_link += q_link_body * point;
   const Vec3 axis = axis_of(link);
   const Vec3 away = (p_link - axis * axis.dot(p_link)).normalized();
-  const Vec3 shift = q_link_moved_parent.conjugate() * (offset * away);
-  for (int i = 0; i < 3; ++i) moved->pos[i] += shift[i];
+  for (int i = 0; i < 3; ++i) bodies.front()->pos[i] += offset * away[i];
 }
 
 }  // namespace
