@@ -6,6 +6,7 @@
 #include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/task_stack.hpp"
+#include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
@@ -68,6 +69,7 @@ struct Controller::Implementation {
       : estimator(std::move(state_estimator)),
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
+        com_calibration(options.period),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
@@ -86,6 +88,7 @@ struct Controller::Implementation {
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   ContactForceEstimator contact_force;
+  ComCalibration com_calibration;
   Planner planner;
   TaskStack stack;
   LevelSwitcher switcher;
@@ -125,9 +128,11 @@ TickContext Controller::Implementation::context() noexcept {
 }
 
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
+  model.set_com_offset(com_calibration.offset());
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), record.reading,
                        record.state);
+  com_calibration.update(dynamics, record.state.foot_force, record.plan.calibrating);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);

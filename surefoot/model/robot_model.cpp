@@ -79,9 +79,15 @@ struct RobotModel::Implementation {
         point->J.leftCols<3>().setIdentity();
       }
     }
+    nominal_base_lever = model.inertias[kBaseJoint].lever();
     // crba of the rest posture gives the mass.
     q[6] = 1.0;
     update_dynamics();
+  }
+
+  void set_com_offset(const Vec3& offset) {
+    pinocchio::Inertia& base = model.inertias[kBaseJoint];
+    base.lever() = nominal_base_lever + dynamics.mass / base.mass() * offset;
   }
 
   void set_state(const RobotState& state) {
@@ -184,9 +190,10 @@ struct RobotModel::Implementation {
   const RobotDescription description;
   const std::vector<std::string> notes;
   const BodyTree tree;
-  const pinocchio::Model model;
+  pinocchio::Model model;
   pinocchio::Data data;
-  Eigen::VectorXd q;  // p_WB, q_WB (x y z w), joints
+  Vec3 nominal_base_lever = Vec3::Zero();  // COM of the base body in B, as in the URDF [m]
+  Eigen::VectorXd q;                       // p_WB, q_WB (x y z w), joints
   Eigen::VectorXd u;
   const Eigen::VectorXd zero;
   Dynamics dynamics;
@@ -206,6 +213,10 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
   implementation_->update_dynamics();
   for (const Leg leg : kLegs) implementation_->update_leg(leg, terrain_normal_W);
   return implementation_->dynamics;
+}
+
+void RobotModel::set_com_offset(const Vec3& offset) noexcept {
+  implementation_->set_com_offset(offset);
 }
 
 const Dynamics& RobotModel::dynamics() const { return implementation_->dynamics; }

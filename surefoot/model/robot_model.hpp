@@ -27,6 +27,10 @@ class RobotModel {
   /// contact points of the foot spheres. Does not allocate, does not throw.
   const Dynamics& update(const RobotState& state, const Vec3& terrain_normal_W) noexcept;
 
+  /// Moves the base's mass so that the COM of the whole robot lies this far, in B, from where the
+  /// URDF has it, from the next update on [m]. Does not allocate.
+  void set_com_offset(const Vec3& offset) noexcept;
+
   [[nodiscard]] const Dynamics& dynamics() const;
   [[nodiscard]] const RobotDescription& description() const;
   [[nodiscard]] double mass() const;  ///< [kg]

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "surefoot/model/dynamics.hpp"
+
+namespace surefoot {
+
+/// How far the centre of mass lies from where the model has it, as standing feet feel it: payload,
+/// wrong masses, and a vertical that is believed askew.
+///
+/// At rest the COM stands over the centre of pressure of the ground forces f_k. With F = Σ f_k,
+/// M = Σ p_k × f_k and z the height of the ground,
+///
+///     c_x = (z F_x − M_y) / F_z,   c_y = (z F_y + M_x) / F_z
+///
+/// The mean of c − c_model over the last second of a motion that ends at rest is the offset. It is
+/// taken to be fixed in B, without a part along z, and fades in. Does not allocate.
+class ComCalibration {
+ public:
+  explicit ComCalibration(double period) : period_(period) {}
+
+  /// One tick; `listening` while the robot moves on the spot with all feet down. Forces in W [N].
+  void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force, bool listening) noexcept;
+
+  /// To be added to the model's COM, in B [m].
+  [[nodiscard]] Vec3 offset() const noexcept;
+
+ private:
+  double period_;
+  Vec3 mean_ = Vec3::Zero();
+  int samples_ = 0;
+  Vec3 before_ = Vec3::Zero(), offset_ = Vec3::Zero();
+  double share_ = 1.0;  // of the offset that is in use
+};
+
+}  // namespace surefoot
