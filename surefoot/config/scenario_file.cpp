@@ -141,6 +141,7 @@ void read_initial(Section& initial, InitialState& state) {
   initial.number("y", state.position.y());
   initial.number("z", state.position.z());
   initial.number("yaw", state.yaw);
+  initial.number("settle", state.settle, {.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"});
 }
 
 void read_safety(Section& section, SafetyOptions& safety) {

@@ -1,5 +1,6 @@
 #include "surefoot/simulation/actuators.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::simulation {
@@ -16,9 +17,14 @@ Actuators::Actuators(const ActuatorOptions& options, const JointVector& torque_l
   }
 }
 
-void Actuators::rest_at(const JointVector& q) noexcept {
+void Actuators::rest_at(const JointVector& q, const JointVector& torque) noexcept {
+  const bool is_ideal = options_.model == ActuatorModel::ideal;
+  commanded_ = is_ideal ? torque : JointVector(torque.cwiseQuotient(gain_));
+  std::ranges::fill(delayed_, commanded_);
+  motor_ = torque;
   for (std::size_t i = 0; i < drives_.size(); ++i) {
-    drives_[i].rest_at(q[static_cast<Eigen::Index>(i)]);
+    const auto joint = static_cast<Eigen::Index>(i);
+    drives_[i].rest_at(q[joint], torque[joint]);
   }
 }
 

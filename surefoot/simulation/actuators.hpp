@@ -20,8 +20,8 @@ class Actuators {
  public:
   Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);
 
-  /// At rest without torque, the joints at `q` [rad].
-  void rest_at(const JointVector& q) noexcept;
+  /// At rest under torques [N·m] that were commanded for long, the joints at `q` [rad].
+  void rest_at(const JointVector& q, const JointVector& torque = JointVector::Zero()) noexcept;
   /// A new command [N·m], once a control tick.
   void command(const JointVector& torque) noexcept;
   /// Torques at the joints now, at joint angles `q` and velocities `qd` [N·m].

@@ -30,6 +30,9 @@ using simulation::text;
 
 namespace {
 
+constexpr double kHoldStiffness =
+    1500.0;                            // of the springs that hold the joints before a run [N·m/rad]
+constexpr double kHoldDamping = 25.0;  // [N·m·s/rad]
 constexpr std::size_t kMaxNotes = 100;  // a fault that stays must not fill the memory
 
 }  // namespace
@@ -50,6 +53,7 @@ struct Plant::Implementation {
         link(options.sensors, options.control_period) {
     place(description);
     mj_step1(&model, &data);
+    settle(description.torque_limit);
     observe();
     catcher.reset();
   }
@@ -60,6 +64,7 @@ struct Plant::Implementation {
   }
 
   void place(const RobotDescription& description);
+  void settle(const JointVector& torque_limit);
   void set_joints(const JointVector& q);
   double touching_height(const RobotDescription& description) const;
   JointVector finite(JointVector torque);
@@ -106,6 +111,25 @@ void Plant::Implementation::place(const RobotDescription& description) {
   actuators.rest_at(initial.q);
   mj_kinematics(&model, &data);
   base[2] = std::isnan(initial.position.z()) ? touching_height(description) : initial.position.z();
+}
+
+void Plant::Implementation::settle(const JointVector& torque_limit) {
+  if (options.initial.settle <= 0.0) return;
+  JointVector torque = JointVector::Zero();
+  const auto steps_left = std::lround(options.initial.settle / options.timestep);
+  for (long step = 0; step < steps_left; ++step) {
+    const JointVector q = simulation::joint_positions(data, parts);
+    const JointVector qd = simulation::joint_velocities(data, parts);
+    torque = kHoldStiffness * (options.initial.q - q) - kHoldDamping * qd;
+    torque = torque.cwiseMin(torque_limit).cwiseMax(-torque_limit);
+    for (std::size_t i = 0; i < kNumJoints; ++i) {
+      data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
+    }
+    mj_step2(&model, &data);
+    mj_step1(&model, &data);
+  }
+  data.time = 0.0;
+  actuators.rest_at(simulation::joint_positions(data, parts), torque);
 }
 
 /// Base height at which the first foot sphere touches the terrain, with the base now at z = 0.

@@ -31,9 +31,11 @@ SeriesElasticDrive::SeriesElasticDrive(const ActuatorOptions& options, double ti
                  2.0 * options.torque_loop.damping * bandwidth * inertia_ - options.rotor.viscous);
 }
 
-void SeriesElasticDrive::rest_at(double q) noexcept {
-  angle_ = joint_angle_ = q;
-  speed_ = joint_speed_ = integral_ = motor_torque_ = 0.0;
+void SeriesElasticDrive::rest_at(double q, double torque) noexcept {
+  joint_angle_ = q;
+  angle_ = q + torque / stiffness_;
+  speed_ = joint_speed_ = integral_ = 0.0;
+  motor_torque_ = torque;
 }
 
 /// The motor's torque; the integral stands still while the motor can't follow.

@@ -32,8 +32,8 @@ class SeriesElasticDrive {
  public:
   SeriesElasticDrive(const ActuatorOptions& options, double timestep);
 
-  /// At rest without torque, the joint at `q` [rad].
-  void rest_at(double q) noexcept;
+  /// At rest under a torque [N·m], the joint at `q` [rad].
+  void rest_at(double q, double torque = 0.0) noexcept;
   /// Torque of the spring, the joint at `q` [N·m].
   [[nodiscard]] double torque(double q) const noexcept { return stiffness_ * (angle_ - q); }
   /// One physics step with the reference [N·m], at whose end the joint has come to `q` [rad].
