@@ -259,7 +259,7 @@ scenario: step_down
 seeds: {first: 1, count: 2}
 grid: {terrain.elements.ground.height: [-0.10, -0.14]}
 draw: {terrain.friction: [0.4, 1.0]}
-set: {duration: 0.5, goal: null}
+set: {duration: 0.5, goal: null, planner.calibration.duration: 0}
 """
 
 
