@@ -11,12 +11,14 @@ struct InvariantFilterOptions {
   double gyro_bias_walk = 1e-5;           ///< [rad/s²/√Hz]
   double accelerometer_bias_walk = 1e-4;  ///< [m/s³/√Hz]
   double encoder_noise = 2.5e-4;          ///< [rad]
-  double foot_position_noise = 3e-4;      ///< of the leg's kinematics, each axis [m]
+  /// Of the leg's kinematics, each axis: what wrong joint zeros, wrong lengths and an IMU out of
+  /// step with the encoders let a foot wander by [m].
+  double foot_position_noise = 2e-3;
   /// A foot position whose squared Mahalanobis distance exceeds this is an outlier (χ², 3 degrees
   /// of freedom: 99.9 % lie below 16.3).
   double gate = 16.3;
-  double initial_tilt = 0.02;                ///< [rad]
-  double initial_velocity = 0.02;            ///< [m/s]
+  double initial_tilt = 0.01;                ///< [rad]
+  double initial_velocity = 0.005;           ///< [m/s]
   double initial_gyro_bias = 2e-3;           ///< [rad/s]
   double initial_accelerometer_bias = 0.12;  ///< [m/s²]
 };

@@ -92,7 +92,7 @@ struct Bench {
   std::mt19937 random;
   std::normal_distribution<double> normal;
   Body body;
-  Filter filter;
+  Filter filter{InvariantFilterOptions{.foot_position_noise = kNoise, .initial_tilt = 0.02}};
   PerLeg<Vec3> feet{Vec3(0.33, 0.22, 0.0), Vec3(0.33, -0.22, 0.0), Vec3(-0.33, 0.22, 0.0),
                     Vec3(-0.33, -0.22, 0.0)};
   Vec3 gyro_bias = Vec3::Zero(), accelerometer_bias = Vec3::Zero();
