@@ -2,6 +2,7 @@
 
 #include "app/goal_watch.hpp"
 #include "app/run_log.hpp"
+#include "app/stop_text.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
@@ -103,8 +104,12 @@ class ClosedLoop {
     if (options_.interrupted && options_.interrupted()) return Ending::interrupted;
     // Of a fall and a stop at the same tick the fall counts: the controller came too late.
     if (evaluator_.fell()) return Ending::fell;
-    if (command.mode == CommandMode::damping && std::isnan(stopped_at_)) stopped_at_ = time;
-    if (time - stopped_at_ > kAfterSafetyStop) return Ending::safety;
+    if (command.cause != StopCause::none && std::isnan(stopped_at_)) {
+      stopped_at_ = time;
+      why_stopped_ = text_of_stop(controller_.record());
+    }
+    if (command.mode == CommandMode::damping && std::isnan(damped_at_)) damped_at_ = time;
+    if (time - damped_at_ > kAfterSafetyStop) return Ending::safety;
     if (goal_.update(plant_.truth())) return Ending::goal_reached;
     return std::nullopt;
   }
@@ -118,9 +123,9 @@ class ClosedLoop {
   /// What came first comes first: it decides the exit code.
   std::string safety_reason(const std::string& fall) const {
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "the controller stopped for safety at %.2f s",
-                  stopped_at_);
-    return text.data() + (fall.empty() ? "" : ", then " + fall);
+    std::snprintf(text.data(), text.size(),
+                  "the controller stopped for safety at %.2f s: ", stopped_at_);
+    return text.data() + why_stopped_ + (fall.empty() ? "" : ", then " + fall);
   }
 
   RunResult finish(Ending ending, double wall_seconds) {
@@ -165,7 +170,9 @@ class ClosedLoop {
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;
-  double stopped_at_ = kNaN;    // time of the safety stop [s]
+  double stopped_at_ = kNaN;  // time of the safety stop [s]
+  double damped_at_ = kNaN;   // … and of the first tick of damping
+  std::string why_stopped_;
   double next_progress_ = 0.0;  // [s]
 };
 

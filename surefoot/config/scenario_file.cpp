@@ -147,6 +147,10 @@ void read_initial(Section& initial, InitialState& state) {
 void read_safety(Section& section, SafetyOptions& safety) {
   section.integer("damp_after_failures", safety.damp_after_failures, 1);
   section.number("max_tilt", safety.max_tilt, kPositive);
+  section.number("bridge_time", safety.bridge_time, kNotNegative);
+  section.number("sit_duration", safety.sit_duration, kPositive);
+  section.number("sit_height", safety.sit_height, kPositive);
+  section.number("max_torque_change", safety.max_torque_change, kPositive);
 }
 
 void read_contact_force(Section& section, ContactForceOptions& contact_force) {

@@ -4,9 +4,11 @@
 #include "surefoot/control/hierarchy_solver.hpp"
 #include "surefoot/control/hierarchy_summary.hpp"
 #include "surefoot/control/level_switcher.hpp"
+#include "surefoot/control/lying_posture.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
+#include "surefoot/estimation/reading_guard.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
@@ -66,7 +68,8 @@ bool is_plausible(const RobotState& state) {
 struct Controller::Implementation {
   Implementation(const RobotDescription& robot, const ControllerOptions& options,
                  std::unique_ptr<StateEstimator> state_estimator)
-      : estimator(std::move(state_estimator)),
+      : guard(options.guard, robot, checked_period(options.period)),
+        estimator(std::move(state_estimator)),
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
         com_calibration(options.period),
@@ -74,10 +77,13 @@ struct Controller::Implementation {
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
         solver(stack.hierarchy(), options.solver),
-        safety(options.safety, robot, stack.first_free_level()) {}
+        safety(options.safety, robot, stack.first_free_level(),
+               lying_posture(model, options.safety.sit_height)) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+  [[nodiscard]] bool estimate() noexcept;
   [[nodiscard]] TickContext context() noexcept;
+  void forget_lost_joints() noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
   void describe_refused_state() noexcept;
@@ -85,6 +91,7 @@ struct Controller::Implementation {
     if (observer != nullptr) observer->stage_ends(stage);
   }
 
+  ReadingGuard guard;
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   ContactForceEstimator contact_force;
@@ -95,6 +102,7 @@ struct Controller::Implementation {
   HierarchySolver solver;
   Safety safety;
   TickRecord record;
+  JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
   bool explains_levels = false;
   StageObserver* observer = nullptr;
   double last_time = kNaN;  // of the last state that was believed [s]
@@ -105,20 +113,45 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   record.user = sane(user);
-  record.state = estimator->update(reading, context());
+  const bool believed = estimate();
   ended(Stage::estimate);
-  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestGap;
-  const bool believed = is_plausible(record.state) && !clock_jumps;
-  if (believed) last_time = record.state.time;
   const Solution* solution = believed ? optimise(record.user) : nullptr;
   if (!believed) describe_refused_state();
-  record.command = safety.command(record.state, solution);
+  record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
   return record.command;
 }
 
+/// False where the state is not one to plan and solve with.
+bool Controller::Implementation::estimate() noexcept {
+  guard.update(record.reading, joint_velocity);
+  record.health = guard.health();
+  if (!guard.clock_is_right()) {
+    record.state.time = kNaN;
+    return false;
+  }
+  record.state = estimator->update(guard.repaired(), context());
+  forget_lost_joints();
+  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestGap;
+  const bool believed = is_plausible(record.state) && !clock_jumps;
+  if (believed) last_time = record.state.time;
+  return believed && !safety.has_stopped() && safety.lost_sensor(record.health) == StopCause::none;
+}
+
+// What was filled in for an encoder is good for a short time only.
+void Controller::Implementation::forget_lost_joints() noexcept {
+  if (safety.lost_sensor(record.health) != StopCause::encoders) return;
+  const JointVector age = guard.encoder_age();
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    if (age[i] < record.health.encoders.age) continue;
+    record.state.q[i] = kNaN;
+    record.state.qd[i] = kNaN;
+  }
+}
+
 TickContext Controller::Implementation::context() noexcept {
-  TickContext result{.joint_velocity = contact_force.observe(record.reading)};
+  joint_velocity = contact_force.observe(guard.measured());
+  TickContext result{.joint_velocity = joint_velocity};
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
@@ -130,7 +163,7 @@ TickContext Controller::Implementation::context() noexcept {
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
   model.set_com_offset(com_calibration.offset());
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
-  contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), record.reading,
+  contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
   com_calibration.update(dynamics, record.state.foot_force, record.plan.calibrating);
   ended(Stage::model);

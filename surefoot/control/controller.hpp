@@ -5,6 +5,7 @@
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
+#include "surefoot/estimation/reading_guard_options.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/planning/planner_options.hpp"
@@ -38,6 +39,7 @@ struct ControllerOptions {
   StackOptions stack;
   std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
   SolverOptions solver;
+  ReadingGuardOptions guard;
   ContactForceOptions contact_force;
   SafetyOptions safety;
 };

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kNearlyUnit = 0.01;
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
+constexpr double kFadeTime = 0.5;        // of torques without an encoder [s]
+constexpr double kRounding = 1e-9;       // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -15,60 +17,146 @@ JointVector finite_or_zero(const JointVector& v) {
   return result;
 }
 
+bool is_posture(const JointVector& q) {
+  return (q.array().abs() <= kFullTurn).all();  // not if it is NaN
+}
+
+double uprightness(const RobotState& state) {
+  const bool is_rotation = std::abs(state.q_WB.norm() - 1.0) < kNearlyUnit;  // not if it is NaN
+  return is_rotation ? state.R_WB()(2, 2) : 1.0;
+}
+
+/// Is something filled in? Not for a sensor that the robot does not have.
+bool is_bridged(const GroupHealth& group) {
+  return group.fault != SampleFault::none && std::isfinite(group.age);
+}
+
+/// From 0 to 1 with rest at both ends, and its slope.
+double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
+double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
+
 }  // namespace
 
-Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level)
+Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
+               const JointVector& lying)
     : options_(options),
       torque_limit_(robot.torque_limit),
       hold_kp_(robot.hold_kp),
       hold_kd_(robot.hold_kd),
       damping_kd_(robot.damping_kd),
-      first_free_level_(first_free_level) {}
+      first_free_level_(first_free_level),
+      lying_q_(lying) {}
 
-const JointCommand& Safety::command(const RobotState& state, const Solution* solution) noexcept {
+const JointCommand& Safety::command(const RobotState& state, const Solution* solution,
+                                    const SensorHealth& health) noexcept {
+  const JointVector before = command_.torque;
   command_.time = std::isfinite(state.time) ? state.time : command_.time;
-  const bool solved = solution != nullptr && solution->status == SolveStatus::optimal;
-  const bool usable =
-      solved || (solution != nullptr && solution->status == SolveStatus::iteration_cap &&
-                 solution->failed_level >= first_free_level_);
-  const bool good = usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
+  const bool good = is_good(solution);
   failures_ = good ? 0 : failures_ + 1;
-  const bool is_rotation = std::abs(state.q_WB.norm() - 1.0) < kNearlyUnit;  // not if it is NaN
-  const double uprightness = is_rotation ? state.R_WB()(2, 2) : 1.0;
-  damping_ = damping_ || failures_ > options_.damp_after_failures ||
-             uprightness < std::cos(options_.max_tilt);
+  look_for_a_stop(state, health);
   if (damping_) {
     damp(state);
+  } else if (sitting_) {
+    sit(state);
   } else if (good) {
-    command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
-    command_.torque = solution->x.tail<kNumJoints>();
-    limit();
-    good_q_ = state.q;
-    good_torque_ = command_.torque;
+    follow(state, *solution);
   } else {
     hold(state);
   }
   limit();
+  const bool bridges =
+      is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
+  limit_change(before, has_stopped() || (bridges && !damping_));
+  if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
   return command_;
+}
+
+bool Safety::is_good(const Solution* solution) const {
+  if (solution == nullptr) return false;
+  const bool usable =
+      solution->status == SolveStatus::optimal || (solution->status == SolveStatus::iteration_cap &&
+                                                   solution->failed_level >= first_free_level_);
+  return usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
+}
+
+StopCause Safety::lost_sensor(const SensorHealth& health) const noexcept {
+  const auto lost = [&](const GroupHealth& group) {
+    return group.age > options_.bridge_time + kRounding;
+  };
+  if (lost(health.encoders)) return StopCause::encoders;
+  if (lost(health.imu)) return StopCause::imu;
+  return lost(health.joint_torques) ? StopCause::joint_torques : StopCause::none;
+}
+
+void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
+  if (damping_) return;
+  const StopCause lost = lost_sensor(health);
+  if (uprightness(state) < std::cos(options_.max_tilt)) {
+    stop(CommandMode::damping, StopCause::tilt);
+  } else if (lost == StopCause::encoders || (sitting_ && !is_posture(state.q))) {
+    stop(CommandMode::damping, StopCause::encoders);
+  } else if (lost != StopCause::none && !sitting_) {
+    stopped_q_ = state.q;
+    stop(is_posture(state.q) ? CommandMode::sit : CommandMode::damping, lost);
+  } else if (!sitting_ && failures_ > options_.damp_after_failures) {
+    stop(CommandMode::damping, StopCause::failures);
+  } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
+    damping_ = true;
+  }
+}
+
+void Safety::stop(CommandMode mode, StopCause cause) {
+  sitting_ = mode == CommandMode::sit;
+  damping_ = mode == CommandMode::damping;
+  if (command_.cause != StopCause::none) return;
+  command_.cause = cause;
+  stopped_at_ = command_.time;
+}
+
+void Safety::follow(const RobotState& state, const Solution& solution) {
+  const bool solved = solution.status == SolveStatus::optimal;
+  command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
+  command_.torque = solution.x.tail<kNumJoints>();
+  good_q_ = state.q;
 }
 
 void Safety::hold(const RobotState& state) {
   command_.mode = CommandMode::hold;
-  const bool is_posture = (state.q.array().abs() <= kFullTurn).all();  // not if it is NaN
-  if (!good_q_.allFinite() && is_posture) good_q_ = state.q;
+  if (!good_q_.allFinite() && is_posture(state.q)) good_q_ = state.q;
   // Apart, for where the position is not known the damping still works, and the other way round.
   command_.torque = good_torque_ + finite_or_zero(hold_kp_ * (good_q_ - state.q)) -
                     finite_or_zero(hold_kd_ * state.qd);
 }
 
+void Safety::sit(const RobotState& state) {
+  command_.mode = CommandMode::sit;
+  const double share = std::clamp((command_.time - stopped_at_) / options_.sit_duration, 0.0, 1.0);
+  const JointVector way = lying_q_ - stopped_q_;
+  const JointVector q = stopped_q_ + ease(share) * way;
+  const JointVector qd = ease_slope(share) / options_.sit_duration * way;
+  command_.torque = (1.0 - ease(share)) * good_torque_ + hold_kp_ * (q - state.q) +
+                    finite_or_zero(hold_kd_ * (qd - state.qd));
+}
+
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
   command_.torque = -damping_kd_ * finite_or_zero(state.qd);
+  if (command_.cause != StopCause::encoders) return;
+  const double share = (command_.time - stopped_at_) / kFadeTime;
+  command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * good_torque_;
 }
 
 void Safety::limit() {
   command_.torque =
       finite_or_zero(command_.torque).cwiseMax(-torque_limit_).cwiseMin(torque_limit_);
+}
+
+void Safety::limit_change(const JointVector& before, bool wanted) {
+  if (!wanted && !catching_up_) return;
+  const JointVector step = JointVector::Constant(options_.max_torque_change);
+  const JointVector limited = command_.torque.cwiseMax(before - step).cwiseMin(before + step);
+  catching_up_ = limited != command_.torque;
+  command_.torque = limited;
 }
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/joint_command.hpp"
 #include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/sensor_health.hpp"
 #include "surefoot/solver/solution.hpp"
 
 namespace surefoot {
@@ -17,28 +18,52 @@ namespace surefoot {
 ///     degraded   the solver ended early, but after the levels that keep the physics
 ///     hold       joint PD about the last good posture, on top of the last good torques; about the
 ///                first posture that was seen, if there never was a good tick
+///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
+///                latched: a sensor gave nothing good for longer than `bridge_time`
 ///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
-///                a torso tilted too far
+///                a torso tilted too far; lying; or at once where an encoder is lost, on top of the
+///                last good torques, which fade out
+///
+/// While a sensor is at fault, and after that until they are back where they should be, torques
+/// change by no more than `max_torque_change` a tick.
 class Safety {
  public:
-  /// `first_free_level`: a solve that ended at or after this level is still usable.
-  Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level);
+  /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
+  /// `sit` leads [rad].
+  Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
+         const JointVector& lying);
 
   /// `state` may hold NaN; `solution` is null where the tick could not come to solve.
-  [[nodiscard]] const JointCommand& command(const RobotState& state,
-                                            const Solution* solution) noexcept;
+  [[nodiscard]] const JointCommand& command(const RobotState& state, const Solution* solution,
+                                            const SensorHealth& health = {}) noexcept;
+
+  /// The sensor that the robot can't be without for longer; `none` while all are well enough.
+  [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
+  /// Of a sensor that was lost: no solution is asked for any more.
+  [[nodiscard]] bool has_stopped() const { return is_sensor(command_.cause); }
 
  private:
+  [[nodiscard]] static bool is_sensor(StopCause cause) { return cause >= StopCause::encoders; }
+  [[nodiscard]] bool is_good(const Solution* solution) const;
+  void look_for_a_stop(const RobotState& state, const SensorHealth& health);
+  void stop(CommandMode mode, StopCause cause);
+  void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);
+  void sit(const RobotState& state);
   void damp(const RobotState& state);
   void limit();
+  void limit_change(const JointVector& before, bool wanted);
 
   SafetyOptions options_;
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
   int first_free_level_;
+  JointVector lying_q_;
   int failures_ = 0;
-  bool damping_ = false;
+  bool sitting_ = false, damping_ = false;
+  bool catching_up_ = false;  // torques that were limited in their change
+  double stopped_at_ = kNaN;  // [s]
+  JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();
   JointCommand command_;

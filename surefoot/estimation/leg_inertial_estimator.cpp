@@ -24,6 +24,9 @@ LegInertialEstimator::LegInertialEstimator(const RobotDescription& robot,
 
 const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
+  const bool is_complete =
+      reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
+  if (!started_ && !is_complete) return state_;
   if (!started_) {
     start(reading);
   } else {

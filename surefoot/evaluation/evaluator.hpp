@@ -71,7 +71,8 @@ class Evaluator {
   void add_stance(Foot& foot, const TrueContact& contact);
   void add_friction(const TrueContact& contact, double normal_force);
   void add_body_contacts(const GroundTruth& truth);
-  void check_fall(const GroundTruth& truth);
+  /// A robot that sits down for want of a sensor `may_lie`.
+  void check_fall(const GroundTruth& truth, bool may_lie);
 
   EvaluatorOptions options_;
   Metrics metrics_;  // what is final at every tick

@@ -185,6 +185,8 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
   const auto decode = [&](auto& signal) { logged::Decoder::decode(message.data, signal); };
   if (topic == "/readings") {
     decode(tick.reading);
+  } else if (topic == "/health") {
+    decode(tick.health);
   } else if (topic == "/user") {
     decode(tick.user);
   } else if (topic == "/state") {

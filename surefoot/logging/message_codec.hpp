@@ -16,7 +16,8 @@ concept Number = std::same_as<T, bool> || std::integral<T> || std::floating_poin
 template <typename T>
 concept Matrix = requires { T::RowsAtCompileTime; };
 template <typename T>
-concept Name = std::same_as<T, LegPhase> || std::same_as<T, CommandMode>;
+concept Name = std::same_as<T, LegPhase> || std::same_as<T, CommandMode> ||
+               std::same_as<T, StopCause> || std::same_as<T, SampleFault>;
 
 template <typename T>
 inline constexpr bool kIsPerLeg = false;
@@ -28,8 +29,10 @@ template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = true;
 
 /// The texts that stand for an enumeration's values.
-inline const std::array<std::string_view, 4>& names(LegPhase) { return kPhaseNames; }
-inline const std::array<std::string_view, 4>& names(CommandMode) { return kModeNames; }
+inline const auto& names(LegPhase) { return kPhaseNames; }
+inline const auto& names(CommandMode) { return kModeNames; }
+inline const auto& names(StopCause) { return kCauseNames; }
+inline const auto& names(SampleFault) { return kFaultNames; }
 
 /// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z, what
 /// belongs to legs as an object of LF, RF, LH and RH, enumerations as names.

@@ -51,8 +51,12 @@ struct Hierarchy {
 
 inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloading", "swing",
                                                              "search"};
-inline constexpr std::array<std::string_view, 4> kModeNames{"optimal", "degraded", "hold",
+inline constexpr std::array<std::string_view, 5> kModeNames{"optimal", "degraded", "hold", "sit",
                                                             "damping"};
+inline constexpr std::array<std::string_view, 6> kCauseNames{
+    "none", "tilt", "failures", "encoders", "joint_torques", "imu"};
+inline constexpr std::array<std::string_view, 7> kFaultNames{
+    "none", "silent", "late", "not_a_number", "out_of_range", "jump", "repeats"};
 
 /// `T` or `const T`: the encoder reads what the decoder writes.
 template <typename T, typename Described>
@@ -69,6 +73,20 @@ void fields(Archive& field, T& reading) {
   field("encoder_time", reading.encoder_time, "when q was sampled [s]");
   field("torque_time", reading.torque_time, "when torque was sampled [s]");
   field("imu_time", reading.imu_time, "when gyro and accelerometer were sampled [s]");
+}
+
+template <typename Archive, Is<GroupHealth> T>
+void fields(Archive& field, T& group) {
+  field("fault", group.fault, "what is wrong with this tick's sample");
+  field("age", group.age, "since the last good sample [s]; null before the first");
+  field("joint", group.joint, "0 to 11, the only one at fault; -1: none, or several");
+}
+
+template <typename Archive, Is<SensorHealth> T>
+void fields(Archive& field, T& health) {
+  field("encoders", health.encoders, "of the joint angles");
+  field("joint_torques", health.joint_torques, "");
+  field("imu", health.imu, "of gyroscope and accelerometer");
 }
 
 template <typename Archive, Is<UserCommand> T>
@@ -207,6 +225,7 @@ void fields(Archive& field, T& command) {
   field("time", command.time, "[s]");
   field("torque", command.torque, "joint torques [N·m]");
   field("mode", command.mode, "rung of the safety ladder that made the command");
+  field("cause", command.cause, "what took the controller off its optimum for good");
 }
 
 template <typename Archive, Is<TickTiming> T>

@@ -112,7 +112,7 @@ struct Job {
 
 // Topics of a TickRecord, in the order of their messages.
 struct TickChannels {
-  std::uint16_t readings, user, state, plan, model, hierarchy, command;
+  std::uint16_t readings, health, user, state, plan, model, hierarchy, command;
 };
 
 }  // namespace
@@ -122,6 +122,7 @@ struct Recorder::Implementation {
       : writer(open(path)), namer(header), queue(std::max<std::size_t>(options.queue_ticks, 1)) {
     write_header(header);
     channels = {.readings = json_channel<SensorReading>("/readings", "surefoot.SensorReading"),
+                .health = json_channel<SensorHealth>("/health", "surefoot.SensorHealth"),
                 .user = json_channel<UserCommand>("/user", "surefoot.UserCommand"),
                 .state = json_channel<RobotState>("/state", "surefoot.RobotState"),
                 .plan = json_channel<MotionPlan>("/plan", "surefoot.MotionPlan"),
@@ -208,6 +209,7 @@ struct Recorder::Implementation {
   void write(const TickRecord& tick) {
     const std::uint64_t time = nanoseconds(tick.reading.time);
     message(channels.readings, time, tick.reading);
+    message(channels.health, time, tick.health);
     message(channels.user, time, tick.user);
     message(channels.state, time, tick.state);
     message(channels.plan, time, tick.plan);

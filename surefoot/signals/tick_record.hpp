@@ -4,6 +4,7 @@
 #include "surefoot/signals/joint_command.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/sensor_health.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/signals/user_command.hpp"
 
@@ -24,7 +25,8 @@ struct ModelRecord {
 /// One tick of the control loop, complete: a controller that gets readings and commands from the
 /// start, and the base state that the estimator gave it, computes the same ticks again.
 struct TickRecord {
-  SensorReading reading;
+  SensorReading reading;  ///< as it came
+  SensorHealth health;    ///< of the reading
   UserCommand user;
   RobotState state;
   MotionPlan plan;

@@ -160,7 +160,7 @@ TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
   EXPECT_TRUE(stopped.metrics.fell);
   EXPECT_TRUE(stopped.safety_stop);
   EXPECT_TRUE(test::holds(stopped.metrics.reason, "the controller stopped for safety at 0."));
-  EXPECT_TRUE(test::holds(stopped.metrics.reason, " s, then fell at 0."));
+  EXPECT_TRUE(test::holds(stopped.metrics.reason, " s: the torso tilted too far, then fell at 0."));
   // By default the controller gives up at about the tilt that is a fall, at the same tick perhaps.
   const RunResult fell = run_closed_loop(short_walk({"duration=6", push}), {});
   EXPECT_TRUE(fell.metrics.fell);

@@ -55,6 +55,14 @@ TEST(LogReplay, also_of_a_run_whose_scenario_switches_levels) {
   expect_replayed({"walk_flat_ideal", 0, {"duration=4", kSwitches}});
 }
 
+TEST(LogReplay, also_of_a_run_whose_sensors_fail) {
+  expect_replayed({"walk_flat",
+                   0,
+                   {"duration=4", "planner.calibration.duration=0",
+                    "sensors.faults.short={sensor: encoders, kind: nan, time: 2, duration: 0.01}",
+                    "sensors.faults.long={sensor: imu, kind: stops, time: 3}"}});
+}
+
 /// Runs a walk whose levels are switched from outside, and records it.
 void record_switched_walk(const std::string& path) {
   const Scenario scenario = load_scenario({"walk_flat_ideal", 0, {"duration=4"}});

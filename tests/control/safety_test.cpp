@@ -54,8 +54,11 @@ Solution solved(const JointVector& torque, SolveStatus status = SolveStatus::opt
   return solution;
 }
 
+/// Where it sits down to: folded.
+JointVector lying() { return 2.5 * anymal_b().q_nominal; }
+
 Safety make_safety(const SafetyOptions& options = {}) {
-  return Safety(options, anymal_b(), kFirstFreeLevel);
+  return Safety(options, anymal_b(), kFirstFreeLevel, lying());
 }
 
 void expect_legal(const JointCommand& command) {
@@ -214,7 +217,7 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
 TEST(Safety, ClipsEveryJointToItsOwnLimit) {
   RobotDescription robot = anymal_b();
   robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
-  Safety safety({}, robot, kFirstFreeLevel);
+  Safety safety({}, robot, kFirstFreeLevel, lying());
   const Solution strong = solved(JointVector::Constant(-1e3));
   EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
 }

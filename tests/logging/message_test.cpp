@@ -69,6 +69,7 @@ TEST(Messages, EveryMessageIsWhatItsSchemaSays) {
   test::SyntheticRun run;
   for (int i = 0; i < 800; ++i) run.step();
   expect_conforming(run.tick.reading);
+  expect_conforming(run.tick.health);
   expect_conforming(run.tick.user);
   expect_conforming(run.tick.state);
   expect_conforming(run.tick.plan);
@@ -94,7 +95,10 @@ TEST(Messages, PhasesAndModesAreWords) {
   EXPECT_EQ(encoded(plan).at("feet").at("RH").at("phase"), "search");
   JointCommand command;
   command.mode = CommandMode::damping;
+  command.cause = StopCause::imu;
   EXPECT_EQ(encoded(command).at("mode"), "damping");
+  EXPECT_EQ(encoded(command).at("cause"), "imu");
+  EXPECT_EQ(encoded(GroupHealth{.fault = SampleFault::repeats}).at("fault"), "repeats");
 }
 
 TEST(Messages, AQuaternionBeginsWithItsScalarAndAMatrixGoesRowByRow) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "surefoot/signals/tick_record.hpp"
+
+#include <string>
+
+namespace surefoot {
+
+/// Why the controller stopped for safety at this tick: "IMU stopped", "encoder LF_KFE jumped",
+/// "the torso tilted too far".
+[[nodiscard]] std::string text_of_stop(const TickRecord& tick);
+
+}  // namespace surefoot

@@ -1,0 +1,30 @@
+#include "surefoot/control/lying_posture.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+// Well bent, so that the straight leg does not lie between start and solution [rad].
+constexpr double kBentHip = 1.3;
+constexpr double kBentKnee = 2.4;
+
+}  // namespace
+
+JointVector lying_posture(const RobotModel& model, double height) {
+  const RobotDescription& robot = model.description();
+  JointVector result = robot.q_nominal;
+  for (const Leg leg : kLegs) {
+    const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
+    const Vec3 hip = model.hip_in_base(leg, nominal);
+    const Vec3 p_BF(hip.x(), model.foot_in_base(leg, nominal).y(), hip.z() - height);
+    const Vec3 guess(nominal.x(), std::copysign(kBentHip, nominal.y()),
+                     std::copysign(kBentKnee, nominal.z()));
+    Vec3 q;
+    (void)model.inverse_kinematics(leg, p_BF, guess, q);
+    result.segment<3>(first_joint(leg)) = q;
+  }
+  return result.cwiseMax(robot.q_min).cwiseMin(robot.q_max);
+}
+
+}  // namespace surefoot

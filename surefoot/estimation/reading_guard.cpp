@@ -1,0 +1,107 @@
+#include "surefoot/estimation/reading_guard.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLongestGap = 1.0;  // between two ticks [s]
+constexpr double kLostFactor = 5.0;  // of the patience, until any value is believed again
+
+JointVector limited(const JointVector& velocity, const JointVector& limit) {
+  JointVector result;
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    const double v = std::isfinite(velocity[i]) ? velocity[i] : 0.0;
+    result[i] = std::clamp(v, -limit[i], limit[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot,
+                           double period)
+    : options_(options),
+      period_(period),
+      velocity_limit_(robot.velocity_limit),
+      torque_limit_(robot.torque_limit),
+      encoder_watch_(period, options.patience),
+      torque_watch_(period, options.patience),
+      imu_watch_(period, options.patience) {}
+
+void ReadingGuard::update(const SensorReading& reading,
+                          const JointVector& joint_velocity) noexcept {
+  const bool is_first = std::isnan(time_);
+  const double dt = is_first ? 0.0 : reading.time - time_;
+  clock_is_right_ = std::isfinite(reading.time) && dt >= 0.0 && dt <= kLongestGap;
+  repaired_ = measured_ = reading;
+  if (!clock_is_right_) return;
+  time_ = reading.time;
+  encoder_watch_.update(time_, reading.encoder_time);
+  torque_watch_.update(time_, reading.torque_time);
+  imu_watch_.update(time_, reading.imu_time);
+  take_joints(reading, joint_velocity, dt);
+  take_imu(reading);
+  describe(reading);
+}
+
+void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
+                               double dt) {
+  const double lost = kLostFactor * options_.patience;
+  angles_.move(dt * limited(joint_velocity, velocity_limit_));
+  const JointVector unseen = encoder_age().cwiseMax(0.0);
+  angles_.take(reading.q, encoder_watch_.fault(), encoder_watch_,
+               {.range = JointVector::Constant(options_.max_angle),
+                .tolerance = period_ * velocity_limit_ + options_.velocity_margin * unseen +
+                             JointVector::Constant(options_.angle_margin)},
+               lost);
+  torques_.take(reading.torque, torque_watch_.fault(), torque_watch_,
+                {.range = options_.max_torque * torque_limit_,
+                 .tolerance = options_.max_torque_step * torque_limit_},
+                lost);
+}
+
+void ReadingGuard::take_imu(const SensorReading& reading) {
+  take(gyro_, reading.gyro, options_.max_gyro, options_.max_gyro_step);
+  take(accelerometer_, reading.accelerometer, options_.max_acceleration,
+       options_.max_acceleration_step);
+}
+
+void ReadingGuard::take(Instrument& instrument, const Vec3& raw, double range, double tolerance) {
+  if (imu_watch_.is_new()) {
+    const bool is_same = raw == instrument.raw;
+    instrument.repeats = is_same ? instrument.repeats + 1 : 0;
+    if (!is_same) instrument.raw_since = imu_watch_.sample_time();
+    instrument.raw = raw;
+  }
+  SampleFault fault = imu_watch_.fault();
+  if (fault == SampleFault::none && instrument.repeats >= options_.repeats) {
+    fault = SampleFault::repeats;
+    instrument.values.forget_since(instrument.raw_since);
+  }
+  instrument.values.take(raw, fault, imu_watch_,
+                         {.range = Vec3::Constant(range), .tolerance = Vec3::Constant(tolerance)},
+                         kLostFactor * options_.patience);
+}
+
+void ReadingGuard::describe(const SensorReading& reading) {
+  repaired_.q = angles_.repaired();
+  repaired_.torque = torques_.repaired();
+  repaired_.gyro = gyro_.values.repaired();
+  repaired_.accelerometer = accelerometer_.values.repaired();
+  measured_ = repaired_;
+  measured_.q = angles_.measured();
+  health_.encoders = angles_.health(reading.time);
+  health_.joint_torques = torques_.health(reading.time);
+  const GroupHealth gyro = gyro_.values.health(reading.time);
+  health_.imu = accelerometer_.values.health(reading.time);
+  if (gyro.fault != SampleFault::none) health_.imu.fault = gyro.fault;
+  health_.imu.age = std::fmax(health_.imu.age, gyro.age);
+  health_.imu.joint = -1;
+}
+
+JointVector ReadingGuard::encoder_age() const {
+  return JointVector::Constant(time_) - angles_.seen();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "surefoot/estimation/guarded_values.hpp"
+#include "surefoot/estimation/reading_guard_options.hpp"
+#include "surefoot/model/description.hpp"
+
+namespace surefoot {
+
+/// Stands between the sensors and everything that reads them: finds samples that can't be right,
+/// and fills in for them.
+///
+/// A sample is at fault where it is not a number, outside what can be, too far from where the last
+/// good one led, overdue or too old, or, of the IMU, the same bit by bit again and again. In its
+/// place joints go on with their velocity; torques, gyroscope and accelerometer hold the last good
+/// value. Nothing of a faulty sample is kept. How long that may go on is for others to say: the
+/// health has the age of the last good sample. Does not allocate.
+class ReadingGuard {
+ public:
+  /// `period` of the control loop [s].
+  ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot, double period);
+
+  /// One tick. `joint_velocity` is that of the last one [rad/s]. A reading whose clock is not a
+  /// number, goes back, or leaps by more than a second changes nothing and passes as it is.
+  void update(const SensorReading& reading, const JointVector& joint_velocity) noexcept;
+
+  /// False where the reading's clock was such.
+  [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
+  /// The reading with what is filled in.
+  [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
+  /// The reading with NaN in the place of joints that are at fault.
+  [[nodiscard]] const SensorReading& measured() const { return measured_; }
+  [[nodiscard]] const SensorHealth& health() const { return health_; }
+  /// Time since each joint's last good angle [s].
+  [[nodiscard]] JointVector encoder_age() const;
+
+ private:
+  /// One of the IMU's two instruments.
+  struct Instrument {
+    GuardedValues<3> values;
+    Vec3 raw = Vec3::Constant(kNaN);
+    double raw_since = kNaN;  // of the first sample with these numbers [s]
+    int repeats = 0;
+  };
+
+  void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
+  void take_imu(const SensorReading& reading);
+  void take(Instrument& instrument, const Vec3& raw, double range, double tolerance);
+  void describe(const SensorReading& reading);
+
+  ReadingGuardOptions options_;
+  double period_;
+  JointVector velocity_limit_, torque_limit_;
+  SampleWatch encoder_watch_, torque_watch_, imu_watch_;
+  GuardedValues<kNumJoints> angles_, torques_;
+  Instrument gyro_, accelerometer_;
+  double time_ = kNaN;
+  bool clock_is_right_ = true;
+  SensorReading repaired_, measured_;
+  SensorHealth health_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "surefoot/math/types.hpp"
+
+namespace surefoot {
+
+/// What a sensor of a legged robot can truly give.
+struct ReadingGuardOptions {
+  double patience = 0.02;  ///< a sample older than this is of no use any more [s]
+
+  double max_angle = 2.0 * kPi;  ///< no joint turns further [rad]
+  /// How far an encoder may be from where the joint's velocity led: in a period at the joint's
+  /// velocity limit, which an impact can give or take, and …
+  double angle_margin = 0.01;    ///< [rad] …
+  double velocity_margin = 2.0;  ///< of a joint that was not seen for a time [rad/s]
+
+  /// As shares of the joint's torque limit. An impact loads the spring of a drive beyond what the
+  /// motor gives, and at once.
+  double max_torque = 3.0;
+  double max_torque_step = 2.0;
+
+  double max_gyro = 35.0;  ///< range of common gyroscopes, 2000 °/s [rad/s]
+  double max_gyro_step =
+      3.0;  ///< in a tick of 2.5 ms; a hard kick gives a torso 1000 rad/s² [rad/s]
+  double max_acceleration = 300.0;       ///< 30 g: touchdowns stay below [m/s²]
+  double max_acceleration_step = 150.0;  ///< [m/s²]
+  int repeats = 3;  ///< the same numbers this often, bit by bit, are no measurement
+};
+
+}  // namespace surefoot

@@ -1,0 +1,35 @@
+#include "surefoot/estimation/sample_watch.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLearning = 0.1;  // share of the news in what is usual
+constexpr double kMargin = 0.75;   // periods beyond the usual age
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+void SampleWatch::update(double time, double sample_time) noexcept {
+  const double given = sample_time <= time ? sample_time : time;  // not if it is NaN
+  const bool stands_still = given == given_time_;
+  const bool is_first = !(sample_time_ <= time_before_);
+  is_new_ = is_first || given > sample_time_;
+  if (is_new_ && !is_first) {
+    const double replaced_at = std::min(time_before_ - sample_time_, patience_);
+    usual_age_ += kLearning * (replaced_at - usual_age_);
+  }
+  if (is_new_) sample_time_ = given;
+  const double age = time - sample_time_;
+  const bool is_too_old = age > patience_ + kRounding;
+  fault_ = SampleFault::none;
+  if (is_too_old || (!is_new_ && age > usual_age_ + kMargin * period_)) {
+    fault_ = stands_still ? SampleFault::silent : SampleFault::late;
+  }
+  is_new_ = is_new_ && !is_too_old;
+  given_time_ = given;
+  time_before_ = time;
+}
+
+}  // namespace surefoot

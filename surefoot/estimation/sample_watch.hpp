@@ -1,0 +1,34 @@
+#pragma once
+
+#include "surefoot/signals/sensor_health.hpp"
+
+namespace surefoot {
+
+/// Watches when a sensor's samples come: which are new, and which are overdue.
+///
+/// How old a sample gets before the next replaces it is learnt, so that slow sensors and constant
+/// delays are no fault. At first anything up to `patience` is usual.
+class SampleWatch {
+ public:
+  /// Both [s].
+  SampleWatch(double period, double patience)
+      : period_(period), patience_(patience), usual_age_(patience) {}
+
+  /// One tick. A sample time that is NaN, or lies ahead, is taken for the tick's.
+  void update(double time, double sample_time) noexcept;
+
+  /// This tick has a sample that is later than all before, and not too old.
+  [[nodiscard]] bool is_new() const { return is_new_; }
+  /// Of the newest sample [s].
+  [[nodiscard]] double sample_time() const { return sample_time_; }
+  /// `silent`, `late` or `none`.
+  [[nodiscard]] SampleFault fault() const { return fault_; }
+
+ private:
+  double period_, patience_, usual_age_;
+  double sample_time_ = kNaN, time_before_ = kNaN, given_time_ = kNaN;
+  bool is_new_ = false;
+  SampleFault fault_ = SampleFault::none;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,159 @@
+// The ladder where a sensor is at fault: bridged, then down slowly.
+#include "surefoot/control/safety.hpp"
+#include "surefoot/math/rotation.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::RandomMatrices;
+
+constexpr double kPeriod = 0.0025;
+constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
+constexpr double kMostChange = SafetyOptions{}.max_torque_change;
+
+JointVector lying() { return 2.5 * anymal_b().q_nominal; }
+
+SensorHealth failing(GroupHealth SensorHealth::* group, double age) {
+  SensorHealth health{.encoders = {.age = 0.0}, .joint_torques = {.age = 0.0}, .imu = {.age = 0.0}};
+  health.*group = {.fault = SampleFault::silent, .age = age};
+  return health;
+}
+
+/// A safety stage, tick by tick, with a robot that stands still.
+struct Stage {
+  Stage() {
+    state.q_WB = Quat::Identity();
+    state.q = anymal_b().q_nominal;
+    state.qd.setZero();
+    solution.status = SolveStatus::optimal;
+    solution.x = VecX::Zero(kNumUnknowns);
+    solve(JointVector::Constant(10.0));
+  }
+  void solve(const JointVector& torque) { solution.x.tail<kNumJoints>() = torque; }
+  const JointCommand& tick(const SensorHealth& health = {}) {
+    state.time = kPeriod * ++ticks;
+    return safety.command(state, &solution, health);
+  }
+
+  Safety safety{{}, anymal_b(), 4, lying()};
+  RobotState state;
+  Solution solution;
+  int ticks = 0;
+};
+
+TEST(SafetyOfSensors, AShortGapChangesNothingButHowFastTorquesChange) {
+  Stage stage;
+  (void)stage.tick();
+  stage.solve(JointVector::Constant(30.0));
+  const JointCommand command = stage.tick(failing(&SensorHealth::imu, 0.02));
+  EXPECT_EQ(command.mode, CommandMode::optimal);
+  EXPECT_EQ(command.torque, JointVector::Constant(10.0 + kMostChange));
+  for (int i = 2; i <= 5; ++i) {
+    EXPECT_EQ(stage.tick().torque, JointVector::Constant(10.0 + i * kMostChange)) << "catches up";
+  }
+  stage.solve(JointVector::Constant(-10.0));
+  EXPECT_EQ(stage.tick().torque, JointVector::Constant(-10.0));
+  EXPECT_EQ(stage.tick().cause, StopCause::none);
+}
+
+TEST(SafetyOfSensors, WithoutImuOrTorquesItSitsDownSlowlyAndThenDamps) {
+  for (const auto& [group, cause] :
+       {std::pair(&SensorHealth::imu, StopCause::imu),
+        std::pair(&SensorHealth::joint_torques, StopCause::joint_torques)}) {
+    Stage stage;
+    JointVector before = stage.tick().torque;
+    ASSERT_EQ(stage.tick(failing(group, 0.021)).mode, CommandMode::sit);
+    for (int i = 0; i < 799; ++i) {
+      const JointCommand& command = stage.tick();
+      ASSERT_EQ(command.mode, CommandMode::sit) << "latched";
+      ASSERT_EQ(command.cause, cause);
+      ASSERT_LE((command.torque - before).cwiseAbs().maxCoeff(), 0.5);
+      before = command.torque;
+    }
+    const JointVector pull = anymal_b().hold_kp * (lying() - stage.state.q);
+    EXPECT_LT((before - pull.cwiseMax(-kLimit).cwiseMin(kLimit)).norm(), 0.1)
+        << "towards the lying posture alone";
+    EXPECT_EQ(stage.tick().mode, CommandMode::damping);
+    EXPECT_EQ(stage.tick().cause, cause);
+  }
+}
+
+TEST(SafetyOfSensors, AnEncoderThatIsLostFadesTheTorques) {
+  Stage stage;
+  (void)stage.tick();
+  stage.state.q[2] = stage.state.qd[2] = kNaN;
+  const JointCommand first = stage.tick(failing(&SensorHealth::encoders, 0.03));
+  EXPECT_EQ(first.mode, CommandMode::damping);
+  EXPECT_EQ(first.cause, StopCause::encoders);
+  EXPECT_NEAR(first.torque[2], 10.0, 0.1);
+  for (int i = 0; i < 100; ++i) (void)stage.tick();
+  EXPECT_NEAR(stage.tick().torque[2], 5.0, 0.1);
+  for (int i = 0; i < 200; ++i) (void)stage.tick();
+  EXPECT_EQ(stage.tick().torque, JointVector::Zero());
+}
+
+TEST(SafetyOfSensors, ASittingRobotThatTiltsOrLosesItsEncodersDamps) {
+  Stage tilts, loses;
+  for (Stage* stage : {&tilts, &loses}) {
+    (void)stage->tick();
+    ASSERT_EQ(stage->tick(failing(&SensorHealth::imu, 0.1)).mode, CommandMode::sit);
+  }
+  tilts.state.q_WB = from_roll_pitch_yaw({1.2, 0.0, 0.0});
+  EXPECT_EQ(tilts.tick().mode, CommandMode::damping);
+  EXPECT_EQ(loses.tick(failing(&SensorHealth::encoders, 0.03)).mode, CommandMode::damping);
+  EXPECT_EQ(loses.tick().cause, StopCause::imu) << "what came first";
+}
+
+TEST(SafetyOfSensors, ASensorThatTheRobotDoesNotHaveIsNotMissed) {
+  Stage stage;
+  const SensorHealth health{.encoders = {.age = 0.0}, .joint_torques = {}, .imu = {}};
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(stage.tick(health).mode, CommandMode::optimal);
+}
+
+TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {
+  RandomMatrices random(4);
+  constexpr std::array kGroups{&SensorHealth::encoders, &SensorHealth::joint_torques,
+                               &SensorHealth::imu};
+  for (int run = 0; run < 60; ++run) {
+    Stage stage;
+    JointVector before = stage.tick().torque;
+    const auto group = kGroups[static_cast<std::size_t>(random.integer(0, 2))];
+    const int length = random.integer(1, 40);
+    for (int i = 1; i < 900; ++i) {
+      stage.solve(60.0 * random.vector(kNumJoints));
+      stage.state.q = anymal_b().q_nominal + 0.3 * random.vector(kNumJoints);
+      stage.state.qd = 3.0 * random.vector(kNumJoints);
+      if (random.chance(0.02)) stage.state.q[random.integer(0, 11)] = kNaN;
+      if (random.chance(0.02)) stage.state.qd[random.integer(0, 11)] = kNaN;
+      const bool fails = i <= length;
+      const JointCommand& command = fails ? stage.tick(failing(group, i * kPeriod)) : stage.tick();
+      ASSERT_TRUE(command.torque.allFinite());
+      ASSERT_LE(command.torque.cwiseAbs().maxCoeff(), kLimit);
+      if (fails || length > 8)
+        ASSERT_LE((command.torque - before).cwiseAbs().maxCoeff(), kMostChange + 1e-9);
+      before = command.torque;
+    }
+  }
+}
+
+TEST(SafetyOfSensors, AllocatesNothing) {
+  Stage stage;
+  (void)stage.tick();
+  const SensorHealth imu = failing(&SensorHealth::imu, 0.1),
+                     encoders = failing(&SensorHealth::encoders, 0.1);
+  const test::MallocCounter counter;
+  (void)stage.tick(imu);
+  (void)stage.tick(encoders);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot

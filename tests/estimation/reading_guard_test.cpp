@@ -1,0 +1,234 @@
+#include "surefoot/estimation/reading_guard.hpp"
+
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+constexpr int kKnee = 2;  // LF_KFE
+
+/// A robot whose joints swing and whose IMU shakes, tick by tick, read through a guard.
+struct Swinging {
+  [[nodiscard]] JointVector angle(double t) const {
+    return test::anymal_b().q_nominal + JointVector::Constant(0.3 * std::sin(8.0 * t));
+  }
+  [[nodiscard]] JointVector velocity(double t) const {
+    return JointVector::Constant(2.4 * std::cos(8.0 * t));
+  }
+  [[nodiscard]] SensorReading sample(double t) const {
+    SensorReading reading;
+    reading.time = reading.encoder_time = reading.torque_time = reading.imu_time = t;
+    reading.q = angle(t);
+    reading.torque = JointVector::Constant(20.0 * std::sin(5.0 * t));
+    reading.gyro = Vec3(std::sin(7.0 * t), std::cos(7.0 * t), 0.1);
+    reading.accelerometer = Vec3(std::cos(9.0 * t), std::sin(9.0 * t), kGravity);
+    return reading;
+  }
+  /// One tick with the reading that a test made of the true one.
+  template <typename Change>
+  void tick(const Change& change) {
+    time = kPeriod * ++ticks;
+    SensorReading reading = sample(time);
+    change(reading);
+    guard.update(reading, velocity(time - 0.5 * kPeriod));
+  }
+  void run(int count) {
+    for (int i = 0; i < count; ++i) tick([](SensorReading&) {});
+  }
+  [[nodiscard]] bool is_well() const {
+    const SensorHealth& health = guard.health();
+    return health.encoders.fault == SampleFault::none &&
+           health.joint_torques.fault == SampleFault::none && health.imu.fault == SampleFault::none;
+  }
+
+  ReadingGuard guard{{}, test::anymal_b(), kPeriod};
+  int ticks = 0;
+  double time = 0.0;
+};
+
+TEST(ReadingGuard, GoodReadingsPassAsTheyAre) {
+  Swinging robot;
+  for (int i = 0; i < 400; ++i) {
+    robot.run(1);
+    ASSERT_TRUE(robot.is_well());
+    ASSERT_EQ(robot.guard.repaired().q, robot.angle(robot.time));
+    ASSERT_EQ(robot.guard.health().imu.age, 0.0);
+  }
+}
+
+TEST(ReadingGuard, JointsWithoutReadingGoOnWithTheirVelocity) {
+  Swinging robot;
+  robot.run(100);
+  for (int i = 1; i <= 6; ++i) {
+    robot.tick([](SensorReading& reading) { reading.q.setConstant(kNaN); });
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::not_a_number);
+    EXPECT_NEAR(robot.guard.health().encoders.age, i * kPeriod, 1e-12);
+    EXPECT_LT((robot.guard.repaired().q - robot.angle(robot.time)).norm(), 1e-3);
+    EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all());
+  }
+  robot.run(1);
+  EXPECT_TRUE(robot.is_well());
+}
+
+TEST(ReadingGuard, TorquesAndImuHoldTheLastGoodValue) {
+  Swinging robot;
+  robot.run(100);
+  const SensorReading good = robot.guard.repaired();
+  robot.tick([](SensorReading& reading) {
+    reading.torque[4] = std::numeric_limits<double>::infinity();
+    reading.gyro[1] = kNaN;
+    reading.accelerometer[2] = -1e5;
+  });
+  EXPECT_EQ(robot.guard.repaired().torque[4], good.torque[4]);
+  EXPECT_EQ(robot.guard.repaired().gyro[1], good.gyro[1]);
+  EXPECT_EQ(robot.guard.repaired().accelerometer[2], good.accelerometer[2]);
+  EXPECT_EQ(robot.guard.health().joint_torques.joint, 4);
+  EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::not_a_number);
+}
+
+TEST(ReadingGuard, ASpikeIsFoundAndLeavesNoTrace) {
+  Swinging robot, other;
+  robot.run(100);
+  other.run(101);
+  robot.tick([](SensorReading& reading) {
+    reading.q[kKnee] += 0.2;
+    reading.torque[kKnee] -= 120.0;
+    reading.gyro[0] += 5.0;
+    reading.accelerometer[0] += 200.0;
+  });
+  EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump);
+  EXPECT_EQ(robot.guard.health().encoders.joint, kKnee);
+  EXPECT_NE(robot.guard.health().joint_torques.fault, SampleFault::none);
+  EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::jump);
+  robot.run(1);
+  other.run(1);
+  EXPECT_TRUE(robot.is_well());
+  EXPECT_EQ(robot.guard.repaired().q, other.guard.repaired().q);
+  EXPECT_EQ(robot.guard.repaired().gyro, other.guard.repaired().gyro);
+}
+
+TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {
+  Swinging robot;
+  robot.run(100);
+  for (int i = 1; i <= 9; ++i) {
+    robot.tick([](SensorReading& reading) {
+      reading.q[kKnee] += 0.12;
+      reading.gyro[0] += 5.0;
+    });
+    EXPECT_EQ(robot.guard.health().encoders.joint, kKnee) << i;
+    EXPECT_NEAR(robot.guard.health().encoders.age, i * kPeriod, 1e-12);
+    EXPECT_NEAR(robot.guard.health().imu.age, i * kPeriod, 1e-12);
+  }
+}
+
+TEST(ReadingGuard, SilenceShowsInTheSampleTimes) {
+  Swinging robot;
+  robot.run(100);
+  const SensorReading last = robot.guard.repaired();
+  for (int i = 1; i <= 9; ++i) {
+    robot.tick([&](SensorReading& reading) {
+      reading.q = last.q;
+      reading.encoder_time = last.encoder_time;
+      reading.gyro = last.gyro;
+      reading.accelerometer = last.accelerometer;
+      reading.imu_time = last.imu_time;
+    });
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::silent) << i;
+    EXPECT_EQ(robot.guard.health().encoders.joint, -1);
+    EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::silent) << i;
+    EXPECT_NEAR(robot.guard.health().imu.age, i * kPeriod, 1e-12);
+    EXPECT_EQ(robot.guard.health().joint_torques.fault, SampleFault::none);
+  }
+}
+
+TEST(ReadingGuard, ASlowSensorIsNotAtFault) {
+  for (const int every : {2, 3, 4, 8}) {
+    Swinging robot;
+    SensorReading held;
+    for (int i = 0; i < 800; ++i) {
+      robot.tick([&](SensorReading& reading) {
+        if (i % every == 0) held = reading;
+        reading.q = held.q;
+        reading.gyro = held.gyro;
+        reading.accelerometer = held.accelerometer;
+        reading.encoder_time = reading.imu_time = held.time;
+      });
+      ASSERT_TRUE(robot.is_well()) << every << " " << i;
+      ASSERT_LE(robot.guard.health().imu.age, every * kPeriod);
+    }
+  }
+}
+
+TEST(ReadingGuard, AConstantDelayIsNoFaultAndATooLongOneIs) {
+  for (const int delay : {1, 3, 9}) {
+    Swinging robot;
+    for (int i = 0; i < 400; ++i) {
+      robot.tick([&](SensorReading& reading) {
+        const SensorReading past = robot.sample(std::max(0.0, robot.time - delay * kPeriod));
+        reading.gyro = past.gyro;
+        reading.accelerometer = past.accelerometer;
+        reading.imu_time = past.time;
+      });
+      if (delay <= 3) ASSERT_TRUE(robot.is_well()) << delay << " " << i;
+    }
+    const GroupHealth& imu = robot.guard.health().imu;
+    EXPECT_EQ(imu.fault, delay > 8 ? SampleFault::late : SampleFault::none);
+    EXPECT_EQ(imu.age > 0.02, delay > 8);
+  }
+}
+
+TEST(ReadingGuard, TheSameNumbersAgainAndAgainAreNoMeasurement) {
+  Swinging robot;
+  robot.run(100);
+  const SensorReading last = robot.guard.repaired();
+  for (int i = 1; i <= 9; ++i) {
+    robot.tick([&](SensorReading& reading) { reading.gyro = last.gyro; });
+  }
+  EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::repeats);
+  EXPECT_NEAR(robot.guard.health().imu.age, 9 * kPeriod, 1e-12) << "since the first of them";
+}
+
+TEST(ReadingGuard, WhatTheRobotDoesNotHaveHasNoAge) {
+  Swinging robot;
+  for (int i = 0; i < 50; ++i) {
+    robot.tick([](SensorReading& reading) {
+      reading.gyro.setConstant(kNaN);
+      reading.accelerometer.setConstant(kNaN);
+      reading.imu_time = kNaN;
+    });
+  }
+  EXPECT_TRUE(std::isnan(robot.guard.health().imu.age));
+  EXPECT_EQ(robot.guard.health().encoders.age, 0.0);
+}
+
+TEST(ReadingGuard, AClockThatLeapsChangesNothing) {
+  Swinging robot;
+  robot.run(100);
+  for (const double leap : {1e6, -1e6, 5.0, kNaN}) {
+    robot.tick([&](SensorReading& reading) { reading.time += leap; });
+    EXPECT_FALSE(robot.guard.clock_is_right());
+    robot.run(1);
+    EXPECT_TRUE(robot.is_well());
+    EXPECT_EQ(robot.guard.repaired().q, robot.angle(robot.time));
+  }
+}
+
+TEST(ReadingGuard, AllocatesNothing) {
+  Swinging robot;
+  robot.run(3);
+  const test::MallocCounter counter;
+  const SensorReading bad{};
+  robot.guard.update(bad, JointVector::Zero());
+  robot.tick([](SensorReading& reading) { reading.q.setConstant(kNaN); });
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace surefoot

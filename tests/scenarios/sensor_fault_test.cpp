@@ -1,0 +1,153 @@
+// A blind walk whose sensors fail: short faults are bridged, long ones make it sit down.
+#include "app/closed_loop.hpp"
+#include "surefoot/simulation/plant.hpp"
+#include "tests/scenarios/loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::Loop;
+using test::scenario;
+
+constexpr double kFaultTime = 2.5;    // in the walk, a foot in the air [s]
+constexpr double kLimit = 40.0;       // of every joint of the robot [N·m]
+constexpr double kHardLanding = 1.0;  // of the base [m/s]; a free fall gives 2.4
+constexpr double kMostChange = SafetyOptions{}.max_torque_change;
+
+struct Fault {
+  std::string sensor, kind, size, said;
+
+  [[nodiscard]] std::string option(double duration) const {
+    return "sensors.faults.one={sensor: " + sensor + ", kind: " + kind +
+           ", time: " + std::to_string(kFaultTime) + ", duration: " + std::to_string(duration) +
+           (size.empty() ? "" : ", size: " + size) + "}";
+  }
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) {
+  return out << fault.sensor << " " << fault.kind << " " << fault.size;
+}
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> all{
+      {"imu", "stops", "", "IMU stopped"},
+      {"imu", "repeats", "", "IMU stopped"},
+      {"imu", "nan", "", "IMU gave no numbers"},
+      {"imu", "late", "10", "IMU came late"},
+      {"gyro", "repeats", "", "IMU repeated itself"},
+      {"gyro", "jump", "5", "IMU jumped"},
+      {"accelerometer", "nan", "", "IMU gave no numbers"},
+      {"accelerometer", "jump", "400", "IMU left the range"},
+      {"encoders", "stops", "", "encoders stopped"},
+      {"encoders", "repeats", "", "encoders stopped"},
+      {"encoders", "nan", "", "encoders gave no numbers"},
+      {"encoders", "nan", "0, joint: LF_KFE", "encoder LF_KFE gave no numbers"},
+      {"encoders", "late", "10", "encoders came late"},
+      {"encoders", "jump", "0.3", "encoders jumped"},
+      {"joint_torques", "stops", "", "joint torques stopped"},
+      {"joint_torques", "repeats", "", "joint torques stopped"},
+      {"joint_torques", "nan", "", "joint torques gave no numbers"},
+      {"joint_torques", "late", "10", "joint torques came late"},
+      {"joint_torques", "jump", "200", "joint torques left the range"},
+  };
+  return all;
+}
+
+std::vector<std::string> walk(const std::string& fault, double duration) {
+  return {"planner.calibration.duration=0", "duration=" + std::to_string(duration), fault};
+}
+
+/// What every tick of a run showed.
+struct Course {
+  double fastest_descent = 0.0;  // [m/s]
+  double largest_change = 0.0;   // of a torque in a tick, once a sensor is at fault [N·m]
+  CommandMode worst = CommandMode::optimal;
+  double tilt_end = 0.0;
+  int steps_before = 0, steps = 0;
+};
+
+Course follow(const Fault& fault, double fault_duration, double end) {
+  Loop loop(scenario("walk_flat", walk(fault.option(fault_duration), end)));
+  Course course;
+  JointVector before = JointVector::Zero();
+  loop.run_until(end, [&] {
+    const TickRecord& record = loop.record();
+    const JointVector& torque = record.command.torque;
+    EXPECT_TRUE(torque.allFinite());
+    EXPECT_LE(torque.cwiseAbs().maxCoeff(), kLimit);
+    const SensorHealth& health = record.health;
+    const bool at_fault = health.encoders.fault != SampleFault::none ||
+                          health.joint_torques.fault != SampleFault::none ||
+                          health.imu.fault != SampleFault::none;
+    if (at_fault)
+      course.largest_change =
+          std::max(course.largest_change, (torque - before).cwiseAbs().maxCoeff());
+    before = torque;
+    course.fastest_descent = std::max(course.fastest_descent, -loop.truth().v_WB.z());
+    course.worst = std::max(course.worst, record.command.mode);
+    if (record.reading.time < kFaultTime) course.steps_before = loop.steps_taken();
+    return false;
+  });
+  course.steps = loop.steps_taken();
+  course.tilt_end = std::acos(loop.truth().q_WB.toRotationMatrix()(2, 2));
+  return course;
+}
+
+class SensorFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(SensorFault, ForAShortTimeIsBridged) {
+  for (const double duration : {0.005, 0.015}) {
+    const Course course = follow(GetParam(), duration, 5.0);
+    EXPECT_EQ(course.worst, CommandMode::optimal) << duration;
+    EXPECT_GE(course.steps, course.steps_before + 3) << duration;
+    EXPECT_LE(course.largest_change, kMostChange + 1e-9) << duration;
+  }
+}
+
+TEST_P(SensorFault, ForLongMakesItSitDown) {
+  const Course course = follow(GetParam(), 1.0, 6.0);
+  EXPECT_EQ(course.worst, CommandMode::damping) << "in the end";
+  EXPECT_LE(course.fastest_descent, kHardLanding);
+  EXPECT_LE(course.largest_change, kMostChange + 1e-9);
+  EXPECT_LE(course.tilt_end, 0.5);
+  const RunResult result =
+      run_closed_loop(scenario("walk_flat", walk(GetParam().option(1.0), 8.0)), {});
+  EXPECT_TRUE(result.safety_stop);
+  EXPECT_FALSE(result.metrics.fell) << result.metrics.reason;
+  EXPECT_NE(result.metrics.reason.find("the controller stopped for safety at 2.5"),
+            std::string::npos)
+      << result.metrics.reason;
+  EXPECT_NE(result.metrics.reason.find(GetParam().said), std::string::npos)
+      << result.metrics.reason;
+  RecordProperty("descent", std::to_string(course.fastest_descent));
+  RecordProperty("change", std::to_string(course.largest_change));
+  RecordProperty("reason", result.metrics.reason);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SensorFault, testing::ValuesIn(faults()),
+                         [](const auto& parameter) {
+                           const Fault& fault = parameter.param;
+                           return fault.sensor + "_" + fault.kind + "_" +
+                                  (fault.said.find("LF_KFE") == std::string::npos ? "all" : "one");
+                         });
+
+TEST(SensorSpike, ChangesNothingThatLasts) {
+  for (const Fault& fault :
+       {Fault{"gyro", "spike", "8", ""}, Fault{"accelerometer", "spike", "350", ""},
+        Fault{"encoders", "spike", "0.3", ""}, Fault{"joint_torques", "spike", "150", ""}}) {
+    const Course course = follow(fault, 0.0025, 4.5);
+    EXPECT_EQ(course.worst, CommandMode::optimal) << fault;
+    EXPECT_GE(course.steps, course.steps_before + 2) << fault;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
