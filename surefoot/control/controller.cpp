@@ -68,6 +68,7 @@ struct Controller::Implementation {
       : estimator(std::move(state_estimator)),
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
+        slip(options.slip, options.period),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
@@ -86,6 +87,7 @@ struct Controller::Implementation {
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   ContactForceEstimator contact_force;
+  SlipDetector slip;
   Planner planner;
   TaskStack stack;
   LevelSwitcher switcher;
@@ -119,7 +121,8 @@ TickContext Controller::Implementation::context() noexcept {
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
-                                   .normal_force = planner.terrain_normal().dot(force)};
+                                   .normal_force = planner.terrain_normal().dot(force),
+                                   .slips = record.state.slips[index(leg)]};
   }
   return result;
 }
@@ -128,6 +131,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), record.reading,
                        record.state);
+  slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);
