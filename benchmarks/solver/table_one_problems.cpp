@@ -70,8 +70,9 @@ void draw_references(Random& random, const Dynamics& dynamics, const Draws& draw
   plan.torso.wdot_WB = random.vector(draws.turning);
   plan.torso.height = dynamics.base.p.z() + random.uniform(-0.005, 0.005);
   plan.torso.height_acceleration = random.uniform(-draws.acceleration, draws.acceleration);
-  plan.friction = random.uniform(draws.friction_min, draws.friction_max);
+  const double friction = random.uniform(draws.friction_min, draws.friction_max);
   for (FootPlan& foot : plan.feet) {
+    foot.friction = friction;
     foot.force_min = random.uniform(0.0, draws.force_min);
     foot.force_max = std::max(random.uniform(draws.force_max, 250.0), foot.force_min);
   }

@@ -56,6 +56,16 @@ void read_force(Section& section, ForceOptions& force) {
   if (force.max < force.min) section.fail("max", "must not be below min");
 }
 
+void read_grip(Section& section, GripOptions& grip) {
+  section.flag("enabled", grip.enabled);
+  section.number("friction_min", grip.friction_min, kPositive);
+  section.number("share", grip.share, kShare);
+  section.number("recovery", grip.recovery, kNotNegative);
+  section.number("enough", grip.enough, kPositive);
+  section.number("caution_max", grip.caution_max, kPositive);
+  if (grip.caution_max < 1.0) section.fail("caution_max", "must not be below 1");
+}
+
 void read_com(Section& section, ComPlannerOptions& com) {
   section.number("zmp_margin", com.zmp_margin, kNotNegative);
   section.number("rest_margin", com.rest_margin, kNotNegative);
@@ -141,6 +151,7 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("stance", [&](Section& s) { read_stance(s, options.stance); });
   section.section("gait", [&](Section& s) { read_gait(s, options.gait); });
   section.section("force", [&](Section& s) { read_force(s, options.force); });
+  section.section("grip", [&](Section& s) { read_grip(s, options.grip); });
   section.section("com", [&](Section& s) { read_com(s, options.com); });
   section.section("swing", [&](Section& s) { read_swing(s, options.swing); });
   section.section("contact", [&](Section& s) { read_contact(s, options.contact); });

@@ -153,6 +153,17 @@ void read_safety(Section& section, SafetyOptions& safety) {
   section.number("max_torque_change", safety.max_torque_change, kPositive);
 }
 
+void read_slip(Section& section, SlipOptions& slip) {
+  section.flag("enabled", slip.enabled);
+  section.number("begin_speed", slip.begin_speed, kPositive);
+  section.number("begin_duration", slip.begin_duration, kNotNegative);
+  section.number("end_speed", slip.end_speed, kPositive);
+  section.number("end_duration", slip.end_duration, kNotNegative);
+  section.number("force", slip.force, kNotNegative);
+  section.number("settle", slip.settle, kNotNegative);
+  section.number("cutoff_hz", slip.cutoff_hz, kPositive);
+}
+
 void read_contact_force(Section& section, ContactForceOptions& contact_force) {
   section.number("bandwidth_hz", contact_force.bandwidth_hz, kPositive);
   section.flag("use_foot_sensor", contact_force.use_foot_sensor);
@@ -193,6 +204,7 @@ void read_controller(Section& top, ControllerOptions& controller) {
       "period", controller.period,
       {.min = 0.0, .max = 0.01, .min_included = false, .words = "above 0 and at most 0.01 s"});
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
+  top.section("slip", [&](Section& s) { read_slip(s, controller.slip); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });
   top.section("solver", [&](Section& s) { read_solver(s, controller.solver); });

@@ -73,6 +73,7 @@ struct Controller::Implementation {
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
         com_calibration(options.period),
+        slip(options.slip, options.period),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
@@ -96,6 +97,7 @@ struct Controller::Implementation {
   RobotModel model;
   ContactForceEstimator contact_force;
   ComCalibration com_calibration;
+  SlipDetector slip;
   Planner planner;
   TaskStack stack;
   LevelSwitcher switcher;
@@ -155,7 +157,8 @@ TickContext Controller::Implementation::context() noexcept {
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
-                                   .normal_force = planner.terrain_normal().dot(force)};
+                                   .normal_force = planner.terrain_normal().dot(force),
+                                   .slips = record.state.slips[index(leg)]};
   }
   return result;
 }
@@ -166,6 +169,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
   com_calibration.update(dynamics, record.state.foot_force, record.plan.calibrating);
+  slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);

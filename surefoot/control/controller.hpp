@@ -6,6 +6,7 @@
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
 #include "surefoot/estimation/reading_guard_options.hpp"
+#include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/planning/planner_options.hpp"
@@ -41,6 +42,7 @@ struct ControllerOptions {
   SolverOptions solver;
   ReadingGuardOptions guard;
   ContactForceOptions contact_force;
+  SlipOptions slip;
   SafetyOptions safety;
 };
 

@@ -10,7 +10,7 @@ namespace surefoot {
 struct LegInertialOptions {
   InvariantFilterOptions filter;
   double foot_walk = 0.001;      ///< of a foot that stands firmly [m/√s]
-  double loose_foot_walk = 0.3;  ///< … of one that hardly touches [m/√s]
+  double loose_foot_walk = 0.3;  ///< … of one that hardly touches, or slides [m/√s]
   double trust_time = 0.08;      ///< after a touchdown until a foot is trusted fully [s]
   double trust_force = 30.0;     ///< normal force from which on it is [N]
 };

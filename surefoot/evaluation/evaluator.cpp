@@ -53,6 +53,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   frame_.update(truth, tick);
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
+  slips_.add(truth, tick);
   add_progress(truth, tick);
   add_com(truth, tick);
   add_torso(truth, tick);
@@ -198,6 +199,7 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   Metrics result = metrics_;
   estimate_.write(result);
   touchdowns_.write(result);
+  slips_.write(result);
   result.reason = metrics_.fell ? fall_ : end.reason;
   result.goal_reached = end.goal_reached;
   result.duration_s = ticks_ * options_.control_period;

@@ -4,6 +4,7 @@
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/evaluation/slip_judge.hpp"
 #include "surefoot/evaluation/touchdown_judge.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
@@ -35,7 +36,8 @@ struct RunEnd {
 /// Judges a run tick by tick.
 class Evaluator {
  public:
-  explicit Evaluator(EvaluatorOptions options) : options_(std::move(options)) {}
+  explicit Evaluator(EvaluatorOptions options)
+      : options_(std::move(options)), slips_(options_.control_period) {}
 
   /// Truth and tick belong to the same time: the truth from which the readings were made.
   void add(const GroundTruth& truth, const TickRecord& tick);
@@ -79,6 +81,7 @@ class Evaluator {
   BeliefFrame frame_;
   EstimateJudge estimate_;
   TouchdownJudge touchdowns_;
+  SlipJudge slips_;
   std::string fall_;
   int ticks_ = 0;
   Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base

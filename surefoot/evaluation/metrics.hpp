@@ -52,6 +52,11 @@ struct Metrics {
   double touchdown_latency_p95_s = kNaN;  ///< from a foot's touch to the tick that notices it
   int false_touchdowns = 0;               ///< noticed, but not there
 
+  int slips_detected = 0;            ///< true slips that were noticed (evaluation/slip_judge.hpp)
+  int slips_missed = 0;              ///< … that were not
+  int slips_false = 0;               ///< noticed, but not there
+  double slip_latency_p95_s = kNaN;  ///< from a foot's sliding to the tick that notices it
+
   int steps_taken = 0;        ///< swings that ended on the ground
   int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)
   int no_ground_events = 0;   ///< feet that were taken back because there was no ground in reach

@@ -108,6 +108,10 @@ void fields(Archive& field, T& state) {
   field("qd", state.qd, "joint velocities [rad/s]");
   field("torque", state.torque, "measured joint torques [N·m]");
   field("foot_force", state.foot_force, "estimated ground force on each foot, in W [N]");
+  field(
+      "slip_velocity", state.slip_velocity,
+      "of each foot's contact point along the ground, against the other standing feet, in W [m/s]");
+  field("slips", state.slips, "the foot is believed to slide");
 }
 
 template <typename Archive, Is<FootPlan> T>
@@ -119,6 +123,7 @@ void fields(Archive& field, T& foot) {
   field("a_WF", foot.a_WF, "[m/s²]");
   field("force_min", foot.force_min, "lower limit of the normal force, Eq. (30) [N]");
   field("force_max", foot.force_max, "upper limit of the normal force, Eq. (30) [N]");
+  field("friction", foot.friction, "coefficient that the contact force may use");
 }
 
 template <typename Archive, Is<TorsoPlan> T>
@@ -149,7 +154,6 @@ void fields(Archive& field, T& plan) {
         "control frame C in W, row by row: z along the terrain normal, x the heading");
   field("terrain_point", plan.terrain_point,
         "a point of the terrain plane, at sphere-centre height, in W [m]");
-  field("friction", plan.friction, "coefficient that the contact forces may use");
   field("com_zmp_slack", plan.com_zmp_slack, "how far the plan's ZMP had to leave the polygon [m]");
   field("event", plan.event, "what the planner did at this tick, 0 nothing");
 }

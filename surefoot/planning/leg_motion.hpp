@@ -40,6 +40,7 @@ class LegMotion {
   /// Looks at the leg as it is.
   [[nodiscard]] LegEvent observe(double time, const LegObservation& seen);
 
+  /// Without the friction.
   [[nodiscard]] FootPlan plan(double time) const;
   [[nodiscard]] LegPhase phase() const { return phase_; }
   [[nodiscard]] bool down() const { return in_contact(phase_); }

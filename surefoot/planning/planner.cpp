@@ -38,6 +38,7 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
       com_planner_(options.com, options.force, weight),
       foothold_planner_(options.stance, options.foothold),
       torso_(options.torso, period),
+      grip_(options.grip, options.force.friction, period),
       calibration_(options.calibration),
       legs_{LegMotion(options.swing, options.contact, options.force, period),
             LegMotion(options.swing, options.contact, options.force, period),
@@ -49,9 +50,10 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   time_ = state.time;
   event_ = PlanEvent::none;
   if (!initialised_) initialise(state, dynamics);
-  const UserCommand user = within_strides(command);
+  const UserCommand user = with_caution(within_strides(command));
   if (mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
   observe_legs(user, state, dynamics);
+  observe_grip(user, state, dynamics);
   advance(user, dynamics);
   write_plan(user);
   return plan_;
@@ -281,7 +283,8 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     goal.z() = plane_.height(goal.head<2>());
   }
   const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
-  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.gait.swing_duration, apex});
+  const double duration = pace() * options_.gait.swing_duration;
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
   expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
@@ -374,7 +377,10 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
 
 void Planner::write_plan(const UserCommand& user) {
   plan_.time = time_;
-  for (const Leg k : kLegs) plan_.feet[index(k)] = leg(k).plan(time_);
+  for (const Leg k : kLegs) {
+    plan_.feet[index(k)] = leg(k).plan(time_);
+    plan_.feet[index(k)].friction = grip_.friction(k);
+  }
   plan_.com = com_planner_.at(time_);
   plan_.com_zmp_slack = com_planner_.zmp_slack();
   const double yaw_rate = mode_ != Mode::stand ? user.yaw_rate : 0.0;
@@ -383,7 +389,6 @@ void Planner::write_plan(const UserCommand& user) {
   plan_.torso = torso_.plan();
   plan_.R_WC = control_frame(plane_.normal, yaw_);
   plan_.terrain_point = plane_.point;
-  plan_.friction = options_.force.friction;
   plan_.calibrating = calibrating();
   plan_.event = static_cast<int>(event_);
 }
@@ -395,11 +400,11 @@ Leg Planner::next_leg(int ahead) const {
 
 double Planner::support_duration(int ahead) const {
   const bool same_side = is_left(next_leg(ahead)) == is_left(next_leg(ahead + kNumLegs - 1));
-  return same_side ? options_.gait.same_side_duration : options_.gait.switch_duration;
+  return pace() * (same_side ? options_.gait.same_side_duration : options_.gait.switch_duration);
 }
 
 double Planner::swing_duration(Leg k) const {
-  return options_.gait.swing_duration + (probes(k) ? options_.probe.duration : 0.0);
+  return pace() * options_.gait.swing_duration + (probes(k) ? options_.probe.duration : 0.0);
 }
 
 double Planner::cycle_duration() const {

@@ -5,6 +5,7 @@
 #include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
+#include "surefoot/planning/grip.hpp"
 #include "surefoot/planning/leg_motion.hpp"
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/planning/torso_reference.hpp"
@@ -39,6 +40,11 @@ class Planner {
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
   void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
+  void observe_grip(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
+  /// The command, slower where a foot has little friction.
+  [[nodiscard]] UserCommand with_caution(const UserCommand& user) const;
+  /// Of the gait's durations, longer for the same reason: a factor.
+  [[nodiscard]] double pace() const;
   void on_touchdown(Leg leg, const UserCommand& user, const RobotState& state,
                     const Dynamics& dynamics);
   /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
@@ -80,6 +86,7 @@ class Planner {
   ComPlanner com_planner_;
   FootholdPlanner foothold_planner_;
   TorsoReference torso_;
+  Grip grip_;
   CalibrationMotion calibration_;
   PerLeg<LegMotion> legs_;
   TerrainPlane plane_;

@@ -24,6 +24,7 @@ struct FootPlan {
   Vec3 a_WF = Vec3::Zero();  ///< [m/s²]
   double force_min = 0.0;    ///< normal force limits of Eq. (30), min(f_min, f_max(t)) [N]
   double force_max = 0.0;    ///< [N]
+  double friction = 0.5;     ///< μ that the contact force may use
 };
 
 /// Reference of the torso in W.
@@ -53,7 +54,6 @@ struct MotionPlan {
   Mat3 R_WC = Mat3::Identity();  ///< control frame C: z along the terrain normal, x the heading
   Vec3 terrain_point =
       Vec3::Zero();            ///< a point of the terrain plane, at sphere-centre height, in W [m]
-  double friction = 0.0;       ///< μ that the contact forces may use
   double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
   bool calibrating = false;    ///< the torso turns on the spot for the estimator, before it walks
   int event = 0;               ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)

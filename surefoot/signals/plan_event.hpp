@@ -17,6 +17,7 @@ enum class PlanEvent : int {
   lift_off_aborted = 8,   ///< the leg did not unload or the balance was not over the others
   collision = 9,          ///< a hind leg met something above the ground that it steps onto
   slowed = 10,            ///< the commanded velocity asks for longer strides than the legs have
+  slip = 11,              ///< a standing foot began to slide
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -41,6 +42,8 @@ enum class PlanEvent : int {
       return "leg met something above the ground: up and further on";
     case PlanEvent::slowed:
       return "strides too long for the legs: walking slower than commanded";
+    case PlanEvent::slip:
+      return "stance foot slides: less force along the ground, slower";
     case PlanEvent::lift_off_aborted:
       return "lift-off aborted: shifting again";
   }

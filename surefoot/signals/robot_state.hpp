@@ -16,6 +16,9 @@ struct RobotState {
   JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                           Vec3::Constant(kNaN)};  ///< estimated ground force on each foot, in W [N]
+  /// Of each foot's contact point along the ground, against the other standing feet, in W [m/s].
+  PerLeg<Vec3> slip_velocity{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  PerLeg<bool> slips{};  ///< the foot is believed to slide
 
   /// u = (v_WB, w_WB_B, q̇), Eq. (1).
   [[nodiscard]] GeneralizedVector u() const {

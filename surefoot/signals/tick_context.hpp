@@ -8,6 +8,7 @@ namespace surefoot {
 struct FootContact {
   bool carries = true;        ///< the plan lets the foot stand
   double normal_force = 0.0;  ///< estimated, along the terrain normal [N]
+  bool slips = false;         ///< the foot is believed to slide
 };
 
 /// What a state estimator is told beside the readings.

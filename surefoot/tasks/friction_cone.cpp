@@ -30,11 +30,11 @@ void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
   const double inner = options_.pyramid == Pyramid::inner ? 1.0 / std::numbers::sqrt2 : 1.0;
   const Mat3 axes =
       options_.axes == Axes::control ? input.plan.R_WC : rotation_about_z(yaw(input.plan.R_WC));
-  const auto B = pyramid_rows(axes, inner * input.plan.friction);
   for (const Leg leg : kLegs) {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
+    const auto B = pyramid_rows(axes, inner * foot.friction);
     Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
     rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
     rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,

@@ -6,13 +6,13 @@ namespace surefoot {
 
 /// Keeps contact forces inside a friction pyramid and their normal part within the plan's limits.
 ///
-///     |ĥᵀλ_i| ≤ μ' n̂ᵀλ_i,   |l̂ᵀλ_i| ≤ μ' n̂ᵀλ_i             (Bellicoso 2016, Eq. 29)
+///     |ĥᵀλ_i| ≤ μ_i' n̂ᵀλ_i,   |l̂ᵀλ_i| ≤ μ_i' n̂ᵀλ_i           (Bellicoso 2016, Eq. 29)
 ///     min(f_min, f_max(t)) ≤ n̂ᵀλ_i ≤ f_max(t)               (Eq. 30)
 ///     λ = Λ x + λ₀                                           (Eq. 31)
 ///
-/// ĥ, l̂, n̂ are the axes of the control frame C. The pyramid with μ' = μ touches the cone from
-/// outside and exceeds it on the diagonals by √2; with μ' = μ/√2 it lies inside. Writes 5 rows for
-/// each leg in contact [N].
+/// ĥ, l̂, n̂ are the axes of the control frame C, μ_i is what the plan allows foot i. The pyramid
+/// with μ' = μ touches the cone from outside and exceeds it on the diagonals by √2; with μ' = μ/√2
+/// it lies inside. Writes 5 rows for each leg in contact [N].
 class FrictionCone final : public Task {
  public:
   enum class Pyramid { inner, outer };

@@ -104,7 +104,7 @@ class SyntheticRun {
   void plan() {
     MotionPlan& plan = tick.plan;
     plan.time = time_;
-    plan.friction = 0.6;
+    for (FootPlan& foot : plan.feet) foot.friction = 0.6;
     plan.event = 0;
     const double walk = std::max(0.0, time_ - 1.0);
     tick.user = {.walk = time_ >= 1.0, .velocity = Vec2(kStride / kCycle, 0.0)};

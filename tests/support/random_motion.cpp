@@ -79,7 +79,6 @@ RobotState straight_legged_state() {
 
 MotionPlan plan_with_contacts(const PerLeg<bool>& contacts) {
   MotionPlan plan;
-  plan.friction = 0.5;
   for (const Leg leg : kLegs) {
     FootPlan& foot = plan.feet[index(leg)];
     foot.phase = contacts[index(leg)] ? LegPhase::stance : LegPhase::swing;

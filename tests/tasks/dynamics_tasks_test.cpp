@@ -140,6 +140,7 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
     const double inner = pyramid == FrictionCone::Pyramid::inner ? std::numbers::sqrt2 / 2.0 : 1.0;
     for (const PerLeg<bool>& contacts : all_contact_sets()) {
       scene.plan = plan_with_contacts(contacts);
+      for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.2, 0.8);
       scene.plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
       const TaskInput input =
           scene.update(random.standing_state(scene.model.description().q_nominal));
@@ -150,7 +151,7 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
       for (const Leg leg : kLegs) {
         if (!scene.plan.contact(leg)) continue;
         const Vec3 f = scene.plan.R_WC.transpose() * scene.support.force(leg, x);
-        const double reach = inner * scene.plan.friction * f.z();
+        const double reach = inner * scene.plan.feet[index(leg)].friction * f.z();
         const std::array<double, 4> faces{f.x() - reach, -f.x() - reach, f.y() - reach,
                                           -f.y() - reach};
         for (const double face : faces) {
@@ -176,7 +177,7 @@ TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
   const TaskInput input = scene.update(random.standing_state(scene.model.description().q_nominal));
   const WrittenRows inner = written(FrictionCone({FrictionCone::Pyramid::inner}), input);
   const WrittenRows outer = written(FrictionCone({FrictionCone::Pyramid::outer}), input);
-  const double mu = scene.plan.friction;
+  const double mu = scene.plan.feet[0].friction;
   const MatX Lambda = scene.support.Lambda();
   const VecX lambda_0 = scene.support.lambda_0();
   for (int trial = 0; trial < 200; ++trial) {

@@ -1,0 +1,68 @@
+#include "surefoot/estimation/slip_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kRounding = 1e-9;  // [s]
+
+/// Of the other standing feet's contact points and of 0, axis by axis.
+Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
+  Vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<double, kNumLegs> votes;
+    votes.fill(std::numeric_limits<double>::infinity());
+    votes[0] = 0.0;
+    std::size_t count = 1;
+    for (const Leg other : kLegs) {
+      const double vote = dynamics.contact[index(other)].v[axis];
+      if (other == leg || !stands[index(other)] || !std::isfinite(vote)) continue;
+      votes[count++] = vote;
+    }
+    std::ranges::sort(votes);
+    result[axis] = 0.5 * (votes[(count - 1) / 2] + votes[count / 2]);
+  }
+  return result;
+}
+
+}  // namespace
+
+SlipDetector::SlipDetector(const SlipOptions& options, double period)
+    : options_(options),
+      period_(period),
+      gain_(1.0 - std::exp(-2.0 * kPi * options.cutoff_hz * period)) {}
+
+void SlipDetector::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+                          const Vec3& normal_W, RobotState& state) noexcept {
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    Foot& foot = feet_[k];
+    if (!options_.enabled || !stands[k]) {
+      foot = {.stands_for = 0.0};
+    } else {
+      const Vec3 v = dynamics.contact[k].v - velocity_of_others(dynamics, stands, leg);
+      judge(foot, v - normal_W.dot(v) * normal_W, normal_W.dot(state.foot_force[k]));
+    }
+    state.slip_velocity[k] = foot.velocity;
+    state.slips[k] = foot.slips;
+  }
+}
+
+void SlipDetector::judge(Foot& foot, const Vec3& velocity, double normal_force) const {
+  if (velocity.allFinite()) foot.velocity += gain_ * (velocity - foot.velocity);
+  foot.stands_for += period_;
+  const double speed = foot.velocity.norm();
+  const bool judged = normal_force >= options_.force && foot.stands_for >= options_.settle;
+  const auto add_up = [&](double& duration, bool goes_on) {
+    duration = goes_on ? duration + period_ : 0.0;
+  };
+  add_up(foot.fast_for, judged && speed > options_.begin_speed);
+  add_up(foot.slow_for, speed < options_.end_speed);
+  if (foot.fast_for > options_.begin_duration - kRounding) foot.slips = true;
+  if (foot.slow_for > options_.end_duration - kRounding) foot.slips = false;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,69 @@
+#include "surefoot/evaluation/slip_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kSpeed = 0.05;     // from which on a foot slides [m/s]
+constexpr double kCreep = 0.025;    // … from which on believing it is not false [m/s]
+constexpr double kLoad = 20.0;      // [N]
+constexpr double kDuration = 0.01;  // of the shortest slip [s]
+constexpr double kRest = 0.05;      // between two slips [s]
+constexpr double kRounding = 1e-9;  // [s]
+
+}  // namespace
+
+void SlipJudge::add(const GroundTruth& truth, const TickRecord& tick) {
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    Foot& foot = feet_[k];
+    const TrueContact& contact = truth.feet[k];
+    const bool stands = tick.plan.contact(leg) && contact.touching;
+    const double speed = stands ? contact.slip_velocity.norm() : 0.0;
+    follow(foot, truth.time, speed, contact.normal.dot(contact.force) > kLoad);
+    notice(foot, truth.time, tick.state.slips[k]);
+    if (foot.is_slip && !(truth.time - foot.last_at <= kRest)) close(foot);
+  }
+}
+
+void SlipJudge::follow(Foot& foot, double time, double speed, bool loaded) const {
+  if (speed > kCreep) foot.crept_at = time;
+  if (!(speed > kSpeed && loaded)) {
+    foot.slides_for = 0.0;
+    return;
+  }
+  foot.slides_for += period_;
+  foot.last_at = time;
+  if (foot.is_slip) return;
+  if (foot.slides_for <= period_ + kRounding) foot.began_at = time;
+  foot.is_slip = foot.slides_for >= kDuration - kRounding;
+}
+
+void SlipJudge::notice(Foot& foot, double time, bool believed) {
+  const bool is_new = believed && !foot.was_believed;
+  foot.was_believed = believed;
+  if (is_new && !(time - foot.crept_at <= kRest)) ++false_;
+  if (!believed || !foot.is_slip || foot.is_noticed) return;
+  foot.is_noticed = true;
+  latencies_.push_back(time - foot.began_at);
+}
+
+void SlipJudge::close(Foot& foot) {
+  ++(foot.is_noticed ? detected_ : missed_);
+  foot.is_slip = foot.is_noticed = false;
+}
+
+void SlipJudge::write(Metrics& metrics) const {
+  metrics.slips_detected = detected_;
+  metrics.slips_missed = missed_;
+  metrics.slips_false = false_;
+  if (latencies_.empty()) return;
+  std::vector<double> sorted = latencies_;
+  std::ranges::sort(sorted);
+  const auto count = static_cast<double>(sorted.size());
+  metrics.slip_latency_p95_s = sorted[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1];
+}
+
+}  // namespace surefoot

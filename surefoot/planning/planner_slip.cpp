@@ -1,0 +1,40 @@
+#include "surefoot/planning/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+// A foot that slid stands elsewhere: the plane and the way of the COM are those of other footholds.
+// While it slides the others must do without it, so no foot leaves the ground, and one in the air
+// comes down if the balance is lost without it.
+void Planner::observe_grip(const UserCommand& user, const RobotState& state,
+                           const Dynamics& dynamics) {
+  if (!grip_.update(state, plane_.normal)) return;
+  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  if (grip_.began()) {
+    event_ = PlanEvent::slip;
+    const Leg next = next_leg();
+    if (mode_ == Mode::support && leg(next).phase() == LegPhase::unloading) {
+      leg(next).reload(time_);
+      begin_support(user, support_duration());
+    } else if (mode_ == Mode::swing && leg(next).phase() == LegPhase::swing &&
+               !balanced_without(next, dynamics)) {
+      probing_ = false;
+      leg(next).search(time_, dynamics.foot[index(next)].p, plane_.normal);
+    }
+  }
+  replan_com(user, dynamics);
+}
+
+// Accelerations fall with the square of the durations and with the length of the strides.
+UserCommand Planner::with_caution(const UserCommand& user) const {
+  UserCommand result = user;
+  result.velocity /= grip_.caution();
+  result.yaw_rate /= grip_.caution();
+  return result;
+}
+
+double Planner::pace() const { return std::sqrt(grip_.caution()); }
+
+}  // namespace surefoot

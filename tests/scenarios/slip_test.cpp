@@ -1,0 +1,34 @@
+#include "app/closed_loop.hpp"
+#include "tests/scenarios/loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::Loop;
+using test::scenario;
+
+TEST(Slip, OnVerySlipperyGroundItIsNoticedBelievedAndWalkedOver) {
+  Loop loop(scenario("slippery", {"terrain.friction=0.2"}, 1));
+  loop.run_until(20.0);
+  EXPECT_GT(loop.count(PlanEvent::slip), 0);
+  double least = 1.0;
+  for (const FootPlan& foot : loop.record().plan.feet) least = std::min(least, foot.friction);
+  EXPECT_LT(least, 0.45);
+  EXPECT_LT(std::abs(loop.record().state.v_WB.norm()), 0.5);
+  EXPECT_GT(loop.truth().p_WB.z(), 0.4);
+}
+
+TEST(Slip, OnGoodGroundNoneIsSeenAndTheBeliefStays) {
+  Loop loop(scenario("walk_flat", {}, 1));
+  loop.run_until(14.0);
+  EXPECT_EQ(loop.count(PlanEvent::slip), 0);
+  for (const FootPlan& foot : loop.record().plan.feet) EXPECT_EQ(foot.friction, 0.5);
+}
+
+}  // namespace
+}  // namespace surefoot
