@@ -8,7 +8,7 @@ namespace surefoot {
 /// When a standing foot counts as sliding.
 struct SlipOptions {
   bool enabled = true;
-  double begin_speed = 0.08;  ///< of the contact point along the ground, against the others [m/s]
+  double begin_speed = 0.06;  ///< of the contact point along the ground, against the others [m/s]
   double begin_duration = 0.01;  ///< … for so long [s]
   double end_speed = 0.04;       ///< below this … [m/s]
   double end_duration = 0.03;    ///< … for so long it stands again [s]

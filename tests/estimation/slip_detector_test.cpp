@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -38,7 +39,9 @@ struct Feet {
   }
   [[nodiscard]] Vec3& velocity(Leg leg) { return dynamics.contact[index(leg)].v; }
   [[nodiscard]] bool slips(Leg leg) const { return state.slips[index(leg)]; }
-  [[nodiscard]] int count() const { return static_cast<int>(std::ranges::count(state.slips, true)); }
+  [[nodiscard]] int count() const {
+    return static_cast<int>(std::ranges::count(state.slips, true));
+  }
 
   SlipDetector detector{SlipOptions{}, kPeriod};
   Dynamics dynamics;
