@@ -137,8 +137,9 @@ TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {
       const JointCommand& command = fails ? stage.tick(failing(group, i * kPeriod)) : stage.tick();
       ASSERT_TRUE(command.torque.allFinite());
       ASSERT_LE(command.torque.cwiseAbs().maxCoeff(), kLimit);
-      if (fails || length > 8)
+      if (fails || length > 8) {
         ASSERT_LE((command.torque - before).cwiseAbs().maxCoeff(), kMostChange + 1e-9);
+      }
       before = command.torque;
     }
   }
