@@ -68,6 +68,7 @@ struct Controller::Implementation {
       : estimator(std::move(state_estimator)),
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
+        external_force(options.external_force),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
@@ -86,6 +87,7 @@ struct Controller::Implementation {
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   ContactForceEstimator contact_force;
+  ExternalForceEstimator external_force;
   Planner planner;
   TaskStack stack;
   LevelSwitcher switcher;
@@ -128,6 +130,8 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), record.reading,
                        record.state);
+  external_force.update(dynamics, standing(record.plan), record.state);
+  model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);

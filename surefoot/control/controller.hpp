@@ -5,6 +5,7 @@
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
+#include "surefoot/estimation/external_force.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/planning/planner_options.hpp"
@@ -39,6 +40,7 @@ struct ControllerOptions {
   std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
   SolverOptions solver;
   ContactForceOptions contact_force;
+  ExternalForceOptions external_force;
   SafetyOptions safety;
 };
 

@@ -90,6 +90,9 @@ void fields(Archive& field, T& state) {
   field("qd", state.qd, "joint velocities [rad/s]");
   field("torque", state.torque, "measured joint torques [N·m]");
   field("foot_force", state.foot_force, "estimated ground force on each foot, in W [N]");
+  field("external_force", state.external_force,
+        "estimated, of whatever isn't the ground, at the centre of mass, in W [N]");
+  field("external_moment", state.external_moment, "that goes with it, in W [N·m]");
 }
 
 template <typename Archive, Is<FootPlan> T>

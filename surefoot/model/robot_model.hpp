@@ -27,6 +27,10 @@ class RobotModel {
   /// contact points of the foot spheres. Does not allocate, does not throw.
   const Dynamics& update(const RobotState& state, const Vec3& terrain_normal_W) noexcept;
 
+  /// Lets a wrench at the centre of mass, in W [N], [N·m], act on the base as gravity does: it is
+  /// taken off h of the last update, M u̇ + h − J_bᵀ w = Sᵀτ + Σ J_Cᵀ λ.
+  void load(const Vec3& force, const Vec3& moment) noexcept;
+
   [[nodiscard]] const Dynamics& dynamics() const;
   [[nodiscard]] const RobotDescription& description() const;
   [[nodiscard]] double mass() const;  ///< [kg]

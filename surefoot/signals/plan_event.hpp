@@ -17,6 +17,9 @@ enum class PlanEvent : int {
   lift_off_aborted = 8,   ///< the leg did not unload or the balance was not over the others
   collision = 9,          ///< a hind leg met something above the ground that it steps onto
   slowed = 10,            ///< the commanded velocity asks for longer strides than the legs have
+  push_foot_down = 11,    ///< pushed in a swing: the foot comes down at once, where it helps
+  push_reloaded = 12,     ///< pushed before a lift-off: the leg carries again
+  push_step = 13,         ///< pushed with all feet down: a step to recover
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -43,6 +46,12 @@ enum class PlanEvent : int {
       return "strides too long for the legs: walking slower than commanded";
     case PlanEvent::lift_off_aborted:
       return "lift-off aborted: shifting again";
+    case PlanEvent::push_foot_down:
+      return "pushed in a swing: foot down at once";
+    case PlanEvent::push_reloaded:
+      return "pushed before a lift-off: leg loaded again";
+    case PlanEvent::push_step:
+      return "pushed out of balance: step to recover";
   }
   return "unknown";
 }

@@ -16,6 +16,10 @@ struct RobotState {
   JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                           Vec3::Constant(kNaN)};  ///< estimated ground force on each foot, in W [N]
+  /// Estimated, of whatever isn't the ground, at the centre of mass, in W; zero within the error of
+  /// the estimate [N], [N·m].
+  Vec3 external_force = Vec3::Zero();
+  Vec3 external_moment = Vec3::Zero();
 
   /// u = (v_WB, w_WB_B, q̇), Eq. (1).
   [[nodiscard]] GeneralizedVector u() const {
