@@ -13,6 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
 constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
+constexpr double kLoadedWeight = 3.0;    // of the pull to the centre against a load [1/s²] …
+constexpr double kFullLoad = 0.03;       // … that moves the ZMP by this or more [m]
 constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
 constexpr int kMaxSamples = 8;           // of a phase
@@ -160,7 +162,9 @@ void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
 }
 
 void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity,
-                                     double weight) const noexcept {
+                                     double least_weight) const noexcept {
+  const double loaded = std::min(1.0, load_shift(height_).norm() / kFullLoad);
+  const double weight = std::max(least_weight, loaded * kLoadedWeight);
   const SupportPhase& last = phases_[static_cast<std::size_t>(planned_ - 1)];
   Vec2 center = Vec2::Zero();
   for (const Vec2& foot : last.feet) center += 0.25 * foot;
