@@ -134,6 +134,17 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.number("max_side_step", foothold.max_side_step, kPositive);
 }
 
+void read_push(Section& section, PushOptions& push) {
+  section.flag("enabled", push.enabled);
+  section.number("replan_step", push.replan_step, kPositive);
+  section.number("replan_interval", push.replan_interval, kNotNegative);
+  section.number("settling_time", push.settling_time, kPositive);
+  section.number("unsteady", push.unsteady, kPositive);
+  section.number("foot_down_excess", push.foot_down_excess, kNotNegative);
+  section.number("foot_down_duration", push.foot_down_duration, kPositive);
+  section.number("foot_down_step", push.foot_down_step, kNotNegative);
+}
+
 /// A leg is loaded after its touchdown before the next one is unloaded.
 void check_switch(const Section& section, const PlannerOptions& options) {
   const double least = options.force.ramps ? options.force.ramp_up + options.force.ramp_down : 0.0;
@@ -158,6 +169,7 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("probe", [&](Section& s) { read_probe(s, options.probe); });
   section.section("torso", [&](Section& s) { read_torso(s, options.torso); });
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
+  section.section("push", [&](Section& s) { read_push(s, options.push); });
   check_switch(section, options);
 }
 

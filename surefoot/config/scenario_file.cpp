@@ -169,6 +169,17 @@ void read_contact_force(Section& section, ContactForceOptions& contact_force) {
   section.flag("use_foot_sensor", contact_force.use_foot_sensor);
 }
 
+void read_external_force(Section& section, ExternalForceOptions& external) {
+  section.flag("enabled", external.enabled);
+  section.number("time_constant", external.time_constant, kPositive);
+  section.number("load_time_constant", external.load_time_constant, kPositive);
+  section.number("dead_band", external.dead_band, kNotNegative);
+  section.number("load_dead_band", external.load_dead_band, kNotNegative);
+  section.number("moment_dead_band", external.moment_dead_band, kNotNegative);
+  section.number("max_force", external.max_force, kNotNegative);
+  section.number("max_moment", external.max_moment, kNotNegative);
+}
+
 void read_goal(Section& section, Goal& goal) {
   section.number("feet_beyond_x", goal.feet_beyond_x);
   section.number("walk_on", goal.walk_on, kNotNegative);
@@ -207,6 +218,8 @@ void read_controller(Section& top, ControllerOptions& controller) {
   top.section("slip", [&](Section& s) { read_slip(s, controller.slip); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });
+  top.section("external_force",
+              [&](Section& s) { read_external_force(s, controller.external_force); });
   top.section("solver", [&](Section& s) { read_solver(s, controller.solver); });
   top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
 }

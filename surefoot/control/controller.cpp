@@ -74,6 +74,7 @@ struct Controller::Implementation {
         contact_force(options.contact_force, checked_period(options.period)),
         com_calibration(options.period),
         slip(options.slip, options.period),
+        external_force(options.external_force),
         planner(options.planner, model.mass() * kGravity, options.period),
         stack(options.stack, robot),
         switcher(options.stack, options.level_switches),
@@ -98,6 +99,7 @@ struct Controller::Implementation {
   ContactForceEstimator contact_force;
   ComCalibration com_calibration;
   SlipDetector slip;
+  ExternalForceEstimator external_force;
   Planner planner;
   TaskStack stack;
   LevelSwitcher switcher;
@@ -170,6 +172,8 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
                        record.state);
   com_calibration.update(dynamics, record.state.foot_force, record.plan.calibrating);
   slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
+  external_force.update(dynamics, standing(record.plan), record.state);
+  model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);

@@ -5,6 +5,7 @@
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
+#include "surefoot/estimation/external_force.hpp"
 #include "surefoot/estimation/reading_guard_options.hpp"
 #include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
@@ -43,6 +44,7 @@ struct ControllerOptions {
   ReadingGuardOptions guard;
   ContactForceOptions contact_force;
   SlipOptions slip;
+  ExternalForceOptions external_force;
   SafetyOptions safety;
 };
 

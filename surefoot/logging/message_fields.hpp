@@ -112,6 +112,9 @@ void fields(Archive& field, T& state) {
       "slip_velocity", state.slip_velocity,
       "of each foot's contact point along the ground, against the other standing feet, in W [m/s]");
   field("slips", state.slips, "the foot is believed to slide");
+  field("external_force", state.external_force,
+        "estimated, of whatever isn't the ground, at the centre of mass, in W [N]");
+  field("external_moment", state.external_moment, "that goes with it, in W [N·m]");
 }
 
 template <typename Archive, Is<FootPlan> T>

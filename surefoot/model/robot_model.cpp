@@ -219,6 +219,14 @@ void RobotModel::set_com_offset(const Vec3& offset) noexcept {
   implementation_->set_com_offset(offset);
 }
 
+void RobotModel::load(const Vec3& force, const Vec3& moment) noexcept {
+  Dynamics& dynamics = implementation_->dynamics;
+  const Vec3 lever = dynamics.com.p - dynamics.base.p;
+  const Vec3 about_base = moment + lever.cross(force);
+  dynamics.h.head<3>() -= force;
+  dynamics.h.segment<3>(3) -= dynamics.base_rotation.R.transpose() * about_base;
+}
+
 const Dynamics& RobotModel::dynamics() const { return implementation_->dynamics; }
 const RobotDescription& RobotModel::description() const { return implementation_->description; }
 double RobotModel::mass() const { return implementation_->dynamics.mass; }

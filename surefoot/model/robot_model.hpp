@@ -31,6 +31,10 @@ class RobotModel {
   /// URDF has it, from the next update on [m]. Does not allocate.
   void set_com_offset(const Vec3& offset) noexcept;
 
+  /// Lets a wrench at the centre of mass, in W [N], [N·m], act on the base as gravity does: it is
+  /// taken off h of the last update, M u̇ + h − J_bᵀ w = Sᵀτ + Σ J_Cᵀ λ.
+  void load(const Vec3& force, const Vec3& moment) noexcept;
+
   [[nodiscard]] const Dynamics& dynamics() const;
   [[nodiscard]] const RobotDescription& description() const;
   [[nodiscard]] double mass() const;  ///< [kg]

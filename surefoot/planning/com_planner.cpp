@@ -13,7 +13,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastHeight = 0.1;     // of the COM over an edge [m]
 constexpr double kRestWeight = 100.0;    // of an end at rest [1/s²]
+constexpr double kLoadedWeight = 3.0;    // of the pull to the centre against a load [1/s²] …
+constexpr double kFullLoad = 0.03;       // … that moves the ZMP by this or more [m]
 constexpr double kShortestPhase = 1e-3;  // [s]
+constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kUnknownsPerKnot = 6;      // p, v, a in x and y
 constexpr int kGaussPoints = 4;          // exact for the square of a cubic
@@ -50,10 +53,12 @@ void ComPlanner::add(const SupportPhase& phase) noexcept {
 void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
                       const Vec2& end_velocity, bool comes_to_rest) noexcept {
   if (num_phases_ == 0) return;
-  const std::tuple before(begin_time_, height_, planned_, knots_, durations_);
+  const std::tuple before(begin_time_, height_, planned_, knots_, durations_, load_.force,
+                          load_.moment);
   guess_knots(time, begin);
   begin_time_ = time;
   height_ = height;
+  load_ = next_load_;
   planned_ = num_phases_;
   Problem& problem = *problems_[static_cast<std::size_t>(planned_ - 1)];
   for (std::size_t l = 0; l < problem.hierarchy.num_levels(); ++l)
@@ -67,7 +72,8 @@ void ComPlanner::plan(double time, const Motion<Vec2>& begin, double height,
                       comes_to_rest ? kRestWeight : options_.terminal_weight);
   const Solution& solution = problem.solver.solve(problem.hierarchy);
   if (solution.status == SolveStatus::invalid_input) {  // then the guess may be NaN as well
-    std::tie(begin_time_, height_, planned_, knots_, durations_) = before;
+    std::tie(begin_time_, height_, planned_, knots_, durations_, load_.force, load_.moment) =
+        before;
     return;
   }
   for (int k = 1; k <= planned_; ++k) {
@@ -100,11 +106,15 @@ void ComPlanner::guess_knots(double time, const Motion<Vec2>& begin) noexcept {
 
 int ComPlanner::samples_of(const SupportPhase& phase) const noexcept {
   const double samples = std::ceil(phase.duration / options_.sample_interval);
-  return static_cast<int>(std::clamp(samples, 2.0, 1.0 * kMaxSamples));
+  return static_cast<int>(std::clamp(samples, 1.0 * kMinSamples, 1.0 * kMaxSamples));
 }
 
 double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
   return std::max(kLeastHeight, height_ - edge.height) / kGravity;
+}
+
+Vec2 ComPlanner::load_shift(double height) const noexcept {
+  return height * load_.force + load_.moment;
 }
 
 void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
@@ -132,7 +142,7 @@ void ComPlanner::write_inside_rows(Level& level, int phase, double t, const Supp
         point == Point::zmp
             ? HermiteWeights(hermite_position(t, T) - h * hermite_acceleration(t, T))
             : HermiteWeights(hermite_position(t, T) + std::sqrt(h) * hermite_velocity(t, T));
-    double known = 0.0;
+    double known = edge.normal.dot(load_shift(kGravity * h));
     for (int axis = 0; axis < 2; ++axis)
       known += add_terms(rows, 0, phase, axis, w, edge.normal[axis]);
     rows.lower[0] = -kInfinity;
@@ -152,10 +162,13 @@ void ComPlanner::write_smoothness_rows(Level& level, int phase) const noexcept {
 }
 
 void ComPlanner::write_terminal_rows(Level& level, const Vec2& end_velocity,
-                                     double weight) const noexcept {
+                                     double least_weight) const noexcept {
+  const double loaded = std::min(1.0, load_shift(height_).norm() / kFullLoad);
+  const double weight = std::max(least_weight, loaded * kLoadedWeight);
   const SupportPhase& last = phases_[static_cast<std::size_t>(planned_ - 1)];
   Vec2 center = Vec2::Zero();
   for (const Vec2& foot : last.feet) center += 0.25 * foot;
+  center -= load_shift(height_);
   const Motion<Vec2>& guess = knots_[static_cast<std::size_t>(planned_)];
   Rows rows = level.add(kUnknownsPerKnot, 0);
   const Eigen::Index first = kUnknownsPerKnot * (planned_ - 1);
@@ -202,10 +215,10 @@ ComPlan ComPlanner::at(double time) const noexcept {
   }
   if (planned_ == 0 || t > durations_[static_cast<std::size_t>(phase)]) {
     const Vec2& rest = knots_[static_cast<std::size_t>(planned_)].p;
-    return {rest, Vec2::Zero(), Vec2::Zero(), rest};
+    return {rest, Vec2::Zero(), Vec2::Zero(), rest + load_shift(height_)};
   }
   const Motion<Vec2> m = evaluate(phase, t);
-  return {m.p, m.v, m.a, m.p - height_ / kGravity * m.a};
+  return {m.p, m.v, m.a, m.p - height_ / kGravity * m.a + load_shift(height_)};
 }
 
 double ComPlanner::end_time() const {
@@ -225,7 +238,8 @@ void ComPlanner::measure_slack() noexcept {
       const SupportRegion region = region_at(support, t);
       for (int e = 0; e < region.num_edges(); ++e) {
         const HalfPlane& edge = region.edge(e);
-        const Vec2 zmp = m.p - pendulum(edge) * m.a;
+        const double h = pendulum(edge);
+        const Vec2 zmp = m.p - h * m.a + load_shift(kGravity * h);
         zmp_slack_ = std::max(zmp_slack_, edge.normal.dot(zmp) - edge.offset);
       }
     }

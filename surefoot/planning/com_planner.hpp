@@ -25,12 +25,21 @@ struct SupportPhase {
   bool must_rest = false;     ///< the capture point stays inside: the phase may have to wait
 };
 
+/// What acts on the robot beside its weight and the ground: it moves the ZMP by
+/// h · force + moment.
+struct ComLoad {
+  Vec2 force{0.0, 0.0};   ///< horizontal, at the COM, as a share of the weight
+  Vec2 moment{0.0, 0.0};  ///< (τ_y, −τ_x) over the weight [m]
+};
+
 /// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline a phase, whose knots
 /// (position, velocity, acceleration in x and y) come from one strict hierarchy:
 ///
-///   1. the ZMP  p − (h/g) p̈  inside the shrinking and switching support region, by a margin; h is
-///      the height over the edge in question: what tips the robot is the moment about that line
-///   2. the capture point  p + √(h/g) ṗ  inside the triangle of a swing, by a margin
+///   1. the ZMP  p − (h/g) p̈ + d  inside the shrinking and switching support region, by a margin; h
+///   is
+///      the height over the edge in question: what tips the robot is the moment about that line;
+///      d is what the load moves it by
+///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
 /// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,
@@ -44,6 +53,8 @@ class ComPlanner {
 
   ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, double robot_weight);
 
+  /// Borne by the plans that follow, from their begin to their end.
+  void bear(const ComLoad& load) { next_load_ = load; }
   void clear() { num_phases_ = 0; }
   /// Appends a phase; ignored beyond kMaxPhases or shorter than a millisecond.
   void add(const SupportPhase& phase) noexcept;
@@ -80,6 +91,8 @@ class ComPlanner {
   [[nodiscard]] int samples_of(const SupportPhase& phase) const noexcept;
   /// h/g of the COM over an edge of the region [s²].
   [[nodiscard]] double pendulum(const HalfPlane& edge) const noexcept;
+  /// d of a COM `height` over the feet [m].
+  [[nodiscard]] Vec2 load_shift(double height) const noexcept;
   void write_region_rows(Hierarchy& hierarchy, int phase) const noexcept;
   enum class Point { zmp, capture_point };
   /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.
@@ -103,6 +116,7 @@ class ComPlanner {
   double begin_time_ = 0.0;
   double height_ = 0.5;
   double zmp_slack_ = 0.0;
+  ComLoad load_, next_load_;
   std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
   // The plan in force: kept apart from the phases being added.
   std::array<Motion<Vec2>, kMaxPhases + 1> knots_;

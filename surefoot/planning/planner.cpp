@@ -16,7 +16,6 @@ constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
-constexpr double kLiftOffMargin = 0.01;   // capture point inside the other feet's triangle by [m]
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
 constexpr double kLevel = 1e-3;           // apex of a move that does not rise [m]
 constexpr int kMostCollisions = 2;        // of one swing with an edge, before the touch is believed
@@ -36,6 +35,7 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
     : options_(options),
       period_(period),
       com_planner_(options.com, options.force, weight),
+      balance_(options.push, weight, period),
       foothold_planner_(options.stance, options.foothold),
       torso_(options.torso, period),
       grip_(options.grip, options.force.friction, period),
@@ -54,6 +54,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
   observe_legs(user, state, dynamics);
   observe_grip(user, state, dynamics);
+  react_to_push(user, state, dynamics);
   advance(user, dynamics);
   write_plan(user);
   return plan_;
@@ -80,7 +81,8 @@ UserCommand Planner::within_strides(const UserCommand& user) {
   const StrideLimits limits{.reach = std::sqrt(std::max(0.0, square)),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
   const double share =
-      user.walk ? foothold_planner_.feasible_share(user, hips_, limits, cycle_duration()) : 1.0;
+      user.walk ? foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration())
+                : 1.0;
   if (share < 1.0 && !slowed_) event_ = PlanEvent::slowed;
   slowed_ = share < 1.0;
   UserCommand result = user;
@@ -295,17 +297,6 @@ void Planner::expect_touchdown(double duration) {
   late_time_ = deadline_ + kLate;
 }
 
-bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {
-  PerLeg<Vec2> feet;
-  PerLeg<double> share{1.0, 1.0, 1.0, 1.0};
-  share[index(k)] = 0.0;
-  for (const Leg other : kLegs) feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
-  const Vec2 com = dynamics.com.p.head<2>();
-  const double height = std::max(0.1, dynamics.com.p.z() - plane_.height(com));
-  const Vec2 capture_point = com + std::sqrt(height / kGravity) * dynamics.com.v.head<2>();
-  return SupportRegion(feet, share).margin(capture_point) > kLiftOffMargin;
-}
-
 void Planner::begin_support(const UserCommand& user, double duration) {
   backward_ = user.velocity.x() < 0.0;
   mode_ = Mode::support;
@@ -344,6 +335,8 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
     phase.lifts_in[index(k)] = kInfinity;
   };
 
+  com_planner_.bear(balance_.load());
+  balance_.planned(time_);
   com_planner_.clear();
   if (mode_ == Mode::stand || !user.walk) {
     if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);

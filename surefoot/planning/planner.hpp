@@ -8,6 +8,7 @@
 #include "surefoot/planning/grip.hpp"
 #include "surefoot/planning/leg_motion.hpp"
 #include "surefoot/planning/planner_options.hpp"
+#include "surefoot/planning/push_balance.hpp"
 #include "surefoot/planning/torso_reference.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/plan_event.hpp"
@@ -39,6 +40,10 @@ class Planner {
   void initialise(const RobotState& state, const Dynamics& dynamics);
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
+  /// Hips about the footholds' centre, in heading axes: the torso leans against a push.
+  [[nodiscard]] PerLeg<Vec2> leaning_hips() const;
+  /// How long the feet stay as they are, by the gait's time [s].
+  [[nodiscard]] double until_switch() const;
   void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   void observe_grip(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   /// The command, slower where a foot has little friction.
@@ -55,10 +60,13 @@ class Planner {
   bool hit_above_known_ground(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void react_to_push(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
+  void put_foot_down(Leg leg, const Vec2& out, const UserCommand& user, const Dynamics& dynamics);
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void expect_touchdown(double duration);
+  [[nodiscard]] SupportRegion region_without(Leg leg, const Dynamics& dynamics) const;
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
   void begin_support(const UserCommand& user, double duration);
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
@@ -84,6 +92,7 @@ class Planner {
   PlannerOptions options_;
   double period_;
   ComPlanner com_planner_;
+  PushBalance balance_;
   FootholdPlanner foothold_planner_;
   TorsoReference torso_;
   Grip grip_;

@@ -125,6 +125,19 @@ struct CalibrationOptions {
   double yaw = 0.15;
 };
 
+/// What the walk does about forces that push or pull the robot.
+struct PushOptions {
+  bool enabled = true;
+  double replan_step = 4.0;        ///< the COM is planned anew when the force moved by this [N]
+  double replan_interval = 0.03;   ///< … but not more often [s]
+  double settling_time = 0.2;      ///< of the filter that the force is compared with [s]
+  double unsteady = 12.0;          ///< no lift-off while they differ by more [N]
+  double foot_down_excess = 0.06;  ///< a foot comes down at once if the capture point would be out
+                                   ///< of the other feet's triangle by this when it lands [m]
+  double foot_down_duration = 0.15;  ///< of the way down [s]
+  double foot_down_step = 0.08;      ///< … which goes this far towards the capture point [m]
+};
+
 struct PlannerOptions {
   CalibrationOptions calibration;
   StanceOptions stance;
@@ -137,6 +150,7 @@ struct PlannerOptions {
   ProbeOptions probe;
   TorsoOptions torso;
   FootholdOptions foothold;
+  PushOptions push;
 };
 
 }  // namespace surefoot

@@ -18,6 +18,9 @@ enum class PlanEvent : int {
   collision = 9,          ///< a hind leg met something above the ground that it steps onto
   slowed = 10,            ///< the commanded velocity asks for longer strides than the legs have
   slip = 11,              ///< a standing foot began to slide
+  push_foot_down = 12,    ///< pushed in a swing: the foot comes down at once, where it helps
+  push_reloaded = 13,     ///< pushed before a lift-off: the leg carries again
+  push_step = 14,         ///< pushed with all feet down: a step to recover
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -46,6 +49,12 @@ enum class PlanEvent : int {
       return "stance foot slides: less force along the ground, slower";
     case PlanEvent::lift_off_aborted:
       return "lift-off aborted: shifting again";
+    case PlanEvent::push_foot_down:
+      return "pushed in a swing: foot down at once";
+    case PlanEvent::push_reloaded:
+      return "pushed before a lift-off: leg loaded again";
+    case PlanEvent::push_step:
+      return "pushed out of balance: step to recover";
   }
   return "unknown";
 }

@@ -19,6 +19,10 @@ struct RobotState {
   /// Of each foot's contact point along the ground, against the other standing feet, in W [m/s].
   PerLeg<Vec3> slip_velocity{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   PerLeg<bool> slips{};  ///< the foot is believed to slide
+  /// Estimated, of whatever isn't the ground, at the centre of mass, in W; zero within the error of
+  /// the estimate [N], [N·m].
+  Vec3 external_force = Vec3::Zero();
+  Vec3 external_moment = Vec3::Zero();
 
   /// u = (v_WB, w_WB_B, q̇), Eq. (1).
   [[nodiscard]] GeneralizedVector u() const {

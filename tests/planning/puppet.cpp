@@ -54,6 +54,7 @@ void Puppet::run(double duration, const std::function<void()>& each) {
 
 void Puppet::tick() {
   state_.time += kPeriod;
+  state_.external_force = push;
   move_body();
   for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
   const MotionPlan before = plan_;

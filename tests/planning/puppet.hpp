@@ -52,8 +52,9 @@ class Puppet {
 
   UserCommand user;
   Ground ground;
-  PerLeg<bool> sticky{};    ///< this foot carries on, whatever it may
-  bool com_follows = true;  ///< otherwise the centre of mass stays where it is
+  PerLeg<bool> sticky{};     ///< this foot carries on, whatever it may
+  Vec3 push = Vec3::Zero();  ///< what is believed to push the robot [N]
+  bool com_follows = true;   ///< otherwise the centre of mass stays where it is
 
  private:
   void move_body();

@@ -1,0 +1,70 @@
+#include "surefoot/estimation/external_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLongestGap = 0.05;  // between two updates; after a longer one it starts anew [s]
+
+/// Of the whole body about its centre of mass, in W.
+Vec3 angular_momentum(const Dynamics& dynamics) {
+  const Vec3 about_base = dynamics.base_rotation.R * (dynamics.M.middleRows<3>(3) * dynamics.u);
+  const Vec3 lever = dynamics.com.p - dynamics.base.p;
+  return about_base - lever.cross(dynamics.mass * dynamics.com.v);
+}
+
+/// What is left of v beyond a ball of radius `band`, at most `most` long.
+template <int N>
+Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double band, double most) {
+  const double length = v.norm();
+  if (!(length > band)) return Eigen::Matrix<double, N, 1>::Zero();
+  return std::min(length - band, most) / length * v;
+}
+
+}  // namespace
+
+void ExternalForceEstimator::start(const Vec3& momentum, const Vec3& angular_momentum) {
+  force_.setZero();
+  moment_.setZero();
+  explained_ = momentum;
+  angular_explained_ = angular_momentum;
+}
+
+void ExternalForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
+                                    RobotState& state) noexcept {
+  state.external_force.setZero();
+  state.external_moment.setZero();
+  if (!options_.enabled) return;
+  const Vec3 momentum = dynamics.mass * dynamics.com.v;
+  const Vec3 angular = angular_momentum(dynamics);
+  Vec3 ground = -dynamics.mass * kGravity * Vec3::UnitZ(), turning = Vec3::Zero();
+  for (const Leg leg : kLegs) {
+    if (!stands[index(leg)]) continue;
+    const Vec3& f = state.foot_force[index(leg)];
+    ground += f;
+    turning += (dynamics.contact[index(leg)].p - dynamics.com.p).cross(f);
+  }
+  const double dt = state.time - time_;
+  time_ = state.time;
+  const bool usable = ground.allFinite() && turning.allFinite() && explained_.allFinite() &&
+                      angular_explained_.allFinite() && dt > 0.0 && dt < kLongestGap;
+  if (!usable) {
+    start(momentum, angular);
+    return;
+  }
+  explained_ += dt * (ground + force_);
+  angular_explained_ += dt * (turning + moment_);
+  const Vec3 rest = momentum - explained_, angular_rest = angular - angular_explained_;
+  force_ << rest.head<2>() / options_.time_constant, rest.z() / options_.load_time_constant;
+  moment_ = angular_rest / options_.load_time_constant;
+
+  const Vec2 push = beyond<2>(force_.head<2>(), options_.dead_band, options_.max_force);
+  const Eigen::Matrix<double, 1, 1> vertical(force_.z());
+  const double load = beyond<1>(vertical, options_.load_dead_band, options_.max_force)[0];
+  state.external_force << push, load;
+  state.external_moment = beyond<3>(moment_, options_.moment_dead_band, options_.max_moment);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/robot_state.hpp"
+
+namespace surefoot {
+
+struct ExternalForceOptions {
+  bool enabled = true;
+  double time_constant = 0.1;       ///< of the horizontal force [s]
+  double load_time_constant = 0.5;  ///< of the vertical force and the moments [s]
+  double dead_band = 8.0;           ///< of the horizontal force: what model errors look like [N]
+  double load_dead_band = 8.0;      ///< of the vertical force [N]
+  double moment_dead_band = 4.0;    ///< [N·m]
+  double max_force = 150.0;         ///< [N]
+  double max_moment = 20.0;         ///< [N·m]
+};
+
+/// What pushes, pulls or loads the robot beside the ground: a momentum observer on the whole body.
+///
+///     d/dt (m v_com) = m g + Σ f_k + F,    d/dt L_com = Σ (p_k − c) × f_k + τ
+///
+/// with the ground forces f_k of the feet that stand, in W. The residual r follows F as a first
+/// order low-pass without differentiating the velocity:
+///
+///     r = (P − ∫ (m g + Σ f_k + r) dt) / T
+///
+/// Wrong masses, angles and torques look like a force, too: what lies within a dead band is taken
+/// for that, and only what is beyond is handed on. Does not allocate.
+class ExternalForceEstimator {
+ public:
+  explicit ExternalForceEstimator(const ExternalForceOptions& options) : options_(options) {}
+
+  /// One tick: fills `external_force` and `external_moment` of the state, whose `foot_force` must
+  /// be that of this tick. `stands` says which feet the plan lets carry.
+  void update(const Dynamics& dynamics, const PerLeg<bool>& stands, RobotState& state) noexcept;
+
+  /// The residuals, before dead band and saturation [N], [N·m].
+  [[nodiscard]] const Vec3& force() const { return force_; }
+  [[nodiscard]] const Vec3& moment() const { return moment_; }
+
+ private:
+  void start(const Vec3& momentum, const Vec3& angular_momentum);
+
+  ExternalForceOptions options_;
+  double time_ = kNaN;  // of the last update [s]
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
+  Vec3 explained_ = Vec3::Zero();          // momentum by the forces known so far [N·s]
+  Vec3 angular_explained_ = Vec3::Zero();  // [N·m·s]
+};
+
+}  // namespace surefoot

@@ -1,0 +1,84 @@
+#include "tests/planning/puppet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::Puppet;
+
+constexpr double kStrong = 110.0;  // [N]
+
+/// Walks until this leg has been in the air for a tenth of a second.
+void walk_into_swing(Puppet& puppet, Leg leg) {
+  puppet.user = {.walk = true, .velocity = {0.05, 0.0}};
+  int ticks = 0;
+  while (ticks < 40 && puppet.time() < 20.0) {
+    puppet.tick();
+    ticks = puppet.plan().contact(leg) ? 0 : ticks + 1;
+  }
+  ASSERT_EQ(ticks, 40);
+}
+
+TEST(PushReaction, StandingLeansAgainstAPush) {
+  const PlannerOptions options;
+  Puppet puppet(options);
+  puppet.push = {0.0, 30.0, 0.0};
+  puppet.run(4.0);
+  const double lean = options.stance.height * 30.0 / Puppet::kWeight;
+  EXPECT_NEAR(puppet.com().y(), -lean, 0.005);
+  EXPECT_NEAR(puppet.com().x(), 0.0, 0.005);
+  EXPECT_NEAR(puppet.plan().com.zmp.y(), 0.0, 0.005);
+}
+
+TEST(PushReaction, StandsUprightAgainWhenThePushIsOver) {
+  Puppet puppet;
+  puppet.push = {20.0, 20.0, 0.0};
+  puppet.run(3.0);
+  ASSERT_GT(puppet.com().norm(), 0.02);
+  puppet.push.setZero();
+  puppet.run(4.0);
+  EXPECT_LT(puppet.com().norm(), 0.005);
+}
+
+TEST(PushReaction, AFootInTheAirComesDownAtOnceWhenTheRobotTipsOverIt) {
+  const PlannerOptions options;
+  Puppet puppet(options);
+  walk_into_swing(puppet, Leg::LF);
+  const double pushed_at = puppet.time();
+  puppet.push = {0.5 * kStrong, kStrong, 0.0};
+  puppet.run(options.push.foot_down_duration + 0.05);
+  ASSERT_GE(puppet.happenings(PlanEvent::push_foot_down).size(), 1u);
+  EXPECT_LT(puppet.happenings(PlanEvent::push_foot_down).front().time, pushed_at + 0.02);
+  EXPECT_TRUE(puppet.plan().contact(Leg::LF));
+}
+
+TEST(PushReaction, ASmallPushLetsASwingGoOn) {
+  Puppet puppet;
+  walk_into_swing(puppet, Leg::LF);
+  puppet.push = {0.0, 5.0, 0.0};
+  puppet.run(0.5);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
+}
+
+TEST(PushReaction, DoesNothingWhenItIsSwitchedOff) {
+  PlannerOptions options;
+  options.push.enabled = false;
+  Puppet puppet(options);
+  walk_into_swing(puppet, Leg::LF);
+  puppet.push = {0.5 * kStrong, kStrong, 0.0};
+  puppet.run(0.3);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
+}
+
+TEST(PushReaction, NumbersThatAreNotFiniteAreNoPush) {
+  Puppet puppet;
+  puppet.push = {std::nan(""), 0.0, 0.0};
+  puppet.run(1.0, [&] { ASSERT_TRUE(puppet.plan().com.p.allFinite()); });
+  EXPECT_LT(puppet.com().norm(), 0.005);
+}
+
+}  // namespace
+}  // namespace surefoot
