@@ -3,6 +3,7 @@
 #include "surefoot/logging/json_text.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -11,7 +12,8 @@ void write(JsonText& json, const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc() && stopped == end) {
+  // JSON has no numbers for nan and inf, which are words here.
+  if (error == std::errc() && stopped == end && std::isfinite(number)) {
     json.value(number);
   } else if (text == "true" || text == "false") {
     json.value(text == "true");

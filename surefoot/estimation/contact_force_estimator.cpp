@@ -1,7 +1,8 @@
 #include "surefoot/estimation/contact_force_estimator.hpp"
 
+#include "surefoot/model/leg_jacobian.hpp"
+
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +10,10 @@
 namespace surefoot {
 namespace {
 
-constexpr double kInverseDamping = 0.01;  // [m], of the 3×3 leg Jacobian near the straight leg
-constexpr double kBaseCutoffHz = 40.0;    // of the base's acceleration
+constexpr double kBaseCutoffHz = 40.0;  // of the base's acceleration
 constexpr double kMostPeriods = 1e6;
 
 int leg_rows(Leg leg) { return 6 + first_joint(leg); }
-
-Mat3 leg_jacobian(const Dynamics& dynamics, Leg leg) {
-  return dynamics.contact[index(leg)].J.middleCols<kJointsPerLeg>(leg_rows(leg));
-}
-
-/// J Jᵀ, damped.
-Mat3 damped(const Mat3& J) {
-  return J * J.transpose() + kInverseDamping * kInverseDamping * Mat3::Identity();
-}
 
 }  // namespace
 
@@ -93,16 +84,14 @@ Vec3 ContactForceEstimator::free_acceleration(const Dynamics& dynamics, Leg leg,
 Vec3 ContactForceEstimator::stance_acceleration(const Dynamics& dynamics, Leg leg) const {
   const PointKinematics& contact = dynamics.contact[index(leg)];
   const Vec3 rest = contact.J.leftCols<6>() * base_acceleration_ + contact.Jdot_u;
-  const Mat3 J = leg_jacobian(dynamics, leg);
-  return -J.transpose() * damped(J).inverse() * rest;
+  return -damped_inverse(leg_jacobian(contact, leg)) * rest;
 }
 
 Vec3 ContactForceEstimator::force(const Dynamics& dynamics, Leg leg) const {
   const int first = leg_rows(leg);
   const Vec3 torque = dynamics.M.block<3, 3>(first, first) *
                       force_observer_.disturbance().segment<3>(first_joint(leg));
-  const Mat3 J = leg_jacobian(dynamics, leg);
-  return damped(J).inverse() * (J * torque);
+  return damped_inverse(leg_jacobian(dynamics.contact[index(leg)], leg)).transpose() * torque;
 }
 
 }  // namespace surefoot

@@ -52,7 +52,7 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
   const JointVector unseen = encoder_age().cwiseMax(0.0);
   angles_.take(reading.q, encoder_watch_.fault(), encoder_watch_,
                {.range = JointVector::Constant(options_.max_angle),
-                .tolerance = period_ * velocity_limit_ + options_.velocity_margin * unseen +
+                .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
                              JointVector::Constant(options_.angle_margin)},
                lost);
   torques_.take(reading.torque, torque_watch_.fault(), torque_watch_,

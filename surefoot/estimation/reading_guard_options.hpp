@@ -9,8 +9,8 @@ struct ReadingGuardOptions {
   double patience = 0.02;  ///< a sample older than this is of no use any more [s]
 
   double max_angle = 2.0 * kPi;  ///< no joint turns further [rad]
-  /// How far an encoder may be from where the joint's velocity led: in a period at the joint's
-  /// velocity limit, which an impact can give or take, and …
+  /// How far an encoder may be from where the joint's velocity led: in a period at twice the
+  /// joint's velocity limit, which an impact can turn about, and …
   double angle_margin = 0.01;    ///< [rad] …
   double velocity_margin = 2.0;  ///< of a joint that was not seen for a time [rad/s]
 

@@ -1,5 +1,6 @@
 #include "surefoot/evaluation/evaluator.hpp"
 
+#include "surefoot/evaluation/quantile.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
@@ -31,13 +32,7 @@ double tilt(const Quat& q_WB) {
 Quantiles quantiles(std::vector<double> times) {
   if (times.empty()) return {};
   std::sort(times.begin(), times.end());
-  // The smallest time that at least a share p of all ticks keep to.
-  const auto rank = [&](double p) {
-    const auto position =
-        static_cast<std::size_t>(std::ceil(p * static_cast<double>(times.size())));
-    return times[std::max<std::size_t>(position, 1) - 1];
-  };
-  return {rank(0.5), rank(0.99), times.back()};
+  return {quantile(times, 0.5), quantile(times, 0.99), times.back()};
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "surefoot/evaluation/slip_judge.hpp"
 
+#include "surefoot/evaluation/quantile.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -62,8 +63,7 @@ void SlipJudge::write(Metrics& metrics) const {
   if (latencies_.empty()) return;
   std::vector<double> sorted = latencies_;
   std::ranges::sort(sorted);
-  const auto count = static_cast<double>(sorted.size());
-  metrics.slip_latency_p95_s = sorted[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1];
+  metrics.slip_latency_p95_s = quantile(sorted, 0.95);
 }
 
 }  // namespace surefoot

@@ -1,7 +1,8 @@
 #include "surefoot/evaluation/touchdown_judge.hpp"
 
+#include "surefoot/evaluation/quantile.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -39,9 +40,7 @@ void TouchdownJudge::write(Metrics& metrics) const {
   if (latencies_.empty()) return;
   std::vector<double> sorted = latencies_;
   std::ranges::sort(sorted);
-  const auto count = static_cast<double>(sorted.size());
-  const auto rank = static_cast<std::size_t>(std::ceil(0.95 * count)) - 1;
-  metrics.touchdown_latency_p95_s = sorted[rank];
+  metrics.touchdown_latency_p95_s = quantile(sorted, 0.95);
 }
 
 }  // namespace surefoot

@@ -1,8 +1,7 @@
 #include "surefoot/planning/planner.hpp"
 
 #include "surefoot/math/rotation.hpp"
-
-#include <Eigen/LU>
+#include "surefoot/model/leg_jacobian.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +16,10 @@ constexpr double kLate = 0.10;   // … and this late worth telling: noticing on
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
-constexpr double kLevel = 1e-3;           // apex of a move that does not rise [m]
-constexpr int kMostCollisions = 2;        // of one swing with an edge, before the touch is believed
-constexpr double kRetreatSpeed = 0.5;     // of a foot that found no ground [m/s]
-constexpr double kInverseDamping = 0.01;  // of a leg's Jacobian near the straight leg [m]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
 double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal) {
-  const Mat3 J = foot.J.middleCols<kJointsPerLeg>(6 + first_joint(leg));
-  const Mat3 squared = J * J.transpose() + kInverseDamping * kInverseDamping * Mat3::Identity();
-  return (J.transpose() * squared.inverse() * normal).norm();
+  return (damped_inverse(leg_jacobian(foot, leg)) * normal).norm();
 }
 
 }  // namespace
@@ -115,106 +108,6 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
         break;
     }
   }
-}
-
-void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& state,
-                           const Dynamics& dynamics) {
-  const Vec3& p_WF = dynamics.foot[index(k)].p;
-  const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
-  if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
-  if (was_swinging && hit_above_known_ground(k, user, dynamics)) return;
-  event_ = PlanEvent::touchdown;
-  leg(k).plant(time_, p_WF);
-  foothold_planner_.remember(k, p_WF);
-  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
-  if (torso_.far_off(state)) torso_.restart(state);
-  if (was_swinging) {
-    ++steps_taken_;
-    cursor_ = (cursor_ + 1) % kNumLegs;
-    begin_support(user, support_duration());
-  }
-  replan_com(user, dynamics);
-}
-
-bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
-  probing_ = false;
-  const double from_last = std::abs(p_WF.z() - leg(k).foothold().z());
-  const double from_plane = std::abs(p_WF.z() - plane_.height(p_WF.head<2>()));
-  const bool same_ground = std::min(from_last, from_plane) < options_.probe.tolerance;
-  Vec3 goal = p_WF;
-  if (same_ground) {
-    goal.head<2>() = probe_target_.head<2>();
-  } else {
-    goal.head<2>() += options_.probe.beyond * probe_direction_;
-  }
-  event_ = same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge;
-  leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.probe.duration, options_.probe.lift});
-  return true;
-}
-
-// The foot stays in the air longer than the COM plan knows: a new plan, or the balance goes on
-// without it.
-void Planner::swing_again(Leg k, const SwingTarget& target, const UserCommand& user,
-                          const Dynamics& dynamics) {
-  leg(k).lift(time_, target);
-  expect_touchdown(target.duration);
-  replan_com(user, dynamics);
-}
-
-// No ground at the first touch: the foot hangs over an edge that lies behind it. It moves on before
-// it goes down, so that the leg, stretched, passes clear of the edge, and its first touch can be
-// the foothold.
-void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& dynamics) {
-  const Vec3& p_WF = dynamics.foot[index(k)].p;
-  const SwingTarget& target = leg(k).target();
-  const double expected = std::min(target.goal.z(), leg(k).foothold().z());
-  const bool below = p_WF.z() < expected - options_.probe.tolerance;
-  if (leg(k).phase() != LegPhase::search || !below) return;
-  probing_ = false;
-  event_ = PlanEvent::probe_edge;
-  Vec3 goal = p_WF - options_.probe.lift * target.normal;
-  goal.head<2>() += options_.probe.beyond * probe_direction_;
-  swing_again(k, {p_WF, goal, target.normal, options_.probe.duration, kLevel}, user, dynamics);
-}
-
-// A touch well above ground whose height is known is a shin or knee against the edge: up again, and
-// down further on. Found there once more, the ground really is higher.
-bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynamics& dynamics) {
-  const Vec3& p_WF = dynamics.foot[index(k)].p;
-  const SwingTarget& target = leg(k).target();
-  const bool above = p_WF.z() > target.goal.z() + options_.probe.lift + options_.probe.tolerance;
-  if (!knows_ground(k) || !above || collisions_ >= kMostCollisions) return false;
-  ++collisions_;
-  event_ = PlanEvent::collision;
-  const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
-  Vec3 goal = target.goal;
-  if (step.norm() > 0.02) goal.head<2>() += options_.probe.beyond * step.normalized();
-  swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex},
-              user, dynamics);
-  return true;
-}
-
-// Back to the last foothold: there was ground.
-void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dynamics) {
-  const Vec3& p_WF = dynamics.foot[index(k)].p;
-  event_ = PlanEvent::no_ground;
-  probing_ = false;
-  const Vec3& last = leg(k).foothold();
-  const double duration = options_.gait.swing_duration + (p_WF - last).norm() / kRetreatSpeed;
-  swing_again(k, {p_WF, last, plane_.normal, duration, options_.swing.apex}, user, dynamics);
-}
-
-void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
-  event_ = PlanEvent::lost_contact;
-  leg(k).search(time_, dynamics.foot[index(k)].p, plane_.normal);
-  if (mode_ == Mode::swing) {
-    const Leg swinging = next_leg();
-    probing_ = false;
-    leg(swinging).search(time_, dynamics.foot[index(swinging)].p, plane_.normal);
-  } else if (mode_ == Mode::support && leg(next_leg()).phase() == LegPhase::unloading) {
-    leg(next_leg()).reload(time_);
-  }
-  replan_com(user, dynamics);
 }
 
 void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {

@@ -116,7 +116,9 @@ TEST(LevelSwitcher, SwitchesThatMakeNoSenseAreErrors) {
 /// Largest change of a torque from one tick to the next while a level goes [N·m], of a robot that
 /// stays where it is.
 double largest_step(const std::string& level, double duration) {
-  Statue statue;
+  ControllerOptions options = options_of();
+  options.external_force.enabled = false;  // it would believe that someone holds the statue
+  Statue statue(options);
   statue.state.q_WB = Quat(Eigen::AngleAxisd(0.05, Vec3(1.0, 1.0, 0.5).normalized()));
   statue.user.height = -0.05;
   statue.run(1200);  // until the plan rests

@@ -1,0 +1,21 @@
+#include "surefoot/model/leg_jacobian.hpp"
+
+#include <Eigen/LU>
+
+namespace surefoot {
+namespace {
+
+constexpr double kDamping = 0.01;  // δ [m]
+
+}  // namespace
+
+Mat3 leg_jacobian(const PointKinematics& point, Leg leg) {
+  return point.J.middleCols<kJointsPerLeg>(6 + first_joint(leg));
+}
+
+Mat3 damped_inverse(const Mat3& J) {
+  const Mat3 squared = J * J.transpose() + kDamping * kDamping * Mat3::Identity();
+  return J.transpose() * squared.inverse();
+}
+
+}  // namespace surefoot
