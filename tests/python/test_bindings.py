@@ -221,13 +221,17 @@ def test_torques_of_ones_own_are_applied(scenario):
         plants[0].write(torque[:11])
 
 
-def test_a_reading_that_was_spoilt_gives_a_safe_command(scenario):
+def test_readings_that_are_spoilt_are_bridged_for_20_ms_then_the_command_is_a_safe_one(scenario):
     plant, controller = walked(scenario, 5)
-    reading = plant.read()
-    reading.q[3] = np.nan
-    command = controller.step(reading, surefoot.UserCommand(walk=True, velocity=(0.1, 0.0), yaw_rate=0.1))
-    assert command.mode != "optimal"
-    assert np.isfinite(command.torque).all()
+    modes = []
+    for _ in range(12):
+        reading = plant.read()
+        reading.q[3] = np.nan
+        command = controller.step(reading, surefoot.UserCommand(walk=True, velocity=(0.1, 0.0), yaw_rate=0.1))
+        assert np.isfinite(command.torque).all()
+        modes.append(command.mode)
+        plant.write(command)
+    assert modes == ["optimal"] * 8 + ["damping"] * 4
 
 
 def test_user_commands_hold_what_they_were_made_from(scenario):

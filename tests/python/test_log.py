@@ -12,7 +12,7 @@ from mcap.reader import make_reader
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 
-TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/truth", "/timings"}
+TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/timings"}
 TICKS = 800
 
 
