@@ -142,7 +142,13 @@ void read_push(Section& section, PushOptions& push) {
   section.number("unsteady", push.unsteady, kPositive);
   section.number("foot_down_excess", push.foot_down_excess, kNotNegative);
   section.number("foot_down_duration", push.foot_down_duration, kPositive);
-  section.number("foot_down_step", push.foot_down_step, kNotNegative);
+  section.number("lift_off_margin", push.lift_off_margin, kNotNegative);
+  section.flag("steps", push.steps);
+  section.number("step_margin", push.step_margin);
+  section.number("step_duration", push.step_duration, kPositive);
+  section.number("step_apex", push.step_apex, kPositive);
+  section.number("step_max", push.step_max, kNotNegative);
+  section.number("capture_margin", push.capture_margin);
 }
 
 /// A leg is loaded after its touchdown before the next one is unloaded.

@@ -132,10 +132,16 @@ struct PushOptions {
   double replan_interval = 0.03;   ///< … but not more often [s]
   double settling_time = 0.2;      ///< of the filter that the force is compared with [s]
   double unsteady = 12.0;          ///< no lift-off while they differ by more [N]
-  double foot_down_excess = 0.06;  ///< a foot comes down at once if the capture point would be out
+  double lift_off_margin = 0.02;   ///< capture point inside the other feet's triangle by [m]
+  double foot_down_excess = 0.02;  ///< a foot comes down at once if the capture point would be out
                                    ///< of the other feet's triangle by this when it lands [m]
   double foot_down_duration = 0.15;  ///< of the way down [s]
-  double foot_down_step = 0.08;      ///< … which goes this far towards the capture point [m]
+  bool steps = true;           ///< with all feet down and the capture point leaving them, one steps
+  double step_margin = 0.03;   ///< … when it is inside their region by less than this [m]
+  double step_duration = 0.2;  ///< of that swing [s]
+  double step_apex = 0.04;     ///< [m]
+  double step_max = 0.25;      ///< how far a foot goes to catch the robot [m]
+  double capture_margin = 0.06;  ///< … the capture point then inside the new region by this [m]
 };
 
 struct PlannerOptions {

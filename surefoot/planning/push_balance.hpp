@@ -22,6 +22,8 @@ class PushBalance {
   [[nodiscard]] const ComLoad& load() const { return load_; }
   /// d, how far the load moves the ZMP [m].
   [[nodiscard]] const Vec2& shift() const { return shift_; }
+  /// Is there a force at all?
+  [[nodiscard]] bool is_pushed() const { return force_.norm() > 0.0; }
   /// Has the force stayed about what it is?
   [[nodiscard]] bool is_steady() const {
     return (force_ - settled_force_).norm() < options_.unsteady;
@@ -37,6 +39,11 @@ class PushBalance {
   /// How far the capture point is out of the region, along the normal of the edge that it is
   /// farthest beyond [m]; zero inside.
   [[nodiscard]] Vec2 excess(const SupportRegion& region) const;
+  /// Where the capture point is after a time, at best: with the ZMP at the edge of the region that it
+  /// is out of; where it is, inside.
+  [[nodiscard]] Vec2 capture_point_after(const SupportRegion& region, double duration) const {
+    return capture_point_ + (growth(duration) - 1.0) * excess(region);
+  }
   /// The factor by which an excess grows in a time, e^(√(g/h) t).
   [[nodiscard]] double growth(double duration) const;
 
