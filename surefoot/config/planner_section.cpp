@@ -72,6 +72,7 @@ void read_com(Section& section, ComPlannerOptions& com) {
   section.integer("horizon_steps", com.horizon_steps, 1, ComPlanner::kMaxSteps);
   section.number("sample_interval", com.sample_interval, kPositive);
   section.number("terminal_weight", com.terminal_weight, kNotNegative);
+  section.number("leg_share", com.leg_share, {.min = 0.34, .max = 1.0, .words = "a number from 0.34 to 1"});
 }
 
 void read_swing(Section& section, SwingOptions& swing) {
@@ -140,6 +141,8 @@ void read_push(Section& section, PushOptions& push) {
   section.number("replan_interval", push.replan_interval, kNotNegative);
   section.number("settling_time", push.settling_time, kPositive);
   section.number("unsteady", push.unsteady, kPositive);
+  section.number("unsteady_share", push.unsteady_share, kNotNegative);
+  section.number("slow_shift", push.slow_shift, kPositive);
   section.number("foot_down_excess", push.foot_down_excess, kNotNegative);
   section.number("foot_down_duration", push.foot_down_duration, kPositive);
   section.number("lift_off_margin", push.lift_off_margin, kNotNegative);

@@ -212,7 +212,8 @@ double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
 
 double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
   if (!phase.down[leg]) return 0.0;
-  return ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t) / weight_;
+  const double most = ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t);
+  return std::min(options_.leg_share, most / weight_);
 }
 
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {

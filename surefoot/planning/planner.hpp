@@ -47,7 +47,7 @@ class Planner {
   [[nodiscard]] double until_switch() const;
   void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   void observe_grip(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
-  /// The command, slower where a foot has little friction.
+  /// The command, slower where a foot has little friction or the robot leans against a push.
   [[nodiscard]] UserCommand with_caution(const UserCommand& user) const;
   /// Of the gait's durations, longer for the same reason: a factor.
   [[nodiscard]] double pace() const;

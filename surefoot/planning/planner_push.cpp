@@ -10,6 +10,7 @@
 namespace surefoot {
 namespace {
 
+constexpr double kOffPlan = 0.01;  // the COM from its plan: that one can't be followed [m]
 constexpr double kShortestPlan = 0.08;   // left of a phase that a new plan can use [s]
 constexpr double kStandDuration = 1.0;   // [s]
 constexpr double kLevel = 1e-3;          // apex of a move that does not rise [m]
@@ -32,7 +33,9 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
     replan_com(user, dynamics);
   }
   if (mode_ != Mode::swing) step_to_recover(user, dynamics);
-  if (balance_.wants_plan(time_) && until_switch() > kShortestPlan) replan_com(user, dynamics);
+  const bool off = (dynamics.com.p.head<2>() - plan_.com.p).norm() > kOffPlan;
+  const bool wants_plan = balance_.wants_plan(time_) || (off && balance_.may_plan(time_));
+  if (wants_plan && until_switch() > kShortestPlan) replan_com(user, dynamics);
 }
 
 bool Planner::tips_before_landing(const Dynamics& dynamics) const {

@@ -41,8 +41,9 @@ double Planner::mean_friction() const {
 // Accelerations fall with the square of the durations and with the length of the strides.
 UserCommand Planner::with_caution(const UserCommand& user) const {
   UserCommand result = user;
-  result.velocity /= grip_.caution();
-  result.yaw_rate /= grip_.caution();
+  const double caution = std::max(grip_.caution(), balance_.caution());
+  result.velocity /= caution;
+  result.yaw_rate /= caution;
   return result;
 }
 

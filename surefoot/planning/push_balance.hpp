@@ -5,6 +5,8 @@
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 /// The robot's balance under the external force that the state estimates: where it would come to
@@ -26,10 +28,19 @@ class PushBalance {
   [[nodiscard]] bool is_pushed() const { return force_.norm() > 0.0; }
   /// Has the force stayed about what it is?
   [[nodiscard]] bool is_steady() const {
-    return (force_ - settled_force_).norm() < options_.unsteady;
+    const double share = options_.unsteady_share * settled_force_.norm();
+    return (force_ - settled_force_).norm() < std::max(options_.unsteady, share);
+  }
+  /// How much slower than commanded a robot should walk that leans: its legs have less way.
+  [[nodiscard]] double caution() const {
+    return is_pushed() ? 1.0 + shift_.norm() / options_.slow_shift : 1.0;
   }
   /// Has the load moved so far from that of the plan that it needs a new one?
   [[nodiscard]] bool wants_plan(double time) const;
+  /// Is the plan old enough for a new one, with a robot that is pushed?
+  [[nodiscard]] bool may_plan(double time) const {
+    return is_pushed() && time - planned_at_ > options_.replan_interval;
+  }
   /// A plan was made with this tick's load.
   void planned(double time);
 
