@@ -72,7 +72,8 @@ void read_com(Section& section, ComPlannerOptions& com) {
   section.integer("horizon_steps", com.horizon_steps, 1, ComPlanner::kMaxSteps);
   section.number("sample_interval", com.sample_interval, kPositive);
   section.number("terminal_weight", com.terminal_weight, kNotNegative);
-  section.number("leg_share", com.leg_share, {.min = 0.34, .max = 1.0, .words = "a number from 0.34 to 1"});
+  section.number("leg_share", com.leg_share,
+                 {.min = 0.34, .max = 1.0, .words = "a number from 0.34 to 1"});
 }
 
 void read_swing(Section& section, SwingOptions& swing) {

@@ -21,8 +21,8 @@ constexpr int kMinSamples = 3;           // of a phase: they hold a cubic accele
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kFrictionRows = 4;         // of a sample
 constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
-constexpr int kUnknownsPerKnot = 6;      // p, v, a in x and y
-constexpr int kGaussPoints = 4;          // exact for the square of a cubic
+constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
+constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
 constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.3300094782075719,
                                                        0.6699905217924281, 0.9305681557970263};
 constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,

@@ -10,10 +10,11 @@
 namespace surefoot {
 namespace {
 
-constexpr double kOffPlan = 0.01;  // the COM from its plan: that one can't be followed [m]
-constexpr double kShortestPlan = 0.08;   // left of a phase that a new plan can use [s]
-constexpr double kStandDuration = 1.0;   // [s]
-constexpr double kLevel = 1e-3;          // apex of a move that does not rise [m]
+constexpr double kOffPlan = 0.01;       // the COM from its plan: that one can't be followed [m]
+constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can use [s]
+constexpr double kStandDuration = 1.0;  // [s]
+constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
+constexpr double kLevel = 1e-3;         // apex of a move that does not rise [m]
 
 }  // namespace
 
@@ -95,7 +96,9 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
     const CaptureStep found = capture_step(k, options_.push.step_duration, dynamics);
     if (found.margin > step.margin) std::tie(best, step) = std::pair(k, found);
   }
-  if (step.margin < margin) return;
+  const double growth = balance_.growth(options_.push.step_duration);
+  const double without = margin < 0.0 ? growth * margin : margin;
+  if (step.margin < without + kWorthAStep) return;
   event_ = PlanEvent::push_step;
   mode_ = Mode::swing;
   collisions_ = 0;

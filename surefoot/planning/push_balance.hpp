@@ -50,8 +50,8 @@ class PushBalance {
   /// How far the capture point is out of the region, along the normal of the edge that it is
   /// farthest beyond [m]; zero inside.
   [[nodiscard]] Vec2 excess(const SupportRegion& region) const;
-  /// Where the capture point is after a time, at best: with the ZMP at the edge of the region that it
-  /// is out of; where it is, inside.
+  /// Where the capture point is after a time, at best: with the ZMP at the edge of the region that
+  /// it is out of; where it is, inside.
   [[nodiscard]] Vec2 capture_point_after(const SupportRegion& region, double duration) const {
     return capture_point_ + (growth(duration) - 1.0) * excess(region);
   }

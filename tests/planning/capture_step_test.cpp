@@ -1,4 +1,5 @@
 #include "surefoot/planning/capture_step.hpp"
+
 #include "surefoot/planning/foothold_planner.hpp"
 #include "tests/support/random_hierarchy.hpp"
 

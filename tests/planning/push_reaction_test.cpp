@@ -9,7 +9,8 @@ namespace {
 
 using test::Puppet;
 
-constexpr double kStrong = 110.0;  // [N]
+constexpr double kStrong = 110.0;     // [N]
+constexpr double kTooStrong = 240.0;  // to be borne by a lean alone [N]
 
 /// Walks until this leg has been in the air for a tenth of a second.
 void walk_into_swing(Puppet& puppet, Leg leg) {
@@ -74,19 +75,27 @@ TEST(PushReaction, ALegThatUnloadsCarriesAgainWhileTheForceChanges) {
   EXPECT_EQ(puppet.plan().feet[index(Leg::LH)].phase, LegPhase::stance);
 }
 
-TEST(PushReaction, StepsToTheSideThatItIsPushedToBeforeTheCapturePointLeavesTheFeet) {
-  for (const double side : {1.0, -1.0}) {
+TEST(PushReaction, StepsAheadOfTheCapturePointThatLeavesTheFeet) {
+  for (const double way : {1.0, -1.0}) {
     Puppet puppet;
     puppet.run(0.5);
-    puppet.push = {0.0, side * 1.2 * kStrong, 0.0};
+    puppet.push = {way * kTooStrong, 0.0, 0.0};
     puppet.run(0.4);
     const auto steps = puppet.happenings(PlanEvent::push_step);
     ASSERT_GE(steps.size(), 1u);
     const Leg leg = steps.front().leg;
-    EXPECT_EQ(is_left(leg), side > 0.0);
-    EXPECT_GT(side * puppet.foot(leg).y(), StanceOptions{}.half_width + 0.03);
+    EXPECT_EQ(is_front(leg), way > 0.0);
+    EXPECT_GT(way * puppet.foot(leg).x(), StanceOptions{}.half_length + 0.03);
     EXPECT_TRUE(puppet.plan().contact(leg));
   }
+}
+
+TEST(PushReaction, TakesNoStepThatDoesNotHelp) {
+  Puppet puppet;
+  puppet.run(0.5);
+  puppet.push = {0.0, 1.2 * kStrong, 0.0};  // its capture point just within the left feet
+  puppet.run(0.1);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
 }
 
 TEST(PushReaction, TakesNoStepWhereLeaningIsEnough) {
@@ -102,7 +111,7 @@ TEST(PushReaction, TakesNoStepWhenStepsAreSwitchedOff) {
   options.push.steps = false;
   Puppet puppet(options);
   puppet.run(0.5);
-  puppet.push = {0.0, 1.2 * kStrong, 0.0};
+  puppet.push = {kTooStrong, 0.0, 0.0};
   puppet.run(0.4);
   EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
 }
