@@ -135,7 +135,8 @@ TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_
     EXPECT_TRUE(holds(text, "trial.yaml:3: stack_switches")) << text;
     EXPECT_TRUE(holds(text, what)) << text;
   };
-  says("{time: 1, remove: [com]}", "unknown level \"com\"; the stack \"walk\" can switch: com_xy");
+  says("{time: 1, remove: [com]}",
+       "unknown level \"com\"; the stack \"walk\" can switch: torso_roll_pitch com_xy");
   says("{time: 1, remove: [friction_cone]}", "keeps the physics and is always there");
   says("{time: 1, remove: [com_xy], duration: -1}", "\"-1\" is not a number of at least 0");
   says("{time: -1, remove: [com_xy]}", "\"-1\" is not a number of at least 0");
@@ -213,7 +214,7 @@ TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
       read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
   EXPECT_EQ(scenario.duration, 4.0);
   EXPECT_EQ(scenario.plant.actuators.model, ActuatorModel::sea);
-  EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
+  EXPECT_EQ(scenario.controller.stack.levels[5].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
