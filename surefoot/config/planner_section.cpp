@@ -72,6 +72,8 @@ void read_com(Section& section, ComPlannerOptions& com) {
   section.integer("horizon_steps", com.horizon_steps, 1, ComPlanner::kMaxSteps);
   section.number("sample_interval", com.sample_interval, kPositive);
   section.number("terminal_weight", com.terminal_weight, kNotNegative);
+  section.number("leg_share", com.leg_share,
+                 {.min = 0.34, .max = 1.0, .words = "a number from 0.34 to 1"});
 }
 
 void read_swing(Section& section, SwingOptions& swing) {
@@ -140,9 +142,17 @@ void read_push(Section& section, PushOptions& push) {
   section.number("replan_interval", push.replan_interval, kNotNegative);
   section.number("settling_time", push.settling_time, kPositive);
   section.number("unsteady", push.unsteady, kPositive);
+  section.number("unsteady_share", push.unsteady_share, kNotNegative);
+  section.number("slow_shift", push.slow_shift, kPositive);
   section.number("foot_down_excess", push.foot_down_excess, kNotNegative);
   section.number("foot_down_duration", push.foot_down_duration, kPositive);
-  section.number("foot_down_step", push.foot_down_step, kNotNegative);
+  section.number("lift_off_margin", push.lift_off_margin, kNotNegative);
+  section.flag("steps", push.steps);
+  section.number("step_margin", push.step_margin);
+  section.number("step_duration", push.step_duration, kPositive);
+  section.number("step_apex", push.step_apex, kPositive);
+  section.number("step_max", push.step_max, kNotNegative);
+  section.number("capture_margin", push.capture_margin);
 }
 
 /// A leg is loaded after its touchdown before the next one is unloaded.

@@ -4,6 +4,8 @@
 #include "surefoot/config/sensor_section.hpp"
 #include "surefoot/config/terrain_section.hpp"
 
+#include <cmath>
+
 namespace surefoot {
 namespace {
 
@@ -51,7 +53,16 @@ void read_actuators(Section& section, ActuatorOptions& actuators) {
   });
 }
 
-/// A push has a force, or an impulse that is spread over its duration.
+/// The force of a push along the ground, from its magnitude and direction.
+Vec3 read_level_force(Section& section) {
+  double magnitude = 0.0, direction = 0.0;
+  section.require("direction");
+  section.number("magnitude", magnitude, kNotNegative);
+  section.number("direction", direction);
+  return magnitude * Vec3(std::cos(direction), std::sin(direction), 0.0);
+}
+
+/// A push has a force, an impulse that is spread over its duration, or a magnitude and a direction.
 void read_push(Section& section, Push& push) {
   section.require("time");
   section.text("body", push.body);
@@ -60,10 +71,13 @@ void read_push(Section& section, Push& push) {
   Vec3 impulse = Vec3::Zero();
   section.vector("force", push.force);
   section.vector("impulse", impulse);
-  const bool has_force = section.node("force") != nullptr;
-  const bool has_impulse = section.node("impulse") != nullptr;
-  if (has_force == has_impulse) section.fail("force", "a push has either a force or an impulse");
-  if (has_impulse) push.force = impulse / push.duration;
+  const auto has = [&](const char* key) { return section.node(key) != nullptr ? 1 : 0; };
+  if (has("force") + has("impulse") + has("magnitude") != 1)
+    section.fail("force", "a push has either a force, an impulse or a magnitude");
+  if (has("direction") > has("magnitude"))
+    section.fail("direction", "only a push with a magnitude has a direction");
+  if (has("impulse") == 1) push.force = impulse / push.duration;
+  if (has("magnitude") == 1) push.force = read_level_force(section);
 }
 
 /// Pushes have names, so that another file or --set can change one.

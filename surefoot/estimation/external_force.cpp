@@ -15,12 +15,13 @@ Vec3 angular_momentum(const Dynamics& dynamics) {
   return about_base - lever.cross(dynamics.mass * dynamics.com.v);
 }
 
-/// What is left of v beyond a ball of radius `band`, at most `most` long.
+/// What is left of v beyond a ball of radius `band`, at most `most` long: v (1 − (band / |v|)²), so
+/// that nearly all of what is clearly beyond is left.
 template <int N>
 Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double band, double most) {
   const double length = v.norm();
   if (!(length > band)) return Eigen::Matrix<double, N, 1>::Zero();
-  return std::min(length - band, most) / length * v;
+  return std::min(length - band * band / length, most) / length * v;
 }
 
 }  // namespace

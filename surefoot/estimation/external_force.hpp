@@ -7,9 +7,9 @@ namespace surefoot {
 
 struct ExternalForceOptions {
   bool enabled = true;
-  double time_constant = 0.1;       ///< of the horizontal force [s]
+  double time_constant = 0.05;      ///< of the horizontal force [s]
   double load_time_constant = 0.5;  ///< of the vertical force and the moments [s]
-  double dead_band = 8.0;           ///< of the horizontal force: what model errors look like [N]
+  double dead_band = 12.0;          ///< of the horizontal force: what model errors look like [N]
   double load_dead_band = 8.0;      ///< of the vertical force [N]
   double moment_dead_band = 4.0;    ///< [N·m]
   double max_force = 150.0;         ///< [N]
@@ -26,7 +26,7 @@ struct ExternalForceOptions {
 ///     r = (P − ∫ (m g + Σ f_k + r) dt) / T
 ///
 /// Wrong masses, angles and torques look like a force, too: what lies within a dead band is taken
-/// for that, and only what is beyond is handed on. Does not allocate.
+/// for that, r (1 − (band / |r|)²) of what is beyond is handed on. Does not allocate.
 class ExternalForceEstimator {
  public:
   explicit ExternalForceEstimator(const ExternalForceOptions& options) : options_(options) {}

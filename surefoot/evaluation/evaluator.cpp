@@ -72,6 +72,7 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   if (!tick.user.walk || tick.plan.calibrating) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;
+  path_.add(truth, tick.user, frame_.R() * tick.plan.R_WC.col(0));
   ++walk_ticks_;
 }
 
@@ -195,6 +196,7 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   estimate_.write(result);
   touchdowns_.write(result);
   slips_.write(result);
+  path_.write(result);
   result.reason = metrics_.fell ? fall_ : end.reason;
   result.goal_reached = end.goal_reached;
   result.duration_s = ticks_ * options_.control_period;

@@ -4,6 +4,7 @@
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/evaluation/path_judge.hpp"
 #include "surefoot/evaluation/slip_judge.hpp"
 #include "surefoot/evaluation/touchdown_judge.hpp"
 #include "surefoot/signals/tick_record.hpp"
@@ -37,7 +38,9 @@ struct RunEnd {
 class Evaluator {
  public:
   explicit Evaluator(EvaluatorOptions options)
-      : options_(std::move(options)), slips_(options_.control_period) {}
+      : options_(std::move(options)),
+        slips_(options_.control_period),
+        path_(options_.control_period) {}
 
   /// Truth and tick belong to the same time: the truth from which the readings were made.
   void add(const GroundTruth& truth, const TickRecord& tick);
@@ -82,6 +85,7 @@ class Evaluator {
   EstimateJudge estimate_;
   TouchdownJudge touchdowns_;
   SlipJudge slips_;
+  PathJudge path_;
   std::string fall_;
   int ticks_ = 0;
   Vec3 start_ = Vec3::Zero(), end_ = Vec3::Zero();            // base

@@ -39,6 +39,9 @@ struct Metrics {
   double com_lateral_sway_m =
       kNaN;  ///< half the range of the COM across the heading, seen from the feet's centre
   double com_zmp_slack_max_m = 0.0;  ///< how far the planned ZMP had to leave the support polygon
+  /// Of the feet's centre from the commanded path, across it (evaluation/path_judge.hpp) …
+  double path_deviation_max_m = kNaN;
+  double path_deviation_base_max_m = kNaN;  ///< … and of the base, which sways and leans over them
   double base_height_end_m = kNaN;  ///< base above the mean stance foot sphere's centre, at the end
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference

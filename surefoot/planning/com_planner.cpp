@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 namespace surefoot {
@@ -18,8 +19,10 @@ constexpr double kFullLoad = 0.03;       // … that moves the ZMP by this or mo
 constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
 constexpr int kMaxSamples = 8;           // of a phase
-constexpr int kUnknownsPerKnot = 6;      // p, v, a in x and y
-constexpr int kGaussPoints = 4;          // exact for the square of a cubic
+constexpr int kFrictionRows = 4;         // of a sample
+constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
+constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
+constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
 constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.3300094782075719,
                                                        0.6699905217924281, 0.9305681557970263};
 constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,
@@ -39,7 +42,8 @@ ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& for
 Hierarchy ComPlanner::make_hierarchy(int phases) {
   Hierarchy hierarchy(kUnknownsPerKnot * phases);
   const int region_rows = phases * kMaxSamples * SupportRegion::kMaxEdges;
-  hierarchy.add_level("zmp in the support region", region_rows);
+  const int friction_rows = phases * kMaxSamples * kFrictionRows;
+  hierarchy.add_level("zmp in the support region", region_rows + friction_rows);
   hierarchy.add_level("capture point in the swing's triangle", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
@@ -124,6 +128,7 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
     write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, Point::zmp);
+    if (load_.force.norm() > 0.0) write_friction_rows(hierarchy.level(0), phase, t);
     if (support.must_rest) {
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
                         Point::capture_point);
@@ -147,6 +152,20 @@ void ComPlanner::write_inside_rows(Level& level, int phase, double t, const Supp
       known += add_terms(rows, 0, phase, axis, w, edge.normal[axis]);
     rows.lower[0] = -kInfinity;
     rows.upper[0] = edge.offset - margin - known;
+  }
+}
+
+void ComPlanner::write_friction_rows(Level& level, int phase, double t) const noexcept {
+  const double T = phases_[static_cast<std::size_t>(phase)].duration;
+  const HermiteWeights w = height_ / kGravity * hermite_acceleration(t, T);
+  const double most = kFrictionShare * friction_ * height_;
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      Rows rows = level.add(1, 0);
+      const double known = add_terms(rows, 0, phase, axis, w, sign);
+      rows.lower[0] = -kInfinity;
+      rows.upper[0] = most - known + sign * height_ * load_.force[axis];
+    }
   }
 }
 
@@ -193,7 +212,8 @@ double ComPlanner::add_terms(Rows& rows, Eigen::Index i, int phase, int axis,
 
 double ComPlanner::share(const SupportPhase& phase, std::size_t leg, double t) const {
   if (!phase.down[leg]) return 0.0;
-  return ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t) / weight_;
+  const double most = ramped_force_max(force_, phase.loaded_for[leg] + t, phase.lifts_in[leg] - t);
+  return std::min(options_.leg_share, most / weight_);
 }
 
 SupportRegion ComPlanner::region_at(const SupportPhase& phase, double t) const noexcept {

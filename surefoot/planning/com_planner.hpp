@@ -38,7 +38,8 @@ struct ComLoad {
 ///   1. the ZMP  p − (h/g) p̈ + d  inside the shrinking and switching support region, by a margin; h
 ///   is
 ///      the height over the edge in question: what tips the robot is the moment about that line;
-///      d is what the load moves it by
+///      d is what the load moves it by; against a load also the force along the ground within what
+///      friction gives
 ///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
@@ -55,6 +56,8 @@ class ComPlanner {
 
   /// Borne by the plans that follow, from their begin to their end.
   void bear(const ComLoad& load) { next_load_ = load; }
+  /// μ that the feet have together, in the plans that follow.
+  void stand_on(double friction) { friction_ = friction; }
   void clear() { num_phases_ = 0; }
   /// Appends a phase; ignored beyond kMaxPhases or shorter than a millisecond.
   void add(const SupportPhase& phase) noexcept;
@@ -98,6 +101,8 @@ class ComPlanner {
   /// Rows  n·point ≤ offset − margin  for every edge of the region, at t in a phase.
   void write_inside_rows(Level& level, int phase, double t, const SupportRegion& region,
                          double margin, Point point) const noexcept;
+  /// Rows  ±(h/g p̈ − h f) ≤ share μ h  on both axes: what the feet push along the ground.
+  void write_friction_rows(Level& level, int phase, double t) const noexcept;
   void write_smoothness_rows(Level& level, int phase) const noexcept;
   void write_terminal_rows(Level& level, const Vec2& end_velocity, double weight) const noexcept;
   /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the
@@ -116,6 +121,7 @@ class ComPlanner {
   double begin_time_ = 0.0;
   double height_ = 0.5;
   double zmp_slack_ = 0.0;
+  double friction_ = 0.5;
   ComLoad load_, next_load_;
   std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
   // The plan in force: kept apart from the phases being added.

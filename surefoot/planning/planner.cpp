@@ -229,6 +229,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   };
 
   com_planner_.bear(balance_.load());
+  com_planner_.stand_on(mean_friction());
   balance_.planned(time_);
   com_planner_.clear();
   if (mode_ == Mode::stand || !user.walk) {

@@ -3,6 +3,7 @@
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/planning/calibration_motion.hpp"
+#include "surefoot/planning/capture_step.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
 #include "surefoot/planning/grip.hpp"
@@ -46,7 +47,7 @@ class Planner {
   [[nodiscard]] double until_switch() const;
   void observe_legs(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   void observe_grip(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
-  /// The command, slower where a foot has little friction.
+  /// The command, slower where a foot has little friction or the robot leans against a push.
   [[nodiscard]] UserCommand with_caution(const UserCommand& user) const;
   /// Of the gait's durations, longer for the same reason: a factor.
   [[nodiscard]] double pace() const;
@@ -61,11 +62,19 @@ class Planner {
   void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void react_to_push(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
-  void put_foot_down(Leg leg, const Vec2& out, const UserCommand& user, const Dynamics& dynamics);
+  void put_foot_down(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  /// A step to recover, if one helps: of the foot after which the robot is balanced best.
+  void step_to_recover(const UserCommand& user, const Dynamics& dynamics);
+  /// Where a foot that lands after a time catches the robot.
+  [[nodiscard]] CaptureStep capture_step(Leg leg, double duration, const Dynamics& dynamics) const;
+  /// Will the balance be lost before the swinging foot lands by itself?
+  [[nodiscard]] bool tips_before_landing(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void expect_touchdown(double duration);
+  /// Of the feet where they are.
+  [[nodiscard]] SupportRegion region(const PerLeg<double>& share, const Dynamics& dynamics) const;
   [[nodiscard]] SupportRegion region_without(Leg leg, const Dynamics& dynamics) const;
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
   void begin_support(const UserCommand& user, double duration);
@@ -75,6 +84,8 @@ class Planner {
     return calibration_.duration() > 0.0 && time_ < calibrated_from_ + calibration_.duration();
   }
 
+  /// Of the feet that stand.
+  [[nodiscard]] double mean_friction() const;
   [[nodiscard]] Leg next_leg(int ahead = 0) const;
   [[nodiscard]] double support_duration(int ahead = 0) const;
   [[nodiscard]] double swing_duration(Leg leg) const;

@@ -57,6 +57,7 @@ struct ComPlannerOptions {
       0.04;               ///< capture point inside the swing's triangle by [m]: it may wait there
   int horizon_steps = 2;  ///< swings that the QP looks ahead, up to ComPlanner::kMaxSteps
   double sample_interval = 0.12;  ///< of the ZMP constraints [s]
+  double leg_share = 1.0;         ///< of the weight, that one leg is planned to carry at most
   double terminal_weight = 1.0;   ///< pull of the horizon's end to the centre of the feet [1/s²]
 };
 
@@ -131,11 +132,19 @@ struct PushOptions {
   double replan_step = 4.0;        ///< the COM is planned anew when the force moved by this [N]
   double replan_interval = 0.03;   ///< … but not more often [s]
   double settling_time = 0.2;      ///< of the filter that the force is compared with [s]
-  double unsteady = 12.0;          ///< no lift-off while they differ by more [N]
-  double foot_down_excess = 0.06;  ///< a foot comes down at once if the capture point would be out
+  double unsteady = 12.0;          ///< no lift-off while they differ by more [N] …
+  double unsteady_share = 0.25;    ///< … and by more than this share of the force
+  double slow_shift = 0.1;         ///< a force that moves the ZMP by this halves the velocity [m]
+  double lift_off_margin = 0.02;   ///< capture point inside the other feet's triangle by [m]
+  double foot_down_excess = 0.02;  ///< a foot comes down at once if the capture point would be out
                                    ///< of the other feet's triangle by this when it lands [m]
   double foot_down_duration = 0.15;  ///< of the way down [s]
-  double foot_down_step = 0.08;      ///< … which goes this far towards the capture point [m]
+  bool steps = true;           ///< with all feet down and the capture point leaving them, one steps
+  double step_margin = 0.03;   ///< … when it is inside their region by less than this [m]
+  double step_duration = 0.2;  ///< of that swing [s]
+  double step_apex = 0.04;     ///< [m]
+  double step_max = 0.25;      ///< how far a foot goes to catch the robot [m]
+  double capture_margin = 0.06;  ///< … the capture point then inside the new region by this [m]
 };
 
 struct PlannerOptions {

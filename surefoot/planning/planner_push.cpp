@@ -3,14 +3,18 @@
 #include "surefoot/planning/planner.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace surefoot {
 namespace {
 
-constexpr double kLiftOffMargin = 0.01;  // capture point inside the other feet's triangle by [m]
-constexpr double kShortestPlan = 0.08;   // left of a phase that a new plan can use [s]
-constexpr double kStandDuration = 1.0;   // [s]
-constexpr double kLevel = 1e-3;          // apex of a move that does not rise [m]
+constexpr double kOffPlan = 0.01;       // the COM from its plan: that one can't be followed [m]
+constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can use [s]
+constexpr double kStandDuration = 1.0;  // [s]
+constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
+constexpr double kLevel = 1e-3;         // apex of a move that does not rise [m]
 
 }  // namespace
 
@@ -19,22 +23,27 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
   const double ground = plane_.height(dynamics.com.p.head<2>());
   balance_.update(state, dynamics, std::max(0.1, dynamics.com.p.z() - ground));
   if (!options_.push.enabled) return;
-  LegMotion& next = leg(next_leg());
-  const Vec2 out = balance_.excess(region_without(next_leg(), dynamics));
-  if (mode_ == Mode::swing && next.phase() == LegPhase::swing) {
-    const double left = deadline_ - time_;
-    const bool soon = left < options_.push.foot_down_duration;
-    if (!soon && out.norm() * balance_.growth(left) > options_.push.foot_down_excess) {
-      put_foot_down(next_leg(), out, user, dynamics);
-    }
-  } else if (mode_ == Mode::support && next.phase() == LegPhase::unloading && out.norm() > 0.0 &&
+  const Leg next = next_leg();
+  if (mode_ == Mode::swing && leg(next).phase() == LegPhase::swing) {
+    if (tips_before_landing(dynamics)) put_foot_down(next, user, dynamics);
+  } else if (mode_ == Mode::support && leg(next).phase() == LegPhase::unloading &&
              !balance_.is_steady()) {
     event_ = PlanEvent::push_reloaded;
-    next.reload(time_);
+    leg(next).reload(time_);
     begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
-  if (balance_.wants_plan(time_) && until_switch() > kShortestPlan) replan_com(user, dynamics);
+  if (mode_ != Mode::swing) step_to_recover(user, dynamics);
+  const bool off = (dynamics.com.p.head<2>() - plan_.com.p).norm() > kOffPlan;
+  const bool wants_plan = balance_.wants_plan(time_) || (off && balance_.may_plan(time_));
+  if (wants_plan && until_switch() > kShortestPlan) replan_com(user, dynamics);
+}
+
+bool Planner::tips_before_landing(const Dynamics& dynamics) const {
+  const double left = deadline_ - time_;
+  if (left < options_.push.foot_down_duration) return false;  // it lands as soon as it can
+  const Vec2 out = balance_.excess(region_without(next_leg(), dynamics));
+  return out.norm() * balance_.growth(left) > options_.push.foot_down_excess;
 }
 
 double Planner::until_switch() const {
@@ -50,30 +59,74 @@ PerLeg<Vec2> Planner::leaning_hips() const {
   return result;
 }
 
-// The shortest way to the ground, a little towards where the robot tips.
-void Planner::put_foot_down(Leg k, const Vec2& out, const UserCommand& user,
-                            const Dynamics& dynamics) {
+// The shortest way to the ground that catches the robot.
+void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::push_foot_down;
   probing_ = false;
+  const double duration = options_.push.foot_down_duration;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
-  Vec3 goal = p_WF;
-  goal.head<2>() += options_.push.foot_down_step * out.normalized();
+  Vec3 goal;
+  goal.head<2>() = capture_step(k, duration, dynamics).goal;
   goal.z() = plane_.height(goal.head<2>());
-  swing_again(k, {p_WF, goal, plane_.normal, options_.push.foot_down_duration, kLevel}, user,
-              dynamics);
+  swing_again(k, {p_WF, goal, plane_.normal, duration, kLevel}, user, dynamics);
+}
+
+CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynamics) const {
+  const SupportRegion others = region_without(k, dynamics);
+  const double height = options_.stance.height;
+  const double reach = options_.swing.reach_max;
+  CaptureProblem problem;
+  for (const Leg other : kLegs)
+    problem.feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
+  problem.capture_point = balance_.capture_point_after(others, duration);
+  problem.out = balance_.excess(others);
+  problem.hip = (dynamics.hip[index(k)].p + duration * dynamics.com.v).head<2>();
+  problem.reach = std::sqrt(std::max(0.0, reach * reach - height * height));
+  return find_capture_step(problem, k, options_.push);
+}
+
+void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics) {
+  if (!options_.push.steps || !balance_.is_pushed() || !all_down()) return;
+  const double margin = region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
+  if (margin > options_.push.step_margin) return;
+  Leg best = Leg::LF;
+  CaptureStep step;
+  for (const Leg k : kLegs) {
+    if (leg(k).since(time_) < options_.force.ramp_up) return;  // one has only just come down
+    const CaptureStep found = capture_step(k, options_.push.step_duration, dynamics);
+    if (found.margin > step.margin) std::tie(best, step) = std::pair(k, found);
+  }
+  const double growth = balance_.growth(options_.push.step_duration);
+  const double without = margin < 0.0 ? growth * margin : margin;
+  if (step.margin < without + kWorthAStep) return;
+  event_ = PlanEvent::push_step;
+  mode_ = Mode::swing;
+  collisions_ = 0;
+  probing_ = false;
+  while (next_leg() != best) cursor_ = (cursor_ + 1) % kNumLegs;  // the gait goes on behind it
+  const Vec3& p_WF = dynamics.foot[index(best)].p;
+  Vec3 goal;
+  goal << step.goal, plane_.height(step.goal);
+  swing_again(best,
+              {p_WF, goal, plane_.normal, options_.push.step_duration, options_.push.step_apex},
+              user, dynamics);
 }
 
 SupportRegion Planner::region_without(Leg k, const Dynamics& dynamics) const {
-  PerLeg<Vec2> feet;
   PerLeg<double> share{1.0, 1.0, 1.0, 1.0};
   share[index(k)] = 0.0;
-  for (const Leg other : kLegs) feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
+  return region(share, dynamics);
+}
+
+SupportRegion Planner::region(const PerLeg<double>& share, const Dynamics& dynamics) const {
+  PerLeg<Vec2> feet;
+  for (const Leg k : kLegs) feet[index(k)] = dynamics.foot[index(k)].p.head<2>();
   return SupportRegion(feet, share);
 }
 
 bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {
-  const bool inside = region_without(k, dynamics).margin(balance_.capture_point()) > kLiftOffMargin;
-  return inside && balance_.is_steady();
+  const double margin = region_without(k, dynamics).margin(balance_.capture_point());
+  return margin > options_.push.lift_off_margin && balance_.is_steady();
 }
 
 }  // namespace surefoot

@@ -27,11 +27,23 @@ void Planner::observe_grip(const UserCommand& user, const RobotState& state,
   replan_com(user, dynamics);
 }
 
+double Planner::mean_friction() const {
+  double sum = 0.0;
+  int standing = 0;
+  for (const Leg k : kLegs) {
+    if (!leg(k).down()) continue;
+    sum += grip_.friction(k);
+    ++standing;
+  }
+  return standing == 0 ? options_.force.friction : sum / standing;
+}
+
 // Accelerations fall with the square of the durations and with the length of the strides.
 UserCommand Planner::with_caution(const UserCommand& user) const {
   UserCommand result = user;
-  result.velocity /= grip_.caution();
-  result.yaw_rate /= grip_.caution();
+  const double caution = std::max(grip_.caution(), balance_.caution());
+  result.velocity /= caution;
+  result.yaw_rate /= caution;
   return result;
 }
 

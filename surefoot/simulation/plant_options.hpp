@@ -171,7 +171,8 @@ struct SensorOptions {
   std::vector<SensorFault> faults;  ///< one after the other, where they overlap
 };
 
-/// A push: a force on a body over a time, or an impulse spread over it.
+/// A push: a force on a body over a time. A scenario may give it as an impulse over that time, or
+/// as a magnitude and a direction along the ground.
 struct Push {
   std::string body;           ///< URDF link; empty: the base
   double time = 0.0;          ///< start [s]

@@ -135,7 +135,8 @@ TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_
     EXPECT_TRUE(holds(text, "trial.yaml:3: stack_switches")) << text;
     EXPECT_TRUE(holds(text, what)) << text;
   };
-  says("{time: 1, remove: [com]}", "unknown level \"com\"; the stack \"walk\" can switch: com_xy");
+  says("{time: 1, remove: [com]}",
+       "unknown level \"com\"; the stack \"walk\" can switch: torso_roll_pitch com_xy");
   says("{time: 1, remove: [friction_cone]}", "keeps the physics and is always there");
   says("{time: 1, remove: [com_xy], duration: -1}", "\"-1\" is not a number of at least 0");
   says("{time: -1, remove: [com_xy]}", "\"-1\" is not a number of at least 0");
@@ -213,7 +214,7 @@ TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
       read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
   EXPECT_EQ(scenario.duration, 4.0);
   EXPECT_EQ(scenario.plant.actuators.model, ActuatorModel::sea);
-  EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
+  EXPECT_EQ(scenario.controller.stack.levels[5].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
@@ -432,7 +433,22 @@ TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
   EXPECT_EQ(scenario.plant.disturbances.pushes[0].force, Vec3(0, 9, 0));
   EXPECT_EQ(scenario.plant.disturbances.pushes[1].force, Vec3(0, 0, 6));
   EXPECT_TRUE(
-      holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force or an impulse"));
+      holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force, an impulse"));
+}
+
+TEST_F(ScenarioFile, reads_a_push_along_the_ground_by_magnitude_and_direction) {
+  const Scenario scenario = read(
+      "disturbances: {pushes: {a: {time: 1, magnitude: 50, direction: 2.5}}}\n"
+      "randomise: {disturbances.pushes.a.direction: [-3, 3]}\n");
+  const Vec3& force = scenario.plant.disturbances.pushes.at(0).force;
+  EXPECT_LT((force - 50.0 * Vec3(std::cos(2.5), std::sin(2.5), 0.0)).norm(), 1e-12);
+  const auto push = [&](const std::string& text) {
+    return complaint("disturbances: {pushes: {a: {time: 1, " + text + "}}}\n");
+  };
+  EXPECT_TRUE(holds(push("magnitude: 5"), "pushes.a.direction: this key is missing"));
+  EXPECT_TRUE(holds(push("magnitude: -5, direction: 0"), "pushes.a.magnitude"));
+  EXPECT_TRUE(holds(push("magnitude: 5, direction: 0, force: [1, 0, 0]"), "either a force, an"));
+  EXPECT_TRUE(holds(push("force: [1, 0, 0], direction: 0"), "only a push with a magnitude has"));
 }
 
 TEST_F(ScenarioFile, chooses_the_solver) {

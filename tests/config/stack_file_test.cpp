@@ -192,7 +192,7 @@ TEST(StackFile, weights_and_weighted_from_name_levels_of_the_stack) {
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");
-  EXPECT_EQ(stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
+  EXPECT_EQ(stack.levels[5].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST(StackFile, parameters_for_a_task_that_the_stack_has_not_are_an_error) {

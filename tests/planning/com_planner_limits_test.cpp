@@ -3,6 +3,7 @@
 #include "tests/planning/com_plans.hpp"
 #include "tests/support/malloc_counter.hpp"
 
+#include <numbers>
 #include <string>
 
 namespace surefoot::test {
@@ -35,6 +36,27 @@ TEST(ComPlanner, IsFiniteWhateverFeetAreDown) {
       ASSERT_TRUE(at.p.allFinite() && at.v.allFinite() && at.a.allFinite() && at.zmp.allFinite());
     }
   }
+}
+
+TEST(ComPlanner, AgainstALoadAsksForNoMoreAlongTheGroundThanFrictionGives) {
+  constexpr double kFriction = 0.5;
+  const Vec2 force(0.0, 0.2);  // of the weight
+  ComPlanner planner = make_planner();
+  planner.bear({.force = force});
+  planner.stand_on(kFriction);
+  const Phases phases{standing(1.0, nominal_feet())};
+  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}});
+  over(phases, 0.0, [&](const SupportPhase&, double, double t) {
+    const Vec2 along = planner.at(t).a / kGravity - force;
+    EXPECT_LT(along.lpNorm<Eigen::Infinity>(), kFriction / std::numbers::sqrt2) << t;
+  });
+}
+
+TEST(ComPlanner, LetsNoLegCarryMoreThanItsShare) {
+  ComPlanner planner = make_planner({.leg_share = 0.6});
+  const SupportPhase phase = standing(1.0, nominal_feet());
+  for (std::size_t k = 0; k < kNumLegs; ++k) EXPECT_EQ(planner.share(phase, k, 0.5), 0.6);
+  EXPECT_LT(region(planner, phase, 0.5).margin(phase.feet[0]), -0.05);
 }
 
 TEST(ComPlanner, WithoutAnyPhaseKeepsTheLastPlan) {

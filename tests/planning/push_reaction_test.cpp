@@ -9,7 +9,8 @@ namespace {
 
 using test::Puppet;
 
-constexpr double kStrong = 110.0;  // [N]
+constexpr double kStrong = 110.0;     // [N]
+constexpr double kTooStrong = 240.0;  // to be borne by a lean alone [N]
 
 /// Walks until this leg has been in the air for a tenth of a second.
 void walk_into_swing(Puppet& puppet, Leg leg) {
@@ -61,6 +62,68 @@ TEST(PushReaction, ASmallPushLetsASwingGoOn) {
   puppet.push = {0.0, 5.0, 0.0};
   puppet.run(0.5);
   EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
+}
+
+TEST(PushReaction, ALegThatUnloadsCarriesAgainWhileTheForceChanges) {
+  Puppet puppet;
+  puppet.user = {.walk = true, .velocity = {0.05, 0.0}};
+  while (puppet.plan().feet[index(Leg::LH)].phase != LegPhase::unloading && puppet.time() < 20.0)
+    puppet.tick();
+  puppet.push = {0.0, 40.0, 0.0};
+  puppet.tick();
+  EXPECT_EQ(puppet.happenings(PlanEvent::push_reloaded).size(), 1u);
+  EXPECT_EQ(puppet.plan().feet[index(Leg::LH)].phase, LegPhase::stance);
+}
+
+TEST(PushReaction, StepsAheadOfTheCapturePointThatLeavesTheFeet) {
+  for (const double way : {1.0, -1.0}) {
+    Puppet puppet;
+    puppet.run(0.5);
+    puppet.push = {way * kTooStrong, 0.0, 0.0};
+    puppet.run(0.4);
+    const auto steps = puppet.happenings(PlanEvent::push_step);
+    ASSERT_GE(steps.size(), 1u);
+    const Leg leg = steps.front().leg;
+    EXPECT_EQ(is_front(leg), way > 0.0);
+    EXPECT_GT(way * puppet.foot(leg).x(), StanceOptions{}.half_length + 0.03);
+    EXPECT_TRUE(puppet.plan().contact(leg));
+  }
+}
+
+TEST(PushReaction, TakesNoStepThatDoesNotHelp) {
+  Puppet puppet;
+  puppet.run(0.5);
+  puppet.push = {0.0, 1.2 * kStrong, 0.0};  // its capture point just within the left feet
+  puppet.run(0.1);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
+}
+
+TEST(PushReaction, TakesNoStepWhereLeaningIsEnough) {
+  Puppet puppet;
+  puppet.run(0.5);
+  puppet.push = {20.0, 50.0, 0.0};
+  puppet.run(2.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
+}
+
+TEST(PushReaction, TakesNoStepWhenStepsAreSwitchedOff) {
+  PlannerOptions options;
+  options.push.steps = false;
+  Puppet puppet(options);
+  puppet.run(0.5);
+  puppet.push = {kTooStrong, 0.0, 0.0};
+  puppet.run(0.4);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::push_step).empty());
+}
+
+TEST(PushReaction, WalksOnMoreSlowlyAgainstAPush) {
+  Puppet free, pushed;
+  for (Puppet* puppet : {&free, &pushed}) puppet->user = {.walk = true, .velocity = {0.08, 0.0}};
+  pushed.push = {0.0, 40.0, 0.0};
+  free.run(12.0);
+  pushed.run(12.0);
+  EXPECT_GT(pushed.com().x(), 0.2 * free.com().x());
+  EXPECT_LT(pushed.com().x(), 0.8 * free.com().x());
 }
 
 TEST(PushReaction, DoesNothingWhenItIsSwitchedOff) {

@@ -47,3 +47,10 @@ def test_the_force_ramps_halve_the_torque_steps_at_least():
 def test_a_light_push_is_walked_through():
     _, result = run("push", "disturbances.pushes.lateral.force.y=8")
     assert not result["fell"]
+
+
+@pytest.mark.parametrize("direction", [-2.36, -0.79, 0.0, 3.14])
+def test_a_push_from_any_side_is_walked_through(direction):
+    _, result = run("push_any_direction", f"disturbances.pushes.any.direction={direction}")
+    assert not result["fell"]
+    assert result["path_deviation_max_m"] < 0.1

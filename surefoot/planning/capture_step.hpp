@@ -1,0 +1,29 @@
+#pragma once
+
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/planning/support_region.hpp"
+
+namespace surefoot {
+
+/// A foothold that catches the robot.
+struct CaptureStep {
+  Vec2 goal{0.0, 0.0};   ///< x and y in W [m]
+  double margin = -1e3;  ///< of the capture point at the landing in the region with it [m]
+};
+
+/// What a step to catch the robot has to reckon with, x and y in W [m].
+struct CaptureProblem {
+  PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  Vec2 capture_point{0.0, 0.0};  ///< when the foot lands
+  Vec2 out{0.0, 0.0};            ///< how far it is out of the other feet's triangle; zero inside
+  Vec2 hip{0.0, 0.0};            ///< of the leg, when the foot lands
+  double reach = 0.0;            ///< of the foot from the hip, horizontally
+};
+
+/// The shortest of some steps from where the foot is straight behind the capture point that has it
+/// `capture_margin` inside the region of all feet; where none has, the one with the most. Steps are
+/// within reach, at most `step_max` long, and keep off the other feet.
+[[nodiscard]] CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg,
+                                            const PushOptions& options);
+
+}  // namespace surefoot

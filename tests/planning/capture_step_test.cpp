@@ -1,0 +1,69 @@
+#include "surefoot/planning/capture_step.hpp"
+
+#include "surefoot/planning/foothold_planner.hpp"
+#include "tests/support/random_hierarchy.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+constexpr double kReach = 0.3;  // [m]
+
+/// The feet of a nominal stance, hips over them, and a robot that tips to the left by `out`.
+CaptureProblem tipping_left(double out) {
+  CaptureProblem problem;
+  for (const Leg leg : kLegs) problem.feet[index(leg)] = nominal_offset({}, leg);
+  const double edge = problem.feet[index(Leg::LF)].y();
+  problem.capture_point = {0.0, edge + out};
+  problem.out = {0.0, out};
+  problem.reach = kReach;
+  return problem;
+}
+
+TEST(CaptureStep, AFootThatCatchesWhereItIsStaysThere) {
+  CaptureProblem problem = tipping_left(0.0);
+  problem.capture_point = {0.0, 0.0};
+  problem.hip = problem.feet[index(Leg::LF)];
+  const CaptureStep step = find_capture_step(problem, Leg::LF, {});
+  EXPECT_EQ(step.goal, problem.feet[index(Leg::LF)]);
+  EXPECT_GE(step.margin, PushOptions{}.capture_margin);
+}
+
+TEST(CaptureStep, GoesToTheSideThatTheRobotTipsTo) {
+  CaptureProblem problem = tipping_left(0.05);
+  problem.hip = problem.feet[index(Leg::LF)];
+  const CaptureStep step = find_capture_step(problem, Leg::LF, {});
+  EXPECT_GT(step.goal.y(), problem.feet[index(Leg::LF)].y() + 0.05);
+  EXPECT_GT(step.margin, 0.0);
+}
+
+TEST(CaptureStep, AFootOnTheOtherSideDoesNotHelp) {
+  CaptureProblem problem = tipping_left(0.05);
+  problem.hip = problem.feet[index(Leg::RF)];
+  EXPECT_LE(find_capture_step(problem, Leg::RF, {}).margin, 0.0);
+}
+
+TEST(CaptureStep, IsWithinReachShortEnoughAndOffTheOtherFeet) {
+  test::RandomMatrices random(3);
+  const PushOptions options;
+  for (int trial = 0; trial < 500; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    CaptureProblem problem = tipping_left(random.uniform(0.0, 0.4));
+    const Leg leg = kLegs[static_cast<std::size_t>(random.integer(0, 3))];
+    const Vec2 from = problem.feet[index(leg)];
+    problem.capture_point += 0.2 * Vec2(random.vector(2));
+    problem.out = 0.2 * Vec2(random.vector(2));
+    problem.hip = from + 0.1 * Vec2(random.vector(2)).normalized();
+    const CaptureStep step = find_capture_step(problem, leg, options);
+    EXPECT_LE((step.goal - problem.hip).norm(), kReach + 1e-12);
+    EXPECT_LE((step.goal - from).norm(), options.step_max + 0.1 + 1e-12);
+    for (const Leg other : kLegs) {
+      const double least = other == leg ? 0.0 : 0.1;
+      EXPECT_GE((step.goal - problem.feet[index(other)]).norm(), least);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
