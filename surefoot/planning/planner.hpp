@@ -58,6 +58,7 @@ class Planner {
   void swing_again(Leg leg, const SwingTarget& target, const UserCommand& user,
                    const Dynamics& dynamics);
   bool hit_above_known_ground(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void on_caught(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void react_to_push(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
@@ -114,6 +115,7 @@ class Planner {
   double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
   double late_time_ = 0.0;  // when a missing touchdown is told [s]
   bool probing_ = false;    // the swinging foot makes its first touch
+  int caught_ = 0;          // times that this swing was caught on its way
   int collisions_ = 0;      // of this swing with something above the ground that it knows
   Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch
   Vec2 probe_direction_{1.0, 0.0};

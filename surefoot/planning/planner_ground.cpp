@@ -90,6 +90,33 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
   return true;
 }
 
+// A riser, or an edge that a shin or knee hangs on. The ground behind it lies higher by what nobody
+// knows, so the foot rises anew from where it is, away from the edge, and comes down well behind
+// it. Caught too often, it comes down before it.
+void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
+  const ReflexOptions& reflex = options_.reflex;
+  const SwingTarget before = leg(k).target();
+  const Vec2 step = (before.goal - before.start).head<2>();
+  const Vec2 way = step.norm() > kLevel ? Vec2(step.normalized()) : probe_direction_;
+  event_ = PlanEvent::caught;
+  if (++caught_ > reflex.most) {
+    Vec3 goal = leg(k).foothold();
+    goal.head<2>() = p_WF.head<2>() - reflex.back * way;
+    probing_ = false;
+    swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, kLevel}, user,
+                dynamics);
+    return;
+  }
+  Vec3 goal = before.goal;
+  const double beyond = way.dot((goal - p_WF).head<2>());
+  goal.head<2>() += std::max(0.0, reflex.beyond - beyond) * way;
+  swing_again(
+      k,
+      {p_WF, goal, before.normal, options_.gait.swing_duration, options_.swing.apex, reflex.back},
+      user, dynamics);
+}
+
 // Back to the last foothold: there was ground.
 void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
