@@ -126,7 +126,7 @@ struct FootholdOptions {
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
   double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
   double max_step = 0.30;     ///< [m]
-  double stretch_max = 0.06;  ///< front and hind foot of a side may be further apart by this [m]
+  double stretch_max = 0.50;  ///< front and hind foot of a side may be further apart by this [m]
   double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
 };
 

@@ -277,7 +277,7 @@ TEST(FootholdPlanner, AHindFootThatWaitedGoesAsFarAsItCan) {
 }
 
 TEST(FootholdPlanner, AFrontFootDoesNotRunAwayFromTheHindFootOfItsSide) {
-  const FootholdOptions options{.max_step = 1.0};
+  const FootholdOptions options{.max_step = 1.0, .stretch_max = 0.06};
   Walker walker(options);
   walker.stand(Vec2(2.0, 1.0), 0.7);
   const Vec2 heading = turned(walker.yaw, Vec2::UnitX());
