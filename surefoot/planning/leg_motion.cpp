@@ -15,6 +15,7 @@ constexpr double kFastStall =
     4.0;  // times the stall error: a fast foot is not quite where it is asked
 constexpr double kSlowFrom = 0.8;  // share of a swing from which on its speed is followed well
 constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -100,7 +101,8 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
   if (!reflex_.enabled || phase_ != LegPhase::swing) return false;
   const Motion<Vec3> asked = reference(time);
   const Vec3 forward = way(asked);
-  const bool behind = forward.dot(asked.p - seen.foot.p) > reflex_.error;
+  const double allowed = reflex_.error + kLag * forward.dot(asked.v);
+  const bool behind = forward.dot(asked.p - seen.foot.p) > allowed;
   const bool held = -forward.dot(seen.force) > reflex_.force * doubt();
   held_for_ = behind && held ? held_for_ + period_ : 0.0;
   return held_for_ > reflex_.duration;

@@ -35,11 +35,11 @@ struct Foot {
 };
 
 TEST(Reflex, AFootThatIsHeldBackOnItsWayForwardIsCaught) {
-  EXPECT_EQ(Foot().follow(0.3, 0.7, 0.05 * kForward, -10.0 * kForward), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.3, 0.7, 0.12 * kForward, -10.0 * kForward), LegEvent::caught);
 }
 
 TEST(Reflex, AFootThatIsHeldDownWhileItRisesIsCaught) {
-  EXPECT_EQ(Foot().follow(0.05, 0.3, 0.05 * kUp, -10.0 * kUp), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.05, 0.3, 0.12 * kUp, -10.0 * kUp), LegEvent::caught);
 }
 
 TEST(Reflex, AFootThatIsPushedButFollowsIsNot) {
@@ -47,15 +47,19 @@ TEST(Reflex, AFootThatIsPushedButFollowsIsNot) {
 }
 
 TEST(Reflex, AFootThatLagsWithoutForceIsNot) {
-  EXPECT_EQ(Foot().follow(0.05, 1.0, 0.05 * kForward, Vec3::Zero()), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.05, 1.0, 0.12 * kForward, Vec3::Zero()), LegEvent::none);
+}
+
+TEST(Reflex, AFastFootThatIsALittleLateIsNot) {
+  EXPECT_EQ(Foot().follow(0.4, 0.6, 0.05 * kForward, -10.0 * kForward), LegEvent::none);
 }
 
 TEST(Reflex, AFootThatIsPushedAheadIsNot) {
-  EXPECT_EQ(Foot().follow(0.1, 0.4, -0.05 * kForward, 10.0 * kForward), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.1, 0.4, -0.12 * kForward, 10.0 * kForward), LegEvent::none);
 }
 
 TEST(Reflex, WithoutItNoFootIsCaught) {
-  EXPECT_EQ(Foot({.enabled = false}).follow(0.1, 0.9, 0.05 * kForward, -10.0 * kForward),
+  EXPECT_EQ(Foot({.enabled = false}).follow(0.1, 0.9, 0.12 * kForward, -10.0 * kForward),
             LegEvent::none);
 }
 
