@@ -102,6 +102,16 @@ void read_contact(Section& section, TouchdownOptions& contact) {
   section.number("lost_duration", contact.lost_duration, kNotNegative);
 }
 
+void read_reflex(Section& section, ReflexOptions& reflex) {
+  section.flag("enabled", reflex.enabled);
+  section.number("force", reflex.force, kPositive);
+  section.number("error", reflex.error, kPositive);
+  section.number("duration", reflex.duration, kNotNegative);
+  section.number("back", reflex.back, kNotNegative);
+  section.number("beyond", reflex.beyond, kNotNegative);
+  section.integer("most", reflex.most, 0);
+}
+
 void read_probe(Section& section, ProbeOptions& probe) {
   section.flag("enabled", probe.enabled);
   section.number("ahead", probe.ahead, kPositive);
@@ -133,6 +143,7 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.number("print_radius", foothold.print_radius, kNotNegative);
   section.number("same_height", foothold.same_height, kPositive);
   section.number("max_step", foothold.max_step, kPositive);
+  section.number("stretch_max", foothold.stretch_max, kNotNegative);
   section.number("max_side_step", foothold.max_side_step, kPositive);
 }
 
@@ -176,6 +187,7 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("com", [&](Section& s) { read_com(s, options.com); });
   section.section("swing", [&](Section& s) { read_swing(s, options.swing); });
   section.section("contact", [&](Section& s) { read_contact(s, options.contact); });
+  section.section("reflex", [&](Section& s) { read_reflex(s, options.reflex); });
   section.section("probe", [&](Section& s) { read_probe(s, options.probe); });
   section.section("torso", [&](Section& s) { read_torso(s, options.torso); });
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });

@@ -163,16 +163,25 @@ void read_steps(Section& section, Elements& elements) {
 }
 
 struct Slope {
-  double start = 0.5;  ///< x where it begins [m]
-  double pitch = 0.0;  ///< rises ahead where above 0 [rad]
-  double roll = 0.0;   ///< rises to the left where above 0 [rad]
+  double start = 0.5;    ///< x where it begins [m]
+  double pitch = 0.0;    ///< rises ahead where above 0 [rad]
+  double roll = 0.0;     ///< rises to the left where above 0 [rad]
+  double incline = 0.0;  ///< instead of both: the slope's angle …
+  double uphill = 0.0;   ///< … and where it rises to, from x to the left [rad]
   double friction = -1.0;
+
+  [[nodiscard]] Vec3 rpy() const {
+    if (incline == 0.0) return {roll, -pitch, 0.0};
+    const Mat3 R_uphill = rotation_about_z(uphill);
+    const Mat3 R_incline = Eigen::AngleAxisd(-incline, Vec3::UnitY()).toRotationMatrix();
+    return roll_pitch_yaw(R_uphill * R_incline * R_uphill.transpose());
+  }
 };
 
 /// Level ground z = 0 up to the start, then a plane through (start, 0, 0), both as boxes.
 void add_slope(const Slope& slope, Elements& elements) {
   const Vec3 size(kPlatform, kPlatform, kFloorDepth);
-  const Vec3 rpy(slope.roll, -slope.pitch, 0.0);
+  const Vec3 rpy = slope.rpy();
   const Vec3 level(slope.start - kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
   const Vec3 tilted = Vec3(slope.start, 0.0, 0.0) +
                       from_roll_pitch_yaw(rpy) * Vec3(kPlatform / 2.0, 0.0, -kFloorDepth / 2.0);
@@ -186,8 +195,12 @@ void read_slope(Section& section, Elements& elements) {
   section.number("start", slope.start);
   section.number("pitch", slope.pitch, kAngle);
   section.number("roll", slope.roll, kAngle);
-  if (section.node("pitch") == nullptr && section.node("roll") == nullptr)
-    section.fail("pitch", "a slope has a pitch, a roll or both");
+  section.number("incline", slope.incline, kAngle);
+  section.number("uphill", slope.uphill);
+  const bool by_axes = section.node("pitch") != nullptr || section.node("roll") != nullptr;
+  const bool by_direction = section.node("incline") != nullptr;
+  if (by_axes == by_direction)
+    section.fail("pitch", "a slope has a pitch, a roll or both; or instead of them an incline");
   read_friction(section, slope.friction);
   add_slope(slope, elements);
 }

@@ -19,7 +19,7 @@ std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before, const
   if (event == PlanEvent::lift_off_aborted)
     return find([&](Leg leg) { return was(leg) == LegPhase::unloading && in_contact(is(leg)); });
   constexpr std::array kOfALegInTheAir{PlanEvent::probe_edge, PlanEvent::late, PlanEvent::no_ground,
-                                       PlanEvent::collision};
+                                       PlanEvent::collision, PlanEvent::caught};
   if (std::ranges::find(kOfALegInTheAir, event) == kOfALegInTheAir.end()) return std::nullopt;
   // Of several legs in the air the one that changed its motion.
   const auto changed = [&](Leg leg) { return !in_contact(was(leg)) && was(leg) != is(leg); };

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
+constexpr double kLastReach = 1.25;      // … and one that would not go on otherwise must be
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
 // Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
@@ -38,13 +39,22 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   const Mat2 R_ahead = rotation_about_z(yaw + ahead * user.yaw_rate).topLeftCorner<2, 2>();
   const Vec3& from = footholds[index(leg)];
   const Vec2 goal = center + R_ahead * nominal_offset(stance_, leg) + ahead * (R * user.velocity);
-  const Vec2 step = clip_norm<2>(goal - from.head<2>(), options_.max_step);
+  const Vec2 near = not_stretched(leg, goal, footholds, R.col(0));
+  const Vec2 step = clip_norm<2>(near - from.head<2>(), options_.max_step);
   Vec3 nominal;
   nominal << from.head<2>() + step, 0.0;
   nominal.z() = plane.height(nominal.head<2>());
   if (is_front(leg) || !options_.hind_use_front_prints) return nominal;
   return on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from,
                    R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0));
+}
+
+// A front foot does not run away from the hind foot that is to follow in its prints.
+Vec2 FootholdPlanner::not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
+                                    const Vec2& heading) const {
+  if (!is_front(leg) || !options_.hind_use_front_prints) return goal;
+  const double ahead = heading.dot(goal - footholds[index(same_side(leg))].head<2>());
+  return goal - std::max(0.0, ahead - 2.0 * stance_.half_length - options_.stretch_max) * heading;
 }
 
 double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
@@ -73,8 +83,8 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
 // The front foot's prints tell what lies under the hind foot's way. Where the print before the
 // nominal foothold and the one beyond it differ in height, there is an edge between to slip from,
 // and only the prints are known to be good: a step up may be longer than others, and where the far
-// side is out of reach the foot waits. Elsewhere it goes where it likes, over the higher of the
-// two.
+// side is out of reach the foot waits on the print before it, if it is not there yet. Elsewhere it
+// goes where it likes, over the higher of the two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
   const Vec3* before = nullptr;
@@ -90,16 +100,27 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
   const bool edge = std::abs(rise) > options_.same_height;
   const double reach = (edge && rise > 0.0 ? kReachUpward : 1.0) * options_.max_step;
-  const bool reachable = (*beyond - from).head<2>().norm() < reach;
-  if (edge && !reachable) return *before;
+  const auto reachable = [&](const Vec3& print) { return (print - from).head<2>().norm() < reach; };
+  const bool can_wait = edge && heading.dot((*before - from).head<2>()) > kLeastProgress;
+  if (edge && !reachable(*beyond)) return can_wait ? *before : towards(*beyond, from);
   const Vec3& nearest =
       edge || before == nullptr || ahead(*beyond) < -ahead(*before) ? *beyond : *before;
   const bool near = (nearest - nominal).head<2>().norm() < options_.print_radius;
   const bool progress = heading.dot((nearest - from).head<2>()) > kLeastProgress;
-  if (edge || (near && progress && reachable)) return nearest;
+  if (edge || (near && progress && reachable(nearest))) return nearest;
   Vec3 between = nominal;
   between.z() = before == nullptr ? beyond->z() : std::max(before->z(), beyond->z());
   return between;
+}
+
+// As far as the leg can.
+Vec3 FootholdPlanner::towards(const Vec3& print, const Vec3& from) const {
+  const Vec2 way = (print - from).head<2>();
+  const double longest = kLastReach * options_.max_step;
+  if (way.norm() < longest) return print;
+  Vec3 goal;
+  goal << from.head<2>() + clip_norm<2>(way, longest), std::max(print.z(), from.z());
+  return goal;
 }
 
 }  // namespace surefoot

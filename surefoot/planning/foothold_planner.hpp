@@ -50,6 +50,9 @@ class FootholdPlanner {
     std::array<Vec3, kPrintsKept> points{};
     std::size_t count = 0;  // ever added; the newest kPrintsKept are kept
   };
+  [[nodiscard]] Vec2 not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
+                                   const Vec2& heading) const;
+  [[nodiscard]] Vec3 towards(const Vec3& print, const Vec3& from) const;
   [[nodiscard]] Vec3 on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                const Vec2& heading) const;
 

@@ -14,6 +14,8 @@ constexpr int kFirmTicks = 2;     // debounce of a touchdown
 constexpr double kFastStall =
     4.0;  // times the stall error: a fast foot is not quite where it is asked
 constexpr double kSlowFrom = 0.8;  // share of a swing from which on its speed is followed well
+constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -47,6 +49,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
+  held_for_ = 0.0;
   search_pace_ = 1.0;
   stuck_for_ = 0.0;
 }
@@ -60,7 +63,7 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   hip_ = seen.hip;
   normal_force_ = seen.normal.dot(seen.force);
   force_per_torque_ = seen.force_per_torque;
-  if (!down()) return observe_swing(time, seen.foot);
+  if (!down()) return observe_swing(time, seen);
   foothold_ = seen.foot.p;  // the sphere rolls with its shank: the foothold wanders by a centimetre
   return observe_stance();
 }
@@ -72,24 +75,46 @@ LegEvent LegMotion::observe_stance() {
                                                                     : LegEvent::none;
 }
 
-LegEvent LegMotion::observe_swing(double time, const Motion<Vec3>& foot) {
+LegEvent LegMotion::observe_swing(double time, const LegObservation& seen) {
   const double t = since(time);
   const SwingTarget& target = curve_.target();
   if (t > target.duration) phase_ = LegPhase::search;
+  if (is_caught(time, seen)) return LegEvent::caught;
   if (t < swing_.armed_after * target.duration) return LegEvent::none;
-  if (touches(time, foot)) return LegEvent::touchdown;
-  return phase_ == LegPhase::search ? observe_search(time, foot.p) : LegEvent::none;
+  if (touches(time, seen)) return LegEvent::touchdown;
+  return phase_ == LegPhase::search ? observe_search(time, seen.foot.p) : LegEvent::none;
+}
+
+// Where the leg is nearly straight its torques say little of the force along it.
+double LegMotion::doubt() const {
+  return std::max(1.0, force_per_torque_ * touchdown_.torque_error / touchdown_.touchdown_force);
+}
+
+Vec3 LegMotion::way(const Motion<Vec3>& asked) const {
+  const Vec3& normal = curve_.target().normal;
+  const Vec3 going = asked.v - std::min(0.0, normal.dot(asked.v)) * normal;
+  return going.norm() > kGoes ? Vec3(going.normalized()) : Vec3::Zero();
+}
+
+// What meets the foot on its way down is the ground, so only its ways forward and up count here.
+bool LegMotion::is_caught(double time, const LegObservation& seen) {
+  if (!reflex_.enabled || phase_ != LegPhase::swing) return false;
+  const Motion<Vec3> asked = reference(time);
+  const Vec3 forward = way(asked);
+  const double allowed = reflex_.error + kLag * forward.dot(asked.v);
+  const bool behind = forward.dot(asked.p - seen.foot.p) > allowed;
+  const bool held = -forward.dot(seen.force) > reflex_.force * doubt();
+  held_for_ = behind && held ? held_for_ + period_ : 0.0;
+  return held_for_ > reflex_.duration;
 }
 
 // A foot that meets ground bounces: it is fast for some milliseconds before it presses, and off the
-// ground again before it stays behind its reference.
-bool LegMotion::touches(double time, const Motion<Vec3>& foot) {
+// ground again before it stays behind its reference. What pushes it back more than up is a wall.
+bool LegMotion::touches(double time, const LegObservation& seen) {
+  const Motion<Vec3>& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
-  // Where the leg is nearly straight its torques say little of the force along it.
-  const double doubt =
-      std::max(1.0, force_per_torque_ * touchdown_.torque_error / touchdown_.touchdown_force);
-  const double force = normal_force_ / doubt;
+  const double force = normal_force_ / doubt();
   const bool is_slow = since(time) > kSlowFrom * curve_.target().duration;
   const bool carries = force > touchdown_.stall_force;
   const double behind = normal.dot(foot.p - asked.p) / touchdown_.stall_error;
@@ -97,6 +122,8 @@ bool LegMotion::touches(double time, const Motion<Vec3>& foot) {
   const bool bounced = is_slow && carries && normal.dot(foot.v - asked.v) > touchdown_.bounce_speed;
   const bool pressed = force > touchdown_.touchdown_force;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
+  const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
+  if (wall) return false;
   firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
   return certain || firm_ticks_ >= kFirmTicks;
 }

@@ -9,7 +9,7 @@
 namespace surefoot {
 
 /// What a leg notices at a tick.
-enum class LegEvent { none, touchdown, unreachable, lost };
+enum class LegEvent { none, touchdown, caught, unreachable, lost };
 
 /// A leg as it is believed to be, in W.
 struct LegObservation {
@@ -23,8 +23,8 @@ struct LegObservation {
 class LegMotion {
  public:
   LegMotion(const SwingOptions& swing, const TouchdownOptions& touchdown, const ForceOptions& force,
-            double period)
-      : swing_(swing), touchdown_(touchdown), force_(force), period_(period) {}
+            double period, const ReflexOptions& reflex = {})
+      : swing_(swing), touchdown_(touchdown), force_(force), reflex_(reflex), period_(period) {}
 
   /// Stands at p from `time` on; `loaded` from long before (no ramp).
   void plant(double time, const Vec3& p_WF, bool loaded = false);
@@ -53,8 +53,13 @@ class LegMotion {
 
  private:
   [[nodiscard]] LegEvent observe_stance();
-  [[nodiscard]] LegEvent observe_swing(double time, const Motion<Vec3>& foot);
-  [[nodiscard]] bool touches(double time, const Motion<Vec3>& foot);
+  [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
+  /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
+  [[nodiscard]] double doubt() const;
+  [[nodiscard]] bool is_caught(double time, const LegObservation& seen);
+  /// Unit vector of where the foot is asked to go, without its way down; 0 if nowhere.
+  [[nodiscard]] Vec3 way(const Motion<Vec3>& asked) const;
+  [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
@@ -62,6 +67,7 @@ class LegMotion {
   SwingOptions swing_;
   TouchdownOptions touchdown_;
   ForceOptions force_;
+  ReflexOptions reflex_;
   double period_;
   LegPhase phase_ = LegPhase::stance;
   double begin_ = 0.0;
@@ -74,6 +80,7 @@ class LegMotion {
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
+  double held_for_ = 0.0;     // how long something has been in the foot's way [s]
   int firm_ticks_ = 0;        // ticks in a row with a firm contact
 };
 

@@ -33,10 +33,10 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
       torso_(options.torso, period),
       grip_(options.grip, options.force.friction, period),
       calibration_(options.calibration),
-      legs_{LegMotion(options.swing, options.contact, options.force, period),
-            LegMotion(options.swing, options.contact, options.force, period),
-            LegMotion(options.swing, options.contact, options.force, period),
-            LegMotion(options.swing, options.contact, options.force, period)} {}
+      legs_{LegMotion(options.swing, options.contact, options.force, period, options.reflex),
+            LegMotion(options.swing, options.contact, options.force, period, options.reflex),
+            LegMotion(options.swing, options.contact, options.force, period, options.reflex),
+            LegMotion(options.swing, options.contact, options.force, period, options.reflex)} {}
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
                                   const Dynamics& dynamics) noexcept {
@@ -99,6 +99,9 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
         break;
       case LegEvent::touchdown:
         on_touchdown(k, user, state, dynamics);
+        break;
+      case LegEvent::caught:
+        on_caught(k, user, dynamics);
         break;
       case LegEvent::unreachable:
         on_unreachable(k, user, dynamics);
@@ -166,6 +169,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
   event_ = PlanEvent::lift_off;
   mode_ = Mode::swing;
   collisions_ = 0;
+  caught_ = 0;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   probe_target_ = foothold_planner_.foothold(k, footholds(), plane_, yaw_, user, cycle_duration());
   Vec3 goal = probe_target_;

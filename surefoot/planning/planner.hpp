@@ -59,6 +59,9 @@ class Planner {
   void swing_again(Leg leg, const SwingTarget& target, const UserCommand& user,
                    const Dynamics& dynamics);
   bool hit_above_known_ground(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void on_caught(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  /// Is this touch, after the foot was caught, the edge of what caught it?
+  [[nodiscard]] bool touches_the_edge(const Vec3& p_WF) const;
   void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void react_to_push(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
@@ -119,13 +122,15 @@ class Planner {
   double calibrated_from_ = 0.0;  // beginning of the calibration [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
-  int cursor_ = 0;          // place of the next leg in the gait's order
-  bool backward_ = false;   // the gait's order is mirrored, fore and hind
-  double lift_time_ = 0.0;  // planned lift-off of the next leg [s]
-  double deadline_ = 0.0;   // expected touchdown of the swinging leg; later the gait waits [s]
-  double late_time_ = 0.0;  // when a missing touchdown is told [s]
-  bool probing_ = false;    // the swinging foot makes its first touch
-  int collisions_ = 0;      // of this swing with something above the ground that it knows
+  int cursor_ = 0;            // place of the next leg in the gait's order
+  bool backward_ = false;     // the gait's order is mirrored, fore and hind
+  double lift_time_ = 0.0;    // planned lift-off of the next leg [s]
+  double deadline_ = 0.0;     // expected touchdown of the swinging leg; later the gait waits [s]
+  double late_time_ = 0.0;    // when a missing touchdown is told [s]
+  bool probing_ = false;      // the swinging foot makes its first touch
+  int caught_ = 0;            // times that this swing was caught on its way
+  Vec2 caught_at_{0.0, 0.0};  // where it was first
+  int collisions_ = 0;        // of this swing with something above the ground that it knows
   Vec3 probe_target_ = Vec3::Zero();  // the foothold behind the first touch
   Vec2 probe_direction_{1.0, 0.0};
   int steps_taken_ = 0;

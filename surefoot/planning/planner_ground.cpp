@@ -17,6 +17,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
                            const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
+  if (was_swinging && touches_the_edge(p_WF)) return on_caught(k, user, dynamics);
   if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
   if (was_swinging && hit_above_known_ground(k, user, dynamics)) return;
   event_ = PlanEvent::touchdown;
@@ -88,6 +89,39 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
   swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex},
               user, dynamics);
   return true;
+}
+
+// A riser, or an edge that a shin or knee hangs on. The ground behind it lies higher by what nobody
+// knows, so the foot rises anew from where it is, away from the edge, and comes down well behind
+// it. Caught too often, it comes down before it.
+void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  const Vec3& p_WF = dynamics.foot[index(k)].p;
+  const ReflexOptions& reflex = options_.reflex;
+  const SwingTarget before = leg(k).target();
+  const Vec2 step = (before.goal - before.start).head<2>();
+  const Vec2 way = step.norm() > kLevel ? Vec2(step.normalized()) : probe_direction_;
+  event_ = PlanEvent::caught;
+  if (caught_ == 0) caught_at_ = p_WF.head<2>();
+  if (++caught_ > reflex.most) {
+    Vec3 goal = leg(k).foothold();
+    goal.head<2>() = p_WF.head<2>() - reflex.back * way;
+    probing_ = false;
+    swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, kLevel}, user,
+                dynamics);
+    return;
+  }
+  Vec3 goal = before.goal;
+  const double beyond = way.dot((goal - p_WF).head<2>());
+  goal.head<2>() += std::max(0.0, reflex.beyond - beyond) * way;
+  swing_again(
+      k,
+      {p_WF, goal, before.normal, options_.gait.swing_duration, options_.swing.apex, reflex.back},
+      user, dynamics);
+}
+
+bool Planner::touches_the_edge(const Vec3& p_WF) const {
+  const bool goes_over = caught_ > 0 && caught_ <= options_.reflex.most;
+  return goes_over && (p_WF.head<2>() - caught_at_).norm() < 0.5 * options_.reflex.beyond;
 }
 
 // Back to the last foothold: there was ground.

@@ -89,6 +89,19 @@ struct TouchdownOptions {
   double lost_duration = 0.06;  ///< … for this long is lost [s]
 };
 
+/// The step reflex: a foot that rises or goes forward against something goes back, higher, and over
+/// it.
+struct ReflexOptions {
+  bool enabled = true;
+  double force =
+      4.0;  ///< against the foot's motion; more where contact.torque_error hides it [N] …
+  double error = 0.03;     ///< … and behind its reference along it by this [m] …
+  double duration = 0.02;  ///< … for this long [s]
+  double back = 0.04;      ///< away from it, while the foot rises [m]
+  double beyond = 0.08;    ///< it: no foothold nearer than this, or it stands on an edge [m]
+  int most = 3;            ///< tries of one swing; then the foot comes down before it
+};
+
 /// Two-touch probing: a front foot first touches ahead of its foothold; an edge between is found
 /// before the foot is loaded.
 struct ProbeOptions {
@@ -114,6 +127,7 @@ struct FootholdOptions {
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
   double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
   double max_step = 0.30;     ///< [m]
+  double stretch_max = 0.50;  ///< front and hind foot of a side may be further apart by this [m]
   double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
 };
 
@@ -156,6 +170,7 @@ struct PlannerOptions {
   ComPlannerOptions com;
   SwingOptions swing;
   TouchdownOptions contact;
+  ReflexOptions reflex;
   ProbeOptions probe;
   TorsoOptions torso;
   FootholdOptions foothold;

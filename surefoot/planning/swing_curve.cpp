@@ -9,6 +9,7 @@ constexpr double kStepHeight = 0.05;  // a goal this much lower or higher is a s
 constexpr double kUpstairsStart =
     0.35;  // horizontal motion begins once the foot is above the edge …
 constexpr double kDownstairsEnd = 0.60;  // … and ends before it goes down behind it
+constexpr double kNoWay = 1e-6;          // a way shorter than this has no direction [m]
 constexpr double kShortestWindow = 0.2;  // left of the options by these
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
@@ -21,15 +22,16 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
   rise_ = target.normal.dot(difference);
   along_ = difference - rise_ * target.normal;
   top_ = std::max(0.0, rise_) + target.apex;
+  if (along_.norm() > kNoWay) back_ = -target.back * along_.normalized();
   horizontal_start_ = options.horizontal_start;
   horizontal_end_ = options.horizontal_end;
   apex_share_ = kApexShare;
-  if (rise_ > kStepHeight) {
+  if (rise_ > kStepHeight || target.back > 0.0) {
     const double start = std::min(kUpstairsStart, horizontal_end_ - kShortestWindow);
     horizontal_start_ = std::max(horizontal_start_, start);
     apex_share_ = kUpstairsApexShare;
   }
-  if (rise_ < -kStepHeight) {
+  if (rise_ < -kStepHeight && target.back == 0.0) {
     const double end = std::max(kDownstairsEnd, horizontal_start_ + kShortestWindow);
     horizontal_end_ = std::min(horizontal_end_, end);
   }
@@ -38,8 +40,10 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
 Motion<Vec3> SwingCurve::at(double t) const {
   const Motion<double> up = normal_motion(t);
   const Motion<double> share = horizontal_share(t);
-  return {target_.start + share.p * along_ + up.p * target_.normal,
-          share.v * along_ + up.v * target_.normal, share.a * along_ + up.a * target_.normal};
+  const Motion<double> back = retreat(t);
+  return {target_.start + share.p * along_ + back.p * back_ + up.p * target_.normal,
+          share.v * along_ + back.v * back_ + up.v * target_.normal,
+          share.a * along_ + back.a * back_ + up.a * target_.normal};
 }
 
 Motion<double> SwingCurve::normal_motion(double t) const {
@@ -55,6 +59,14 @@ Motion<double> SwingCurve::horizontal_share(double t) const {
   const double T = target_.duration;
   const double begin = horizontal_start_ * T, length = (horizontal_end_ - horizontal_start_) * T;
   return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t - begin, length);
+}
+
+// Back as long as the foot rises on the spot, and forward again with the rest.
+Motion<double> SwingCurve::retreat(double t) const {
+  const double T = target_.duration;
+  const double turn = horizontal_start_ * T, end = horizontal_end_ * T;
+  if (t < turn) return hermite<double>({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, t, turn);
+  return hermite<double>({1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, t - turn, end - turn);
 }
 
 }  // namespace surefoot

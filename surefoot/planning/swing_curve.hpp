@@ -13,6 +13,7 @@ struct SwingTarget {
   Vec3 normal = Vec3::UnitZ();  ///< of the terrain: the foot rises and searches along it
   double duration = 0.5;        ///< [s]
   double apex = 0.08;           ///< over the higher of start and goal [m]
+  double back = 0.0;            ///< away from the goal first, as the foot rises [m]
 };
 
 /// A swing foot's path: quintic splines along and across the terrain normal, then a straight search
@@ -30,9 +31,11 @@ class SwingCurve {
  private:
   [[nodiscard]] Motion<double> normal_motion(double t) const;
   [[nodiscard]] Motion<double> horizontal_share(double t) const;
+  [[nodiscard]] Motion<double> retreat(double t) const;
 
   SwingTarget target_;
   Vec3 along_ = Vec3::Zero();  ///< start to goal within the plane [m]
+  Vec3 back_ = Vec3::Zero();   ///< where the foot is before it goes forward, from its start [m]
   double rise_ = 0.0;          ///< start to goal along the normal [m]
   double top_ = 0.0;           ///< highest point over the start [m]
   double apex_share_ = 0.45;   ///< of the duration, when it is reached

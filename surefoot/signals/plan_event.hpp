@@ -21,6 +21,7 @@ enum class PlanEvent : int {
   push_foot_down = 12,    ///< pushed in a swing: the foot comes down at once, where it helps
   push_reloaded = 13,     ///< pushed before a lift-off: the leg carries again
   push_step = 14,         ///< pushed with all feet down: a step to recover
+  caught = 15,            ///< a rising foot met something on its way: back, higher, over
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -55,6 +56,8 @@ enum class PlanEvent : int {
       return "pushed before a lift-off: leg loaded again";
     case PlanEvent::push_step:
       return "pushed out of balance: step to recover";
+    case PlanEvent::caught:
+      return "foot met something on its way: back, higher and over";
   }
   return "unknown";
 }

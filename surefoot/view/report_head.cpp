@@ -44,7 +44,8 @@ Happening count(const RunData& run, const std::string& what,
 
 std::vector<Happening> troubles(const RunData& run) {
   constexpr std::array kEvents{PlanEvent::no_ground, PlanEvent::lost_contact,
-                               PlanEvent::lift_off_aborted, PlanEvent::collision};
+                               PlanEvent::lift_off_aborted, PlanEvent::collision,
+                               PlanEvent::caught};
   std::vector<Happening> result;
   for (const PlanEvent event : kEvents) {
     result.push_back(count(

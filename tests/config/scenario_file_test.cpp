@@ -415,6 +415,7 @@ TEST_F(ScenarioFile, says_what_a_shape_or_payload_needs) {
   EXPECT_TRUE(holds(element("shape: random_boxes, size_x: 1, size_y: 1"), "a.max_height"));
   EXPECT_TRUE(holds(element("shape: steps"), "a.height: this key is missing"));
   EXPECT_TRUE(holds(element("shape: slope"), "a pitch, a roll or both"));
+  EXPECT_TRUE(holds(element("shape: slope, pitch: 0.1, incline: 0.1"), "or instead of them"));
   EXPECT_TRUE(holds(complaint("disturbances: {payload: {}}\n"),
                     "trial.yaml:2: disturbances.payload.mass: this key is missing"));
   EXPECT_EQ(read("disturbances: {payload: }\n").plant.disturbances.payload.mass, 0.0);

@@ -68,6 +68,18 @@ TEST(TerrainSection, a_slope_down_falls_and_one_along_rises_to_the_left) {
   EXPECT_NEAR(along.terrain_height(1.5, -0.3), -0.3 * std::tan(0.2), 1e-9);
 }
 
+TEST(TerrainSection, a_slope_rises_to_where_uphill_is) {
+  for (const double uphill : {-2.5, -0.8, 0.0, 0.4, 1.6, 3.1}) {
+    const Plant plant = plant_on(
+        "elements: {ground: {shape: slope, start: 0.5, incline: 0.2, "
+        "uphill: " +
+        std::to_string(uphill) + "}}");
+    const double x = 1.4, y = 0.3;
+    const double way = (x - 0.5) * std::cos(uphill) + y * std::sin(uphill);
+    EXPECT_NEAR(plant.terrain_height(x, y), way * std::tan(0.2), 1e-6) << uphill;
+  }
+}
+
 TEST(TerrainSection, friction_tiles_are_level_and_each_has_its_own_friction_from_the_seed) {
   const auto tiles = [](int seed) {
     return read(

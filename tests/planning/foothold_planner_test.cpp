@@ -267,6 +267,29 @@ TEST(FootholdPlanner, AnEdgeWhoseFarSideIsOutOfReachIsWaitedFor) {
   }
 }
 
+TEST(FootholdPlanner, AHindFootThatWaitedGoesAsFarAsItCan) {
+  for (const double height : {-0.14, 0.14}) {
+    const Vec3 here(0.01, 0.0, 0.0), within(0.24, 0.0, height), beyond(0.30, 0.0, height);
+    EXPECT_EQ(Hind({here, within}, {.max_step = 0.20}).goes(), within) << height;
+    const Vec3 goal = Hind({here, beyond}, {.max_step = 0.20}).goes();
+    EXPECT_LT((goal - Vec3(0.25, 0.0, std::max(0.0, height))).norm(), 1e-12) << height;
+  }
+}
+
+TEST(FootholdPlanner, AFrontFootDoesNotRunAwayFromTheHindFootOfItsSide) {
+  const FootholdOptions options{.max_step = 1.0, .stretch_max = 0.06};
+  Walker walker(options);
+  walker.stand(Vec2(2.0, 1.0), 0.7);
+  const Vec2 heading = turned(walker.yaw, Vec2::UnitX());
+  for (int i = 0; i < 10; ++i) {  // the hind feet stay
+    for (const Leg leg : {Leg::LF, Leg::RF}) {
+      walker.feet[index(leg)] = walker.next(leg, command(0.06));
+      const Vec2 apart = (walker.feet[index(leg)] - walker.feet[index(same_side(leg))]).head<2>();
+      EXPECT_LE(heading.dot(apart), 2.0 * walker.stance.half_length + options.stretch_max + 1e-9);
+    }
+  }
+}
+
 TEST(FootholdPlanner, OnlyFrontFeetLeavePrintsAndEachForItsOwnSide) {
   Hind hind({});
   hind.walker.planner.remember(Leg::RF, Vec3(0.2, 0.0, 0.0));

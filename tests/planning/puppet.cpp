@@ -10,6 +10,7 @@ namespace {
 constexpr double kStiffness = 2e4;  // of the ground under a foot that comes down [N/m]
 constexpr double kCarried = 75.0;   // by a foot on the ground [N]
 constexpr double kWall = 0.02;      // ground this far above a foot stands in its way [m]
+constexpr double kHeld = 15.0;      // force of such ground on it [N]
 constexpr double kLegLength = 0.3;  // of every leg at any time: none is ever too short [m]
 constexpr double kTouching = 1e-3;  // [m]
 
@@ -80,18 +81,22 @@ void Puppet::move_foot(std::size_t k) {
   const FootPlan& reference = plan_.feet[k];
   Vec3& p = dynamics_.foot[k].p;
   double force = 0.0;
+  Vec2 held = Vec2::Zero();
   if (in_contact(reference.phase)) {
     const bool touching = p.z() < ground(p.head<2>()) + kTouching;
     force = touching ? std::min(kCarried, sticky[k] ? kCarried : reference.force_max) : 0.0;
   } else {
     const Vec2 before = p.head<2>();
     p = reference.p_WF + kPeriod * reference.v_WF;
-    if (ground(p.head<2>()) > p.z() + kWall) p.head<2>() = before;  // no way through
+    if (ground(p.head<2>()) > p.z() + kWall) {  // no way through
+      held = -kHeld * (p.head<2>() - before).normalized();
+      p.head<2>() = before;
+    }
     const double depth = ground(p.head<2>()) - p.z();
     if (depth > 0.0) p.z() += depth;
     force = std::clamp(kStiffness * depth, 0.0, kCarried);
   }
-  state_.foot_force[k] = force * Vec3::UnitZ();
+  state_.foot_force[k] << held, force;
   dynamics_.hip[k].p = p + kLegLength * Vec3::UnitZ();
 }
 
