@@ -8,12 +8,12 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLongAgo = 1e3;  // [s]
-constexpr double kCertain = 2.0;  // times the touchdown force: an impact, needs no second look
-constexpr int kFirmTicks = 2;     // debounce of a touchdown
-constexpr double kFastStall =
-    4.0;  // times the stall error: a fast foot is not quite where it is asked
-constexpr double kSlowFrom = 0.8;  // share of a swing from which on its speed is followed well
+constexpr double kLongAgo = 1e3;       // [s]
+constexpr double kCertain = 2.0;       // times the touchdown force: an impact, needs no second look
+constexpr int kFirmTicks = 2;          // debounce of a touchdown
+constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
+constexpr double kFastDescent = 0.25;  // too fast to be quite where it is asked to be [m/s]
+constexpr double kBounceMemory = 0.03;  // of what a foot's velocity usually lacks [s]
 constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
 constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
@@ -49,6 +49,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
+  usual_lag_ = 0.0;
   held_for_ = 0.0;
   search_pace_ = 1.0;
   stuck_for_ = 0.0;
@@ -109,17 +110,24 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
 }
 
 // A foot that meets ground bounces: it is fast for some milliseconds before it presses, and off the
-// ground again before it stays behind its reference. What pushes it back more than up is a wall.
+// ground again before it stays behind its reference. That tells a touch only of a foot that is
+// slow: a fast one is not where it is asked to be, least of all one that is not as modelled. What
+// pushes it back more than up is a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
   const Motion<Vec3>& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / doubt();
-  const bool is_slow = since(time) > kSlowFrom * curve_.target().duration;
   const bool carries = force > touchdown_.stall_force;
+  const bool arrives = since(time) > kArrivesFrom * curve_.target().duration;
   const double behind = normal.dot(foot.p - asked.p) / touchdown_.stall_error;
-  const bool stalled = carries && behind > (is_slow ? 1.0 : kFastStall);
-  const bool bounced = is_slow && carries && normal.dot(foot.v - asked.v) > touchdown_.bounce_speed;
+  const bool stalled = arrives && carries && behind > 1.0;
+  // An impact changes a foot's velocity at once, a robot that is not as modelled little by little.
+  const double lag = normal.dot(foot.v - asked.v);
+  usual_lag_ += period_ / kBounceMemory * (lag - usual_lag_);
+  const bool jolted = lag - usual_lag_ > touchdown_.bounce_speed;
+  const bool follows = behind > -1.0 && normal.dot(asked.v) > -kFastDescent;
+  const bool bounced = arrives && carries && jolted && follows;
   const bool pressed = force > touchdown_.touchdown_force;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;

@@ -80,6 +80,7 @@ class LegMotion {
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
+  double usual_lag_ = 0.0;    // of a swinging foot's velocity behind its reference [m/s]
   double held_for_ = 0.0;     // how long something has been in the foot's way [s]
   int firm_ticks_ = 0;        // ticks in a row with a firm contact
 };

@@ -162,7 +162,10 @@ TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
   EXPECT_TRUE(test::holds(stopped.metrics.reason, "the controller stopped for safety at 0."));
   EXPECT_TRUE(test::holds(stopped.metrics.reason, " s: the torso tilted too far, then fell at 0."));
   // By default the controller gives up at about the tilt that is a fall, at the same tick perhaps.
-  const RunResult fell = run_closed_loop(short_walk({"duration=6", push}), {});
+  const RunResult fell = run_closed_loop(
+      short_walk({"duration=6",
+                  "disturbances.pushes.hard={time: 0.1, duration: 0.6, force: [0, 500, 0]}"}),
+      {});
   EXPECT_TRUE(fell.metrics.fell);
   EXPECT_FALSE(fell.safety_stop);
   EXPECT_EQ(fell.metrics.reason.find("fell at 0."), 0u) << fell.metrics.reason;
