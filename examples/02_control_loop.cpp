@@ -22,7 +22,7 @@ int main() {
                         std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,
                                                                scenario.controller.period));
   double largest_error = 0.0;
-  while (plant.time() < 10.0) {
+  while (plant.time() < 15.0) {
     const SensorReading& reading = plant.read();
     const JointCommand& command = controller.step(reading, scenario.user(reading.time));
 

@@ -8,6 +8,7 @@
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/task_stack.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
+#include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
@@ -72,6 +73,7 @@ struct Controller::Implementation {
         estimator(std::move(state_estimator)),
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
+        kinematics(robot, options.period),
         com_calibration(options.period),
         slip(options.slip, options.period),
         external_force(options.external_force),
@@ -97,6 +99,7 @@ struct Controller::Implementation {
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   ContactForceEstimator contact_force;
+  KinematicCalibration kinematics;
   ComCalibration com_calibration;
   SlipDetector slip;
   ExternalForceEstimator external_force;
@@ -128,7 +131,9 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
 
 /// False where the state is not one to plan and solve with.
 bool Controller::Implementation::estimate() noexcept {
-  guard.update(record.reading, joint_velocity);
+  SensorReading reading = record.reading;
+  reading.q -= kinematics.errors().zero;
+  guard.update(reading, joint_velocity);
   record.health = guard.health();
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
@@ -155,7 +160,7 @@ void Controller::Implementation::forget_lost_joints() noexcept {
 
 TickContext Controller::Implementation::context() noexcept {
   joint_velocity = contact_force.observe(guard.measured());
-  TickContext result{.joint_velocity = joint_velocity};
+  TickContext result{.joint_velocity = joint_velocity, .legs = kinematics.errors()};
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
@@ -166,11 +171,15 @@ TickContext Controller::Implementation::context() noexcept {
 }
 
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
+  model.set_leg_lengths(kinematics.errors());
   model.set_com_offset(com_calibration.offset());
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
-  com_calibration.update(dynamics, record.state.foot_force, record.plan.calibrating);
+  kinematics.update(dynamics, guard.repaired().gyro, planner.terrain_normal(),
+                    record.plan.calibration == CalibrationStage::turning);
+  com_calibration.update(dynamics, record.state.foot_force,
+                         record.plan.calibration == CalibrationStage::weighing);
   slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
   external_force.update(dynamics, standing(record.plan), record.state);
   model.load(record.state.external_force, record.state.external_moment);

@@ -19,7 +19,8 @@ LegInertialEstimator::LegInertialEstimator(const RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
     : options_(options), period_(period), foot_radius_(robot.foot_radius), filter_(options.filter) {
   const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
-  for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
+  for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
+  chains_ = described_;
 }
 
 const RobotState& LegInertialEstimator::update(const SensorReading& reading,
@@ -31,6 +32,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     start(reading);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
+    take_over(context.legs, reading.q);
     advance(reading, dt);
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
@@ -61,6 +63,20 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt) {
   see_feet(reading);
 }
 
+// A leg that is found to be longer does not move the robot: its foot is elsewhere.
+void LegInertialEstimator::take_over(const LegErrors& legs, const JointVector& q) {
+  for (Foot& foot : feet_) foot.shift.setZero();
+  if (legs == legs_) return;
+  const JointVector q_before = q + legs.zero - legs_.zero;
+  legs_ = legs;
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const Vec3 before = chains_[k].foot_in_base(angles(q_before, leg));
+    chains_[k] = described_[k].lengthened(legs.thigh[k], legs.shank[k]);
+    feet_[k].shift = filter_.R_WB() * (chains_[k].foot_in_base(angles(q, leg)) - before);
+  }
+}
+
 void LegInertialEstimator::see_feet(const SensorReading& reading) {
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
@@ -87,7 +103,7 @@ void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, doub
     return;
   }
   foot.stands_for += dt;
-  filter_.move(leg, foot.roll, walk(foot, contact) * std::sqrt(dt));
+  filter_.move(leg, foot.roll + foot.shift, walk(foot, contact) * std::sqrt(dt));
   filter_.correct(leg, foot.p_BF, foot.J);
 }
 

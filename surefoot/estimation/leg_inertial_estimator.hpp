@@ -39,11 +39,13 @@ class LegInertialEstimator final : public StateEstimator {
     Mat3 J = Mat3::Zero();
     Mat3 R_BS = Mat3::Identity();  // shank
     Vec3 roll = Vec3::Zero();      // of the sphere since the last tick [m]
+    Vec3 shift = Vec3::Zero();     // of what is believed of it, by a leg that is found longer [m]
     double stands_for = 0.0;       // [s]
   };
 
   void start(const SensorReading& reading);
   void advance(const SensorReading& reading, double dt);
+  void take_over(const LegErrors& legs, const JointVector& q);
   void see_feet(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
@@ -52,7 +54,8 @@ class LegInertialEstimator final : public StateEstimator {
   LegInertialOptions options_;
   double period_;
   double foot_radius_;
-  PerLeg<LegChain> chains_;
+  PerLeg<LegChain> described_, chains_;  // of the URDF, and as they are believed to be
+  LegErrors legs_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
   Vec3 gyro_before_ = Vec3::Zero();

@@ -69,7 +69,7 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
   if (tick.plan.event == static_cast<int>(PlanEvent::no_ground)) ++metrics_.no_ground_events;
-  if (!tick.user.walk || tick.plan.calibrating) return;
+  if (!tick.user.walk || tick.plan.calibration != CalibrationStage::none) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
   walk_end_ = truth.p_WB;
   path_.add(truth, tick.user, frame_.R() * tick.plan.R_WC.col(0));
@@ -81,7 +81,7 @@ void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
   const Vec3 desired = frame_.to_truth({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
   const double error = (truth.p_WCom - desired).head<2>().norm();
   raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
-  if (tick.plan.calibrating) {
+  if (tick.plan.calibration != CalibrationStage::none) {
     raise(metrics_.com_error_calibrating_max_m, error);
     return;
   }

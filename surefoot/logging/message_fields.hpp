@@ -55,6 +55,8 @@ inline constexpr std::array<std::string_view, 5> kModeNames{"optimal", "degraded
                                                             "damping"};
 inline constexpr std::array<std::string_view, 6> kCauseNames{
     "none", "tilt", "failures", "encoders", "joint_torques", "imu"};
+inline constexpr std::array<std::string_view, 4> kCalibrationNames{"none", "settling", "turning",
+                                                                   "weighing"};
 inline constexpr std::array<std::string_view, 7> kFaultNames{
     "none", "silent", "late", "not_a_number", "out_of_range", "jump", "repeats"};
 
@@ -158,6 +160,8 @@ void fields(Archive& field, T& plan) {
   field("terrain_point", plan.terrain_point,
         "a point of the terrain plane, at sphere-centre height, in W [m]");
   field("com_zmp_slack", plan.com_zmp_slack, "how far the plan's ZMP had to leave the polygon [m]");
+  field("calibration", plan.calibration,
+        "what the robot does about itself: it turns on the spot, then weighs where its COM is");
   field("event", plan.event, "what the planner did at this tick, 0 nothing");
 }
 

@@ -18,6 +18,11 @@ struct Frame {
   }
 };
 
+/// Direction from the hinge's axis to a point, both in the frame of the hinge's child.
+Vec3 away_from(const Hinge& hinge, const Vec3& point) {
+  return (point - hinge.axis * hinge.axis.dot(point)).normalized();
+}
+
 }  // namespace
 
 Vec3 LegChain::foot_in_base(const Vec3& q, Mat3* jacobian) const noexcept {
@@ -50,6 +55,24 @@ Vec3 LegChain::hip_in_base(const Vec3& q) const noexcept {
   Frame frame;
   for (int j = 0; j <= hip_hinge; ++j) frame.follow(hinges[static_cast<std::size_t>(j)], q[j]);
   return frame.p + frame.R * hip;
+}
+
+Eigen::Matrix<double, 3, 2> LegChain::lengthening_in_base(const Vec3& q) const noexcept {
+  Eigen::Matrix<double, 3, 2> result;
+  Frame frame;
+  for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+    frame.follow(hinges[j], q[static_cast<Eigen::Index>(j)]);
+    if (j == 1) result.col(0) = frame.R * away_from(hinges[1], hinges[2].p);
+  }
+  result.col(1) = frame.R * away_from(hinges[2], foot);
+  return result;
+}
+
+LegChain LegChain::lengthened(double thigh, double shank) const noexcept {
+  LegChain result = *this;
+  result.hinges[2].p += thigh * away_from(hinges[1], hinges[2].p);
+  result.foot += shank * away_from(hinges[2], foot);
+  return result;
 }
 
 bool LegChain::inverse_kinematics(const Vec3& p_BF, const Vec3& guess, Vec3& q) const noexcept {

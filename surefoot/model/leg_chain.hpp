@@ -23,6 +23,11 @@ struct LegChain {
   /// Orientation in B of the body that carries the foot.
   [[nodiscard]] Mat3 shank_in_base(const Vec3& q) const noexcept;
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
+  /// Directions in B in which the foot moves when the thigh and when the shank become longer.
+  [[nodiscard]] Eigen::Matrix<double, 3, 2> lengthening_in_base(const Vec3& q) const noexcept;
+  /// The same leg with a longer thigh and shank [m]: KFE further from the axis of HFE, the foot
+  /// further from that of KFE.
+  [[nodiscard]] LegChain lengthened(double thigh, double shank) const noexcept;
 
   /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns
   /// false, with the angles of the closest foot position found, if p_BF can't be reached within 0.1

@@ -79,6 +79,7 @@ struct RobotModel::Implementation {
         point->J.leftCols<3>().setIdentity();
       }
     }
+    set_leg_lengths(LegErrors{});
     nominal_base_lever = model.inertias[kBaseJoint].lever();
     // crba of the rest posture gives the mass.
     q[6] = 1.0;
@@ -88,6 +89,14 @@ struct RobotModel::Implementation {
   void set_com_offset(const Vec3& offset) {
     pinocchio::Inertia& base = model.inertias[kBaseJoint];
     base.lever() = nominal_base_lever + dynamics.mass / base.mass() * offset;
+  }
+
+  void set_leg_lengths(const LegErrors& legs) {
+    for (const Leg leg : kLegs) {
+      const std::size_t k = index(leg);
+      chains[k] = tree.legs[k].chain.lengthened(legs.thigh[k], legs.shank[k]);
+      model.jointPlacements[joint_index(leg, 2)].translation() = chains[k].hinges[2].p;
+    }
   }
 
   void set_state(const RobotState& state) {
@@ -180,7 +189,7 @@ struct RobotModel::Implementation {
   }
 
   void update_leg(Leg leg, const Vec3& normal) {
-    const LegChain& chain = tree.legs[index(leg)].chain;
+    const LegChain& chain = chains[index(leg)];
     update_point(leg, chain.hip_hinge, chain.hip, dynamics.hip[index(leg)]);
     update_point(leg, 2, chain.foot, dynamics.foot[index(leg)]);
     update_shank(leg, dynamics.shank[index(leg)]);
@@ -192,6 +201,7 @@ struct RobotModel::Implementation {
   const BodyTree tree;
   pinocchio::Model model;
   pinocchio::Data data;
+  PerLeg<LegChain> chains;                 // with the lengths that are believed
   Vec3 nominal_base_lever = Vec3::Zero();  // COM of the base body in B, as in the URDF [m]
   Eigen::VectorXd q;                       // p_WB, q_WB (x y z w), joints
   Eigen::VectorXd u;
@@ -213,6 +223,10 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
   implementation_->update_dynamics();
   for (const Leg leg : kLegs) implementation_->update_leg(leg, terrain_normal_W);
   return implementation_->dynamics;
+}
+
+void RobotModel::set_leg_lengths(const LegErrors& legs) noexcept {
+  implementation_->set_leg_lengths(legs);
 }
 
 void RobotModel::set_com_offset(const Vec3& offset) noexcept {

@@ -2,6 +2,7 @@
 
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/leg_errors.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
 #include <memory>
@@ -26,6 +27,10 @@ class RobotModel {
   /// All quantities of `Dynamics` at a state. `terrain_normal_W` is the unit normal that places the
   /// contact points of the foot spheres. Does not allocate, does not throw.
   const Dynamics& update(const RobotState& state, const Vec3& terrain_normal_W) noexcept;
+
+  /// Takes the thighs and shanks to be longer than in the URDF by so much, from the next update on;
+  /// the masses stay where they are. Does not allocate.
+  void set_leg_lengths(const LegErrors& legs) noexcept;
 
   /// Moves the base's mass so that the COM of the whole robot lies this far, in B, from where the
   /// URDF has it, from the next update on [m]. Does not allocate.

@@ -2,6 +2,7 @@
 
 #include "surefoot/math/quintic.hpp"
 #include "surefoot/planning/planner_options.hpp"
+#include "surefoot/signals/motion_plan.hpp"
 
 namespace surefoot {
 
@@ -11,14 +12,15 @@ namespace surefoot {
 ///     φ(t) = A w(t) sin(2π n t / T),   w(t) = (1 − cos(2π t / T)) / 2
 ///
 /// for roll (n = 2), pitch (n = 3) and yaw (n = 1) with their amplitudes A; begins and ends at
-/// rest.
+/// rest. Before it the robot settles; after it the legs' lengths and zeros that it has found come
+/// into use (KinematicCalibration), then it feels where its centre of mass is (ComCalibration).
 class CalibrationMotion {
  public:
   explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
 
-  [[nodiscard]] double duration() const { return options_.duration; }
-  /// Roll, pitch and yaw [rad], their rates and accelerations, `t` after the beginning [s]; zero
-  /// outside of [0, T].
+  /// What is done `t` after the beginning of all [s]; nothing if the motion takes no time.
+  [[nodiscard]] CalibrationStage stage(double t) const;
+  /// Roll, pitch and yaw [rad], their rates and accelerations; zero where the torso does not turn.
   [[nodiscard]] Motion<Vec3> at(double t) const;
 
  private:

@@ -55,7 +55,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = true;
-  calibrated_from_ = time_ + options_.calibration.settle;
+  initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
     leg(k).plant(time_, dynamics.foot[index(k)].p, true);
@@ -276,11 +276,11 @@ void Planner::write_plan(const UserCommand& user) {
   plan_.com_zmp_slack = com_planner_.zmp_slack();
   const double yaw_rate = mode_ != Mode::stand ? user.yaw_rate : 0.0;
   torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height,
-                calibration_.at(time_ - calibrated_from_));
+                calibration_.at(time_ - initialised_at_));
   plan_.torso = torso_.plan();
   plan_.R_WC = control_frame(plane_.normal, yaw_);
   plan_.terrain_point = plane_.point;
-  plan_.calibrating = calibrating();
+  plan_.calibration = calibration_.stage(time_ - initialised_at_);
   plan_.event = static_cast<int>(event_);
 }
 

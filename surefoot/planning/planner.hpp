@@ -84,7 +84,7 @@ class Planner {
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
   void write_plan(const UserCommand& user);
   [[nodiscard]] bool calibrating() const {
-    return calibration_.duration() > 0.0 && time_ < calibrated_from_ + calibration_.duration();
+    return calibration_.stage(time_ - initialised_at_) != CalibrationStage::none;
   }
 
   /// Of the feet that stand.
@@ -119,7 +119,7 @@ class Planner {
   bool initialised_ = false;
   bool slowed_ = false;  // strides are too short for the commanded velocity
   double time_ = 0.0;
-  double calibrated_from_ = 0.0;  // beginning of the calibration [s]
+  double initialised_at_ = 0.0;  // [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
   int cursor_ = 0;            // place of the next leg in the gait's order

@@ -4,6 +4,14 @@
 
 namespace surefoot {
 
+/// What the robot does about itself before it walks.
+enum class CalibrationStage : int {
+  none = 0,
+  settling = 1,  ///< it stands still, or takes over what it has found
+  turning = 2,   ///< the torso turns on the spot
+  weighing = 3,  ///< it stands still, and feels over which point
+};
+
 /// What a leg is doing. `stance` and `unloading` carry force, the others do not.
 enum class LegPhase : int {
   stance = 0,     ///< in contact, f_max ramps up from 0 after a touchdown and stays
@@ -55,8 +63,8 @@ struct MotionPlan {
   Vec3 terrain_point =
       Vec3::Zero();            ///< a point of the terrain plane, at sphere-centre height, in W [m]
   double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
-  bool calibrating = false;    ///< the torso turns on the spot for the estimator, before it walks
-  int event = 0;               ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
+  CalibrationStage calibration = CalibrationStage::none;
+  int event = 0;  ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
   [[nodiscard]] int num_contacts() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/leg_errors.hpp"
 
 namespace surefoot {
 
@@ -15,6 +15,7 @@ struct FootContact {
 struct TickContext {
   PerLeg<FootContact> contacts{};
   JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
+  LegErrors legs{};  ///< as found so far; the readings are without the zeros already
 };
 
 }  // namespace surefoot

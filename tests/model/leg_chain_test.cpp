@@ -1,3 +1,4 @@
+#include "surefoot/model/body_tree.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -37,6 +38,51 @@ TEST(LegKinematics, agree_with_the_whole_body) {
                 1e-12);
     }
   }
+}
+
+TEST(LegChain, ALongerLegEndsElsewhere) {
+  const RobotDescription robot = anymal_b();
+  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  Random random(92);
+  for (int trial = 0; trial < 20; ++trial) {
+    for (const Leg leg : kLegs) {
+      const LegChain& chain = tree.legs[index(leg)].chain;
+      const Vec3 q = bent_knee(random, leg);
+      const Vec2 longer(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02));
+      const Vec3 moved = chain.lengthened(longer[0], longer[1]).foot_in_base(q);
+      const auto directions = chain.lengthening_in_base(q);
+      EXPECT_LT((moved - chain.foot_in_base(q) - directions * longer).norm(), 1e-14);
+      EXPECT_NEAR(directions.col(0).norm(), 1.0, 1e-12);
+      EXPECT_NEAR(directions.col(1).norm(), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(LegChain, LengthsAreThoseOfTheWholeBodyToo) {
+  const RobotDescription robot = anymal_b();
+  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  RobotModel model(robot);
+  LegErrors longer;
+  longer.thigh = {0.01, -0.008, 0.003, 0.006};
+  longer.shank = {-0.004, 0.01, 0.009, -0.01};
+  model.set_leg_lengths(longer);
+  Random random(93);
+  const RobotState state = random.state();
+  const Dynamics dynamics = model.update(state, Vec3::UnitZ());
+  const RobotState later = test::moved(state, state.u(), 1e-6);
+  const Dynamics moved = model.update(later, Vec3::UnitZ());
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const Vec3 foot = tree.legs[k]
+                          .chain.lengthened(longer.thigh[k], longer.shank[k])
+                          .foot_in_base(state.q.segment<3>(first_joint(leg)));
+    EXPECT_LT((dynamics.foot[k].p - state.p_WB - state.R_WB() * foot).norm(), 1e-12);
+    EXPECT_LT((dynamics.foot[k].v - dynamics.foot[k].J * state.u()).norm(), 1e-12);
+    EXPECT_LT(((moved.foot[k].p - dynamics.foot[k].p) / 1e-6 - dynamics.foot[k].v).norm(), 1e-4);
+  }
+  model.set_leg_lengths(LegErrors{});
+  EXPECT_EQ(model.update(state, Vec3::UnitZ()).foot[0].p,
+            RobotModel(robot).update(state, Vec3::UnitZ()).foot[0].p);
 }
 
 TEST(InverseKinematics, finds_the_angles_on_the_guess_side_of_the_knee) {

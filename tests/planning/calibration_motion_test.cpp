@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -12,7 +13,7 @@ constexpr CalibrationOptions kOptions{
 
 TEST(CalibrationMotion, BeginsAndEndsAtRest) {
   const CalibrationMotion motion(kOptions);
-  for (const double t : {-1.0, 0.0, 1e-9, 6.0 - 1e-9, 6.0, 9.0}) {
+  for (const double t : {-1.0, 0.0, 0.5 + 1e-9, 6.5 - 1e-9, 6.5, 9.0}) {
     EXPECT_LT(motion.at(t).p.norm(), 1e-9) << t;
     EXPECT_LT(motion.at(t).v.norm(), 1e-7) << t;
     EXPECT_LT(motion.at(t).a.norm(), 1e-6) << t;
@@ -22,7 +23,7 @@ TEST(CalibrationMotion, BeginsAndEndsAtRest) {
 TEST(CalibrationMotion, RatesAndAccelerationsAreTheDerivatives) {
   const CalibrationMotion motion(kOptions);
   constexpr double kStep = 1e-4;
-  for (double t = 0.05; t < 6.0; t += 0.17) {
+  for (double t = 0.55; t < 6.5; t += 0.17) {
     const Vec3 v = (motion.at(t + kStep).p - motion.at(t - kStep).p) / (2.0 * kStep);
     const Vec3 a = (motion.at(t + kStep).v - motion.at(t - kStep).v) / (2.0 * kStep);
     EXPECT_LT((motion.at(t).v - v).norm(), 1e-6) << t;
@@ -33,7 +34,7 @@ TEST(CalibrationMotion, RatesAndAccelerationsAreTheDerivatives) {
 TEST(CalibrationMotion, TurnsAboutEveryAxisUpToItsAmplitude) {
   const CalibrationMotion motion(kOptions);
   Vec3 most = Vec3::Zero();
-  for (double t = 0.0; t < 6.0; t += 0.01) most = most.cwiseMax(motion.at(t).p.cwiseAbs());
+  for (double t = 0.5; t < 6.5; t += 0.01) most = most.cwiseMax(motion.at(t).p.cwiseAbs());
   const Vec3 amplitudes(kOptions.roll, kOptions.pitch, kOptions.yaw);
   EXPECT_TRUE((most.array() <= amplitudes.array()).all());
   EXPECT_TRUE((most.array() > 0.6 * amplitudes.array()).all());
@@ -43,6 +44,20 @@ TEST(CalibrationMotion, WithoutADurationThereIsNone) {
   const CalibrationMotion motion{CalibrationOptions{}};
   EXPECT_EQ(motion.at(0.0).p, Vec3::Zero());
   EXPECT_EQ(motion.at(1.0).p, Vec3::Zero());
+  EXPECT_EQ(motion.stage(0.0), CalibrationStage::none);
+}
+
+TEST(CalibrationMotion, SettlesTurnsTakesOverWeighsAndFollows) {
+  const CalibrationMotion motion(kOptions);
+  std::vector<CalibrationStage> stages;
+  for (double t = 0.0; t < 12.0; t += 0.0025) {
+    if (stages.empty() || stages.back() != motion.stage(t)) stages.push_back(motion.stage(t));
+    if (motion.stage(t) != CalibrationStage::turning) {
+      EXPECT_EQ(motion.at(t).p, Vec3::Zero());
+    }
+  }
+  using enum CalibrationStage;
+  EXPECT_EQ(stages, (std::vector{settling, turning, settling, weighing, settling, none}));
 }
 
 }  // namespace

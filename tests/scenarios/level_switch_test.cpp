@@ -103,6 +103,7 @@ struct Outcome {
 Outcome run(const Absence& absence, const std::string& switches) {
   std::vector<std::string> changes = absence.before;
   changes.push_back(std::string("stack=") + absence.stack);
+  changes.push_back("planner.calibration.duration=0");
   if (!switches.empty()) changes.push_back("stack_switches=[" + switches + "]");
   Loop loop(test::scenario("walk_flat", changes));
   Outcome outcome;

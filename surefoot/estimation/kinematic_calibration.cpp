@@ -1,0 +1,139 @@
+#include "surefoot/estimation/kinematic_calibration.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/math/smoothstep.hpp"
+#include "surefoot/model/body_tree.hpp"
+#include "surefoot/model/leg_jacobian.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr int kTicksPerSample = 10;
+constexpr int kLeastSamples = 80;
+constexpr double kFadeIn = 0.6;          // [s]
+constexpr double kCreep = 7e-4;          // of soft feet along the ground [m] …
+constexpr double kSinking = 4e-4;        // … and into it [m]
+constexpr double kTurnError = 1.5e-3;    // σ_φ: a gyroscope that is a tick late, or askew [rad]
+constexpr double kBiasPrior = 0.03;      // of the gyroscope [rad/s]
+constexpr double kLengthPrior = 6e-3;    // standard deviation of a length [m] …
+constexpr double kZeroPrior = 5e-3;      // … and of an encoder's zero [rad]
+constexpr double kLongestLength = 0.02;  // no more is believed [m]
+constexpr double kLargestZero = 0.02;    // [rad]
+
+}  // namespace
+
+KinematicCalibration::KinematicCalibration(const RobotDescription& robot, double period)
+    : period_(period), foot_radius_(robot.foot_radius) {
+  const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
+}
+
+void KinematicCalibration::update(const Dynamics& dynamics, const Vec3& gyro_B, const Vec3& normal,
+                                  bool listening) noexcept {
+  if (!listening) {
+    if (samples_ >= kLeastSamples) finish();
+    samples_ = ticks_ = 0;
+    fade();
+    return;
+  }
+  if (ticks_ == 0) start(dynamics.base_rotation.R);
+  turn(gyro_B);
+  for (const Leg leg : kLegs) {
+    rolled_[index(leg)] += period_ * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
+  }
+  if (ticks_++ % kTicksPerSample == 0) add_sample(dynamics);
+}
+
+void KinematicCalibration::start(const Mat3& R_WB) noexcept {
+  R_ = R_WB;
+  turned_.setZero();
+  rolled_.fill(Vec3::Zero());
+  sum_y_.setZero();
+  sum_H_.setZero();
+  sum_HWH_.setZero();
+  sum_HWy_.setZero();
+}
+
+void KinematicCalibration::turn(const Vec3& gyro_B) noexcept {
+  if (!gyro_B.allFinite()) return;
+  R_ = R_ * exp_rotation(period_ * gyro_B).toRotationMatrix();
+  turned_ += period_ * R_;
+}
+
+void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
+  Coordinates y;
+  Sensitivity H = Sensitivity::Zero();
+  const Mat3 R_from_W = R_ * dynamics.base_rotation.R.transpose();
+  for (const Leg leg : kLegs) {
+    const Eigen::Index k = 3 * static_cast<Eigen::Index>(index(leg));
+    const Eigen::Index first = 5 * static_cast<Eigen::Index>(index(leg));
+    const Vec3 q = dynamics.q.segment<kJointsPerLeg>(first_joint(leg));
+    const Vec3 lever = R_from_W * (dynamics.foot[index(leg)].p - dynamics.base.p);
+    y.segment<3>(k) = lever - rolled_[index(leg)];
+    H.block<3, 2>(k, first) = R_ * chains_[index(leg)].lengthening_in_base(q);
+    H.block<3, 3>(k, first + 2) = -R_from_W * leg_jacobian(dynamics.foot[index(leg)], leg);
+    H.block<3, 3>(k, kNumLegErrors) = skew(lever) * turned_;
+  }
+  Vec3 mean = Vec3::Zero();
+  Eigen::Matrix<double, 3, kNumErrors> mean_H = Eigen::Matrix<double, 3, kNumErrors>::Zero();
+  for (int k = 0; k < kNumLegs; ++k) {
+    mean += y.segment<3>(3 * k) / kNumLegs;
+    mean_H += H.middleRows<3>(3 * k) / kNumLegs;
+  }
+  for (int k = 0; k < kNumLegs; ++k) {
+    y.segment<3>(3 * k) -= mean;
+    H.middleRows<3>(3 * k) -= mean_H;
+  }
+  if (!y.allFinite() || !H.allFinite()) return;
+  if (samples_ == 0) W_ = weights(y);
+  ++samples_;
+  sum_y_ += y;
+  sum_H_ += H;
+  sum_HWH_.noalias() += H.transpose() * W_ * H;
+  sum_HWy_.noalias() += H.transpose() * (W_ * y);
+}
+
+KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y) {
+  Eigen::Matrix<double, kNumCoordinates, 3> B;
+  Coordinates variance;
+  for (int k = 0; k < kNumLegs; ++k) {
+    B.middleRows<3>(3 * k) = kTurnError * skew(y.segment<3>(3 * k));
+    variance.segment<3>(3 * k) << kCreep * kCreep, kCreep * kCreep, kSinking * kSinking;
+  }
+  return (Weights(variance.asDiagonal()) + B * B.transpose()).inverse();
+}
+
+void KinematicCalibration::finish() noexcept {
+  Information A = sum_HWH_ - sum_H_.transpose() * W_ * sum_H_ / samples_;
+  const Errors b = sum_HWy_ - sum_H_.transpose() * (W_ * sum_y_) / samples_;
+  for (int i = 0; i < kNumErrors; ++i) {
+    const double prior = i >= kNumLegErrors ? kBiasPrior : i % 5 < 2 ? kLengthPrior : kZeroPrior;
+    A(i, i) += 1.0 / (prior * prior);
+  }
+  const Errors found = -A.ldlt().solve(b);
+  before_ = after_;
+  share_ = 0.0;
+  for (int i = 0; i < kNumLegErrors; ++i) {
+    const double most = i % 5 < 2 ? kLongestLength : kLargestZero;
+    after_[i] = std::clamp(before_[i] + found[i], -most, most);
+  }
+}
+
+void KinematicCalibration::fade() noexcept {
+  if (share_ >= 1.0) return;
+  share_ = std::min(1.0, share_ + period_ / kFadeIn);
+  const Errors now = before_ + smoothstep(share_) * (after_ - before_);
+  for (const Leg leg : kLegs) {
+    const Eigen::Index first = 5 * static_cast<Eigen::Index>(index(leg));
+    in_use_.thigh[index(leg)] = now[first];
+    in_use_.shank[index(leg)] = now[first + 1];
+    in_use_.zero.segment<kJointsPerLeg>(first_joint(leg)) = now.segment<3>(first + 2);
+  }
+}
+
+}  // namespace surefoot

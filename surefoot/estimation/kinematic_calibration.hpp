@@ -1,0 +1,70 @@
+#pragma once
+
+#include "surefoot/model/description.hpp"
+#include "surefoot/model/dynamics.hpp"
+#include "surefoot/model/leg_chain.hpp"
+#include "surefoot/signals/leg_errors.hpp"
+
+namespace surefoot {
+
+/// Lengths of thighs and shanks and zeros of encoders, from feet that stand while the torso turns.
+///
+/// With R the base's orientation as the gyroscope tells its changes, f_k the leg's forward
+/// kinematics and ρ_k the way that foot k has rolled, the vectors R f_k(q_k; θ_k) − ρ_k between the
+/// standing feet stay what they are. With y these twelve numbers, less their mean over the feet,
+/// and H = ∂y/∂θ, both less their mean over time, the errors θ (two lengths and three zeros a leg,
+/// and the gyroscope's bias) are those of
+///
+///     min Σ_t ‖y + H θ‖²_W + ‖θ‖²_Π
+///
+/// W⁻¹ = Σ + σ_φ² B Bᵀ: Σ is the error of a foot's position, which creeps along the ground but does
+/// not sink, and σ_φ that of the orientation, which turns all feet by B. Π is what is known of legs
+/// beforehand: where the motion says nothing, θ stays 0. Does not allocate.
+class KinematicCalibration {
+ public:
+  /// `period` of the control loop [s].
+  KinematicCalibration(const RobotDescription& robot, double period);
+
+  /// One tick; `listening` while the torso turns with all feet down. `dynamics` with the errors
+  /// that errors() gave.
+  void update(const Dynamics& dynamics, const Vec3& gyro_B, const Vec3& terrain_normal_W,
+              bool listening) noexcept;
+
+  /// What is known so far. A new result fades in.
+  [[nodiscard]] const LegErrors& errors() const { return in_use_; }
+
+ private:
+  static constexpr int kNumCoordinates = 3 * kNumLegs;
+  static constexpr int kNumLegErrors = 5 * kNumLegs;
+  static constexpr int kNumErrors = kNumLegErrors + 3;
+  using Coordinates = Eigen::Matrix<double, kNumCoordinates, 1>;
+  using Weights = Eigen::Matrix<double, kNumCoordinates, kNumCoordinates>;
+  using Sensitivity = Eigen::Matrix<double, kNumCoordinates, kNumErrors>;
+  using Errors = Eigen::Matrix<double, kNumErrors, 1>;
+  using Information = Eigen::Matrix<double, kNumErrors, kNumErrors>;
+
+  void start(const Mat3& R_WB) noexcept;
+  void turn(const Vec3& gyro_B) noexcept;
+  void add_sample(const Dynamics& dynamics) noexcept;
+  [[nodiscard]] static Weights weights(const Coordinates& y);
+  void finish() noexcept;
+  void fade() noexcept;
+
+  double period_;
+  double foot_radius_;
+  PerLeg<LegChain> chains_;
+  PerLeg<Vec3> rolled_{};
+  Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
+  Mat3 turned_ = Mat3::Zero();  // ∫ R dt, by which a bias turns it [s]
+  int ticks_ = 0, samples_ = 0;
+  Weights W_ = Weights::Zero();
+  Coordinates sum_y_ = Coordinates::Zero();
+  Sensitivity sum_H_ = Sensitivity::Zero();
+  Information sum_HWH_ = Information::Zero();
+  Errors sum_HWy_ = Errors::Zero();
+  Errors before_ = Errors::Zero(), after_ = Errors::Zero();
+  double share_ = 1.0;  // of the way from before to after
+  LegErrors in_use_;
+};
+
+}  // namespace surefoot

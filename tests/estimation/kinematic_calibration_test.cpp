@@ -1,0 +1,174 @@
+#include "surefoot/estimation/kinematic_calibration.hpp"
+
+#include "surefoot/model/robot_model.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+#include "tests/support/turning_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::error_between_feet;
+using test::Random;
+using test::TurningRobot;
+
+constexpr CalibrationOptions kMotion{
+    .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
+constexpr double kAll = 10.0;  // with all that comes after the motion [s]
+
+LegErrors some_errors(unsigned seed, double length, double zero) {
+  Random random(seed);
+  LegErrors errors;
+  for (const Leg leg : kLegs) {
+    errors.thigh[index(leg)] = random.uniform(-length, length);
+    errors.shank[index(leg)] = random.uniform(-length, length);
+  }
+  for (double& value : errors.zero) value = random.uniform(-zero, zero);
+  return errors;
+}
+
+/// A robot, and the calibration that listens to it.
+struct Bench {
+  explicit Bench(const LegErrors& errors, const CalibrationOptions& motion = kMotion)
+      : robot(errors, motion), model(robot.description()) {
+    state.p_WB.setZero();
+    state.v_WB.setZero();
+    state.q = robot.reading().q;
+  }
+
+  void tick() {
+    robot.tick();
+    const SensorReading reading = read();
+    state.time = reading.time;
+    state.q_WB = tilt * Quat(robot.R_WB());
+    state.w_WB_B = reading.gyro;
+    const JointVector q = reading.q - calibration.errors().zero;
+    state.qd = (q - state.q) / TurningRobot::kPeriod;
+    state.q = q;
+    model.set_leg_lengths(calibration.errors());
+    const bool listens = robot.stage() == CalibrationStage::turning;
+    calibration.update(model.update(state, Vec3::UnitZ()), reading.gyro + bias, Vec3::UnitZ(),
+                       listens);
+  }
+  void run(double until) {
+    while (robot.time() < until) tick();
+  }
+  [[nodiscard]] SensorReading read() const {
+    SensorReading reading = robot.reading();
+    for (double& angle : reading.q) angle = resolution * std::round(angle / resolution);
+    return reading;
+  }
+
+  TurningRobot robot;
+  RobotModel model;
+  KinematicCalibration calibration{robot.description(), TurningRobot::kPeriod};
+  RobotState state;
+  Quat tilt = Quat::Identity();  // by which the orientation is believed askew
+  Vec3 bias = Vec3::Zero();      // of the gyroscope
+  double resolution = 4.4e-4;    // of the encoders [rad]
+};
+
+TEST(KinematicCalibration, FindsLengthsOfThighAndShank) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const LegErrors truth = some_errors(seed, 0.01, 0.0);
+    Bench bench(truth);
+    const double before = error_between_feet(bench.robot, LegErrors{});
+    bench.run(kAll);
+    EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.25 * before) << seed;
+    for (const Leg leg : kLegs) {
+      const LegErrors& found = bench.calibration.errors();
+      EXPECT_NEAR(found.thigh[index(leg)], truth.thigh[index(leg)], 0.0025) << seed;
+      EXPECT_NEAR(found.shank[index(leg)], truth.shank[index(leg)], 0.0025) << seed;
+    }
+  }
+}
+
+TEST(KinematicCalibration, ZerosOfEncodersToo) {
+  for (const unsigned seed : {11U, 12U, 13U, 14U}) {
+    Bench bench(some_errors(seed, 0.01, 0.0087));
+    const double before = error_between_feet(bench.robot, LegErrors{});
+    bench.run(kAll);
+    EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.35 * before) << seed;
+  }
+}
+
+TEST(KinematicCalibration, NeedsNoVerticalAndNoGyroscopeWithoutBias) {
+  Bench bench(some_errors(5, 0.01, 0.0));
+  bench.tilt = Quat(Eigen::AngleAxisd(0.02, Vec3(1.0, 1.0, 0.0).normalized()));
+  bench.bias = Vec3(2e-3, -1e-3, 1e-3);
+  const double before = error_between_feet(bench.robot, LegErrors{});
+  bench.run(kAll);
+  EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.25 * before);
+}
+
+TEST(KinematicCalibration, OfARobotThatIsAsDescribedFindsNothing) {
+  Bench bench(LegErrors{});
+  bench.run(kAll);
+  const LegErrors& found = bench.calibration.errors();
+  EXPECT_LT(found.zero.cwiseAbs().maxCoeff(), 1e-3);
+  for (const Leg leg : kLegs) {
+    EXPECT_NEAR(found.thigh[index(leg)], 0.0, 5e-4);
+    EXPECT_NEAR(found.shank[index(leg)], 0.0, 5e-4);
+  }
+}
+
+TEST(KinematicCalibration, ARobotThatStandsStillLearnsNothing) {
+  CalibrationOptions still = kMotion;
+  still.roll = still.pitch = still.yaw = 0.0;
+  Bench bench(some_errors(6, 0.01, 0.0087), still);
+  bench.resolution = 1e-9;
+  bench.run(kAll);
+  const LegErrors& found = bench.calibration.errors();
+  EXPECT_LT(found.zero.cwiseAbs().maxCoeff(), 1e-4);
+  for (const Leg leg : kLegs) EXPECT_NEAR(found.thigh[index(leg)], 0.0, 1e-4);
+}
+
+TEST(KinematicCalibration, WhatItFindsComesIntoUseLittleByLittle) {
+  Bench bench(some_errors(7, 0.01, 0.0087));
+  LegErrors before = bench.calibration.errors();
+  double largest = 0.0;
+  while (bench.robot.time() < kAll) {
+    bench.tick();
+    const LegErrors& now = bench.calibration.errors();
+    if (bench.robot.stage() == CalibrationStage::turning) {
+      EXPECT_EQ(now, LegErrors{});
+    }
+    largest = std::max(largest, (now.zero - before.zero).cwiseAbs().maxCoeff());
+    before = now;
+  }
+  EXPECT_GT(before.zero.cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_LT(largest, 2.0 * before.zero.cwiseAbs().maxCoeff() * TurningRobot::kPeriod / 0.5);
+}
+
+TEST(KinematicCalibration, NumbersThatAreNoneAreLeftOut) {
+  Bench good(some_errors(8, 0.01, 0.0)), bad(some_errors(8, 0.01, 0.0));
+  good.run(kAll);
+  bad.run(3.0);
+  Dynamics broken = bad.model.dynamics();
+  broken.foot[1].p.x() = kNaN;
+  bad.calibration.update(broken, Vec3::Constant(kNaN), Vec3::UnitZ(), true);
+  bad.run(kAll);
+  for (const Leg leg : kLegs) {
+    EXPECT_NEAR(bad.calibration.errors().thigh[index(leg)],
+                good.calibration.errors().thigh[index(leg)], 5e-4);
+  }
+}
+
+TEST(KinematicCalibration, AllocatesNothing) {
+  Bench bench(some_errors(9, 0.01, 0.0));
+  bench.run(3.0);
+  const Dynamics dynamics = bench.model.dynamics();
+  const test::MallocCounter counter;
+  for (int i = 0; i < 20; ++i) {
+    bench.calibration.update(dynamics, Vec3::Zero(), Vec3::UnitZ(), true);
+  }
+  bench.calibration.update(dynamics, Vec3::Zero(), Vec3::UnitZ(), false);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,105 @@
+#include "surefoot/estimation/leg_inertial_estimator.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/math/smoothstep.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/turning_robot.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+using test::TurningRobot;
+
+constexpr CalibrationOptions kMotion{
+    .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
+
+TickContext standing() {
+  TickContext context;
+  for (FootContact& contact : context.contacts) contact.normal_force = 75.0;
+  return context;
+}
+
+double tilt_error(const RobotState& state, const TurningRobot& robot) {
+  return state.R_WB().row(2).cross(robot.R_WB().row(2)).norm();
+}
+
+TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
+  TurningRobot robot(LegErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  RobotState state = estimator.update(robot.reading(), standing());
+  const Vec3 p = state.p_WB;
+  while (robot.time() < 6.5) {
+    robot.tick();
+    state = estimator.update(robot.reading(), standing());
+    EXPECT_LT(tilt_error(state, robot), 3e-3);
+    EXPECT_LT((state.p_WB - p).norm(), 3e-3) << "the base stays where it is";
+    EXPECT_LT(state.v_WB.norm(), 3e-3);
+  }
+}
+
+TEST(LegInertialEstimator, FindsTheAccelerometersBiasByTurning) {
+  TurningRobot robot(LegErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  const Vec3 bias(0.08, -0.05, 0.0);
+  RobotState state;
+  double before = 0.0;
+  while (robot.time() < 6.5) {
+    robot.tick();
+    SensorReading reading = robot.reading();
+    reading.accelerometer += bias;
+    state = estimator.update(reading, standing());
+    if (robot.time() < 0.4) before = tilt_error(state, robot);
+  }
+  EXPECT_GT(before, 0.007);
+  EXPECT_LT(tilt_error(state, robot), 0.3 * before);
+}
+
+/// A leg that is found to be longer does not move the robot.
+TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
+  LegErrors found;
+  found.thigh = {0.01, -0.008, 0.0, 0.006};
+  found.shank = {-0.004, 0.01, 0.009, -0.01};
+  found.zero.setConstant(0.006);
+  CalibrationOptions still = kMotion;
+  still.roll = still.pitch = still.yaw = 0.0;
+  TurningRobot robot(found, still);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  RobotState state = estimator.update(robot.reading(), standing());
+  while (robot.time() < 2.0) {
+    robot.tick();
+    state = estimator.update(robot.reading(), standing());
+  }
+  const RobotState before = state;
+  while (robot.time() < 3.0) {
+    robot.tick();
+    const double share = smoothstep(std::min(1.0, robot.time() - 2.0));
+    TickContext context = standing();
+    for (const Leg leg : kLegs) {
+      context.legs.thigh[index(leg)] = share * found.thigh[index(leg)];
+      context.legs.shank[index(leg)] = share * found.shank[index(leg)];
+    }
+    context.legs.zero = share * found.zero;
+    SensorReading reading = robot.reading();
+    reading.q -= context.legs.zero;
+    state = estimator.update(reading, context);
+  }
+  EXPECT_LT((state.p_WB - before.p_WB).norm(), 5e-4);
+  EXPECT_LT(box_minus(state.q_WB, before.q_WB).norm(), 5e-4);
+}
+
+TEST(LegInertialEstimator, AllocatesNothing) {
+  TurningRobot robot(LegErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  (void)estimator.update(robot.reading(), standing());
+  robot.tick();
+  TickContext context = standing();
+  context.legs.thigh[1] = 1e-3;
+  const test::MallocCounter counter;
+  (void)estimator.update(robot.reading(), context);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot
