@@ -59,7 +59,7 @@ def test_the_loop_of_the_top_readme_runs_as_it_stands(capsys):
     printed = capsys.readouterr().out.splitlines()
     assert len(printed) == len(levels) > 0
     assert all(line.startswith(f"Level('{level}', residual=") for line, level in zip(printed, levels))
-    assert names["plant"].time == pytest.approx(10)
+    assert names["plant"].time == pytest.approx(15)
 
 
 def test_the_loop_is_bit_for_bit_that_of_the_program():
