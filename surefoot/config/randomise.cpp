@@ -80,22 +80,41 @@ bool holds(const std::vector<std::string>& list, const std::string& text) {
   return std::ranges::find(list, text) != list.end();
 }
 
-/// Ranges of a file that the section does not speak of itself.
-void add_ranges(const fs::path& file, ConfigNode& section) {
-  ConfigNode ranges = parse_yaml_file(file);
-  for (auto& [key, range] : ranges.members) {
-    if (key == kInclude) fail_at(range, key, "an included file includes no others");
-    if (range.kind != ConfigNode::Kind::null) (void)read_range(range, key);
-    if (section.find(key) == nullptr) section.members.emplace_back(key, std::move(range));
-  }
-}
-
 fs::path find_ranges(const ConfigNode& name, const fs::path& folder) {
   const std::string key = std::string("randomise.") + kInclude;
   try {
     return find_data_file("randomisations", read_text(name, key), folder);
   } catch (const UnknownNameError& error) {
     fail_at(name, key, error.what());
+  }
+}
+
+void include(const ConfigNode& names, const fs::path& folder, ConfigNode& section,
+             std::vector<fs::path>& files);
+
+/// Ranges of a file that the section does not speak of itself.
+void add_ranges(const fs::path& file, ConfigNode& section, std::vector<fs::path>& files) {
+  ConfigNode ranges = parse_yaml_file(file);
+  for (auto& [key, range] : ranges.members) {
+    if (key == kInclude) {
+      include(range, file.parent_path(), section, files);
+      continue;
+    }
+    if (range.kind != ConfigNode::Kind::null) (void)read_range(range, key);
+    if (section.find(key) == nullptr) section.members.emplace_back(key, std::move(range));
+  }
+}
+
+/// One name or a list of them; a file that was included before adds nothing.
+void include(const ConfigNode& names, const fs::path& folder, ConfigNode& section,
+             std::vector<fs::path>& files) {
+  if (names.kind == ConfigNode::Kind::null) return;
+  const bool is_list = names.kind == ConfigNode::Kind::list;
+  for (const ConfigNode& name : is_list ? names.items : std::vector<ConfigNode>{names}) {
+    const fs::path file = find_ranges(name, folder);
+    if (std::ranges::find(files, file) != files.end()) continue;
+    files.push_back(file);
+    add_ranges(file, section, files);
   }
 }
 
@@ -109,15 +128,10 @@ double uniform_of(std::uint64_t seed, const std::string& name) {
 std::vector<fs::path> include_ranges(ConfigNode& scenario, const fs::path& folder) {
   ConfigNode* section = scenario.find("randomise");
   if (section == nullptr || section->find(kInclude) == nullptr) return {};
-  const ConfigNode include = *section->find(kInclude);
+  const ConfigNode names = *section->find(kInclude);
   std::erase_if(section->members, [](const auto& member) { return member.first == kInclude; });
-  if (include.kind == ConfigNode::Kind::null) return {};
-  const bool is_list = include.kind == ConfigNode::Kind::list;
   std::vector<fs::path> files;
-  for (const ConfigNode& name : is_list ? include.items : std::vector<ConfigNode>{include}) {
-    files.push_back(find_ranges(name, folder));
-    add_ranges(files.back(), *section);
-  }
+  include(names, folder, *section, files);
   return files;
 }
 

@@ -17,7 +17,8 @@ struct RandomDraw {
 };
 
 /// Lays the files that `randomise: {include: …}` names under the section's own ranges: one name or
-/// a list, of data files in randomisations/ or paths as seen from `folder`. An entry with nothing
+/// a list, of data files in randomisations/ or paths as seen from `folder`; a file can include
+/// others in the same way. An entry with nothing
 /// behind it takes an included range away. Returns the files. Throws Error, naming file, line and
 /// key, on files that do not exist or hold anything but ranges.
 std::vector<std::filesystem::path> include_ranges(ConfigNode& scenario,

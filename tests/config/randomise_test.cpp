@@ -130,7 +130,7 @@ TEST_F(IncludedRanges, are_drawn_beside_the_scenarios_own) {
   ASSERT_EQ(values.size(), 3u);
   EXPECT_EQ(files_.size(), 1u);
   const std::vector<RandomDraw> several = read("randomise: {include: [worn.yaml, mismatch]}");
-  EXPECT_EQ(files_.size(), 2u);
+  EXPECT_EQ(files_.size(), 5u) << "mismatch includes three others";
   EXPECT_GT(several.size(), 40u);
   const auto friction = std::ranges::find(several, "terrain.friction", &RandomDraw::path);
   EXPECT_LE(friction->value, 0.5) << "the first file that names a path counts";
@@ -153,8 +153,16 @@ TEST_F(IncludedRanges, that_make_no_sense_are_told_with_file_and_line) {
   test::write_file(folder_ / "bad.yaml", "initial.x: [0, 1]\nterrain.friction: 0.5\n");
   EXPECT_TRUE(holds(complaint("randomise: {include: bad.yaml}"),
                     "bad.yaml:2: randomise.terrain.friction: must be a range [min, max]"));
-  test::write_file(folder_ / "bad.yaml", "include: worn.yaml\n");
-  EXPECT_TRUE(holds(complaint("randomise: {include: bad.yaml}"), "includes no others"));
+}
+
+TEST_F(IncludedRanges, include_others_and_each_counts_once) {
+  test::write_file(folder_ / "a.yaml", "include: b.yaml\ninitial.x: [2, 3]\n");
+  test::write_file(folder_ / "b.yaml", "include: [a.yaml, worn.yaml]\n");
+  const std::vector<RandomDraw> values = read("randomise: {include: [a.yaml, b.yaml]}");
+  EXPECT_EQ(files_.size(), 3u);
+  ASSERT_EQ(values.size(), 2u);
+  test::write_file(folder_ / "a.yaml", "include: c.yaml\n");
+  EXPECT_TRUE(holds(complaint("randomise: {include: a.yaml}"), "a.yaml:1: randomise.include"));
 }
 
 }  // namespace
