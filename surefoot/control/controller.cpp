@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace surefoot {
@@ -89,6 +90,7 @@ struct Controller::Implementation {
   [[nodiscard]] TickContext context() noexcept;
   void forget_lost_joints() noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
+  void calibrate(const Dynamics& dynamics) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
   void describe_refused_state() noexcept;
   void ended(Stage stage) const noexcept {
@@ -176,12 +178,9 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
-  kinematics.update(dynamics, guard.repaired().gyro, planner.terrain_normal(),
-                    record.plan.calibration == CalibrationStage::turning);
-  com_calibration.update(dynamics, record.state.foot_force,
-                         record.plan.calibration == CalibrationStage::weighing);
   slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
   external_force.update(dynamics, standing(record.plan), record.state);
+  calibrate(dynamics);
   model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
@@ -196,6 +195,24 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::solve);
   describe(dynamics, solution);
   return &solution;
+}
+
+// From feet that stand, and while nobody pushes. A payload, which the external force has too, is
+// what the weighing is about.
+void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
+  const auto& slips = record.state.slips;
+  const bool is_quiet = record.plan.num_contacts() == kNumLegs &&
+                        std::ranges::none_of(slips, std::identity{}) &&
+                        record.state.external_force.head<2>().isZero();
+  const CalibrationStage stage = record.plan.calibration;
+  const bool turning = stage == CalibrationStage::turning;
+  const bool weighing = stage == CalibrationStage::weighing;
+  if (turning && !is_quiet) {
+    kinematics.forget();
+  } else {
+    kinematics.update(dynamics, guard.repaired().gyro, planner.terrain_normal(), turning);
+  }
+  if (is_quiet || !weighing) com_calibration.update(dynamics, record.state.foot_force, weighing);
 }
 
 void Controller::Implementation::describe(const Dynamics& dynamics,

@@ -12,13 +12,13 @@ namespace surefoot {
 ///
 ///     c_x = (z F_x − M_y) / F_z,   c_y = (z F_y + M_x) / F_z
 ///
-/// The mean of c − c_model over the last second of a motion that ends at rest is the offset. It is
-/// taken to be fixed in B, without a part along z, and fades in. Does not allocate.
+/// The mean of c − c_model, forgetting what is older than a second, is the offset. It is taken to
+/// be fixed in B, without a part along z, and fades in. Does not allocate.
 class ComCalibration {
  public:
   explicit ComCalibration(double period) : period_(period) {}
 
-  /// One tick; `listening` while the robot moves on the spot with all feet down. Forces in W [N].
+  /// One tick; `listening` while the robot stands still on all feet. Forces in W [N].
   void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force, bool listening) noexcept;
 
   /// To be added to the model's COM, in B [m].

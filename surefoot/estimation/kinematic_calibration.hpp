@@ -30,6 +30,9 @@ class KinematicCalibration {
   void update(const Dynamics& dynamics, const Vec3& gyro_B, const Vec3& terrain_normal_W,
               bool listening) noexcept;
 
+  /// What was heard in this motion is worth nothing: a foot did not stay, or somebody pushed.
+  void forget() noexcept { samples_ = ticks_ = 0; }
+
   /// What is known so far. A new result fades in.
   [[nodiscard]] const LegErrors& errors() const { return in_use_; }
 

@@ -108,7 +108,8 @@ void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, doub
 }
 
 double LegInertialEstimator::walk(const Foot& foot, const FootContact& contact) const {
-  if (contact.slips) return options_.loose_foot_walk;
+  const bool is_felt = std::isfinite(contact.normal_force);  // not at the tick after a refused one
+  if (contact.slips || !is_felt) return options_.loose_foot_walk;
   const double trust = std::min(1.0, foot.stands_for / options_.trust_time) *
                        std::clamp(contact.normal_force / options_.trust_force, 0.0, 1.0);
   return options_.foot_walk + options_.loose_foot_walk * (1.0 - trust) * (1.0 - trust);

@@ -59,6 +59,9 @@ void SlipJudge::close(Foot& foot) {
 void SlipJudge::write(Metrics& metrics) const {
   metrics.slips_detected = detected_;
   metrics.slips_missed = missed_;
+  for (const Foot& foot : feet_) {  // that still slide in the end
+    if (foot.is_slip) ++(foot.is_noticed ? metrics.slips_detected : metrics.slips_missed);
+  }
   metrics.slips_false = false_;
   if (latencies_.empty()) return;
   std::vector<double> sorted = latencies_;

@@ -131,6 +131,7 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool pressed = force > touchdown_.touchdown_force;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
+  if (wall) firm_ticks_ = 0;
   if (wall) return false;
   firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
   return certain || firm_ticks_ >= kFirmTicks;

@@ -43,8 +43,9 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   time_ = state.time;
   event_ = PlanEvent::none;
   if (!initialised_) initialise(state, dynamics);
-  const UserCommand user = with_caution(within_strides(command));
-  if (mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
+  UserCommand user = with_caution(within_strides(command));
+  user.walk = user.walk && !calibrating();
+  if (user.walk && mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
   observe_legs(user, state, dynamics);
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
@@ -116,7 +117,7 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
 void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
   switch (mode_) {
     case Mode::stand:
-      if (user.walk && all_down() && !calibrating()) {
+      if (user.walk && all_down()) {
         begin_support(user, options_.gait.start_duration);
         replan_com(user, dynamics);
       }
@@ -165,11 +166,15 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
   }
 }
 
+void Planner::begin_swing() {
+  mode_ = Mode::swing;
+  collisions_ = caught_ = 0;
+  probing_ = emergency_ = false;
+}
+
 void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::lift_off;
-  mode_ = Mode::swing;
-  collisions_ = 0;
-  caught_ = 0;
+  begin_swing();
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   probe_target_ = foothold_planner_.foothold(k, footholds(), plane_, yaw_, user, cycle_duration());
   Vec3 goal = probe_target_;
@@ -239,7 +244,8 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   if (mode_ == Mode::stand || !user.walk) {
     if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);
     for (const Leg k : kLegs) {
-      if (!phase.down[index(k)]) land(k, dynamics.foot[index(k)].p);
+      const bool swings = mode_ == Mode::swing && k == next_leg();
+      if (!phase.down[index(k)]) land(k, swings ? leg(k).target().goal : dynamics.foot[index(k)].p);
     }
     add(kStandDuration, false);
     com_planner_.plan(time_, begin, height, Vec2::Zero(), true);

@@ -74,6 +74,7 @@ class Planner {
   [[nodiscard]] bool tips_before_landing(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
+  void begin_swing();
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void expect_touchdown(double duration);
   /// Of the feet where they are.
@@ -128,6 +129,7 @@ class Planner {
   double deadline_ = 0.0;     // expected touchdown of the swinging leg; later the gait waits [s]
   double late_time_ = 0.0;    // when a missing touchdown is told [s]
   bool probing_ = false;      // the swinging foot makes its first touch
+  bool emergency_ = false;    // it is to stand wherever it touches
   int caught_ = 0;            // times that this swing was caught on its way
   Vec2 caught_at_{0.0, 0.0};  // where it was first
   int collisions_ = 0;        // of this swing with something above the ground that it knows

@@ -17,14 +17,15 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
                            const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
-  if (was_swinging && touches_the_edge(p_WF)) return on_caught(k, user, dynamics);
-  if (was_swinging && probing_ && continue_probe(k, p_WF)) return;
-  if (was_swinging && hit_above_known_ground(k, user, dynamics)) return;
+  const bool is_picky = was_swinging && !emergency_;
+  if (is_picky && touches_the_edge(p_WF)) return on_caught(k, user, dynamics);
+  if (is_picky && probing_ && continue_probe(k, p_WF)) return;
+  if (is_picky && hit_above_known_ground(k, user, dynamics)) return;
   event_ = PlanEvent::touchdown;
   leg(k).plant(time_, p_WF);
   foothold_planner_.remember(k, p_WF);
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
-  if (torso_.far_off(state)) torso_.restart(state);
+  if (!calibrating() && torso_.far_off(state)) torso_.restart(state);
   if (was_swinging) {
     ++steps_taken_;
     cursor_ = (cursor_ + 1) % kNumLegs;
@@ -95,6 +96,7 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
 // knows, so the foot rises anew from where it is, away from the edge, and comes down well behind
 // it. Caught too often, it comes down before it.
 void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  if (emergency_) return;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const ReflexOptions& reflex = options_.reflex;
   const SwingTarget before = leg(k).target();

@@ -63,6 +63,7 @@ PerLeg<Vec2> Planner::leaning_hips() const {
 void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::push_foot_down;
   probing_ = false;
+  emergency_ = true;
   const double duration = options_.push.foot_down_duration;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   Vec3 goal;
@@ -100,9 +101,11 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
   const double without = margin < 0.0 ? growth * margin : margin;
   if (step.margin < without + kWorthAStep) return;
   event_ = PlanEvent::push_step;
-  mode_ = Mode::swing;
-  collisions_ = 0;
-  probing_ = false;
+  begin_swing();
+  emergency_ = true;
+  for (const Leg k : kLegs) {
+    if (k != best && leg(k).phase() == LegPhase::unloading) leg(k).reload(time_);
+  }
   while (next_leg() != best) cursor_ = (cursor_ + 1) % kNumLegs;  // the gait goes on behind it
   const Vec3& p_WF = dynamics.foot[index(best)].p;
   Vec3 goal;

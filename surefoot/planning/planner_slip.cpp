@@ -20,8 +20,8 @@ void Planner::observe_grip(const UserCommand& user, const RobotState& state,
       begin_support(user, support_duration());
     } else if (mode_ == Mode::swing && leg(next).phase() == LegPhase::swing &&
                !balanced_without(next, dynamics)) {
-      probing_ = false;
-      leg(next).search(time_, dynamics.foot[index(next)].p, plane_.normal);
+      put_foot_down(next, user, dynamics);
+      event_ = PlanEvent::slip;
     }
   }
   replan_com(user, dynamics);

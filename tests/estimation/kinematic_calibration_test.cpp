@@ -144,6 +144,21 @@ TEST(KinematicCalibration, WhatItFindsComesIntoUseLittleByLittle) {
   EXPECT_LT(largest, 2.0 * before.zero.cwiseAbs().maxCoeff() * TurningRobot::kPeriod / 0.5);
 }
 
+TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
+  Bench bench(some_errors(10, 0.01, 0.0));
+  bench.run(5.5);
+  bench.calibration.forget();  // what is left of the turning is too little
+  bench.run(kAll);
+  EXPECT_EQ(bench.calibration.errors(), LegErrors{});
+  const LegErrors truth = some_errors(10, 0.01, 0.0);
+  Bench early(truth);
+  early.run(1.5);
+  early.calibration.forget();
+  const double before = error_between_feet(early.robot, LegErrors{});
+  early.run(kAll);
+  EXPECT_LT(error_between_feet(early.robot, early.calibration.errors()), 0.3 * before);
+}
+
 TEST(KinematicCalibration, NumbersThatAreNoneAreLeftOut) {
   Bench good(some_errors(8, 0.01, 0.0)), bad(some_errors(8, 0.01, 0.0));
   good.run(kAll);

@@ -89,6 +89,22 @@ TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
   EXPECT_LT(box_minus(state.q_WB, before.q_WB).norm(), 5e-4);
 }
 
+/// After a tick whose state was refused there is no force of that tick.
+TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
+  TurningRobot robot(LegErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  RobotState state;
+  while (robot.time() < 3.0) {
+    robot.tick();
+    TickContext context = standing();
+    const bool unknown = robot.time() > 1.0 && robot.time() < 1.1;
+    for (FootContact& contact : context.contacts) contact.normal_force = unknown ? kNaN : 75.0;
+    state = estimator.update(robot.reading(), context);
+    ASSERT_TRUE(state.u().head<6>().allFinite() && state.p_WB.allFinite()) << robot.time();
+  }
+  EXPECT_LT(tilt_error(state, robot), 0.005);
+}
+
 TEST(LegInertialEstimator, AllocatesNothing) {
   TurningRobot robot(LegErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);

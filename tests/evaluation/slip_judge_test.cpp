@@ -74,5 +74,14 @@ TEST(SlipJudge, WhatIsBelievedOfAFootThatRestsIsFalse) {
   EXPECT_EQ(slide.metrics().slips_detected, 0);
 }
 
+TEST(SlipJudge, ASlideThatGoesOnToTheEndCountsToo) {
+  Slide missed, noticed;
+  missed.ticks(20, 0.1, false);
+  EXPECT_EQ(missed.metrics().slips_missed, 1);
+  noticed.ticks(20, 0.1, true);
+  EXPECT_EQ(noticed.metrics().slips_detected, 1);
+  EXPECT_EQ(noticed.metrics().slips_missed, 0);
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -136,6 +136,36 @@ TEST(PushReaction, DoesNothingWhenItIsSwitchedOff) {
   EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
 }
 
+TEST(PushReaction, AStepWhileTheRobotCalibratesItselfDoesNotBeginTheWalk) {
+  PlannerOptions options;
+  options.calibration.duration = 6.0;
+  Puppet puppet(options);
+  puppet.user = {.walk = true, .velocity = {0.05, 0.0}};
+  puppet.run(1.5);
+  puppet.push = {kTooStrong, 0.0, 0.0};
+  puppet.run(0.4);
+  ASSERT_GE(puppet.happenings(PlanEvent::push_step).size(), 1u);
+  puppet.push.setZero();
+  puppet.run(4.0);
+  ASSERT_NE(puppet.plan().calibration, CalibrationStage::none);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off).empty());
+}
+
+TEST(PushReaction, TheOtherFeetCarryWhileOneSteps) {
+  Puppet puppet;
+  puppet.user = {.walk = true, .velocity = {0.05, 0.0}};
+  while (puppet.plan().feet[index(Leg::LH)].phase != LegPhase::unloading && puppet.time() < 20.0)
+    puppet.tick();
+  puppet.push = {kTooStrong, 0.0, 0.0};
+  puppet.run(0.4, [&] {
+    for (const Leg leg : kLegs) {
+      if (puppet.happenings(PlanEvent::push_step).empty()) continue;
+      EXPECT_NE(puppet.plan().feet[index(leg)].phase, LegPhase::unloading);
+    }
+  });
+  EXPECT_GE(puppet.happenings(PlanEvent::push_step).size(), 1u);
+}
+
 TEST(PushReaction, NumbersThatAreNotFiniteAreNoPush) {
   Puppet puppet;
   puppet.push = {std::nan(""), 0.0, 0.0};
