@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [s]
+constexpr int kLeastWitnesses = 2;  // feet that stand still
 
 /// Of the other standing feet's contact points and of 0, axis by axis.
 Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
@@ -46,8 +47,22 @@ void SlipDetector::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
       const Vec3 v = dynamics.contact[k].v - velocity_of_others(dynamics, stands, leg);
       judge(foot, v - normal_W.dot(v) * normal_W, normal_W.dot(state.foot_force[k]));
     }
-    state.slip_velocity[k] = foot.velocity;
-    state.slips[k] = foot.slips;
+  }
+  doubt_the_belief(stands);
+  for (const Leg leg : kLegs) {
+    state.slip_velocity[index(leg)] = feet_[index(leg)].velocity;
+    state.slips[index(leg)] = feet_[index(leg)].slips;
+  }
+}
+
+// Where hardly a foot is left to judge the others by, it is the believed velocity that is wrong; a
+// filter that let all feet go would never find back.
+void SlipDetector::doubt_the_belief(const PerLeg<bool>& stands) {
+  const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
+  if (std::ranges::count_if(kLegs, stays) >= kLeastWitnesses) return;
+  for (Foot& foot : feet_) {
+    foot.slips = false;
+    foot.fast_for = 0.0;
   }
 }
 

@@ -25,7 +25,8 @@ struct SlipOptions {
 /// the base is believed to move too fast: along each axis the median of the other standing feet's
 /// contact points, and of 0, the believed base velocity's own vote. So neither a base velocity that
 /// is wrong nor one other foot that slides makes a foot slide. A foot slides from `begin_speed` for
-/// `begin_duration` until it has been below `end_speed` for `end_duration`. Does not allocate.
+/// `begin_duration` until it has been below `end_speed` for `end_duration`. Two feet must be left
+/// that stand still, or none slides. Does not allocate.
 class SlipDetector {
  public:
   SlipDetector(const SlipOptions& options, double period);
@@ -43,6 +44,7 @@ class SlipDetector {
     double slow_for = 0.0;         // [s]
     bool slips = false;
   };
+  void doubt_the_belief(const PerLeg<bool>& stands);
   void judge(Foot& foot, const Vec3& velocity, double normal_force) const;
 
   SlipOptions options_;

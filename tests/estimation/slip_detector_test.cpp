@@ -81,6 +81,20 @@ TEST(SlipDetector, ABaseVelocityThatIsWrongIsNoSlip) {
   EXPECT_EQ(feet.count(), 0);
 }
 
+TEST(SlipDetector, WhereHardlyAFootStandsStillTheBeliefIsWrong) {
+  Feet feet;
+  feet.velocity(Leg::LF) = {0.5, 0.0, 0.0};
+  feet.velocity(Leg::RF) = {-0.5, 0.0, 0.0};
+  feet.run(0.1);
+  EXPECT_EQ(feet.count(), 2);
+  feet.velocity(Leg::LH) = {0.0, 0.5, 0.0};
+  feet.run(0.1);
+  EXPECT_EQ(feet.count(), 0);
+  feet.velocity(Leg::LH).setZero();
+  feet.run(0.1);
+  EXPECT_EQ(feet.count(), 2);
+}
+
 TEST(SlipDetector, WhatMovesAlongTheNormalDoesNotSlide) {
   Feet feet;
   feet.normal = Vec3(0.3, 0.1, 1.0).normalized();
