@@ -2,11 +2,7 @@
 
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/planning/com_planner.hpp"
-#include "tests/config/messages.hpp"
-#include "tests/logging/temporary_folder.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "tests/config/trial_scenario.hpp"
 
 namespace surefoot {
 namespace {
@@ -14,22 +10,7 @@ namespace {
 using test::holds;
 using test::message_of;
 
-/// walk_flat with some keys laid over it.
-class ScenarioFile : public testing::Test {
- protected:
-  Scenario read(const std::string& text, std::uint64_t seed = 0,
-                const std::vector<std::string>& assignments = {}) {
-    test::write_file(folder_ / "trial.yaml", "base: walk_flat\n" + text);
-    return load_scenario({folder_ / "trial.yaml", seed, assignments});
-  }
-
-  std::string complaint(const std::string& text, const std::vector<std::string>& assignments = {}) {
-    return message_of([&] { (void)read(text, 0, assignments); });
-  }
-
-  test::TemporaryFolder folder_;
-};
-
+class ScenarioFile : public test::TrialScenario {};
 /// Draws the friction and nothing of what walk_flat draws.
 const char* const kRandomFriction =
     "randomise:\n  initial.yaw:\n  planner.gait.start_duration:\n  terrain.friction: [0.4, 1.0]\n";
@@ -278,102 +259,6 @@ TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
   EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
 }
 
-TEST_F(ScenarioFile, draws_every_mismatch_of_the_plant_and_nothing_of_the_controller) {
-  const auto load = [](std::uint64_t seed) {
-    return load_scenario({"walk_flat_sea", seed, {"randomise.include=mismatch"}});
-  };
-  const Scenario nominal = load(0), first = load(1), second = load(2);
-  EXPECT_TRUE(nominal.drawn.empty());
-  EXPECT_EQ(nominal.plant.sensors.encoders.offset, JointVector::Zero());
-  EXPECT_EQ(nominal.plant.disturbances.link_mass_scale, JointVector::Ones());
-  EXPECT_NE(first.plant.sensors.encoders.offset, second.plant.sensors.encoders.offset);
-  EXPECT_NE(first.plant.disturbances.link_mass_scale, second.plant.disturbances.link_mass_scale);
-  EXPECT_NE(first.plant.disturbances.thigh_length_offset, PerLeg<double>{});
-  EXPECT_NE(first.plant.disturbances.shank_length_offset, PerLeg<double>{});
-  EXPECT_NE(first.plant.disturbances.base_com_offset, second.plant.disturbances.base_com_offset);
-  EXPECT_NE(first.plant.actuators.joint_torque_gain, JointVector::Ones());
-  EXPECT_NE(first.plant.sensors.imu.tilt, Vec3::Zero());
-  EXPECT_GT(first.plant.disturbances.payload.mass, 0.0);
-  EXPECT_EQ(std::ranges::count(first.sources, "randomise1.yaml", &SourceFile::name), 1);
-  EXPECT_EQ(first.controller.planner.force.friction, nominal.controller.planner.force.friction);
-}
-
-TEST_F(ScenarioFile, names_the_file_of_an_included_range_whose_path_is_unknown) {
-  test::write_file(folder_ / "worn.yaml", "terrain.friction: [0, 1]\nterrain.fricton: [0, 1]\n");
-  EXPECT_TRUE(holds(complaint("randomise: {include: worn.yaml}\n"), "worn.yaml:2: randomise"));
-}
-
-TEST_F(ScenarioFile, takes_the_numbers_of_a_vector_by_name) {
-  const Scenario scenario =
-      read("sensors: {encoders: {offset: {LF_KFE: 0.005}}}\n", 0,
-           {"sensors.encoders.offset.RH_HAA=-0.002", "disturbances.base_com_offset.x=0.01",
-            "disturbances.thigh_length_offset=[0.01, 0, 0, -0.01]"});
-  EXPECT_EQ(scenario.plant.sensors.encoders.offset[2], 0.005);
-  EXPECT_EQ(scenario.plant.sensors.encoders.offset[9], -0.002);
-  EXPECT_EQ(scenario.plant.disturbances.base_com_offset, Vec3(0.01, 0.0, 0.0));
-  EXPECT_EQ(scenario.plant.disturbances.thigh_length_offset[3], -0.01);
-  EXPECT_TRUE(holds(complaint("sensors: {encoders: {offset: {LF_KFF: 1}}}\n"),
-                    "trial.yaml:2: sensors.encoders.offset.LF_KFF: unknown key; did you mean"));
-  EXPECT_TRUE(holds(complaint("sensors: {encoders: {offset: [1, 2]}}\n"),
-                    "a list of 2 is not a list of 12 numbers, nor a map from LF_HAA … RH_KFE"));
-  EXPECT_TRUE(holds(complaint("disturbances: {shank_length_offset: {LF: 0.3}}\n"),
-                    "shank_length_offset.LF: \"0.3\" is not a number between -0.1 and 0.1 m"));
-  EXPECT_TRUE(holds(complaint("disturbances: {link_mass_scale: {LF_HIP: 0}}\n"), "above 0"));
-}
-
-TEST_F(ScenarioFile, has_actuators_of_two_levels) {
-  EXPECT_EQ(read("").plant.actuators.level, 1);
-  const ActuatorOptions actuators =
-      read(
-          "actuators: {model: sea, level: 2, spring: {stiffness: 150}, rotor: {inertia: 3e-5, "
-          "coulomb: 0.5}, torque_loop: {damping: 1}}\n")
-          .plant.actuators;
-  EXPECT_EQ(actuators.level, 2);
-  EXPECT_EQ(actuators.spring.stiffness, 150.0);
-  EXPECT_EQ(actuators.rotor.inertia, 3e-5);
-  EXPECT_EQ(actuators.rotor.coulomb, 0.5);
-  EXPECT_EQ(actuators.torque_loop.damping, 1.0);
-  EXPECT_TRUE(holds(complaint("actuators: {level: 3}\n"),
-                    "trial.yaml:2: actuators.level: \"3\" is more than 2"));
-  EXPECT_TRUE(holds(complaint("actuators: {rotor: {inertia: 0}}\n"), "actuators.rotor.inertia"));
-  EXPECT_TRUE(holds(complaint("actuators: {spring: {stifness: 1}}\n"), "mean \"stiffness\"?"));
-}
-
-TEST_F(ScenarioFile, has_sensors_that_fail) {
-  const std::vector<SensorFault> faults =
-      read(
-          "sensors: {faults: {a: {sensor: imu, kind: stops, time: 3}, b: {sensor: encoders, kind: "
-          "late, time: 1, duration: 0.5, size: 4, joint: RF_HFE}, c: }}\n")
-          .plant.sensors.faults;
-  ASSERT_EQ(faults.size(), 2u);
-  EXPECT_EQ(faults[0].kind, FaultKind::stops);
-  EXPECT_EQ(faults[0].time, 3.0);
-  EXPECT_TRUE(std::isinf(faults[0].duration));
-  EXPECT_EQ(faults[1].sensor, FaultySensor::encoders);
-  EXPECT_EQ(faults[1].size, 4.0);
-  EXPECT_EQ(faults[1].joint, 4);
-}
-
-TEST_F(ScenarioFile, with_a_fault_that_makes_no_sense_names_key_and_reason) {
-  const auto says = [&](const std::string& fault, const char* what) {
-    const std::string text = complaint("sensors: {faults: {a: {" + fault + "}}}\n");
-    EXPECT_TRUE(holds(text, "trial.yaml:2: sensors.faults.a")) << text;
-    EXPECT_TRUE(holds(text, what)) << text;
-  };
-  says("kind: stops, time: 1", "sensor: this key is missing");
-  says("sensor: gps, kind: stops, time: 1", "unknown choice \"gps\"");
-  says("sensor: imu, kind: stop, time: 1", "did you mean \"stops\"?");
-  says("sensor: imu, kind: stops, time: -1", "at least 0");
-  says("sensor: imu, kind: stops, time: 1, duration: 0", "above 0");
-  says("sensor: imu, kind: stops, time: 1, size: 2", "only jump, spike and late have one");
-  says("sensor: gyro, kind: jump, time: 1", "size: this key is missing");
-  says("sensor: imu, kind: jump, time: 1, size: 1", "have different units");
-  says("sensor: gyro, kind: late, time: 1, size: 2.5", "a whole number of ticks from 1 to 1000");
-  says("sensor: gyro, kind: spike, time: 1, size: 2, duration: 1", "a spike is one sample");
-  says("sensor: gyro, kind: nan, time: 1, joint: LF_HAA", "only encoders and joint_torques");
-  says("sensor: encoders, kind: nan, time: 1, joint: LF_HIP", "unknown joint \"LF_HIP\"");
-}
-
 TEST_F(ScenarioFile, whose_stance_is_out_of_reach_says_so) {
   EXPECT_TRUE(holds(complaint("planner: {stance: {height: 0.9}}\n"), "planner.stance"));
 }
@@ -388,68 +273,6 @@ TEST_F(ScenarioFile, that_is_no_yaml_file_is_not_called_unknown) {
   std::filesystem::create_directories(folder_ / "folder.yaml");
   EXPECT_TRUE(holds(complaint_of(folder_ / "folder.yaml"), "is a folder"));
   EXPECT_TRUE(holds(complaint("stack: bad.txt\n"), "trial.yaml:2: stack: \"bad.txt\" is not"));
-}
-
-TEST_F(ScenarioFile, whose_period_is_not_made_of_timesteps_names_the_key) {
-  EXPECT_TRUE(holds(complaint("period: 0.0023\n"),
-                    "trial.yaml:2: period: 0.0023 s is not a whole multiple of the timestep"));
-}
-
-TEST_F(ScenarioFile, with_a_push_on_an_unknown_link_names_the_push_and_the_nearest) {
-  const std::string message =
-      complaint("disturbances:\n  pushes:\n    kick: {time: 1, force: [0, 9, 0], body: LF_TIGH}\n");
-  EXPECT_TRUE(holds(message, "trial.yaml:4: disturbances.pushes.kick.body"));
-  EXPECT_TRUE(holds(message, "did you mean \"LF_THIGH\"?"));
-}
-
-TEST_F(ScenarioFile, says_what_a_shape_or_payload_needs) {
-  const auto element = [&](const std::string& text) {
-    return complaint("terrain: {elements: {a: {" + text + "}}}\n");
-  };
-  EXPECT_TRUE(holds(element("shape: box"), "trial.yaml:2: terrain.elements.a.size: this key is"));
-  EXPECT_TRUE(holds(element("shape: height_field"), "either heights, with columns and rows, or"));
-  EXPECT_TRUE(holds(element("shape: height_field, amplitude: 0.02"), "terrain.elements.a.size_x"));
-  EXPECT_TRUE(holds(element("shape: height_field, size_x: 1, size_y: 1, columns: 2, rows: 2, "
-                            "heights: [0, 0, 0]"),
-                    "3 numbers are not columns × rows = 4"));
-  EXPECT_TRUE(holds(element("shape: random_boxes, size_x: 1, size_y: 1"), "a.max_height"));
-  EXPECT_TRUE(holds(element("shape: steps"), "a.height: this key is missing"));
-  EXPECT_TRUE(holds(element("shape: slope"), "a pitch, a roll or both"));
-  EXPECT_TRUE(holds(element("shape: slope, pitch: 0.1, incline: 0.1"), "or instead of them"));
-  EXPECT_TRUE(holds(complaint("disturbances: {payload: {}}\n"),
-                    "trial.yaml:2: disturbances.payload.mass: this key is missing"));
-  EXPECT_EQ(read("disturbances: {payload: }\n").plant.disturbances.payload.mass, 0.0);
-}
-
-TEST_F(ScenarioFile, whose_foot_contact_is_too_stiff_for_the_timestep_names_the_key) {
-  EXPECT_TRUE(holds(complaint("foot_contact: {solref_time: 0.0001}\n"),
-                    "trial.yaml:2: foot_contact.solref_time: must be at least two timesteps"));
-}
-
-TEST_F(ScenarioFile, reads_a_push_as_force_or_as_impulse) {
-  const Scenario scenario = read(
-      "disturbances: {pushes: {a: {time: 1, force: [0, 9, 0]}, b: {time: 2, duration: 0.5, "
-      "impulse: [0, 0, 3]}}}\n");
-  ASSERT_EQ(scenario.plant.disturbances.pushes.size(), 2u);
-  EXPECT_EQ(scenario.plant.disturbances.pushes[0].force, Vec3(0, 9, 0));
-  EXPECT_EQ(scenario.plant.disturbances.pushes[1].force, Vec3(0, 0, 6));
-  EXPECT_TRUE(
-      holds(complaint("disturbances: {pushes: {a: {time: 1}}}\n"), "either a force, an impulse"));
-}
-
-TEST_F(ScenarioFile, reads_a_push_along_the_ground_by_magnitude_and_direction) {
-  const Scenario scenario = read(
-      "disturbances: {pushes: {a: {time: 1, magnitude: 50, direction: 2.5}}}\n"
-      "randomise: {disturbances.pushes.a.direction: [-3, 3]}\n");
-  const Vec3& force = scenario.plant.disturbances.pushes.at(0).force;
-  EXPECT_LT((force - 50.0 * Vec3(std::cos(2.5), std::sin(2.5), 0.0)).norm(), 1e-12);
-  const auto push = [&](const std::string& text) {
-    return complaint("disturbances: {pushes: {a: {time: 1, " + text + "}}}\n");
-  };
-  EXPECT_TRUE(holds(push("magnitude: 5"), "pushes.a.direction: this key is missing"));
-  EXPECT_TRUE(holds(push("magnitude: -5, direction: 0"), "pushes.a.magnitude"));
-  EXPECT_TRUE(holds(push("magnitude: 5, direction: 0, force: [1, 0, 0]"), "either a force, an"));
-  EXPECT_TRUE(holds(push("force: [1, 0, 0], direction: 0"), "only a push with a magnitude has"));
 }
 
 TEST_F(ScenarioFile, chooses_the_solver) {
