@@ -15,7 +15,6 @@ constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
-constexpr double kStandDuration = 1.0;    // for the COM to come to the centre of the feet [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
 double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal) {

@@ -38,6 +38,10 @@ class Planner {
  private:
   enum class Mode { stand, support, swing };
 
+  static constexpr double kStandDuration =
+      1.0;                                // for the COM to come to the centre of the feet [s]
+  static constexpr double kLevel = 1e-3;  // apex of a move that does not rise [m]
+
   void initialise(const RobotState& state, const Dynamics& dynamics);
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);

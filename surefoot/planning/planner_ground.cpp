@@ -7,7 +7,6 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLevel = 1e-3;        // apex of a move that does not rise [m]
 constexpr int kMostCollisions = 2;     // of one swing with an edge, before the touch is believed
 constexpr double kRetreatSpeed = 0.5;  // of a foot that found no ground [m/s]
 

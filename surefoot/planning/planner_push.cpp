@@ -12,9 +12,7 @@ namespace {
 
 constexpr double kOffPlan = 0.01;       // the COM from its plan: that one can't be followed [m]
 constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can use [s]
-constexpr double kStandDuration = 1.0;  // [s]
 constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
-constexpr double kLevel = 1e-3;         // apex of a move that does not rise [m]
 
 }  // namespace
 
