@@ -14,6 +14,7 @@ constexpr int kFirmTicks = 2;          // debounce of a touchdown
 constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
 constexpr double kFastDescent = 0.25;  // too fast to be quite where it is asked to be [m/s]
 constexpr double kBounceMemory = 0.03;  // of what a foot's velocity usually lacks [s]
+constexpr double kAstray = 0.04;        // beside its reference by more, a foot could not follow [m]
 constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
 constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
@@ -79,7 +80,11 @@ LegEvent LegMotion::observe_stance() {
 LegEvent LegMotion::observe_swing(double time, const LegObservation& seen) {
   const double t = since(time);
   const SwingTarget& target = curve_.target();
-  if (t > target.duration) phase_ = LegPhase::search;
+  if (t > target.duration && phase_ == LegPhase::swing) {
+    // The way down from the goal is of no use to a foot that is not there.
+    if (beside(time, seen.foot.p) > kAstray) search(time, seen.foot.p, target.normal);
+    phase_ = LegPhase::search;
+  }
   if (is_caught(time, seen)) return LegEvent::caught;
   if (t < swing_.armed_after * target.duration) return LegEvent::none;
   if (touches(time, seen)) return LegEvent::touchdown;
@@ -95,6 +100,12 @@ Vec3 LegMotion::way(const Motion<Vec3>& asked) const {
   const Vec3& normal = curve_.target().normal;
   const Vec3 going = asked.v - std::min(0.0, normal.dot(asked.v)) * normal;
   return going.norm() > kGoes ? Vec3(going.normalized()) : Vec3::Zero();
+}
+
+double LegMotion::beside(double time, const Vec3& p_WF) const {
+  const Vec3& normal = curve_.target().normal;
+  const Vec3 error = p_WF - reference(time).p;
+  return (error - normal.dot(error) * normal).norm();
 }
 
 // What meets the foot on its way down is the ground, so only its ways forward and up count here.
@@ -128,7 +139,9 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool jolted = lag - usual_lag_ > touchdown_.bounce_speed;
   const bool follows = behind > -1.0 && normal.dot(asked.v) > -kFastDescent;
   const bool bounced = arrives && carries && jolted && follows;
-  const bool pressed = force > touchdown_.touchdown_force;
+  // What drags a foot off its way in the middle of a swing are its own drives.
+  const bool strays = !arrives && beside(time, foot.p) > kAstray;
+  const bool pressed = force > touchdown_.touchdown_force && !strays;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
   if (wall) firm_ticks_ = 0;

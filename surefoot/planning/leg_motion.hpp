@@ -59,6 +59,8 @@ class LegMotion {
   [[nodiscard]] bool is_caught(double time, const LegObservation& seen);
   /// Unit vector of where the foot is asked to go, without its way down; 0 if nowhere.
   [[nodiscard]] Vec3 way(const Motion<Vec3>& asked) const;
+  /// Distance of the foot from its reference along the ground [m].
+  [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;

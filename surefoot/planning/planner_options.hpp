@@ -33,7 +33,7 @@ struct GaitOptions {
 struct ForceOptions {
   double friction = 0.5;    ///< μ of the friction pyramid
   double min = 10.0;        ///< f_min of a loaded foot [N]
-  double max = 250.0;       ///< f_max of a loaded foot [N]
+  double max = 400.0;       ///< f_max of a loaded foot, above the robot's weight [N]
   double ramp_up = 0.10;    ///< f_max from 0 to max after a touchdown [s]
   double ramp_down = 0.15;  ///< f_max from max to 0 before a lift-off [s]
   bool ramps = true;        ///< false: no modulation, for comparison
@@ -57,7 +57,7 @@ struct ComPlannerOptions {
       0.04;               ///< capture point inside the swing's triangle by [m]: it may wait there
   int horizon_steps = 2;  ///< swings that the QP looks ahead, up to ComPlanner::kMaxSteps
   double sample_interval = 0.12;  ///< of the ZMP constraints [s]
-  double leg_share = 1.0;         ///< of the weight, that one leg is planned to carry at most
+  double leg_share = 0.76;        ///< of the weight, that one leg is planned to carry at most
   double terminal_weight = 1.0;   ///< pull of the horizon's end to the centre of the feet [1/s²]
 };
 

@@ -69,6 +69,25 @@ TEST(Reflex, AWallIsNoGround) {
   EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), ground), LegEvent::touchdown);
 }
 
+TEST(Reflex, AFootFarBesideItsWayFeelsItsDrivesAndNoGroundUntilItIsAboutToArrive) {
+  const Vec3 beside = 0.06 * Vec3::UnitY(), light = 15.0 * kUp, impact = 40.0 * kUp;
+  EXPECT_EQ(Foot().follow(0.55, 0.75, Vec3::Zero(), light), LegEvent::touchdown);
+  EXPECT_EQ(Foot().follow(0.55, 0.75, beside, light), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.75, beside, impact), LegEvent::touchdown);
+  EXPECT_EQ(Foot().follow(0.85, 0.95, beside, light), LegEvent::touchdown);
+}
+
+TEST(Reflex, AFootThatEndsItsSwingFarFromItsGoalSearchesBelowItself) {
+  const Vec3 goal = 0.2 * kForward;
+  Foot foot;
+  EXPECT_EQ(foot.follow(0.0, 1.0, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
+  EXPECT_LT((foot.leg.plan(kDuration - kPeriod).p_WF - goal).norm(), 0.01);
+  EXPECT_EQ(foot.follow(1.0, 1.02, 0.1 * kForward, Vec3::Zero()), LegEvent::none);
+  const Vec3 p_WF = foot.leg.plan(1.02 * kDuration).p_WF;
+  EXPECT_NEAR(p_WF.x(), 0.1, 0.005);
+  EXPECT_LT(foot.leg.plan(1.02 * kDuration).v_WF.z(), -0.05);
+}
+
 TEST(Reflex, TheCurveGoesBackWhileItRisesAndThenToItsGoal) {
   const SwingTarget target{.start = kUp, .goal = kUp + 0.2 * kForward, .apex = 0.1, .back = 0.04};
   const SwingCurve curve(target, {});

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::test {
@@ -42,6 +43,10 @@ inline bool all_finite(const MotionPlan& plan) {
 /// Holds a plan against the one of the tick before: what must hold whatever the ground is like.
 class Watch {
  public:
+  /// The steepest of a smoothstep, 3/2 of its mean, in a tick.
+  static constexpr double kForceStep = 1.51 * ForceOptions{}.max * kPeriod /
+                                       std::min(ForceOptions{}.ramp_up, ForceOptions{}.ramp_down);
+
   explicit Watch(const Puppet& puppet) : puppet_(puppet), before_(puppet.plan()) {}
 
   void operator()() {
@@ -55,7 +60,8 @@ class Watch {
     for (std::size_t k = 0; k < kNumLegs; ++k) {
       const FootPlan &foot = now.feet[k], &last = before_.feet[k];
       ASSERT_LT((foot.p_WF - last.p_WF).norm(), 8e-3) << k << " at " << puppet_.time();
-      ASSERT_LT(std::abs(foot.force_max - last.force_max), 10.0) << k << " at " << puppet_.time();
+      ASSERT_LT(std::abs(foot.force_max - last.force_max), kForceStep)
+          << k << " at " << puppet_.time();
       ASSERT_LE(foot.force_min, foot.force_max);
       ASSERT_EQ(in_contact(foot.phase) ? 0.0 : foot.force_max, 0.0);
     }

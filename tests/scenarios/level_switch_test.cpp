@@ -58,7 +58,7 @@ class LevelSwitchOf : public testing::TestWithParam<Case> {
 };
 
 TEST_P(LevelSwitchOf, MakesTheTorquesStepHardlyMoreThanTheyDoAnyway) {
-  const std::string never = GetParam().earlier + "{time: 90, remove: [torso_yaw]}";
+  const std::string never = GetParam().earlier + "{time: 90, " + GetParam().change + "}";
   const std::vector<JointVector> as_ever = torques(with(never));
   const std::vector<JointVector> at_once = torques(with(change(0.0)));
   const std::vector<JointVector> slowly = torques(with(change(0.5)));
