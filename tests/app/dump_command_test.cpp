@@ -92,7 +92,8 @@ TEST(DumpCommand, AScenarioAndItsLogGiveTheSameLines) {
 
 TEST(DumpCommand, ALogWithSwitchedLevelsGivesTheLinesOfItsScenario) {
   const std::vector<std::string> switched{
-      "duration=0.2", "stack_switches=[{time: 0.1, remove: [torso_yaw], duration: 0.05}]"};
+      "duration=0.2", "stack=terrain_adaptation",
+      "stack_switches=[{time: 0.1, remove: [torso_yaw], duration: 0.05}]"};
   const TemporaryFolder folder;
   ClosedLoopOptions options;
   options.record_path = folder / "run.mcap";

@@ -52,7 +52,7 @@ const std::string kSwitches =
     "{time: 2.2, add: [torso_yaw, contact_force_minimisation], duration: 0}]";
 
 TEST(LogReplay, also_of_a_run_whose_scenario_switches_levels) {
-  expect_replayed({"walk_flat_ideal", 0, {"duration=4", kSwitches}});
+  expect_replayed({"walk_flat_ideal", 0, {"duration=4", "stack=terrain_adaptation", kSwitches}});
 }
 
 TEST(LogReplay, also_of_a_run_whose_sensors_fail) {
@@ -65,7 +65,8 @@ TEST(LogReplay, also_of_a_run_whose_sensors_fail) {
 
 /// Runs a walk whose levels are switched from outside, and records it.
 void record_switched_walk(const std::string& path) {
-  const Scenario scenario = load_scenario({"walk_flat_ideal", 0, {"duration=4"}});
+  const Scenario scenario =
+      load_scenario({"walk_flat_ideal", 0, {"duration=4", "stack=terrain_adaptation"}});
   Plant plant(scenario.robot, scenario.plant);
   Controller controller(scenario.robot, scenario.controller,
                         std::make_unique<TruthEstimator>(plant.truth()));

@@ -99,7 +99,8 @@ TEST_F(ScenarioFile, with_a_negative_duration_says_what_would_be_valid) {
 TEST_F(ScenarioFile, has_levels_that_come_and_go) {
   const std::vector<LevelSwitch> switches =
       read(
-          "stack_switches:\n  - {time: 0, remove: [torso_yaw, com_xy], duration: 0}\n"
+          "stack: terrain_adaptation\nstack_switches:\n"
+          "  - {time: 0, remove: [torso_yaw, com_xy], duration: 0}\n"
           "  - {time: 2, add: [com_xy], remove: [torso_height]}\n")
           .controller.level_switches;
   ASSERT_EQ(switches.size(), 2u);
@@ -112,12 +113,13 @@ TEST_F(ScenarioFile, has_levels_that_come_and_go) {
 
 TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_reason) {
   const auto says = [&](const std::string& item, const char* what) {
-    const std::string text = complaint("stack_switches:\n  - " + item + "\n");
-    EXPECT_TRUE(holds(text, "trial.yaml:3: stack_switches")) << text;
+    const std::string text =
+        complaint("stack: terrain_adaptation\nstack_switches:\n  - " + item + "\n");
+    EXPECT_TRUE(holds(text, "trial.yaml:4: stack_switches")) << text;
     EXPECT_TRUE(holds(text, what)) << text;
   };
   says("{time: 1, remove: [com]}",
-       "unknown level \"com\"; the stack \"walk\" can switch: torso_roll_pitch com_xy");
+       "unknown level \"com\"; the stack \"terrain_adaptation\" can switch: com_xy swing_foot");
   says("{time: 1, remove: [friction_cone]}", "keeps the physics and is always there");
   says("{time: 1, remove: [com_xy], duration: -1}", "\"-1\" is not a number of at least 0");
   says("{time: -1, remove: [com_xy]}", "\"-1\" is not a number of at least 0");
@@ -125,9 +127,10 @@ TEST_F(ScenarioFile, with_a_switch_of_levels_that_makes_no_sense_names_line_and_
   says("{time: 1, remove: com_xy}", "must be a list of names of levels");
   says("{time: 1}", "adds and removes nothing");
   says("{time: 1, level: com_xy}", "unknown key");
-  EXPECT_TRUE(holds(complaint("stack_switches:\n  - {time: 1, remove: [com_xy], duration: 2}\n"
+  EXPECT_TRUE(holds(complaint("stack: terrain_adaptation\nstack_switches:\n"
+                              "  - {time: 1, remove: [com_xy], duration: 2}\n"
                               "  - {time: 2, add: [com_xy]}\n"),
-                    "trial.yaml:4: stack_switches: the level switch at 2 s begins before"));
+                    "trial.yaml:5: stack_switches: the level switch at 2 s begins before"));
 }
 
 TEST_F(ScenarioFile, with_nan_names_the_key) {
@@ -195,7 +198,7 @@ TEST_F(ScenarioFile, takes_assignments_of_the_command_line_over_everything) {
       read("duration: 3\n", 0, {"duration=4", "actuators.model=sea", "tasks.com_xy.kp=150"});
   EXPECT_EQ(scenario.duration, 4.0);
   EXPECT_EQ(scenario.plant.actuators.model, ActuatorModel::sea);
-  EXPECT_EQ(scenario.controller.stack.levels[5].tasks[0].numbers.at("kp"), 150.0);
+  EXPECT_EQ(scenario.controller.stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {

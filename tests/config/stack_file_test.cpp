@@ -127,7 +127,8 @@ TEST(StackFile, levels_of_a_base_are_taken_by_name_in_any_order_with_others_betw
 }
 
 TEST(StackFile, a_level_by_a_name_that_the_base_has_not_lists_its_levels) {
-  const std::string message = complaint("name: s\nbase: walk\nlevels:\n  - swing_feet\n");
+  const std::string message =
+      complaint("name: s\nbase: terrain_adaptation\nlevels:\n  - swing_feet\n");
   EXPECT_TRUE(holds(message, "s.yaml:4: levels.0: unknown level \"swing_feet\"")) << message;
   EXPECT_TRUE(holds(message, "did you mean \"swing_foot\"?")) << message;
   EXPECT_TRUE(
@@ -192,7 +193,7 @@ TEST(StackFile, weights_and_weighted_from_name_levels_of_the_stack) {
 TEST(StackFile, parameters_laid_over_a_stack_reach_every_task_of_that_name) {
   StackOptions stack = load_stack("walk");
   override_tasks(stack, parse_yaml("com_xy: {kp: 150}", "o.yaml"), "tasks");
-  EXPECT_EQ(stack.levels[5].tasks[0].numbers.at("kp"), 150.0);
+  EXPECT_EQ(stack.levels[4].tasks[0].numbers.at("kp"), 150.0);
 }
 
 TEST(StackFile, parameters_for_a_task_that_the_stack_has_not_are_an_error) {

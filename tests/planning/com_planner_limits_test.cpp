@@ -113,7 +113,7 @@ TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
 
 TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   const ForceOptions force{.max = 240.0, .ramp_up = 0.1, .ramp_down = 0.2};
-  const ComPlanner planner(ComPlannerOptions{}, force, kWeight);
+  const ComPlanner planner({.leg_share = 1.0}, force, kWeight);
   SupportPhase phase = standing(1.0, nominal_feet());
   phase.loaded_for[0] = 0.0;
   phase.lifts_in[0] = 0.8;
@@ -131,7 +131,7 @@ TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
 TEST(ComPlanner, WithoutRampsOrWithRampsOfNoLengthAFootCarriesAllAtOnce) {
   for (const ForceOptions& force : {ForceOptions{.max = 240.0, .ramps = false},
                                     ForceOptions{.max = 240.0, .ramp_up = 0.0, .ramp_down = 0.0}}) {
-    const ComPlanner planner(ComPlannerOptions{}, force, kWeight);
+    const ComPlanner planner({.leg_share = 1.0}, force, kWeight);
     SupportPhase phase = standing(0.5, nominal_feet());
     phase.loaded_for[0] = 0.0;
     phase.lifts_in[0] = 0.5;
