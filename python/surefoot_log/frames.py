@@ -105,7 +105,7 @@ def gave_way(hierarchy):
         if residual <= ROUNDING or level["name"].endswith(RESTLESS):
             continue
         for row in hierarchy.get("blocked_by", []):
-            if row["level"] == level["name"] and (row["cost"] or 0.0) > ROUNDING:
+            if row["level"] == level["name"]:
                 return level["name"], residual, row["row"], row["by"]
     return None
 

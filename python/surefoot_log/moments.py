@@ -9,6 +9,7 @@ from surefoot_log.frames import CARRIES
 STEP = 0.03  # m: feet that carry at heights that differ by more are on different ground
 BEFORE, AFTER = 1.5, 1.5  # s around what is of interest
 QUIET = ("", "lift-off", "touchdown", "probe: same ground")
+APART = 0.4  # least distance of two moments, as a share of the mean one
 STARTED = 0.05  # m: a base that has gone so far walks
 
 
@@ -66,11 +67,12 @@ def reach(frame):
 
 
 def chosen(frames, span, count):
-    """So many frames, one of each equal part of a span: where a leg reaches deepest below the base."""
+    """So many frames, one of each equal part of a span, off its ends: where a leg reaches deepest below the base."""
     edges = np.linspace(span.first, span.last, count + 1)
+    apart = APART * (edges[1] - edges[0]) / 2
     found = []
     for first, last in zip(edges, edges[1:]):
-        part = [frame for frame in frames if first <= frame.time < last]
+        part = [frame for frame in frames if first + apart <= frame.time <= last - apart]
         if part:
             found.append(max(part, key=reach))
     return found or [frames[-1]]
