@@ -1,10 +1,9 @@
 #include "app/log_replay.hpp"
 
-#include "app/output_files.hpp"
+#include "app/scratch_folder.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
-
-#include <stdlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -28,32 +27,6 @@ class PlaybackEstimator final : public StateEstimator {
   const RobotState& state_;
 };
 
-/// For files that only a reader of files understands; gone with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "surefoot_replay_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw FileError(name + ": no folder for temporary files can be made there");
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
-    write_file(path_ / name, text);
-    return (path_ / name).string();
-  }
-
- private:
-  fs::path path_;
-};
-
 const std::string& attachment(const LogHeader& header, const std::string& name) {
   const auto found = std::ranges::find(header.attachments, name,
                                        [](const LogAttachment& file) { return file.name; });
@@ -64,28 +37,61 @@ const std::string& attachment(const LogHeader& header, const std::string& name) 
   return found->data;
 }
 
-/// The scenario as a log has it: what was set, its stack, its robot and the robot's URDF, which is
-/// read again when a controller is made.
-Scenario scenario_of(const LogHeader& header, const ScratchFolder& folder) {
+/// The robot's file, with its URDF where this program finds it.
+std::string robot_file(const LogHeader& header, const ScratchFolder& folder) {
   std::string robot = attachment(header, "robot.yaml");
   const std::size_t urdf = robot.find("\nurdf:") + 1;
   robot.replace(urdf, robot.find('\n', urdf) - urdf,
                 "urdf: " + folder.write("robot.urdf", attachment(header, "robot.urdf")));
+  return folder.write("robot.yaml", robot);
+}
+
+/// The scenario as a log has it: what was set, its stack, its robot and the robot's URDF, which is
+/// read again when a controller is made.
+Scenario scenario_of(const LogHeader& header, const ScratchFolder& folder) {
   // JSON is YAML, so the options are a scenario file.
   return load_scenario(
       {folder.write("scenario.yaml", header.options),
        0,
        {"stack=" + folder.write("stack.yaml", attachment(header, "resolved_stack.yaml")),
-        "robot=" + folder.write("robot.yaml", robot)}});
+        "robot=" + robot_file(header, folder)}});
+}
+
+/// The same with another stack. What the log's scenario sets of tasks must be in that one, too.
+Scenario scenario_with(const std::string& stack, const LogHeader& header,
+                       const ScratchFolder& folder) {
+  const fs::path file = fs::absolute(find_data_file("stacks", stack));
+  const std::string robot = robot_file(header, folder);
+  const std::string scenario = folder.write("scenario.yaml", header.options);
+  try {
+    return load_scenario(
+        {scenario, 0, {"stack=" + file.string(), "robot=" + robot, "stack_switches=[]"}});
+  } catch (const Error& error) {
+    std::string text = error.what();
+    const std::size_t found = text.find(scenario);
+    if (found != std::string::npos) text.replace(found, scenario.size(), "the log's scenario");
+    throw Error("stack " + stack + ": " + text);
+  }
 }
 
 }  // namespace
 
-LogReplay::LogReplay(const std::string& path) : log_(path) {
+LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
+    : log_(path), own_stack_(options.stack.empty()) {
   const ScratchFolder folder;
-  const Scenario scenario = scenario_of(log_.header(), folder);
-  controller_ = std::make_unique<Controller>(scenario.robot, scenario.controller,
-                                             std::make_unique<PlaybackEstimator>(tick_.state));
+  const Scenario scenario = own_stack_ ? scenario_of(log_.header(), folder)
+                                       : scenario_with(options.stack, log_.header(), folder);
+  estimates_ =
+      options.state == ReplayedState::estimated && scenario.estimation == Estimation::sensors;
+  std::unique_ptr<StateEstimator> estimator;
+  if (estimates_) {
+    estimator = std::make_unique<LegInertialEstimator>(scenario.robot, scenario.estimator,
+                                                       scenario.controller.period);
+  } else {
+    estimator = std::make_unique<PlaybackEstimator>(tick_.state);
+  }
+  controller_ =
+      std::make_unique<Controller>(scenario.robot, scenario.controller, std::move(estimator));
   explain_levels(true);
 }
 
@@ -97,7 +103,7 @@ bool LogReplay::step() {
 }
 
 void LogReplay::switch_levels(const LevelSwitchReport& logged) {
-  if (!logged.begins) return;
+  if (!logged.begins || !own_stack_) return;
   LevelSwitch change{.duration = logged.duration};
   const std::vector<std::string>& names = log_.header().level_names;
   for (std::size_t k = 0; k < std::min(names.size(), logged.change.size()); ++k) {

@@ -8,13 +8,26 @@
 
 namespace surefoot {
 
+/// Which state a replayed controller believes.
+enum class ReplayedState {
+  logged,     ///< that of the log, at every tick
+  estimated,  ///< what the run's own estimator makes of the readings; logged where it was the truth
+};
+
+struct ReplayOptions {
+  ReplayedState state = ReplayedState::logged;
+  /// Another task hierarchy, by name or file as `--set stack=` has it; empty: the run's own. The
+  /// log's switches of levels are not made in it.
+  std::string stack;
+};
+
 /// Runs a log's controller again on the logged readings, commands and states: from the first tick
 /// on it computes the same bits.
 class LogReplay {
  public:
   /// Throws FileError if the file is not a log of ours or lacks what its controller was made
-  /// from, Error if this program can't make sense of that.
-  explicit LogReplay(const std::string& path);
+  /// from, Error if this program can't make sense of that or of the other stack.
+  explicit LogReplay(const std::string& path, const ReplayOptions& options = {});
 
   /// See `Controller::explain_levels`; a replay does unless it is told not to.
   void explain_levels(bool wanted) { controller_->explain_levels(wanted); }
@@ -25,6 +38,11 @@ class LogReplay {
   [[nodiscard]] const Controller& controller() const { return *controller_; }
   /// As it stands in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
+  [[nodiscard]] const LogHeader& header() const { return log_.header(); }
+  /// Whether the run's estimator runs again, too.
+  [[nodiscard]] bool estimates() const { return estimates_; }
+  /// After the last tick: why the log could not be read further; empty if it is whole.
+  [[nodiscard]] const std::string& problem() const { return log_.problem(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 
@@ -33,6 +51,8 @@ class LogReplay {
 
   LogReader log_;
   TickRecord tick_;
+  bool estimates_ = false;
+  bool own_stack_ = true;
   std::unique_ptr<Controller> controller_;
 };
 

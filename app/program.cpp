@@ -5,16 +5,16 @@
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
+#include "app/pictures.hpp"
+#include "app/program_log.hpp"
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/config/nearest_name.hpp"
-#include "surefoot/view/report.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 
 namespace surefoot {
@@ -106,9 +106,6 @@ Example:
 )";
 }
 
-/// A command: fills its arguments while parsing, then runs.
-using Command = std::function<int()>;
-
 /// Digits only, and not too many of them; CLI11 would take -1 for a large number.
 CLI::Validator whole_number(int min) {
   const auto check = [min](std::string& text) -> std::string {
@@ -142,6 +139,8 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
   run->add_option("--report", arguments->report,
                   "Write an HTML report into this folder, and its log unless --record keeps it");
+  run->add_option("--video", arguments->video,
+                  "Film the run into this file (MP4), as `surefoot video` does of its log");
   run->add_flag("--check", arguments->check,
                 "Read the scenario and say what is wrong; run nothing");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
@@ -168,7 +167,7 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required();
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
-      std::cout << write_report(*log, *folder) << "\n";
+      std::cout << write_illustrated_report(*log, *folder) << "\n";
       return static_cast<int>(kPassed);
     };
   });
@@ -240,20 +239,6 @@ int tell(const std::string& message) {
   return kWrongInput;
 }
 
-/// A Python program, which the launcher starts; here it has a name and a line of help only.
-void add_campaign(CLI::App& app, Command& chosen) {
-  CLI::App* campaign = app.add_subcommand(
-      "campaign", "Run a grid of parameters over many seeds: table, rates, plots (bin/surefoot)");
-  campaign->allow_extras();
-  campaign->footer("\nIt is part of the source tree: bin/surefoot campaign --help");
-  campaign->callback([&chosen] {
-    chosen = [] {
-      return tell(
-          "campaign is started by the launcher of the source tree: bin/surefoot campaign …");
-    };
-  });
-}
-
 /// The argument that a command does not know, with those that it does.
 std::string unknown_option(const CLI::App& command) {
   std::vector<std::string> valid;
@@ -299,8 +284,13 @@ int run_program(int argc, char** argv) {
   add_report(app, chosen);
   add_solve(app, chosen);
   add_dump(app, chosen);
+  add_log_commands(app, chosen);
   add_demo(app, chosen);
-  add_campaign(app, chosen);
+  add_python_command(app, chosen, "export",
+                     "Write a log as CSV or Parquet, or its scene for Foxglove");
+  add_python_command(app, chosen, "video", "Film a log, without a screen");
+  add_python_command(app, chosen, "campaign",
+                     "Run a grid of parameters over many seeds: table, rates, plots");
   app.footer(kFooter);  // only now: commands that are added later would have it, too
   try {
     app.parse(argc, argv);

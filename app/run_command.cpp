@@ -4,35 +4,54 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
+#include "app/pictures.hpp"
 #include "app/progress.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
+#include "app/scratch_folder.hpp"
 #include "app/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
-#include "surefoot/view/report.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 namespace surefoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a run's log goes: a report needs one too.
-std::filesystem::path log_path(const RunArguments& arguments) {
-  if (!arguments.record.empty() || arguments.report.empty()) return arguments.record;
-  return std::filesystem::path(arguments.report) / "run.mcap";
-}
+/// Where a run's log goes: a report needs one too, and so does a film, for which it goes away
+/// again.
+class LogPlace {
+ public:
+  explicit LogPlace(const RunArguments& arguments) : path_(arguments.record) {
+    if (!path_.empty()) return;
+    if (!arguments.report.empty()) {
+      path_ = std::filesystem::path(arguments.report) / "run.mcap";
+    } else if (!arguments.video.empty()) {
+      path_ = scratch_.emplace().path() / "run.mcap";
+    }
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] bool is_kept() const { return !scratch_; }
+
+ private:
+  std::optional<ScratchFolder> scratch_;
+  std::filesystem::path path_;
+};
 
 /// What can't be written is told before the run, not after it; what is wrong with the scenario
 /// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
   if (!arguments.report.empty()) prepare_folder(arguments.report);
   if (!arguments.record.empty()) check_writable_file(arguments.record);
+  if (arguments.video.empty()) return;
+  check_can_film();
+  check_writable_file(arguments.video);
 }
 
 /// A log that was asked for by name is replaced only when the new one is whole.
@@ -74,8 +93,9 @@ std::string cut_logs(const std::vector<PlannedRun>& runs) {
   return names;
 }
 
-[[noreturn]] void report_interrupt(const std::vector<PlannedRun>& runs, std::size_t finished) {
-  const std::string logs = cut_logs(runs);
+[[noreturn]] void report_interrupt(const std::vector<PlannedRun>& runs, std::size_t finished,
+                                   bool logs_are_kept) {
+  const std::string logs = logs_are_kept ? cut_logs(runs) : "";
   throw Error("interrupted: " +
               (finished == 0 ? "no results"
                              : std::to_string(finished) + " of " + std::to_string(runs.size()) +
@@ -94,15 +114,23 @@ int exit_code(const Scenario& scenario, const std::vector<Json>& runs) {
   return std::ranges::any_of(runs, stopped) ? kSafetyStop : kFailed;
 }
 
+/// The run's result stands whatever became of its film.
+void tell_film(bool done, const std::string& file) {
+  std::fprintf(stderr, done ? "video: %s\n" : "surefoot: warning: %s was not filmed\n",
+               file.c_str());
+}
+
 int run_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
-  const std::string log = log_path(arguments).string();
+  const LogPlace place(arguments);
+  const std::string log = place.path().string();
   if (!arguments.report.empty()) check_setup(scenario);
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
-  remove_outdated_of(arguments, {.request = {}, .log = log, .report = arguments.report});
+  remove_outdated_of(arguments,
+                     {.request = {}, .log = log, .report = arguments.report, .video = {}});
   RunResult result;
   {
     Progress progress(scenario.name, scenario.duration, "s");
@@ -110,10 +138,11 @@ int run_one(const RunArguments& arguments) {
                                         .progress = [&](double time) { progress.update(time); },
                                         .interrupted = interrupted});
   }
-  if (result.ending == Ending::interrupted) report_interrupt(log);
+  if (result.ending == Ending::interrupted) report_interrupt(place.is_kept() ? log : "");
   if (!arguments.report.empty()) {
-    std::fprintf(stderr, "report: %s\n", write_report(log, arguments.report).c_str());
+    std::fprintf(stderr, "report: %s\n", write_illustrated_report(log, arguments.report).c_str());
   }
+  if (!arguments.video.empty()) tell_film(film(log, arguments.video), arguments.video);
   const Json json = run_json(scenario, result);
   print(arguments, json, run_table(scenario, json));
   return exit_code(scenario, {json});
@@ -128,14 +157,14 @@ int check_one(const RunArguments& arguments) {
   return kPassed;
 }
 
-std::vector<PlannedRun> plan_runs(const RunArguments& arguments) {
+std::vector<PlannedRun> plan_runs(const RunArguments& arguments, const std::filesystem::path& log) {
   std::vector<PlannedRun> runs;
   for (int i = 0; i < arguments.seeds; ++i) {
     PlannedRun run;
     const std::uint64_t seed = arguments.seed.value_or(1) + static_cast<std::uint64_t>(i);
     run.request = {
         .name_or_path = arguments.scenario, .seed = seed, .assignments = arguments.assignments};
-    const std::filesystem::path log = log_path(arguments);
+    if (!arguments.video.empty()) run.video = with_seed(arguments.video, seed);
     if (!log.empty()) run.log = with_seed(log, seed);
     if (!arguments.report.empty()) {
       run.report = std::filesystem::path(arguments.report) / ("seed" + std::to_string(seed));
@@ -152,7 +181,8 @@ std::string outcome(const Json& row) {
 }
 
 int run_seeds(const RunArguments& arguments) {
-  const std::vector<PlannedRun> runs = plan_runs(arguments);
+  const LogPlace place(arguments);
+  const std::vector<PlannedRun> runs = plan_runs(arguments, place.path());
   const Scenario scenario = load_scenario(runs.front().request);
   check_setup(scenario);
   const ReportFolder folder(arguments.report);
@@ -168,7 +198,7 @@ int run_seeds(const RunArguments& arguments) {
     });
   }
   const auto not_whole = std::erase_if(rows, [](const Json& row) { return !is_whole(row); });
-  if (rows.empty()) report_interrupt(runs, 0);
+  if (rows.empty()) report_interrupt(runs, 0, place.is_kept());
   if (all_the_same(rows)) {
     std::fputs(
         "surefoot: warning: all runs are the same: the scenario draws nothing at random, so "
@@ -178,7 +208,7 @@ int run_seeds(const RunArguments& arguments) {
   Json json = seeds_json(scenario, rows);
   if (not_whole > 0) json["interrupted"] = true;
   print(arguments, json, seeds_table(scenario, json));
-  if (not_whole > 0) report_interrupt(runs, rows.size());
+  if (not_whole > 0) report_interrupt(runs, rows.size(), place.is_kept());
   return exit_code(scenario, rows);
 }
 

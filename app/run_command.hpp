@@ -16,6 +16,7 @@ struct RunArguments {
   std::vector<std::string> assignments;
   std::string record;
   std::string report;
+  std::string video;
   bool json = false;
   bool check = false;  ///< read the scenario and run nothing
 };

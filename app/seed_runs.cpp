@@ -2,9 +2,9 @@
 
 #include "app/closed_loop.hpp"
 #include "app/interrupt.hpp"
+#include "app/pictures.hpp"
 #include "app/process_pool.hpp"
 #include "app/results_json.hpp"
-#include "surefoot/view/report.hpp"
 
 namespace surefoot {
 namespace {
@@ -20,7 +20,10 @@ std::string run_here(const PlannedRun& run) {
   options.interrupted = interrupted;
   const RunResult result = run_closed_loop(scenario, options);
   if (!run.report.empty() && result.ending != Ending::interrupted) {
-    write_report(run.log.string(), run.report.string());
+    write_illustrated_report(run.log.string(), run.report.string());
+  }
+  if (!run.video.empty() && result.ending != Ending::interrupted) {
+    (void)film(run.log.string(), run.video.string());  // says itself what went wrong
   }
   Json json = run_json(scenario, result);
   if (result.ending == Ending::interrupted) json[kInterrupted] = true;

@@ -127,4 +127,9 @@ build_program() {
   mv "$build/started.stamp" "$stamp"
 }
 
+# Tells the program how to make pictures of logs, and Python where our packages lie.
+name_python() {
+  export SUREFOOT_PYTHON=$venv/bin/python SUREFOOT_MESH_CACHE=$build/meshes PYTHONPATH=$root/python
+}
+
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then locked set_up; fi

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -166,11 +167,15 @@ LogReader::LogReader(const std::string& path, Other other)
   }
 }
 
+void LogReader::skip_until(double time) {
+  skipped_until_ = time > 0.0 ? static_cast<std::uint64_t>(std::llround(1e9 * time)) : 0;
+}
+
 bool LogReader::next(TickRecord& tick) {
   McapMessage message;
   try {
     while (file_.next(message)) {
-      if (take(message, tick)) return true;
+      if (message.log_time >= skipped_until_ && take(message, tick)) return true;
     }
   } catch (const JsonError& error) {
     throw FileError(path_ + ": a message on " + message.channel->topic +

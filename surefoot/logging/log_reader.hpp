@@ -28,6 +28,9 @@ class LogReader {
   /// What the recorder was given, without `row_name`.
   [[nodiscard]] const LogHeader& header() const { return header_; }
 
+  /// Passes over what was logged before a time [s], without decoding it; before the first `next`.
+  void skip_until(double time);
+
   /// The next tick; false after the last whole one. Throws FileError if a message is not what its
   /// schema says.
   [[nodiscard]] bool next(TickRecord& tick);
@@ -49,6 +52,7 @@ class LogReader {
   McapReader file_;
   Other other_;
   LogHeader header_;
+  std::uint64_t skipped_until_ = 0;  // [ns]
   std::vector<TickTiming> timings_;
   std::map<RowKey, std::string> row_names_;
 };

@@ -7,6 +7,7 @@
 #include "surefoot/view/report_head.hpp"
 #include "surefoot/view/report_numbers.hpp"
 #include "surefoot/view/report_page.hpp"
+#include "surefoot/view/report_pictures.hpp"
 #include "surefoot/view/run_data.hpp"
 
 namespace surefoot {
@@ -60,10 +61,11 @@ std::string hierarchy(const RunData& run, Figures& figure) {
   return out + figure(report::timing_figure(run), report::timing_caption(run));
 }
 
-std::string body(const RunData& run) {
+std::string body(const RunData& run, const ReportPictures& pictures) {
   const report::Outcome outcome = report::read_outcome(run.summary, run.header.options);
   Figures figure;
   std::string out = report::title(run.header) + report::verdict(run, outcome);
+  out += report::pictures(pictures);
   out += "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run.header);
   out += motion(run, figure);
   out += forces(run, figure);
@@ -73,10 +75,11 @@ std::string body(const RunData& run) {
 
 }  // namespace
 
-std::string write_report(const std::string& log_path, const std::string& output_dir) {
+std::string write_report(const std::string& log_path, const std::string& output_dir,
+                         const ReportPictures& pictures) {
   const RunData run = read_run(log_path);
   const std::string path = output_dir + "/index.html";
-  report::write_page(path, report::page(run.header.scenario + " – surefoot", body(run)));
+  report::write_page(path, report::page(run.header.scenario + " – surefoot", body(run, pictures)));
   return path;
 }
 

@@ -45,6 +45,7 @@ pre { background: var(--card); padding: .6rem .9rem; overflow-x: auto; font-size
 td.nowrap { white-space: nowrap; }
 .scroll { overflow-x: auto; }
 figure { margin: 1.75rem 0 2.5rem; }
+.pictures img, .pictures video { display: block; width: 100%; height: auto; border-radius: .4rem; background: var(--card); }
 figcaption { font-size: .9rem; color: var(--soft); margin-top: .4rem; max-width: 50rem; }
 figcaption b { color: var(--ink); }
 details { margin: 1rem 0; } summary { cursor: pointer; color: var(--soft); }

@@ -3,6 +3,10 @@
 import io
 import json
 import math
+import pathlib
+import re
+import subprocess
+import sys
 
 import pytest
 from conftest import record
@@ -14,6 +18,7 @@ from mcap.stream_reader import StreamReader
 
 TOPICS = {"/readings", "/user", "/state", "/plan", "/model", "/hierarchy", "/command", "/health", "/truth", "/timings"}
 TICKS = 800
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def stream_messages(data):
@@ -135,3 +140,19 @@ def test_the_same_seed_gives_the_same_bytes_apart_from_the_timings(log, tmp_path
 def test_another_seed_gives_other_readings(log, tmp_path):
     other = record(tmp_path / "other.mcap", "--seed", "12345")
     assert messages(log, "/readings") != messages(other, "/readings")
+
+
+def test_the_list_of_fields_is_that_of_the_program(log):
+    """To write it anew: .venv/bin/python tools/log_fields.py RUN.mcap > docs/log_fields.md"""
+    made = subprocess.run([sys.executable, ROOT / "tools/log_fields.py", log], capture_output=True, text=True, check=True)
+    assert made.stdout == (ROOT / "docs/log_fields.md").read_text()
+
+
+def test_the_document_names_every_topic_and_every_attachment_once_in_its_table(log):
+    text = (ROOT / "docs/log.md").read_text()
+    for topic in TOPICS:
+        assert len(re.findall(rf"^\| `{topic}` \|", text, re.MULTILINE)) == 1, topic
+    with open(log, "rb") as file:
+        for item in make_reader(file).iter_attachments():
+            name = re.sub(r"\d+", "1", item.name)
+            assert re.search(rf"^\| [^|]*`{name}`[^|]*\|", text, re.MULTILINE), item.name

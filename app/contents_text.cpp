@@ -1,0 +1,146 @@
+#include "app/contents_text.hpp"
+
+#include "app/results_table.hpp"
+#include "surefoot/view/outcome.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Table = std::vector<std::vector<std::string>>;
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 96> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+std::string size(std::uint64_t bytes) {
+  const auto count = static_cast<double>(bytes);
+  if (bytes < 1000) return text("%.0f B", count);
+  return bytes < 1'000'000 ? text("%.1f kB", 1e-3 * count) : text("%.1f MB", 1e-6 * count);
+}
+
+std::string result(const LogContents& contents) {
+  const report::Outcome outcome = report::read_outcome(contents.summary, contents.header.options);
+  if (!outcome.known) return "not known: the log has no summary";
+  if (outcome.interrupted) return "interrupted; not judged";
+  const auto held = std::ranges::count_if(
+      outcome.criteria, [](const report::Requirement& one) { return one.passed.value_or(false); });
+  return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") + outcome.reason +
+         "; " + std::to_string(held) + " of " + std::to_string(outcome.criteria.size()) +
+         " criteria hold";
+}
+
+std::string duration(const LogContents& contents) {
+  if (contents.ticks == 0) return "no tick";
+  const double period = contents.header.control_period;
+  return text("%.4g s: ", contents.last_time - contents.first_time + period) +
+         std::to_string(contents.ticks) +
+         text(" ticks of %.4g ms, at %.4f to %.4f s", 1e3 * period, contents.first_time,
+              contents.last_time);
+}
+
+std::string drawn(const LogHeader& header) {
+  std::string out;
+  for (const LogDraw& draw : header.drawn)
+    out += (out.empty() ? "" : ", ") + draw.path + text(" %.4g", draw.value);
+  return out;
+}
+
+std::string facts(const LogContents& contents) {
+  const LogHeader& header = contents.header;
+  Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
+                              (header.description.empty() ? "" : ": " + header.description)},
+             {"robot",
+              header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
+             {"result", result(contents)},
+             {"duration", duration(contents)},
+             {"recorded by", "surefoot " + header.version +
+                                 (header.commit.empty() ? "" : ", commit " + header.commit) +
+                                 "; log version " + contents.log_version},
+             {"again by", header.command},
+             {"drawn", drawn(header)}};
+  for (const std::string& note : header.notes) rows.push_back({"note", note});
+  std::string out;
+  for (const std::vector<std::string>& row : rows)
+    if (!row[1].empty()) out += row[0] + std::string(13 - row[0].size(), ' ') + row[1] + "\n";
+  return out;
+}
+
+std::string topics(const LogContents& contents) {
+  Table table{{"topic", "messages", "bytes", "bytes a message", "from", "to"}};
+  for (const TopicContents& topic : contents.topics) {
+    const auto each = static_cast<double>(topic.bytes) / static_cast<double>(topic.messages);
+    table.push_back({topic.topic, std::to_string(topic.messages), size(topic.bytes),
+                     text("%.0f", each), text("%.4f s", topic.first_time),
+                     text("%.4f s", topic.last_time)});
+  }
+  return aligned(table);
+}
+
+std::string attachments(const LogContents& contents) {
+  Table table{{"attachment", "bytes"}};
+  for (const AttachmentContents& one : contents.attachments)
+    table.push_back({one.name, size(one.bytes)});
+  return aligned(table);
+}
+
+Json result_json(const LogContents& contents) {
+  const Json summary = Json::parse(contents.summary, nullptr, false);
+  return summary.is_object() && !summary.empty() ? summary : Json(nullptr);
+}
+
+}  // namespace
+
+std::string contents_text(const std::string& path, const LogContents& contents) {
+  std::string out = path + ": " + size(contents.file_bytes) +
+                    (contents.problem.empty() ? ", whole\n" : ", not whole\n");
+  if (!contents.problem.empty()) out += "  " + contents.problem + "\n";
+  out += "\n" + facts(contents) + "\n";
+  if (!contents.topics.empty()) out += topics(contents) + "\n";
+  return out + attachments(contents);
+}
+
+Json contents_json(const std::string& path, const LogContents& contents) {
+  const LogHeader& header = contents.header;
+  Json json = {{"log", path},
+               {"bytes", contents.file_bytes},
+               {"whole", contents.problem.empty()},
+               {"scenario", header.scenario},
+               {"description", header.description},
+               {"seed", header.seed},
+               {"robot", header.robot.name},
+               {"stack", header.stack},
+               {"estimation", header.estimation},
+               {"version", header.version},
+               {"commit", header.commit},
+               {"log_version", contents.log_version},
+               {"command", header.command},
+               {"control_period", header.control_period},
+               {"ticks", contents.ticks},
+               {"first_time", contents.first_time},
+               {"last_time", contents.last_time}};
+  json["drawn"] = Json::object();
+  for (const LogDraw& draw : header.drawn) json["drawn"][draw.path] = draw.value;
+  json["topics"] = Json::object();
+  for (const TopicContents& topic : contents.topics)
+    json["topics"][topic.topic] = {{"schema", topic.schema},
+                                   {"messages", topic.messages},
+                                   {"bytes", topic.bytes},
+                                   {"first_time", topic.first_time},
+                                   {"last_time", topic.last_time}};
+  json["attachments"] = Json::object();
+  for (const AttachmentContents& one : contents.attachments)
+    json["attachments"][one.name] = one.bytes;
+  json["summary"] = result_json(contents);
+  if (!contents.problem.empty()) json["problem"] = contents.problem;
+  return json;
+}
+
+}  // namespace surefoot

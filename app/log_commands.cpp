@@ -1,0 +1,34 @@
+#include "app/log_commands.hpp"
+
+#include "app/contents_text.hpp"
+#include "app/exit_code.hpp"
+#include "app/tick_text.hpp"
+#include "surefoot/base/error.hpp"
+
+#include <cmath>
+#include <ostream>
+
+namespace surefoot {
+
+int run_explain(const ExplainArguments& arguments, std::ostream& out) {
+  if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
+  const TickExplanation explanation = read_tick(arguments.log, arguments.at);
+  if (arguments.json) {
+    out << tick_json(arguments.log, explanation).dump() << std::endl;
+  } else {
+    out << tick_text(arguments.log, explanation) << std::flush;
+  }
+  return kPassed;
+}
+
+int run_info(const InfoArguments& arguments, std::ostream& out) {
+  const LogContents contents = read_contents(arguments.log);
+  if (arguments.json) {
+    out << contents_json(arguments.log, contents).dump() << std::endl;
+  } else {
+    out << contents_text(arguments.log, contents) << std::flush;
+  }
+  return kPassed;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+namespace surefoot {
+
+/// `surefoot explain`, as typed.
+struct ExplainArguments {
+  std::string log;
+  double at = 0.0;  ///< [s]
+  bool json = false;
+};
+
+/// `surefoot explain RUN.mcap --at T`: what the controller knew, wanted and did at that tick, and
+/// in a sentence what gave way to what. Returns an ExitCode; throws Error on wrong input.
+int run_explain(const ExplainArguments& arguments, std::ostream& out);
+
+/// `surefoot info`, as typed.
+struct InfoArguments {
+  std::string log;
+  bool json = false;
+};
+
+/// `surefoot info RUN.mcap`: what is in a log, of which run, and whether it is whole. Returns an
+/// ExitCode; throws Error on wrong input.
+int run_info(const InfoArguments& arguments, std::ostream& out);
+
+}  // namespace surefoot

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// What a log holds on one topic.
+struct TopicContents {
+  std::string topic, schema;
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;                   ///< of the messages, before compression
+  double first_time = 0.0, last_time = 0.0;  ///< [s]
+};
+
+struct AttachmentContents {
+  std::string name;
+  std::uint64_t bytes = 0;
+};
+
+/// What is in a log.
+struct LogContents {
+  LogHeader header;         ///< without its attachments
+  std::string log_version;  ///< of the file; the program's own is kLogVersion
+  std::uint64_t file_bytes = 0;
+  double first_time = 0.0, last_time = 0.0;  ///< of the ticks [s]; both 0 without any
+  std::uint64_t ticks = 0;
+  std::vector<TopicContents> topics;  ///< in the order of their first messages
+  std::vector<AttachmentContents> attachments;
+  std::string summary;  ///< JSON; empty without one
+  std::string problem;  ///< why it could not be read to its end; empty if it is whole
+};
+
+/// Reads a log through. Throws FileError as LogReader does.
+[[nodiscard]] LogContents read_contents(const std::string& path);
+
+}  // namespace surefoot

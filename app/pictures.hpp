@@ -1,0 +1,26 @@
+#pragma once
+
+#include "surefoot/view/report.hpp"
+
+#include <string>
+
+namespace surefoot {
+
+/// The Python that the launcher names in $SUREFOOT_PYTHON, which makes pictures of logs; empty
+/// where the program was started without it.
+[[nodiscard]] std::string pictures_python();
+
+/// Throws Error if no film can be made, for the reason that it says.
+void check_can_film();
+
+/// Makes the pictures of a log for its report. What can't be made is said in `why_none`: a report
+/// is written all the same.
+[[nodiscard]] ReportPictures make_pictures(const std::string& log);
+
+/// Films a log. False if that failed, which is then told on standard error.
+[[nodiscard]] bool film(const std::string& log, const std::string& file);
+
+/// Writes the report of a log with its pictures. Returns the page's path; throws as `write_report`.
+std::string write_illustrated_report(const std::string& log, const std::string& folder);
+
+}  // namespace surefoot

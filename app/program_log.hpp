@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace surefoot {
+
+/// A command: fills its arguments while parsing, then runs.
+using Command = std::function<int()>;
+
+/// `replay`, `explain` and `info`.
+void add_log_commands(CLI::App& app, Command& chosen);
+
+/// A Python program, which the launcher starts; here it has a name and a line of help only.
+void add_python_command(CLI::App& app, Command& chosen, const std::string& name,
+                        const std::string& help);
+
+}  // namespace surefoot

@@ -1,0 +1,130 @@
+#include "app/replay_command.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/output_files.hpp"
+#include "app/replay_text.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/recorder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <ostream>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check(const ReplayArguments& arguments) {
+  if (arguments.verify && !arguments.stack.empty())
+    throw Error("--verify and --stack are two questions; ask one at a time");
+  if (!arguments.csv.empty() && arguments.stack.empty())
+    throw Error("--csv writes the ticks of --stack, which is not given");
+  if (!arguments.verify && arguments.stack.empty())
+    throw Error(
+        "replay needs to be told what to do: --verify runs the controller again and compares every "
+        "torque, --stack OTHER asks another hierarchy");
+}
+
+/// Torques and residuals of both at each tick, as the log's channels are called; those of the other
+/// hierarchy behind "other.".
+class TickTable {
+ public:
+  explicit TickTable(const std::string& path) : path_(path), file_(partial_path(path)) {
+    file_.precision(std::numeric_limits<double>::max_digits10);
+  }
+  ~TickTable() {
+    std::error_code ignored;
+    fs::remove(partial_path(path_), ignored);
+  }
+  TickTable(const TickTable&) = delete;
+  TickTable& operator=(const TickTable&) = delete;
+
+  void add(const LogHeader& header, const TickRecord& logged, const TickRecord& other,
+           const std::vector<std::string>& other_levels) {
+    if (!has_head_) write_head(header, other_levels);
+    has_head_ = true;
+    file_ << logged.reading.time;
+    for (const TickRecord* tick : {&logged, &other})
+      for (const double torque : tick->command.torque) file_ << ',' << torque;
+    residuals(logged, header.level_names.size());
+    residuals(other, other_levels.size());
+    file_ << '\n';
+  }
+
+  void close() {
+    if (!file_.flush()) throw FileError(path_ + ": can't be written; check the space there");
+    file_.close();
+    fs::rename(partial_path(path_), path_);
+  }
+
+ private:
+  void write_head(const LogHeader& header, const std::vector<std::string>& other_levels) {
+    file_ << "time";
+    for (const char* side : {"", "other."})
+      for (const std::string& joint : header.robot.joint_names)
+        file_ << ',' << side << "command.torque." << joint;
+    for (const std::string& level : header.level_names)
+      file_ << ",hierarchy.level." << level << ".residual";
+    for (const std::string& level : other_levels)
+      file_ << ",other.hierarchy.level." << level << ".residual";
+    file_ << '\n';
+  }
+
+  void residuals(const TickRecord& tick, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool known = static_cast<std::int32_t>(k) < tick.hierarchy.num_levels;
+      file_ << ',';
+      if (known) file_ << tick.hierarchy.levels[k].residual;
+    }
+  }
+
+  std::string path_;
+  std::ofstream file_;
+  bool has_head_ = false;
+};
+
+int verify(const ReplayArguments& arguments, std::ostream& out) {
+  const Verification result = verify_log(arguments.log);
+  if (arguments.json) {
+    out << verification_json(arguments.log, result).dump() << std::endl;
+  } else {
+    out << verification_text(arguments.log, result) << std::flush;
+  }
+  return result.is_same() ? kPassed : kFailed;
+}
+
+StackComparison compare(const ReplayArguments& arguments) {
+  if (arguments.csv.empty()) return compare_stack(arguments.log, arguments.stack);
+  check_writable_file(arguments.csv);
+  const LogHeader header = LogReader(arguments.log).header();
+  TickTable table(arguments.csv);
+  const StackComparison result =
+      compare_stack(arguments.log, arguments.stack,
+                    [&](const TickRecord& logged, const TickRecord& other,
+                        const std::vector<std::string>& other_levels) {
+                      table.add(header, logged, other, other_levels);
+                    });
+  table.close();
+  return result;
+}
+
+}  // namespace
+
+int run_replay(const ReplayArguments& arguments, std::ostream& out) {
+  check(arguments);
+  watch_for_interrupt();
+  if (arguments.verify) return verify(arguments, out);
+  const StackComparison result = compare(arguments);
+  if (arguments.json) {
+    out << comparison_json(arguments.log, result).dump() << std::endl;
+  } else {
+    out << comparison_text(arguments.log, result) << std::flush;
+  }
+  return kPassed;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,194 @@
+#include "app/replay_text.hpp"
+
+#include "app/results_table.hpp"
+#include "surefoot/base/build_info.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text(const char* format, double value) {
+  std::array<char, 48> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+std::string seconds(double time) { return text("%.4f s", time); }
+
+std::string built_from(const LogHeader& header) {
+  return "surefoot " + header.version +
+         (header.commit.empty() ? ", commit not known" : ", commit " + header.commit);
+}
+
+std::string headline(const std::string& path, const LogHeader& header) {
+  return path + ": " + header.scenario + ", seed " + std::to_string(header.seed) + ", stack " +
+         header.stack + " (" + built_from(header) + ")\n";
+}
+
+std::string span(long ticks, double first, double last) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick, " : " ticks, ") + seconds(first) + " to " +
+         seconds(last);
+}
+
+std::string not_whole(const std::string& problem) {
+  return problem.empty() ? "" : "The log is not whole: " + problem + ".\n";
+}
+
+std::string place(const LogHeader& header, const TorqueDifference& difference) {
+  return "tick " + std::to_string(difference.tick) + ", " + seconds(difference.time) + ", " +
+         header.robot.joint_names[static_cast<std::size_t>(difference.joint)] + ": " +
+         text("%.17g", difference.logged) + " N·m in the log, " +
+         text("%.17g", difference.computed) + " N·m now (" +
+         text("%.3g", difference.computed - difference.logged) + ")\n";
+}
+
+/// The first stage that came out otherwise says where to look.
+std::string first_cause(const Verification& result) {
+  std::string out;
+  for (const MessageDifferences& topic : result.messages) {
+    if (topic.ticks == 0) continue;
+    out += "  " + std::string(topic.topic) + " is another one at " + std::to_string(topic.ticks) +
+           " ticks, first at " + seconds(topic.first) + "\n";
+  }
+  return out;
+}
+
+std::string another_build(const LogHeader& header) {
+  const BuildInfo& build = build_info();
+  if (header.version == build.version && header.commit == build.commit) return "";
+  return "The log was recorded by " + built_from(header) + ", this is surefoot " +
+         std::string(build.version) + ", commit " + std::string(build.commit) +
+         ": another build may compute other bits.\n";
+}
+
+Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
+  return {{"tick", difference.tick},
+          {"time", difference.time},
+          {"joint", header.robot.joint_names[static_cast<std::size_t>(difference.joint)]},
+          {"logged", difference.logged},
+          {"computed", difference.computed}};
+}
+
+Json run_json(const std::string& path, const LogHeader& header) {
+  return {{"log", path},           {"scenario", header.scenario}, {"seed", header.seed},
+          {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
+}
+
+/// Below it a residual is rounding, in every unit.
+std::string residual(double value, const std::string& unit) {
+  if (value < 1e-6) return "0";
+  return text("%.3g", value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string joint_table(const StackComparison& result) {
+  std::vector<std::vector<std::string>> table{{"torque, other − logged", "rms", "largest", "at"}};
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    const JointComparison& joint = result.joints[i];
+    table.push_back({result.header.robot.joint_names[i], text("%.3g N·m", joint.rms),
+                     text("%+.3g N·m", joint.largest), text("%.4f s", joint.time)});
+  }
+  return aligned(table);
+}
+
+std::string level_table(const StackComparison& result) {
+  std::vector<std::vector<std::string>> table{
+      {"residual", "rms, logged", "other", "largest, logged", "other"}};
+  for (const LevelComparison& level : result.levels) {
+    const auto shown = [&](bool is_there, double value) {
+      return is_there ? residual(value, level.unit) : std::string("–");
+    };
+    table.push_back({level.name, shown(level.in_log, level.logged_rms),
+                     shown(level.in_other, level.other_rms), shown(level.in_log, level.logged_max),
+                     shown(level.in_other, level.other_max)});
+  }
+  return aligned(table);
+}
+
+std::string optimality(const StackComparison& result) {
+  std::string out = "Not optimal: " + std::to_string(result.logged_not_optimal) +
+                    " ticks in the log, " + std::to_string(result.other_not_optimal) +
+                    " of the other hierarchy";
+  if (result.other_not_optimal > 0) out += ", first at " + seconds(result.other_first_not_optimal);
+  out += ".\n";
+  if (result.other_stopped)
+    out += "The other controller stopped for safety at " + seconds(result.other_stopped_at) +
+           ": its torques from then on are not those of its hierarchy.\n";
+  if (!result.same_plan) out += "The plan was not always the same.\n";
+  if (result.logged_switches > 0)
+    out += "Levels were switched in the run; the other hierarchy stayed as it was.\n";
+  return out;
+}
+
+}  // namespace
+
+std::string verification_text(const std::string& path, const Verification& result) {
+  std::string out = headline(path, result.header);
+  out += result.estimated ? "Estimator and controller ran again on the logged readings.\n"
+                          : "The controller ran again on the logged readings and states.\n";
+  out += span(result.ticks, result.first_time, result.last_time) + ": ";
+  if (result.is_same())
+    return out + "every torque is the same to the bit.\n" + not_whole(result.problem);
+  out += std::to_string(result.different_ticks) + " have another torque or mode.\n";
+  if (result.first) out += "  first:   " + place(result.header, *result.first);
+  if (result.largest) out += "  largest: " + place(result.header, *result.largest);
+  return out + first_cause(result) + another_build(result.header) + not_whole(result.problem);
+}
+
+Json verification_json(const std::string& path, const Verification& result) {
+  Json json = run_json(path, result.header);
+  json["estimated"] = result.estimated;
+  json["ticks"] = result.ticks;
+  json["first_time"] = result.first_time;
+  json["last_time"] = result.last_time;
+  json["same"] = result.is_same();
+  json["different_ticks"] = result.different_ticks;
+  if (result.first) json["first"] = joint_json(result.header, *result.first);
+  if (result.largest) json["largest"] = joint_json(result.header, *result.largest);
+  json["different_messages"] = Json::object();
+  for (const MessageDifferences& topic : result.messages)
+    if (topic.ticks > 0)
+      json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
+  if (!result.problem.empty()) json["problem"] = result.problem;
+  return json;
+}
+
+std::string comparison_text(const std::string& path, const StackComparison& result) {
+  return headline(path, result.header) + "Asked at each tick on the same states: stack " +
+         result.other + ". None of its torques moved the robot.\n" +
+         span(result.ticks, result.first_time, result.last_time) + "\n\n" + joint_table(result) +
+         "\n" + level_table(result) + "\n" + optimality(result) + not_whole(result.problem);
+}
+
+Json comparison_json(const std::string& path, const StackComparison& result) {
+  Json json = run_json(path, result.header);
+  json["other"] = result.other;
+  json["ticks"] = result.ticks;
+  json["first_time"] = result.first_time;
+  json["last_time"] = result.last_time;
+  for (std::size_t i = 0; i < result.joints.size(); ++i) {
+    const JointComparison& joint = result.joints[i];
+    json["torque_difference"][result.header.robot.joint_names[i]] = {
+        {"rms", joint.rms}, {"largest", joint.largest}, {"time", joint.time}};
+  }
+  json["levels"] = Json::array();
+  for (const LevelComparison& level : result.levels) {
+    Json one = {{"name", level.name}, {"unit", level.unit}};
+    if (level.in_log) one["logged"] = {{"rms", level.logged_rms}, {"largest", level.logged_max}};
+    if (level.in_other) one["other"] = {{"rms", level.other_rms}, {"largest", level.other_max}};
+    json["levels"].push_back(std::move(one));
+  }
+  json["not_optimal"] = {{"logged", result.logged_not_optimal},
+                         {"other", result.other_not_optimal}};
+  if (result.other_stopped) json["other_stopped_at"] = result.other_stopped_at;
+  json["same_plan"] = result.same_plan;
+  json["logged_switches"] = result.logged_switches;
+  if (!result.problem.empty()) json["problem"] = result.problem;
+  return json;
+}
+
+}  // namespace surefoot

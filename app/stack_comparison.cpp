@@ -1,0 +1,148 @@
+#include "app/stack_comparison.hpp"
+
+#include "app/interrupt.hpp"
+#include "app/log_replay.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/logging/message_codec.hpp"
+#include "surefoot/solver/solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace surefoot {
+namespace {
+
+std::optional<double> residual(const TickRecord& tick, const std::vector<std::string>& names,
+                               const std::string& name) {
+  const auto found = std::ranges::find(names, name);
+  const auto level = found - names.begin();
+  if (found == names.end() || level >= tick.hierarchy.num_levels) return std::nullopt;
+  return tick.hierarchy.levels[static_cast<std::size_t>(level)].residual;
+}
+
+bool was_solved(const TickRecord& tick) {
+  return tick.hierarchy.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
+}
+
+bool is_optimal(const TickRecord& tick) {
+  return tick.command.mode == CommandMode::optimal &&
+         tick.hierarchy.status == static_cast<std::int32_t>(SolveStatus::optimal);
+}
+
+std::string plan_text(const MotionPlan& plan) {
+  std::string text;
+  logged::encode(plan, text);
+  return text;
+}
+
+/// Sums up, tick by tick.
+class Comparison {
+ public:
+  Comparison(const LogReplay& replay, StackComparison& result)
+      : names_(replay.header().level_names),
+        other_names_(replay.controller().level_names()),
+        result_(result) {
+    const auto& units = replay.header().level_units;
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      add_level(names_[k], k < units.size() ? units[k] : "");
+    const std::vector<std::string> other_units = replay.controller().level_units();
+    for (std::size_t k = 0; k < other_names_.size(); ++k)
+      if (std::ranges::find(names_, other_names_[k]) == names_.end())
+        add_level(other_names_[k], other_units[k]);
+  }
+
+  void add(const TickRecord& logged, const TickRecord& other) {
+    if (result_.ticks++ == 0) result_.first_time = logged.reading.time;
+    result_.last_time = logged.reading.time;
+    add_torques(logged, other);
+    if (was_solved(logged) && was_solved(other)) add_residuals(logged, other);
+    add_modes(logged, other);
+    result_.same_plan = result_.same_plan && plan_text(logged.plan) == plan_text(other.plan);
+    if (logged.hierarchy.level_switch.begins) ++result_.logged_switches;
+  }
+
+  void finish() {
+    const auto ticks = static_cast<double>(std::max(1L, result_.ticks));
+    const auto solved = static_cast<double>(std::max(1L, solved_));
+    for (JointComparison& joint : result_.joints) joint.rms = std::sqrt(joint.rms / ticks);
+    for (LevelComparison& level : result_.levels) {
+      level.logged_rms = std::sqrt(level.logged_rms / solved);
+      level.other_rms = std::sqrt(level.other_rms / solved);
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::string>& other_names() const { return other_names_; }
+
+ private:
+  void add_level(const std::string& name, const std::string& unit) {
+    const auto is_in = [&](const std::vector<std::string>& names) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    result_.levels.push_back(
+        {.name = name, .unit = unit, .in_log = is_in(names_), .in_other = is_in(other_names_)});
+  }
+
+  void add_torques(const TickRecord& logged, const TickRecord& other) {
+    for (std::size_t i = 0; i < result_.joints.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      const double difference = other.command.torque[at] - logged.command.torque[at];
+      JointComparison& joint = result_.joints[i];
+      joint.rms += difference * difference;
+      if (std::abs(difference) <= std::abs(joint.largest)) continue;
+      joint.largest = difference;
+      joint.time = logged.reading.time;
+    }
+  }
+
+  void add_residuals(const TickRecord& logged, const TickRecord& other) {
+    ++solved_;
+    for (LevelComparison& level : result_.levels) {
+      const double before = residual(logged, names_, level.name).value_or(0.0);
+      const double now = residual(other, other_names_, level.name).value_or(0.0);
+      level.logged_rms += before * before;
+      level.other_rms += now * now;
+      level.logged_max = std::max(level.logged_max, before);
+      level.other_max = std::max(level.other_max, now);
+    }
+  }
+
+  void add_modes(const TickRecord& logged, const TickRecord& other) {
+    if (!is_optimal(logged)) ++result_.logged_not_optimal;
+    if (!is_optimal(other) && result_.other_not_optimal++ == 0)
+      result_.other_first_not_optimal = logged.reading.time;
+    if (result_.other_stopped || other.command.cause == StopCause::none) return;
+    result_.other_stopped = true;
+    result_.other_stopped_at = logged.reading.time;
+  }
+
+  const std::vector<std::string> names_, other_names_;
+  StackComparison& result_;
+  long solved_ = 0;
+};
+
+}  // namespace
+
+StackComparison compare_stack(const std::string& path, const std::string& stack,
+                              const StackObserver& observer) {
+  LogReplay replay(path, {.state = ReplayedState::logged, .stack = stack});
+  StackComparison result;
+  result.header = replay.header();
+  result.header.attachments.clear();
+  result.other = stack;
+  Comparison comparison(replay, result);
+  while (replay.step()) {
+    if (interrupted()) throw Error("interrupted: nothing is said of the other stack");
+    const TickRecord& other = replay.controller().record();
+    comparison.add(replay.logged(), other);
+    if (observer) observer(replay.logged(), other, comparison.other_names());
+  }
+  comparison.finish();
+  result.problem = replay.problem();
+  if (result.ticks == 0)
+    throw FileError(path + ": the log holds no tick, so there is nothing to ask" +
+                    (result.problem.empty() ? "" : "; " + result.problem));
+  return result;
+}
+
+}  // namespace surefoot

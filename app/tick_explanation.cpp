@@ -1,0 +1,212 @@
+#include "app/tick_explanation.hpp"
+
+#include "app/stop_text.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/solver/solution.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+constexpr double kRounding = 1e-6;  // in every unit
+constexpr double kLoaded = 1.0;     // [N]
+
+std::string number(double value, const char* format = "%.2g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string legs_that_changed(const MotionPlan& before, const MotionPlan& now) {
+  std::string legs;
+  for (const Leg leg : kLegs) {
+    if (before.feet[index(leg)].phase == now.feet[index(leg)].phase) continue;
+    legs += (legs.empty() ? "" : " ") + std::string(kLegNames[index(leg)]);
+  }
+  return legs;
+}
+
+/// Reads a log up to a little behind a time.
+class Search {
+ public:
+  Search(const std::string& path, double time)
+      : path_(path), time_(time), log_(path, [this](const McapMessage& message) {
+          if (message.channel->topic == "/truth") take_truth(message);
+        }) {}
+
+  TickExplanation run() {
+    log_.skip_until(time_ - kEventWindow);
+    MotionPlan before;
+    bool has_before = false;
+    while (log_.next(tick_) && tick_.reading.time <= time_ + kEventWindow) {
+      if (has_before) add_event(before);
+      before = tick_.plan;
+      has_before = true;
+      if (is_nearest()) found_.tick = tick_;
+      if (is_nearest()) nearest_ = tick_.reading.time;
+    }
+    found_.header = log_.header();
+    found_.header.attachments.clear();
+    if (!(std::abs(nearest_ - time_) <= 0.5001 * found_.header.control_period)) refuse();
+    found_.row_names = log_.row_names();
+    found_.problem = log_.problem();
+    if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool is_nearest() const {
+    return std::isnan(nearest_) ||
+           std::abs(tick_.reading.time - time_) <= std::abs(nearest_ - time_);
+  }
+
+  void add_event(const MotionPlan& before) {
+    const auto event = static_cast<std::size_t>(tick_.plan.event);
+    const auto& names = log_.header().event_names;
+    if (event == 0) return;
+    found_.events.push_back({tick_.reading.time,
+                             event < names.size() ? names[event] : "event " + std::to_string(event),
+                             legs_that_changed(before, tick_.plan)});
+  }
+
+  /// The truth of a tick comes behind the tick's own messages, and before the next one's.
+  void take_truth(const McapMessage& message) {
+    if (std::abs(1e-9 * static_cast<double>(message.log_time) - nearest_) > 1e-9) return;
+    logged::Decoder::decode(message.data, found_.truth.emplace());
+  }
+
+  [[noreturn]] void refuse() const {
+    LogReader whole(path_);
+    TickRecord tick;
+    double first = kNaN, last = kNaN;
+    while (whole.next(tick)) {
+      if (std::isnan(first)) first = tick.reading.time;
+      last = tick.reading.time;
+    }
+    const std::string problem = whole.problem().empty() ? "" : "; " + whole.problem();
+    if (std::isnan(first)) throw Error(path_ + ": the log holds no tick" + problem);
+    throw Error("--at is " + number(time_, "%.6g") + " s; the log goes from " +
+                number(first, "%.6g") + " s to " + number(last, "%.6g") + " s" + problem);
+  }
+
+  std::string path_;
+  double time_, nearest_ = kNaN;
+  LogReader log_;
+  TickRecord tick_;
+  TickExplanation found_;
+};
+
+std::string level_name(const TickExplanation& explanation, std::int16_t level) {
+  const auto& names = explanation.header.level_names;
+  const auto k = static_cast<std::size_t>(level);
+  return k < names.size() ? names[k] : "level " + std::to_string(level + 1);
+}
+
+std::string row_name(const TickExplanation& explanation, const BlockingRow& row) {
+  const auto found = explanation.row_names.find({row.by_level, row.id});
+  return found == explanation.row_names.end() ? "row " + std::to_string(row.id) : found->second;
+}
+
+std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
+  std::vector<CostlyRow> rows;
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  for (std::int32_t i = 0; i < report.num_blocking; ++i) {
+    const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
+    if (row.level != level) continue;
+    rows.push_back({level_name(explanation, row.by_level), row_name(explanation, row), row.cost});
+  }
+  return rows;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+std::string named(const CostlyRow& row) { return row.level + " " + row.row; }
+
+std::string clause(const LevelThatGaveWay& level, bool is_known) {
+  const std::string unit = level.unit.empty() ? "" : " " + level.unit;
+  std::string text = level.name + " gave way by " + number(level.residual) + unit;
+  if (level.to.empty())
+    return text + (is_known ? " to nothing above: its own rows can't all be had"
+                            : "; to what is not known");
+  std::vector<std::string> rows;
+  for (const CostlyRow& row : level.to)
+    if (row.cost > kRounding) rows.push_back(named(row) + " (" + number(row.cost) + ")");
+  if (rows.empty())
+    return text + " to " + named(level.to.front()) +
+           " and others, none of which costs anything alone";
+  return text + " to " + joined(rows);
+}
+
+std::string nothing_gave_way(const std::vector<LevelThatGaveWay>& restless) {
+  if (restless.empty()) return "Every level got what it asked for.";
+  std::vector<std::string> names;
+  names.reserve(restless.size());
+  for (const LevelThatGaveWay& level : restless) names.push_back(level.name);
+  return "Every level got what it asked for but " + joined(names) + ", which never " +
+         (names.size() == 1 ? "does." : "do.");
+}
+
+std::string without_solution(const TickRecord& tick) {
+  const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
+  const std::string why = text_of_stop(tick);
+  return "No hierarchy was solved at this tick: the command is that of the mode " + mode +
+         (why.empty() ? "" : ", because " + why) + ".";
+}
+
+}  // namespace
+
+TickExplanation read_tick(const std::string& path, double time) { return Search(path, time).run(); }
+
+std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
+  std::vector<LevelThatGaveWay> levels;
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  for (std::int16_t k = 0; k < report.num_levels; ++k) {
+    const auto level = static_cast<std::size_t>(k);
+    const double residual = report.levels[level].residual;
+    if (!(residual > kRounding)) continue;
+    const auto& units = explanation.header.level_units;
+    const std::string name = level_name(explanation, k);
+    levels.push_back({.name = name,
+                      .unit = level < units.size() ? units[level] : "",
+                      .residual = residual,
+                      .restless = name.ends_with("_minimisation"),
+                      .to = rows_of(explanation, k)});
+  }
+  return levels;
+}
+
+std::string gave_way_sentence(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  if (tick.hierarchy.status == static_cast<std::int32_t>(SolveStatus::invalid_input))
+    return without_solution(tick);
+  std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
+  std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
+  std::erase_if(levels, &LevelThatGaveWay::restless);
+  if (levels.empty()) return nothing_gave_way(restless);
+  std::string text;
+  for (const LevelThatGaveWay& level : levels)
+    text += (text.empty() ? "" : "; ") + clause(level, tick.hierarchy.blocking_is_known);
+  return text + ".";
+}
+
+double friction_use(const Vec3& force, const Vec3& normal, double friction) {
+  const double along_normal = normal.dot(force);
+  if (along_normal < kLoaded || friction <= 0.0) return kNaN;
+  return (force - along_normal * normal).norm() / (friction * along_normal);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/signals/tick_record.hpp"
+#include "surefoot/simulation/ground_truth.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace surefoot {
+
+/// Something that the planner did.
+struct NearbyEvent {
+  double time = 0.0;  ///< [s]
+  std::string text;
+  std::string legs;  ///< whose phase changed with it: "RF"; empty: none
+};
+
+/// One tick of a log, with what is needed to say why it came out so.
+struct TickExplanation {
+  LogHeader header;  ///< without its attachments
+  TickRecord tick;
+  std::optional<GroundTruth> truth;                                        ///< of logs that have it
+  std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
+  std::vector<NearbyEvent> events;  ///< around the tick, in order
+  std::string problem;              ///< why the log could not be read further; empty if it could
+};
+
+/// How far around a tick events are told [s].
+inline constexpr double kEventWindow = 1.0;
+
+/// The tick next to a time. Throws FileError as LogReader does, and Error, with the range, where
+/// the log has no tick at that time.
+[[nodiscard]] TickExplanation read_tick(const std::string& path, double time);
+
+/// A row of a higher level, and what it cost a level that gave way by itself.
+struct CostlyRow {
+  std::string level, row;
+  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone
+};
+
+/// A level that did not get what it asked for.
+struct LevelThatGaveWay {
+  std::string name, unit;
+  double residual = 0.0;
+  bool restless = false;      ///< asks for no force or torque at all, and is never content
+  std::vector<CostlyRow> to;  ///< dearest first; empty: nothing above holds it back
+};
+
+/// In the order of the hierarchy. What is rounding is left out.
+[[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
+
+/// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
+/// RH (0.1)."
+[[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
+
+/// Share of its friction cone that a ground force uses; NaN of a foot without load.
+[[nodiscard]] double friction_use(const Vec3& force, const Vec3& normal, double friction);
+
+}  // namespace surefoot

@@ -1,0 +1,133 @@
+#include "app/stop_text.hpp"
+#include "app/tick_text.hpp"
+#include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/logging/message_codec.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Signal>
+Json message(const Signal& signal) {
+  std::string text;
+  logged::encode(signal, text);
+  return Json::parse(text);
+}
+
+/// NaN is null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json gave_way_json(const TickExplanation& explanation) {
+  Json list = Json::array();
+  for (const LevelThatGaveWay& level : gave_way(explanation)) {
+    Json to = Json::array();
+    for (const CostlyRow& row : level.to)
+      to.push_back({{"level", row.level}, {"row", row.row}, {"cost", row.cost}});
+    list.push_back({{"level", level.name},
+                    {"residual", level.residual},
+                    {"unit", level.unit},
+                    {"never_content", level.restless},
+                    {"to", std::move(to)}});
+  }
+  return list;
+}
+
+Json feet_json(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  const Vec3 normal = tick.plan.R_WC.col(2);
+  Json feet = Json::object();
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const FootPlan& foot = tick.plan.feet[k];
+    Json one = {{"phase", logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]},
+                {"normal_force", normal.dot(tick.model.force[k])},
+                {"friction_use", number(friction_use(tick.model.force[k], normal, foot.friction))}};
+    if (explanation.truth) {
+      const TrueContact& contact = explanation.truth->feet[k];
+      one["true_normal_force"] = contact.normal.dot(contact.force);
+      one["true_friction_use"] =
+          number(friction_use(contact.force, contact.normal, contact.friction));
+    }
+    feet[kLegNames[k]] = std::move(one);
+  }
+  return feet;
+}
+
+Json levels_json(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
+    const LevelReport& level = report.levels[k];
+    const auto& names = explanation.header.level_names;
+    const auto& units = explanation.header.level_units;
+    list.push_back({{"name", k < names.size() ? names[k] : ""},
+                    {"unit", k < units.size() ? units[k] : ""},
+                    {"residual", number(level.residual)},
+                    {"rows", level.num_rows},
+                    {"at_bound", level.num_active},
+                    {"freedom_left", level.degrees_of_freedom_left},
+                    {"iterations", level.iterations}});
+  }
+  return list;
+}
+
+Json limits_json(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
+    const ActiveRow& row = report.active[i];
+    const auto& names = explanation.header.level_names;
+    const auto level = static_cast<std::size_t>(row.level);
+    const auto found = explanation.row_names.find({row.level, row.id});
+    list.push_back({{"level", level < names.size() ? names[level] : ""},
+                    {"row", found == explanation.row_names.end() ? "" : found->second},
+                    {"bound", row.state < 0 ? "lower" : "upper"},
+                    {"beyond", std::abs(row.state) > 1}});
+  }
+  return list;
+}
+
+Json events_json(const TickExplanation& explanation) {
+  Json list = Json::array();
+  for (const NearbyEvent& event : explanation.events)
+    list.push_back({{"time", event.time}, {"text", event.text}, {"legs", event.legs}});
+  return list;
+}
+
+}  // namespace
+
+Json tick_json(const std::string& path, const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
+  Json json = {{"log", path},
+               {"scenario", explanation.header.scenario},
+               {"seed", explanation.header.seed},
+               {"stack", explanation.header.stack},
+               {"time", tick.reading.time},
+               {"sentence", gave_way_sentence(explanation)},
+               {"gave_way", gave_way_json(explanation)},
+               {"blocking_is_known", tick.hierarchy.blocking_is_known},
+               {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
+               {"feet", feet_json(explanation)},
+               {"levels", levels_json(explanation)},
+               {"limits", limits_json(explanation)},
+               {"events", events_json(explanation)},
+               {"why_stopped", text_of_stop(tick)},
+               {"readings", message(tick.reading)},
+               {"health", message(tick.health)},
+               {"user", message(tick.user)},
+               {"state", message(tick.state)},
+               {"plan", message(tick.plan)},
+               {"model", message(tick.model)},
+               {"command", message(tick.command)}};
+  if (explanation.truth) json["truth"] = message(*explanation.truth);
+  if (!explanation.problem.empty()) json["problem"] = explanation.problem;
+  return json;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,193 @@
+#include "app/tick_text.hpp"
+
+#include "app/results_table.hpp"
+#include "app/stop_text.hpp"
+#include "surefoot/logging/message_fields.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace surefoot {
+namespace {
+
+using Table = std::vector<std::vector<std::string>>;
+
+constexpr double kDegrees = 180.0 / kPi;
+constexpr double kRounding = 1e-6;  // of a residual, in every unit
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 256> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, values...);
+  return buffer.data();
+}
+
+/// Without the sign of what is rounded away.
+double rounded(double value, double unit) {
+  const double result = std::round(value / unit) * unit;
+  return result == 0.0 ? 0.0 : result;
+}
+
+std::string known(double value, const char* format) {
+  return std::isnan(value) ? "–" : text(format, value);
+}
+
+std::string pose(const Vec3& p, const Quat& q) {
+  const Mat3 R = q.toRotationMatrix();
+  const Vec3 angles = roll_pitch_yaw(R) * kDegrees;
+  const double tilt = std::acos(std::clamp(R(2, 2), -1.0, 1.0)) * kDegrees;
+  return text("x %.3f, y %.3f, z %.3f m; roll %.1f°, pitch %.1f°, yaw %.1f°; tilt %.1f°",
+              rounded(p.x(), 1e-3), rounded(p.y(), 1e-3), rounded(p.z(), 1e-3),
+              rounded(angles.x(), 0.1), rounded(angles.y(), 0.1), rounded(angles.z(), 0.1), tilt);
+}
+
+std::string velocity(const Vec3& v, const Vec3& w) {
+  return text("%.3f, %.3f, %.3f m/s; turns by %.3f, %.3f, %.3f rad/s", rounded(v.x(), 1e-3),
+              rounded(v.y(), 1e-3), rounded(v.z(), 1e-3), rounded(w.x(), 1e-3),
+              rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
+}
+
+std::string asked(const UserCommand& user) {
+  if (!user.walk) return text("stands, height %+g m", user.height);
+  return text("walks, %g m/s forward, %g m/s to the left, turns by %g rad/s, height %+g m",
+              user.velocity.x(), user.velocity.y(), user.yaw_rate, user.height);
+}
+
+std::string largest_torque(const TickExplanation& explanation) {
+  Eigen::Index joint = 0;
+  const LogRobot& robot = explanation.header.robot;
+  const double torque = explanation.tick.command.torque.cwiseAbs().maxCoeff(&joint);
+  return text("largest torque %.1f N·m", torque) + " at " +
+         robot.joint_names[static_cast<std::size_t>(joint)] +
+         text(" of %g", robot.torque_limit[joint]);
+}
+
+std::string faults(const SensorHealth& health) {
+  std::string out;
+  const auto add = [&](const char* group, const GroupHealth& one) {
+    if (one.fault == SampleFault::none) return;
+    out += (out.empty() ? "" : ", ") + std::string(group) + " " +
+           std::string(logged::kFaultNames[static_cast<std::size_t>(one.fault)]) +
+           text(" (last good %.4f s ago)", one.age);
+  };
+  add("encoders", health.encoders);
+  add("joint torques", health.joint_torques);
+  add("IMU", health.imu);
+  return out.empty() ? "sensors are good" : "sensors: " + out;
+}
+
+std::string command(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
+  const std::string why = text_of_stop(tick);
+  if (!why.empty()) out += " (" + why + ")";
+  return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
+}
+
+std::string facts(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  Table table{{"base", pose(tick.state.p_WB, tick.state.q_WB)},
+              {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
+  if (explanation.truth)
+    table.push_back({"in truth", pose(explanation.truth->p_WB, explanation.truth->q_WB)});
+  table.push_back({"asked", asked(tick.user)});
+  table.push_back({"command", command(explanation)});
+  std::string out;
+  for (const std::vector<std::string>& row : table)
+    out += row[0] + std::string(10 - row[0].size(), ' ') + row[1] + "\n";
+  return out;
+}
+
+std::string feet_table(const TickExplanation& explanation) {
+  const TickRecord& tick = explanation.tick;
+  const Vec3 normal = tick.plan.R_WC.col(2);
+  Table table{{"foot", "phase", "normal force", "of at most", "friction used", "slides"}};
+  if (explanation.truth) {
+    for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
+  }
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const FootPlan& foot = tick.plan.feet[k];
+    const Vec3& force = tick.model.force[k];
+    const bool carries = in_contact(foot.phase);
+    const double use = friction_use(force, normal, foot.friction);
+    table.push_back({std::string(kLegNames[k]),
+                     std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
+                     carries ? text("%.1f N", normal.dot(force)) : "–",
+                     carries ? text("%.0f N", foot.force_max) : "–",
+                     carries ? known(100.0 * use, "%.0f %%") : "–",
+                     tick.state.slips[k] ? "yes" : "no"});
+    if (!explanation.truth) continue;
+    const TrueContact& contact = explanation.truth->feet[k];
+    table.back().push_back(contact.touching ? text("%.1f N", contact.normal.dot(contact.force))
+                                            : "in the air");
+    table.back().push_back(
+        known(100.0 * friction_use(contact.force, contact.normal, contact.friction), "%.0f %%"));
+  }
+  return aligned(table);
+}
+
+std::string level_table(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations"}};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
+    const LevelReport& level = report.levels[k];
+    const auto& [names, units] =
+        std::tie(explanation.header.level_names, explanation.header.level_units);
+    const std::string unit = k < units.size() && !units[k].empty() ? " " + units[k] : "";
+    table.push_back({std::to_string(k + 1) + " " + (k < names.size() ? names[k] : "level"),
+                     level.residual > kRounding ? text("%.3g", level.residual) + unit : "0",
+                     std::to_string(level.num_rows), std::to_string(level.num_active),
+                     std::to_string(level.degrees_of_freedom_left),
+                     std::to_string(level.iterations)});
+  }
+  return aligned(table);
+}
+
+std::string at_bounds(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  if (report.num_active == 0) return "No limit acts.\n";
+  std::string out = "Limits that act:\n";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
+    const ActiveRow& row = report.active[i];
+    const auto level = static_cast<std::size_t>(row.level);
+    const auto& names = explanation.header.level_names;
+    const auto found = explanation.row_names.find({row.level, row.id});
+    out += "  " + (level < names.size() ? names[level] : "level") + " " +
+           (found == explanation.row_names.end() ? std::to_string(row.id) : found->second) +
+           (std::abs(row.state) > 1 ? ", beyond its " : ", at its ") +
+           (row.state < 0 ? "lower bound\n" : "upper bound\n");
+  }
+  return out;
+}
+
+std::string events(const TickExplanation& explanation) {
+  if (explanation.events.empty()) return "";
+  std::string out = text("Events within %g s:\n", kEventWindow);
+  for (const NearbyEvent& event : explanation.events) {
+    out += text("  %9.4f s  %+.4f s  ", event.time,
+                rounded(event.time - explanation.tick.reading.time, 1e-6)) +
+           (event.legs.empty() ? "" : event.legs + ": ") + event.text + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string tick_text(const std::string& path, const TickExplanation& explanation) {
+  const LogHeader& header = explanation.header;
+  std::string out = path + ": " + header.scenario + ", seed " + std::to_string(header.seed) +
+                    ", stack " + header.stack +
+                    text(", at %.4f s\n\n", explanation.tick.reading.time);
+  out += gave_way_sentence(explanation) + "\n\n" + facts(explanation) + "\n";
+  out += feet_table(explanation) + "\n";
+  if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
+  out += at_bounds(explanation) + events(explanation);
+  if (!explanation.problem.empty()) out += "The log is not whole: " + explanation.problem + ".\n";
+  return out;
+}
+
+}  // namespace surefoot

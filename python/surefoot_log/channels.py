@@ -1,0 +1,121 @@
+"""The fields of a topic as flat channels, named as docs/view_protocol.md names them."""
+
+import re
+from dataclasses import dataclass, field
+
+AXES = ("x", "y", "z")
+QUATERNION = ("w", "x", "y", "z")
+UNIT = re.compile(r"\s*\[([^\]]*)\]")
+ARROW_KINDS = {"number": "number", "integer": "integer", "boolean": "boolean", "string": "text"}
+
+
+@dataclass(frozen=True)
+class Channel:
+    name: str  # "plan.feet.LF.p_WF.x"
+    kind: str  # number, integer, boolean or text
+    unit: str = ""
+    about: str = ""
+
+
+@dataclass
+class Node:
+    """How a part of a message becomes values: its own channel, or those of its members, in order."""
+
+    channel: Channel | None = None
+    members: list = field(default_factory=list)  # (key or index, Node)
+    levels: bool = False  # a list whose elements are found by their name
+
+
+def described(description):
+    """Text and unit: "of the base, in B [m/s]" has the unit m/s."""
+    found = UNIT.search(description)
+    return (description, "") if found is None else (UNIT.sub("", description, count=1), found.group(1))
+
+
+def labels_of(name, count, joints):
+    if count == len(joints):
+        return joints
+    if count == 4 and name.split(".")[-1].startswith("q_"):
+        return QUATERNION
+    return AXES[:count] if count <= 3 else [str(i) for i in range(count)]
+
+
+def kind_of(schema):
+    kinds = schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
+    return next((kind for kind in kinds if kind != "null"), "null")
+
+
+class Flattener:
+    """Channels and values of one topic's messages. Lists of rows are none: their length changes from tick to tick."""
+
+    def __init__(self, topic, schema, header, example):
+        """`example`: a message, decoded; it has the sizes of lists that the schema leaves open."""
+        self._joints, self._levels = header["robot"]["joint_names"], header["level_names"]
+        self.channels = []
+        self._root = self._object(topic.removeprefix("/"), schema, example)
+
+    def values(self, message):
+        found = []
+        self._collect(self._root, message, found)
+        return found
+
+    def _collect(self, node, value, found):
+        if node.channel is not None:
+            found.append(value)
+        elif node.levels:
+            by_name = {level["name"]: level for level in value or []}
+            for name, member in node.members:
+                self._collect(member, by_name.get(name), found)
+        else:
+            for key, member in node.members:
+                try:
+                    self._collect(member, value[key], found)
+                except (TypeError, KeyError, IndexError):
+                    self._collect(member, None, found)
+
+    def _object(self, name, schema, example):
+        node = Node()
+        for key, part in schema["properties"].items():
+            if "." not in name and key == "time":
+                continue
+            inner = example.get(key) if isinstance(example, dict) else None
+            member = self._part(name, key, part, inner)
+            if member is not None:
+                node.members.append((key, member))
+        return node
+
+    def _part(self, name, key, schema, example):
+        kind, full = kind_of(schema), f"{name}.{key}"
+        if kind == "object":
+            return self._object(full, schema, example)
+        if kind == "array":
+            return self._array(name, full, schema, example)
+        return self._leaf(full, kind, schema.get("description", ""))
+
+    def _array(self, name, full, schema, example):
+        items, count = schema["items"], schema.get("maxItems", len(example or []))
+        if kind_of(items) == "object":
+            return self._level_list(name, items) if full == "hierarchy.levels" else None
+        if kind_of(items) == "array":
+            return self._matrix(full, schema, items)
+        if kind_of(items) not in ("number", "integer"):
+            return None
+        labels = labels_of(full, count, self._joints)
+        about = schema.get("description", "")
+        return Node(members=[(i, self._leaf(f"{full}.{label}", kind_of(items), about)) for i, label in enumerate(labels)])
+
+    def _matrix(self, full, schema, items):
+        rows, columns, about = schema["maxItems"], items["maxItems"], schema.get("description", "")
+        row_nodes = [Node(members=[(j, self._leaf(f"{full}.{i + 1}{j + 1}", "number", about)) for j in range(columns)]) for i in range(rows)]
+        return Node(members=list(enumerate(row_nodes)))
+
+    def _level_list(self, name, schema):
+        properties = {key: part for key, part in schema["properties"].items() if key != "name"}
+        members = [(level, self._object(f"{name}.level.{level}", {"properties": properties}, None)) for level in self._levels]
+        return Node(members=members, levels=True)
+
+    def _leaf(self, name, kind, description):
+        about, unit = described(description)
+        node = Node(channel=Channel(name, ARROW_KINDS[kind], unit, about))
+        self.channels.append(node.channel)
+        return node

@@ -1,0 +1,204 @@
+"""The commands `surefoot export` and `surefoot video`, and what `run` and `report` ask for their pictures."""
+
+import argparse
+import json
+import pathlib
+import signal
+import sys
+
+from surefoot_campaign.errors import InputError, valid_names
+from surefoot_log.log_file import LogFile
+
+DONE, WRONG_INPUT = 0, 2
+LARGEST = (3840, 2160)  # pixels
+
+EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual. Lists
+that change their length from tick to tick (rows at a bound, blocked_by) are left out.
+
+The file for Foxglove and Lichtblick has frame transforms (/tf), the robot, the ground, forces and support
+polygon (/scene/…), events, and the log's own topics beside them.
+
+Exit codes: 0 written, 2 the log can't be read or the file not be written.
+
+Examples:
+  surefoot export run.mcap --parquet run.parquet
+  surefoot export run.mcap --csv feet.csv --topics plan model --every 10
+  surefoot export run.mcap --foxglove scene.mcap
+"""
+
+VIDEO_EPILOG = """Exit codes: 0 written, 2 the log can't be read, the part has no tick, or the film can't be made.
+
+Examples:
+  surefoot video run.mcap --out run.mp4
+  surefoot video run.mcap --out step.mp4 --from 13 --to 20 --speed 2
+"""
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        name = self.prog.split()[-1]
+        if message.startswith("unrecognized arguments: "):
+            given = message.split()[2]
+            options = [option for action in self._actions for option in action.option_strings if option.startswith("--")]
+            message = f'unknown argument "{given}" of {name}; {valid_names(given, options)}'
+        raise InputError(f"{message}; see surefoot {name} --help")
+
+
+def whole_number(text):
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
+    return int(text)
+
+
+def positive(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0.0 < value < 1e3:
+        raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0')
+    return int(value) if value == int(value) else value
+
+
+def image_size(text):
+    words = text.lower().split("x")
+    sizes = [int(word) for word in words if word.isdecimal()]
+    if len(words) != 2 or len(sizes) != 2 or any(not 64 <= size <= most or size % 2 for size, most in zip(sizes, LARGEST)):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a size such as 1280x720: even numbers, 64x64 to {LARGEST[0]}x{LARGEST[1]}')
+    return tuple(sizes)
+
+
+def parser(name, description, epilog):
+    made = Parser(f"surefoot {name}", description=description, epilog=epilog, allow_abbrev=False,
+                  formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    made.add_argument("log", metavar="RUN.mcap", help="log of a run")
+    return made
+
+
+def check_writable(path):
+    """What can't be written is told before the work, not after it."""
+    path = pathlib.Path(path)
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder; the name of a file would be valid")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    try:
+        partial = path.with_name(path.name + ".partial")
+        partial.touch()
+        partial.unlink()
+    except OSError as error:
+        raise InputError(f"{path}: can't be written: {error.strerror}") from None
+
+
+def tell(text):
+    print(f"surefoot: {text}", file=sys.stderr)
+
+
+def tell_problem(log):
+    if log.problem:
+        tell(f"warning: the log is not whole: {log.problem}")
+
+
+def export(typed):
+    made = parser("export", "Write a log as a table, or its scene for Foxglove.", EXPORT_EPILOG)
+    made.add_argument("--csv", metavar="FILE", help="a row a tick, a column a channel, with their names above")
+    made.add_argument("--parquet", metavar="FILE", help="the same with types, units and descriptions")
+    made.add_argument("--foxglove", metavar="FILE.mcap", help="the scene, and the log's topics beside it")
+    made.add_argument("--topics", metavar="TOPIC", nargs="+", action="extend", help="of the log; all by default")
+    made.add_argument("--every", type=whole_number, metavar="N", default=1, help="of so many ticks, write one; 1 by default")
+    arguments = made.parse_args(typed)
+    files = [file for file in (arguments.csv, arguments.parquet, arguments.foxglove) if file]
+    if not files:
+        raise InputError("export needs to be told what to write: --csv FILE, --parquet FILE or --foxglove FILE.mcap")
+    for file in files:
+        check_writable(file)
+    write_exports(arguments)
+    for file in files:
+        print(file)
+    return DONE
+
+
+def write_exports(arguments):
+    from surefoot_log import table
+
+    topics = table.wanted_topics(arguments.topics)
+    if arguments.csv or arguments.parquet:
+        log = LogFile(arguments.log)
+        rows = table.read_table(log, topics, arguments.every)
+        tell_problem(log)
+        for file, write in ((arguments.csv, table.write_csv), (arguments.parquet, table.write_parquet)):
+            if file:
+                write(rows, file)
+    if arguments.foxglove:
+        write_foxglove(arguments, topics)
+
+
+def write_foxglove(arguments, topics):
+    from surefoot_log import foxglove, pictures
+
+    log = LogFile(arguments.log)
+    for note in foxglove.write_scene(log, arguments.foxglove, pictures.packages_folder(), pictures.cache_folder(), topics, arguments.every):
+        tell(f"note: {note}")
+    tell_problem(log)
+
+
+def video(typed):
+    made = parser("video", "Film a log, without a screen.", VIDEO_EPILOG)
+    made.add_argument("--out", metavar="FILE.mp4", required=True, help="the film: H.264 in MP4")
+    made.add_argument("--from", dest="first", type=float, metavar="S", help="time at which it begins [s]; by default that of the log")
+    made.add_argument("--to", dest="last", type=float, metavar="S", help="time at which it ends [s]; by default that of the log")
+    made.add_argument("--size", type=image_size, metavar="WxH", default=(1280, 720), help="in pixels; 1280x720 by default")
+    made.add_argument("--rate", type=whole_number, metavar="N", default=25, help="images a second; 25 by default")
+    made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
+    arguments = made.parse_args(typed)
+    check_writable(arguments.out)
+    from surefoot_log import pictures
+
+    log = LogFile(arguments.log)
+    film = pictures.make_film(log, arguments.out, arguments.size, arguments.rate, arguments.speed, arguments.first, arguments.last,
+                              count_images if sys.stderr.isatty() else None)  # fmt: skip
+    for note in film.notes:
+        tell(f"note: {note}")
+    tell_problem(log)
+    print(arguments.out)
+    return DONE
+
+
+def count_images(done, all_of_them):
+    """One line on a terminal, which the last one ends."""
+    print(f"\rimage {done} of {all_of_them}", end="\n" if done == all_of_them else "", file=sys.stderr, flush=True)
+
+
+def report_pictures(typed):
+    """Called by the program: writes strip.jpg and clip.mp4 into a folder, and says in JSON what they show."""
+    made = parser("report-pictures", "Make the pictures of a report.", "")
+    made.add_argument("folder")
+    arguments = made.parse_args(typed)
+    from surefoot_log import pictures
+
+    done = pictures.make_report_pictures(LogFile(arguments.log), arguments.folder)
+    span = {"first": done.span.first, "last": done.span.last}
+    print(json.dumps({"times": [round(time, 6) for time in done.times], "span": span, "notes": done.notes}))
+    return DONE
+
+
+COMMANDS = {"export": export, "video": video, "report-pictures": report_pictures}
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
+def main(typed):
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        if not typed or typed[0] not in COMMANDS:
+            raise InputError(f"unknown command; {valid_names(typed[0] if typed else '', COMMANDS)}")
+        return COMMANDS[typed[0]](typed[1:])
+    except InputError as error:
+        tell(error)
+    except KeyboardInterrupt:
+        tell("interrupted: nothing is kept")
+    except (ImportError, OSError) as error:
+        tell(f"{' '.join(str(error).split())}")
+    return WRONG_INPUT

@@ -1,0 +1,201 @@
+"""The scene of a log as an MCAP file that Foxglove, Lichtblick and others open: frames, robot, ground, forces."""
+
+import json
+
+import numpy as np
+from mcap.writer import CompressionType, Writer
+
+from surefoot_campaign.errors import InputError
+from surefoot_log import foxglove_schemas as schemas
+from surefoot_log import foxglove_shapes as shapes
+from surefoot_log import meshes
+from surefoot_log.foxglove_ground import ground_entity
+from surefoot_log.frames import CARRIES, LEGS, LOADED, friction_use, read_frames
+from surefoot_log.offscreen import mujoco
+from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull
+from surefoot_log.table import check_topics, written_whole
+from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
+
+WORLD = "world"
+DETAIL = 0.008  # m
+SCENE_EVERY = 10  # ticks
+PLAIN = (0.6, 0.62, 0.65, 1.0)
+INFO = 2  # level of a foxglove.Log
+
+
+class SceneFile:
+    """Writes messages of well-known schemas, as JSON."""
+
+    def __init__(self, path):
+        self._file = open(path, "wb")
+        self._writer = Writer(self._file, compression=CompressionType.ZSTD)
+        self._writer.start(profile="", library="surefoot")
+        self._channels, self._count = {}, 0
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._writer.finish()
+        self._file.close()
+
+    def channel(self, topic, name, schema):
+        if topic not in self._channels:
+            data = schema if isinstance(schema, bytes) else json.dumps(schema).encode()
+            schema_id = self._writer.register_schema(name, "jsonschema", data)
+            self._channels[topic] = self._writer.register_channel(topic, "json", schema_id)
+        return self._channels[topic]
+
+    def write(self, topic, name, schema, time, message):
+        """`message` as a dictionary, or as JSON already."""
+        data = message if isinstance(message, bytes) else json.dumps(message, separators=(",", ":")).encode()
+        self._count += 1
+        self._writer.add_message(self.channel(topic, name, schema), time, data, time, self._count)
+
+    def update_scene(self, topic, time, entities):
+        self.write(topic, "foxglove.SceneUpdate", schemas.SCENE_UPDATE, time, {"deletions": [], "entities": entities})
+
+    def add_attachment(self, name, media_type, data):
+        self._writer.add_attachment(0, 0, name, media_type, data)
+
+
+def nanoseconds(time):
+    return round(1e9 * time)
+
+
+def transforms(model, data, time):
+    """Of each body in its parent's frame, as mj_kinematics left them."""
+    result = []
+    for body in range(1, model.nbody):
+        parent = model.body_parentid[body]
+        R_WP = data.xmat[parent].reshape(3, 3)
+        quaternion = np.zeros(4)
+        mujoco.mju_mat2Quat(quaternion, (R_WP.T @ data.xmat[body].reshape(3, 3)).ravel())
+        result.append({"timestamp": shapes.moment(time), "parent_frame_id": model.body(parent).name if parent else WORLD,
+                       "child_frame_id": model.body(body).name, "translation": shapes.vector(R_WP.T @ (data.xpos[body] - data.xpos[parent])),
+                       "rotation": shapes.quaternion(quaternion)})  # fmt: skip
+    return result
+
+
+def mesh_triangles(visual, X_BV, packages, cache):
+    found = []
+    for part in meshes.load(file_of(visual.mesh, packages), cache, DETAIL):
+        points = np.round(part.vertices * visual.scale @ X_BV[:3, :3].T + X_BV[:3, 3], 4)
+        found.append(shapes.triangles(points, part.faces.ravel(), part.colour))
+    return found
+
+
+def shape_of(visual, X_BV):
+    rgba = visual.colour or PLAIN
+    if visual.shape == "box":
+        return {"cubes": [shapes.cube(X_BV, visual.size, rgba)]}
+    if visual.shape == "sphere":
+        return {"spheres": [shapes.sphere(X_BV[:3, 3], visual.size[0], rgba)]}
+    return {"cylinders": [shapes.cylinder(X_BV, visual.size[0], visual.size[1], rgba)]}
+
+
+def physics_shapes(model, body):
+    """What the physics has of a body, where it has no mesh here."""
+    found = {}
+    for geom in np.flatnonzero(model.geom_bodyid == body):
+        X_BG = np.eye(4)
+        rotation = np.zeros(9)
+        mujoco.mju_quat2Mat(rotation, model.geom_quat[geom])
+        X_BG[:3, :3], X_BG[:3, 3] = rotation.reshape(3, 3), model.geom_pos[geom]
+        size = model.geom_size[geom]
+        kind = model.geom_type[geom]
+        if kind == mujoco.mjtGeom.mjGEOM_BOX:
+            found.setdefault("cubes", []).append(shapes.cube(X_BG, 2 * size, PLAIN))
+        elif kind == mujoco.mjtGeom.mjGEOM_SPHERE:
+            found.setdefault("spheres", []).append(shapes.sphere(X_BG[:3, 3], size[0], PLAIN))
+        elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
+            found.setdefault("cylinders", []).append(shapes.cylinder(X_BG, size[0], 2 * size[1], PLAIN))
+    return found
+
+
+def robot_entities(model, urdf, packages, cache):
+    """A part a body, fixed to its frame; and notes on meshes that are not there."""
+    names = {model.body(body).name: body for body in range(1, model.nbody)}
+    carriers = links_below_bodies(urdf, names)
+    parts, notes = {}, []
+    for visual in visuals_of(urdf):
+        if visual.link not in carriers:
+            continue
+        body, X_BL = carriers[visual.link]
+        try:
+            X_BV = X_BL @ visual.X_LV
+            shown = {"triangles": mesh_triangles(visual, X_BV, packages, cache)} if visual.mesh else shape_of(visual, X_BV)
+        except (OSError, ValueError) as error:
+            notes.append(f"{visual.link} is shown as the physics has it: {visual.mesh}: {error}")
+            shown = physics_shapes(model, names[body])
+        for kind, primitives in shown.items():
+            parts.setdefault(body, {}).setdefault(kind, []).extend(primitives)
+    for name, body in names.items():
+        if not parts:
+            parts[name] = physics_shapes(model, body)
+    return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], notes
+
+
+def scene_entities(frame, foot_radius):
+    time = nanoseconds(frame.time)
+    arrows = [shapes.arrow(point, force, METRES_PER_NEWTON, colour_of_use(friction_use(force, friction)))
+              for _, point, force, friction in frame.forces if np.linalg.norm(force) > LOADED / 4]  # fmt: skip
+    pushes = [shapes.arrow(frame.p_WB - 2 * METRES_PER_NEWTON * push, push, 2 * METRES_PER_NEWTON, PUSH) for push in frame.pushes]
+    entities = [shapes.entity("forces", WORLD, time, arrows=arrows), shapes.entity("pushes", WORLD, time, arrows=pushes)]
+    feet = [frame.p_WF[leg] for leg in LEGS if leg in frame.p_WF and frame.phases.get(leg) in CARRIES]
+    level = max((foot[2] for foot in feet), default=0.0) - foot_radius + 0.003
+    corners = hull([(*foot[:2], level) for foot in feet]) if len(feet) > 2 else []
+    lines = [shapes.loop(corners, 0.008, (*POLYGON, 1.0))] if corners else []
+    entities.append(shapes.entity("support polygon", WORLD, time, lines=lines))
+    if frame.p_WCom is not None:
+        below = [*frame.p_WCom[:2], level]
+        entities.append(shapes.entity("centre of mass", WORLD, time, spheres=[shapes.sphere(frame.p_WCom, 0.022, COM), shapes.sphere(below, 0.015, COM)]))
+    return entities
+
+
+def write_scene(log, path, packages, cache=None, topics=None, every=1):
+    """Copies the log's topics, all or some, every so manieth message of each, beside the scene. Returns notes."""
+    run = read_frames(log, every=max(every, SCENE_EVERY))
+    check_topics(topics, log)
+    model = mujoco.MjModel.from_xml_string(log.text("model.xml"))
+    if len(run.frames[0].qpos) > model.nq:
+        raise InputError(f"{log.path}: its model.xml is not that of its /truth")
+    robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
+    if not run.has_truth:
+        notes.append("the log has no /truth: the robot is shown where the controller believed it")
+
+    def write(partial):
+        with SceneFile(partial) as file:
+            file.update_scene("/scene/robot", nanoseconds(run.frames[0].time), robot)
+            file.update_scene("/scene/ground", nanoseconds(run.frames[0].time), [ground_entity(run.header.get("terrain") or [], WORLD)])
+            write_frames(file, model, run)
+            copy_topics(file, log, topics, every)
+            for name, data in log.attachments.items():
+                file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
+
+    written_whole(path, write)
+    return notes
+
+
+def write_frames(file, model, run):
+    data = mujoco.MjData(model)
+    radius = run.header["robot"]["foot_radius"] or 0.03
+    for frame in run.frames:
+        time = nanoseconds(frame.time)
+        data.qpos[: len(frame.qpos)] = frame.qpos
+        mujoco.mj_kinematics(model, data)
+        file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(model, data, time)})
+        file.update_scene("/scene/forces", time, scene_entities(frame, radius))
+        if frame.event:
+            file.write("/events", "foxglove.Log", schemas.LOG, time,
+                       {"timestamp": shapes.moment(time), "level": INFO, "message": frame.event, "name": "planner", "file": "", "line": 0})  # fmt: skip
+
+
+def copy_topics(file, log, topics, every):
+    counts = {}
+    for message in log.messages(topics):
+        counts[message.topic] = counts.get(message.topic, -1) + 1
+        if counts[message.topic] % every == 0:
+            channel = next(channel for channel in log.channels.values() if channel.topic == message.topic)
+            schema = log.schemas[channel.schema_id]
+            file.write(message.topic, schema.name, schema.data, message.time, bytes(message.data))

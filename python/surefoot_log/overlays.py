@@ -1,0 +1,106 @@
+"""What is drawn over the robot: ground forces, support polygon, centre of mass, pushes."""
+
+import numpy as np
+
+from surefoot_log.frames import CARRIES, LOADED, friction_use
+from surefoot_log.offscreen import mujoco
+
+METRES_PER_NEWTON = 0.0022
+# Colours of Okabe and Ito, which colour-blind people can tell apart.
+SAFE, NEAR, SLIDES = np.array([0.0, 0.45, 0.70]), np.array([0.90, 0.62, 0.0]), np.array([0.84, 0.37, 0.0])
+COM, POLYGON, PUSH = (0.80, 0.47, 0.65, 1.0), (0.0, 0.62, 0.45), (0.84, 0.37, 0.0, 1.0)
+ABOVE_GROUND = 0.004  # m: what lies on the ground is drawn so far above it
+
+
+def colour_of_use(use):
+    """Of a force by the share of its friction cone: blue, orange at 0.7, vermilion at 1."""
+    use = float(np.clip(use, 0.0, 1.0))
+    mix = SAFE + (NEAR - SAFE) * use / 0.7 if use < 0.7 else NEAR + (SLIDES - NEAR) * (use - 0.7) / 0.3
+    return (*mix, 1.0)
+
+
+def hull(points):
+    """Corners of the convex hull in the plane, counter-clockwise."""
+    ordered = sorted(map(tuple, points))
+
+    def turn(a, b, c):
+        return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+
+    def half(sequence):
+        chain = []
+        for point in sequence:
+            while len(chain) > 1 and turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        return chain[:-1]
+
+    return [np.array(corner) for corner in half(ordered) + half(ordered[::-1])]
+
+
+class Overlays:
+    """Adds shapes to a scene that was filled with the model's."""
+
+    def __init__(self, scene, foot_radius):
+        self._scene, self._radius = scene, foot_radius
+
+    def draw(self, frame):
+        self._polygon(frame)
+        for _, point, force, coefficient in frame.forces:
+            if np.linalg.norm(force) > LOADED / 4:
+                self._arrow(point, point + METRES_PER_NEWTON * force, 0.019, colour_of_use(friction_use(force, coefficient)))
+        if frame.p_WCom is not None:
+            self._centre_of_mass(frame)
+        for push in frame.pushes:
+            self._arrow(frame.p_WB - 2 * METRES_PER_NEWTON * push, frame.p_WB, 0.018, PUSH)
+
+    def _new(self, kind, size, position, rotation, colour):
+        if self._scene.ngeom >= self._scene.maxgeom:
+            return None
+        geom = self._scene.geoms[self._scene.ngeom]
+        mujoco.mjv_initGeom(geom, kind, np.array(size, float), np.array(position, float), np.array(rotation, float).ravel(), np.array(colour, np.float32))
+        geom.emission, geom.specular, geom.category = 0.35, 0.1, mujoco.mjtCatBit.mjCAT_DECOR
+        self._scene.ngeom += 1
+        return geom
+
+    def _between(self, kind, start, end, width, colour):
+        geom = self._new(kind, [width] * 3, [0, 0, 0], np.eye(3), colour)
+        if geom is not None:
+            mujoco.mjv_connector(geom, kind, width, np.array(start, float), np.array(end, float))
+
+    def _arrow(self, start, end, width, colour):
+        self._between(mujoco.mjtGeom.mjGEOM_ARROW, start, end, width, colour)
+
+    def _ground(self, frame):
+        """Height of the highest ground that carries, a little above it [m]."""
+        carrying = [position[2] for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
+        return max(carrying, default=0.0) - self._radius + ABOVE_GROUND
+
+    def _polygon(self, frame):
+        """Level, over the highest foot that carries; from the lower ones a line goes up to it."""
+        feet = [position for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
+        if len(feet) < 3:
+            return
+        level = self._ground(frame)
+        corners = hull([(*foot[:2], level) for foot in feet])
+        for a, b, c in ((corners[0], b, c) for b, c in zip(corners[1:], corners[2:])):
+            self._triangle(a, b, c, (*POLYGON, 0.22))
+        for start, end in zip(corners, corners[1:] + corners[:1]):
+            self._between(mujoco.mjtGeom.mjGEOM_CAPSULE, start, end, 0.004, (*POLYGON, 0.9))
+        for foot in feet:
+            if level - foot[2] > self._radius:
+                self._between(mujoco.mjtGeom.mjGEOM_CAPSULE, foot, [*foot[:2], level], 0.002, (*POLYGON, 0.9))
+
+    def _triangle(self, a, b, c, colour):
+        """MuJoCo's triangle has its corners at 0, x and y of its frame, which may be oblique."""
+        across = np.cross(b - a, c - a)
+        rotation = np.column_stack([b - a, c - a, across / np.linalg.norm(across)])
+        geom = self._new(mujoco.mjtGeom.mjGEOM_TRIANGLE, [1, 1, 1], a, rotation, colour)
+        if geom is not None:
+            geom.specular, geom.emission = 0.0, 0.5
+
+    def _centre_of_mass(self, frame):
+        """A ball, and the point below it at the level of the support polygon."""
+        below = np.array([*frame.p_WCom[:2], self._ground(frame) + ABOVE_GROUND])
+        self._new(mujoco.mjtGeom.mjGEOM_SPHERE, [0.022] * 3, frame.p_WCom, np.eye(3), COM)
+        self._between(mujoco.mjtGeom.mjGEOM_CAPSULE, below, frame.p_WCom, 0.003, (*COM[:3], 0.6))
+        self._new(mujoco.mjtGeom.mjGEOM_CYLINDER, [0.028, 0.028, 0.002], below, np.eye(3), COM)

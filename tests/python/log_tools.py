@@ -1,0 +1,24 @@
+"""Our Python package of logs, and its commands as the launcher starts them."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+
+
+def log_command(*arguments):
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "python"), os.environ.get("PYTHONPATH", "")])}
+    command = [sys.executable, "-m", "surefoot_log", *map(str, arguments)]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600)
+
+
+def complaint_of(*arguments):
+    """The one line on stderr of a call whose input is wrong."""
+    result = log_command(*arguments)
+    assert (result.returncode, result.stdout) == (2, ""), result
+    (line,) = result.stderr.strip().splitlines()
+    assert line.startswith("surefoot: ")
+    return line

@@ -1,0 +1,200 @@
+"""`surefoot export`: what is in the tables and in the scene is what is in the log, read by other people's readers."""
+
+import csv
+import json
+import math
+
+import numpy as np
+import pyarrow.parquet
+import pytest
+from damaged_logs import cut, damaged, foreign, newer, plain_text, without_ticks
+from log_file import messages
+from log_tools import complaint_of, log_command
+from mcap.reader import make_reader
+
+TICKS = 800
+JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
+
+
+def exported(*arguments):
+    result = log_command("export", *arguments)
+    assert result.returncode == 0, result.stderr
+    return result
+
+
+@pytest.fixture(scope="module")
+def table(log, tmp_path_factory):
+    file = tmp_path_factory.mktemp("export") / "run.parquet"
+    exported(log, "--parquet", file)
+    return pyarrow.parquet.read_table(file)
+
+
+def test_a_row_a_tick_with_its_time(table):
+    assert table.num_rows == TICKS
+    assert table["time"].to_pylist() == pytest.approx([0.0025 * tick for tick in range(TICKS)], abs=1e-12)
+
+
+def test_every_number_of_a_message_is_in_its_column_to_the_bit(log, table):
+    row = 555
+    plan, state, truth = (messages(log, topic)[row] for topic in ("/plan", "/state", "/truth"))
+    expected = {f"state.p_WB.{axis}": value for axis, value in zip("xyz", state["p_WB"])}
+    expected |= {f"state.q_WB.{axis}": value for axis, value in zip("wxyz", state["q_WB"])}
+    expected |= {f"state.qd.{joint}": value for joint, value in zip(JOINTS, state["qd"])}
+    expected |= {f"plan.feet.LH.p_WF.{axis}": value for axis, value in zip("xyz", plan["feet"]["LH"]["p_WF"])}
+    expected |= {f"plan.com.zmp.{axis}": value for axis, value in zip("xy", plan["com"]["zmp"])}
+    expected |= {f"plan.R_WC.{i + 1}{j + 1}": plan["R_WC"][i][j] for i in range(3) for j in range(3)}
+    expected |= {"plan.feet.RF.phase": plan["feet"]["RF"]["phase"], "truth.torso_contact": truth["torso_contact"]}
+    expected |= {f"truth.qpos.{i}": value for i, value in enumerate(truth["qpos"])}
+    for name, value in expected.items():
+        assert table[name][row].as_py() == value, name
+
+
+def test_levels_are_part_of_the_name(log, table):
+    for row in (3, 700):
+        for level in messages(log, "/hierarchy")[row]["levels"]:
+            for key, value in level.items():
+                if key != "name":
+                    assert table[f"hierarchy.level.{level['name']}.{key}"][row].as_py() == value
+
+
+def test_what_is_not_known_is_null(log, table):
+    assert messages(log, "/readings")[9]["foot_force"]["LF"] is None
+    assert table["readings.foot_force.LF"].null_count == TICKS
+
+
+def test_no_field_of_a_schema_is_forgotten(log, table):
+    with open(log, "rb") as file:
+        summary = make_reader(file).get_summary()
+    named = {name.rsplit(".", 1)[0] for name in table.column_names} | set(table.column_names)
+    for channel in summary.channels.values():
+        for field, part in json.loads(summary.schemas[channel.schema_id].data)["properties"].items():
+            items = part.get("items", {}).get("type")
+            if field == "time" or items == "object":
+                continue
+            full = f"{channel.topic[1:]}.{field}"
+            assert any(name == full or name.startswith(full + ".") for name in named), full
+
+
+def test_columns_say_their_unit_and_what_they_are(table):
+    field = table.schema.field("state.v_WB.x")
+    assert (field.metadata[b"unit"], field.metadata[b"about"]) == ("m/s".encode(), b"base velocity in W")
+    assert json.loads(table.schema.metadata[b"surefoot"])["scenario"] == "walk_flat_ideal"
+
+
+def test_csv_reads_back_to_the_same_numbers(log, table, tmp_path):
+    exported(log, "--csv", tmp_path / "run.csv", "--topics", "state", "/command", "--every", 7)
+    with open(tmp_path / "run.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == math.ceil(TICKS / 7)
+    assert {name.split(".")[0] for name in rows[0]} == {"time", "state", "command"}
+    for i in (0, 50):
+        for name, text in rows[i].items():
+            value = table[name][7 * i].as_py()
+            read = {"true": True, "false": False}.get(text, text) if isinstance(value, (bool, str)) else text and float(text)
+            assert read == ("" if value is None else value), name
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6, 0.9])
+def test_of_a_log_that_was_cut_off_the_beginning_is_exported_with_a_warning(log, table, tmp_path, share):
+    result = exported(cut(log, tmp_path, share), "--parquet", tmp_path / "cut.parquet", "--topics", "state")
+    assert "warning: the log is not whole" in result.stderr and "at byte" in result.stderr
+    part = pyarrow.parquet.read_table(tmp_path / "cut.parquet")
+    assert 0 < part.num_rows < TICKS
+    assert part.equals(table.select(part.column_names).slice(0, part.num_rows))
+
+
+def test_of_a_damaged_log_the_chunks_before_the_damage_are_exported(log, tmp_path):
+    result = exported(damaged(log, tmp_path, 0.7), "--parquet", tmp_path / "part.parquet", "--topics", "state")
+    assert "checksum" in result.stderr or "decompressed" in result.stderr
+    assert 0 < pyarrow.parquet.read_table(tmp_path / "part.parquet").num_rows < TICKS
+
+
+def test_what_is_no_log_is_refused_by_name(log, tmp_path):
+    out = tmp_path / "out.csv"
+    (tmp_path / "empty").touch()
+    for file, words in {
+        plain_text(tmp_path): "not an MCAP file",
+        foreign(tmp_path): "does not begin with a header of surefoot",
+        newer(log, tmp_path): "log version 3.0; this program reads 2",
+        without_ticks(log, tmp_path): "holds no tick",
+        tmp_path / "empty": "the file is empty",
+        tmp_path / "missing.mcap": "No such file",
+        tmp_path: "can't be read",
+    }.items():
+        line = complaint_of("export", file, "--csv", out)
+        assert str(file) in line and words in line
+        assert not out.exists() and not list(tmp_path.glob("*.partial"))
+
+
+def test_wrong_arguments_are_said_with_what_would_be_valid(log, tmp_path):
+    assert "--csv FILE, --parquet FILE or --foxglove" in complaint_of("export", log)
+    assert 'did you mean "/plan"?' in complaint_of("export", log, "--csv", tmp_path / "a.csv", "--topics", "plann")
+    assert "there is no folder" in complaint_of("export", log, "--csv", tmp_path / "no/a.csv")
+    assert "is a folder" in complaint_of("export", log, "--csv", tmp_path)
+    assert "--every" in complaint_of("export", log, "--csv", tmp_path / "a.csv", "--every", "0")
+    assert 'did you mean "--topics"?' in complaint_of("export", log, "--topic", "plan")
+
+
+@pytest.fixture(scope="module")
+def scene(log, tmp_path_factory):
+    """Messages of the scene by topic: time [ns] and content; and the schemas' names."""
+    file = tmp_path_factory.mktemp("export") / "scene.mcap"
+    exported(log, "--foxglove", file, "--topics", "command", "--every", 20)
+    found, names = {}, {}
+    with open(file, "rb") as stream:
+        for schema, channel, message in make_reader(stream, validate_crcs=True).iter_messages():
+            found.setdefault(channel.topic, []).append((message.log_time, json.loads(message.data)))
+            names[channel.topic] = (schema.name, schema.encoding, channel.message_encoding)
+    return found, names
+
+
+def test_the_scene_has_the_well_known_schemas(scene):
+    found, names = scene
+    assert names["/tf"] == ("foxglove.FrameTransforms", "jsonschema", "json")
+    for topic in ("/scene/robot", "/scene/ground", "/scene/forces"):
+        assert names[topic] == ("foxglove.SceneUpdate", "jsonschema", "json")
+    assert len(found["/tf"]) == len(found["/scene/forces"]) == len(found["/command"]) == TICKS // 20
+    assert len(found["/scene/robot"]) == len(found["/scene/ground"]) == 1
+
+
+def matrix(transform):
+    x, y, z, w = (transform["rotation"][key] for key in "xyzw")
+    X = np.eye(4)
+    X[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                 [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                 [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]  # fmt: skip
+    X[:3, 3] = [transform["translation"][key] for key in "xyz"]
+    return X
+
+
+def test_the_frames_lead_to_where_the_feet_are_in_truth(log, scene):
+    truths = {round(1e9 * truth["time"]): truth for truth in messages(log, "/truth")}
+    for time, message in scene[0]["/tf"][::10]:
+        of = {transform["child_frame_id"]: transform for transform in message["transforms"]}
+        X = {"world": np.eye(4)}
+        for name in of:  # parents stand before their children
+            X[name] = X[of[name]["parent_frame_id"]] @ matrix(of[name])
+        for leg in ("LF", "RH"):
+            centre = (X[f"{leg}_FOOT"] @ [0.0, 0.0, 0.02325, 1.0])[:3]
+            assert centre == pytest.approx(truths[time]["p_WF"][leg], abs=1e-6)
+
+
+def test_arrows_stand_on_the_feet_and_are_as_long_as_their_force(log, scene):
+    truths = {round(1e9 * truth["time"]): truth for truth in messages(log, "/truth")}
+    time, message = scene[0]["/scene/forces"][20]
+    arrows = next(part for part in message["entities"] if part["id"] == "forces")["arrows"]
+    loaded = [foot for foot in truths[time]["feet"].values() if math.hypot(*foot["force"]) > 5.0]
+    assert len(arrows) == len(loaded) > 2
+    for arrow, foot in zip(arrows, loaded):
+        assert [arrow["pose"]["position"][axis] for axis in "xyz"] == foot["point"]
+        assert arrow["shaft_length"] + arrow["head_length"] == pytest.approx(0.0022 * math.hypot(*foot["force"]))
+
+
+def test_every_entity_of_the_robot_is_fixed_to_a_frame_that_is_sent(scene):
+    found, _ = scene
+    frames = {transform["child_frame_id"] for transform in found["/tf"][0][1]["transforms"]}
+    robot = found["/scene/robot"][0][1]["entities"]
+    assert len(robot) > 12
+    assert all(part["frame_locked"] and part["frame_id"] in frames for part in robot)
+    triangles = [piece for part in robot for piece in part["triangles"]]
+    assert triangles and all(max(piece["indices"]) < len(piece["points"]) for piece in triangles)

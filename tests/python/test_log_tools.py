@@ -1,0 +1,214 @@
+"""`surefoot info`, `explain` and `replay` as their user sees them; and logs that are not what they should be."""
+
+import csv
+import json
+import math
+import re
+
+import pytest
+from conftest import record
+from damaged_logs import changed, cut, damaged, foreign, newer, plain_text, without_ticks
+from log_file import messages
+from mcap.reader import make_reader
+from program import complaint, surefoot
+
+COMMANDS = {"info": [], "explain": ["--at", 0.5], "replay": ["--verify"]}
+
+
+def answer(*arguments, status=0):
+    result = surefoot(*arguments)
+    assert result.returncode == status, result
+    assert result.stderr == ""
+    return result.stdout
+
+
+def of_json(*arguments, status=0):
+    return json.loads(answer(*arguments, "--json", status=status))
+
+
+def raw_bytes(path, topic):
+    with open(path, "rb") as file:
+        return sum(len(message.data) for _, _, message in make_reader(file).iter_messages(topics=[topic]))
+
+
+def test_info_says_which_run_it_was_and_counts_every_topic(log):
+    found = of_json("info", log)
+    assert (found["scenario"], found["seed"], found["ticks"], found["whole"]) == ("walk_flat_ideal", 0, 800, True)
+    assert {topic["messages"] for topic in found["topics"].values()} == {800}
+    for topic in ("/plan", "/truth"):
+        assert found["topics"][topic]["bytes"] == raw_bytes(log, topic)
+    assert found["attachments"]["model.xml"] > 1000 and found["summary"]["metrics"]["duration_s"] == 2
+    text = answer("info", log)
+    assert "whole" in text.splitlines()[0] and "800 ticks of 2.5 ms" in text
+    assert "did not succeed" in text or "succeeded" in text
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6, 0.95])
+def test_info_of_a_log_that_was_cut_off_says_so_and_shows_what_is_there(log, tmp_path, share):
+    file = cut(log, tmp_path, share)
+    found = of_json("info", file)
+    assert not found["whole"] and "cut off at byte" in found["problem"] and found["summary"] is None
+    assert 0 < found["ticks"] <= 800
+    assert "not whole" in answer("info", file) and "the log has no summary" in answer("info", file)
+
+
+def test_explain_gives_the_messages_of_the_nearest_tick(log):
+    found = of_json("explain", log, "--at", 0.7491)
+    assert found["time"] == 0.75
+    for topic in ("readings", "health", "user", "state", "plan", "model", "command", "truth"):
+        assert found[topic] == messages(log, f"/{topic}")[300], topic
+
+
+def test_explain_says_in_a_sentence_what_gave_way_to_what(log):
+    for tick, hierarchy in list(enumerate(messages(log, "/hierarchy")))[100::150]:
+        found = of_json("explain", log, "--at", 0.0025 * tick)
+        expected = [level["name"] for level in hierarchy["levels"] if level["residual"] > 1e-6]
+        assert [level["level"] for level in found["gave_way"]] == expected
+        content = {name for name in expected if not name.endswith("_minimisation")}
+        assert all(f"{name} gave way by " in found["sentence"] for name in content)
+        assert content or found["sentence"].startswith("Every level got what it asked for")
+        for level in found["gave_way"]:
+            rows = [row for row in hierarchy["blocked_by"] if row["level"] == level["level"]]
+            assert [(row["level"], row["row"], row["cost"]) for row in level["to"]] == [(r["by"], r["row"], r["cost"]) for r in rows]
+
+
+def test_explain_shows_feet_levels_limits_and_the_events_around(log):
+    lift_off = next(plan["time"] for plan in messages(log, "/plan") if plan["event"] == 1)
+    text = answer("explain", log, "--at", lift_off)
+    assert re.search(r"\+0\.0000 s  \w\w: lift-off", text)
+    assert re.search(r"^foot +phase +normal force", text, re.MULTILINE)
+    for words in ("com_xy", "sensors are good", "largest torque", "in truth"):
+        assert words in text
+    assert len(re.findall(r"^(?:LF|RF|LH|RH) ", text, re.MULTILINE)) == 4
+
+
+def test_explain_names_the_limits_that_act_and_only_these(log):
+    words = {-1: ", at its lower bound", 1: ", at its upper bound", -3: ", beyond its lower bound", 3: ", beyond its upper bound"}
+    hierarchies = messages(log, "/hierarchy")
+    some, none = (next(tick for tick, h in enumerate(hierarchies) if bool(h["active"]) == wanted) for wanted in (True, False))
+    text = answer("explain", log, "--at", 0.0025 * some)
+    shown = text.split("Limits that act:\n")[1].split("Events")[0].splitlines()
+    assert shown == [f"  {row['level']} {row['row']}{words[row['state']]}" for row in hierarchies[some]["active"]]
+    assert "No limit acts." in answer("explain", log, "--at", 0.0025 * none)
+
+
+def test_explain_tells_the_range_of_a_log_that_has_no_such_tick(log, tmp_path):
+    assert "--at is 7 s; the log goes from 0 s to 1.9975 s" in complaint("explain", log, "--at", 7)
+    assert "--at is -1 s" in complaint("explain", log, "--at", -1)
+    line = complaint("explain", cut(log, tmp_path, 0.5), "--at", 1.99)
+    assert "the log goes from 0 s to " in line and "cut off at byte" in line
+    assert "--at" in complaint("explain", log) and "--at" in complaint("explain", log, "--at", "soon")
+    assert "--at is not a time" in complaint("explain", log, "--at", "nan")
+
+
+@pytest.mark.parametrize("share", [0.35, 0.7])
+def test_explain_and_verify_work_on_what_is_there_of_a_log_that_was_cut_off(log, tmp_path, share):
+    file = cut(log, tmp_path, share)
+    assert of_json("explain", file, "--at", 0.2)["time"] == 0.2
+    found = of_json("replay", file, "--verify")
+    assert found["same"] and 0 < found["ticks"] < 800 and "cut off at byte" in found["problem"]
+    assert "The log is not whole" in answer("replay", file, "--verify")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_what_is_no_log_is_refused_in_one_line_that_names_it(log, tmp_path, command):
+    (tmp_path / "empty").touch()
+    for file, words in {
+        plain_text(tmp_path): "not an MCAP file",
+        foreign(tmp_path): "does not begin with a header of surefoot",
+        newer(log, tmp_path): "log version 3.0; this program reads 2.",
+        tmp_path / "empty": "the file is empty",
+        tmp_path / "missing.mcap": "no such file",
+        tmp_path: "no such file",
+    }.items():
+        line = complaint(command, file, *COMMANDS[command])
+        assert str(file) in line and words in line
+
+
+@pytest.mark.parametrize("share", [0.0001, 0.01, 0.5, 0.8, 0.9999])
+@pytest.mark.parametrize("make", [cut, damaged])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_no_damage_ends_a_command_otherwise_than_with_an_answer_or_one_line(log, tmp_path, command, make, share):
+    result = surefoot(command, make(log, tmp_path, share), *COMMANDS[command])
+    assert result.returncode in (0, 1, 2), result
+    assert result.returncode != 2 or len(result.stderr.strip().splitlines()) == 1
+
+
+def test_verify_says_that_every_torque_is_the_same(log):
+    found = of_json("replay", log, "--verify")
+    assert found["same"] and found["ticks"] == 800 and found["different_ticks"] == 0 and not found["estimated"]
+    assert found["different_messages"] == {}
+    assert "800 ticks, 0.0000 s to 1.9975 s: every torque is the same to the bit." in answer("replay", log, "--verify")
+
+
+def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
+    file = tmp_path / "ticks.csv"
+    found = of_json("replay", log, "--stack", "regular", "--csv", file)
+    assert found["same_plan"] and found["ticks"] == 800
+    with open(file, newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    commands = messages(log, "/command")
+    assert len(rows) == 800
+    assert float(rows[411]["command.torque.RF_HFE"]) == commands[411]["torque"][4]
+    differences = [float(row["other.command.torque.RF_HFE"]) - float(row["command.torque.RF_HFE"]) for row in rows]
+    rms = (sum(d * d for d in differences) / len(differences)) ** 0.5
+    assert found["torque_difference"]["RF_HFE"]["rms"] == pytest.approx(rms, rel=1e-9)
+    assert abs(found["torque_difference"]["RF_HFE"]["largest"]) == pytest.approx(max(map(abs, differences)), rel=1e-9)
+    residuals = [level["residual"] for h in messages(log, "/hierarchy") for level in h["levels"] if level["name"] == "com_xy"]
+    logged = next(level["logged"] for level in found["levels"] if level["name"] == "com_xy")
+    assert logged["largest"] == pytest.approx(max(residuals), rel=1e-9)
+    assert "rms" in answer("replay", log, "--stack", "regular")
+
+
+def test_wrong_arguments_of_replay_are_said(log, tmp_path):
+    assert "--verify" in complaint("replay", log) and "--stack OTHER" in complaint("replay", log)
+    assert 'did you mean "regular"?' in complaint("replay", log, "--stack", "regulr")
+    assert "one at a time" in complaint("replay", log, "--verify", "--stack", "regular")
+    assert "--csv" in complaint("replay", log, "--verify", "--csv", tmp_path / "a.csv")
+    assert "there is no folder" in complaint("replay", log, "--stack", "regular", "--csv", tmp_path / "no/a.csv")
+
+
+def test_a_log_without_ticks_has_nothing_to_explain_or_to_run_again(log, tmp_path):
+    file = without_ticks(log, tmp_path)
+    assert "holds no tick" in complaint("explain", file, "--at", 0)
+    assert "the log has no attachment" in complaint("replay", file, "--verify")
+    assert "no tick" in answer("info", file)
+
+
+def test_verify_finds_a_torque_that_is_another_in_its_last_bit(log, tmp_path):
+    before = messages(log, "/command")[345]["torque"][7]
+    other = math.nextafter(before, math.inf)
+
+    def change(command):
+        command["torque"][7] = other
+
+    file = changed(log, tmp_path, "/command", 345, change)
+    found = of_json("replay", file, "--verify", status=1)
+    assert (found["same"], found["different_ticks"]) == (False, 1)
+    expected = {"tick": 345, "time": 0.8625, "joint": "LH_HFE", "logged": other, "computed": before}
+    assert found["first"] == found["largest"] == expected
+    assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.8625}}
+    text = answer("replay", file, "--verify", status=1)
+    assert f"tick 345, 0.8625 s, LH_HFE: {other:.17g} N·m in the log, {before:.17g} N·m now" in text
+    assert "1 have another torque or mode" in text
+
+
+def test_verify_runs_the_runs_own_estimator_again(tmp_path):
+    """With `estimation: sensors` the logged state is not asked: that it comes out again is a part of the answer."""
+    file = record(tmp_path / "walk.mcap", "--set", "planner.calibration.duration=0", scenario="walk_flat", duration=1)
+    found = of_json("replay", file, "--verify")
+    assert found["same"] and found["estimated"]
+    assert "Estimator and controller ran again" in answer("replay", file, "--verify")
+
+    def change(state):
+        state["p_WB"][0] += 1e-3
+
+    found = of_json("replay", changed(file, tmp_path, "/state", 100, change), "--verify")
+    assert found["same"] and found["different_messages"] == {"/state": {"ticks": 1, "first": 0.25}}
+
+    def push(reading):
+        reading["accelerometer"][0] += 0.5
+
+    found = of_json("replay", changed(file, tmp_path, "/readings", 100, push), "--verify", status=1)
+    assert found["first"]["tick"] in (100, 101) and found["different_ticks"] > 100
+    assert found["different_messages"]["/state"]["first"] <= found["first"]["time"]
