@@ -1,6 +1,7 @@
 """Debian's chromium without a screen, driven over its debugging protocol."""
 
 import base64
+import contextlib
 import json
 import pathlib
 import shutil
@@ -12,7 +13,8 @@ import urllib.request
 from websockets.sync.client import connect
 
 CHROMIUM = shutil.which("chromium")
-WITH_PICTURE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+# The page itself is drawn without SwiftShader: only the picture in it needs it.
+WITH_PICTURE = ["--use-angle=swiftshader-webgl", "--enable-unsafe-swiftshader"]
 WITHOUT_PICTURE = ["--disable-gpu", "--disable-3d-apis"]
 
 
@@ -28,7 +30,8 @@ class Browser:
                    *flags, "about:blank"]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.console, self.requests, self.count = [], [], 0
-        self.socket = connect(self.page_address(), max_size=None, compression=None)
+        self.open_things = contextlib.ExitStack()
+        self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None))
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
         self.resize(width, height)
@@ -105,7 +108,7 @@ class Browser:
         return [text for kind, text in self.console if kind in ("error", "warning")]
 
     def close(self):
-        self.socket.close()
+        self.open_things.close()
         self.process.terminate()
         self.process.wait(timeout=20)
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -21,10 +21,12 @@ import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
-import type { Session } from "./protocol/session.ts";
+import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
 
+/** How often a log that is being summarised is asked for more [ms]. */
+const SUMMARY_PERIOD = 700;
 /** Texts change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -107,11 +109,21 @@ export class App {
       this.shownTime = NaN;
       this.notes.take("log");
     };
+    void this.summarise(source, schema);
     source.cache.onError = (error) => this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
-    void fetch("/api/events").then(async (answer) => {
-      if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
-    });
     return source;
+  }
+
+  /** Marks and overviews of a log become known from front to back after it was opened. */
+  private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
+    for (let { summarised } = this.session; ; ({ summarised } = await fetchSession())) {
+      source.summarise(summarised);
+      const answer = await fetch("/api/events");
+      if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
+      this.plots?.refresh();
+      if (summarised >= this.session.ticks) return;
+      await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+    }
   }
 
   private makeWorld(urdf: string): World | undefined {
@@ -229,7 +241,7 @@ export class App {
   private tick(now: number): void {
     requestAnimationFrame((next) => this.tick(next));
     const dt = Math.min((now - this.last) / 1000, 1);
-    if (this.world !== undefined && this.pictures > 5) this.world.stage.quality.measure(now - this.last);
+    if (this.world !== undefined && this.pictures > 5 && this.world.library.loading === 0) this.world.stage.quality.measure(now - this.last);
     this.last = now;
     const { player } = this;
     player.advance(dt, this.link?.rate ?? 0);

@@ -141,7 +141,7 @@ export class LiveLink {
   showRates(quality: Quality | undefined): void {
     const parts: string[] = [];
     if (this.status !== undefined && this.rate > 0) parts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
-    if (quality !== undefined) parts.push(`${(1000 / quality.frameTime).toFixed(0)} fps`);
+    if (quality !== undefined && quality.frameTime > 0) parts.push(`${(1000 / quality.frameTime).toFixed(0)} fps`);
     if (this.dropped > 0) parts.push(`${this.dropped} ticks lost on the way`);
     if (this.status?.ended != null) parts.push(`ended: ${this.status.ended}`);
     say(part("rates"), parts.join(" · "));

@@ -33,6 +33,12 @@ export class ReplaySource implements FrameSource {
     return (this.firstTick + this.ticks - 1) * this.period;
   }
 
+  /** More of the log is summarised by now: `ticks` from the first on. */
+  summarise(ticks: number): void {
+    this.cache.dropUnfinished();
+    this.cache.summarised = ticks >= this.ticks ? Infinity : ticks;
+  }
+
   private tick(time: number): number {
     const tick = Math.floor(time / this.period + 1e-6) - this.firstTick;
     return Math.min(Math.max(tick, 0), this.ticks - 1);

@@ -19,7 +19,10 @@ export class TileCache {
   private readonly tiles = new Map<string, FrameTable>();
   private readonly wanted = new Map<string, TileKey>();
   private readonly running = new Set<string>();
+  private readonly unfinished = new Set<string>();
   private readonly capacity: number;
+  /** Ticks from the first on whose least and greatest are known. */
+  summarised = Infinity;
   /** Called when a tile came. */
   onTile: () => void = () => {};
   onError: (error: Error) => void = () => {};
@@ -56,6 +59,12 @@ export class TileCache {
     return undefined;
   }
 
+  /** Throws pieces away that came before all of them was known. */
+  dropUnfinished(): void {
+    for (const name of this.unfinished) this.tiles.delete(name);
+    this.unfinished.clear();
+  }
+
   get pending(): number {
     return this.running.size + this.wanted.size;
   }
@@ -73,6 +82,8 @@ export class TileCache {
   private async load(name: string, key: TileKey): Promise<void> {
     const from = this.firstTick + key.index * TileCache.span(key);
     const query = `from=${from}&count=${TILE_FRAMES}&stride=${key.stride}${key.minMax ? "&min_max=1" : ""}`;
+    const end = (key.index + 1) * TileCache.span(key);
+    if (key.minMax && end > this.summarised) this.unfinished.add(name);
     try {
       const block = await this.fetchBlock(`/api/frames?${query}`);
       const tile = new FrameTable(this.schema, TILE_FRAMES);

@@ -79,6 +79,7 @@ export class Pull {
   /** Draws the spring and renews the pull. */
   update(dt: number): void {
     if (this.held === undefined) return;
+    this.world.invalidate();
     const { body, link, point } = this.held;
     link.localToWorld(this.from.copy(point));
     springForce(this.from, this.to, this.limits.push_newtons, this.force);

@@ -16,7 +16,7 @@ export class HierarchyPanel {
   private reordering = false;
 
   constructor(root: HTMLElement) {
-    root.append(this.account, this.list, this.facts);
+    root.append(this.account, this.facts, this.list);
   }
 
   /** Whether the order may be changed here. */

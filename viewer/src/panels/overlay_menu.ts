@@ -18,7 +18,7 @@ export class OverlayMenu {
       open.setAttribute("aria-expanded", String(!menu.hidden));
     });
     world.overlays.switches.forEach(({ id, name, about, on }, k) => {
-      const box = h("input", { type: "checkbox", checked: on, "data-overlay": id, onchange: () => world.overlays.toggle(id) });
+      const box = h("input", { type: "checkbox", checked: on, "data-overlay": id, onchange: () => this.toggle(id) });
       this.boxes.set(id, box);
       menu.append(this.line(box, name, about, KEYS[k] ?? ""));
     });
@@ -31,11 +31,16 @@ export class OverlayMenu {
     return h("label", { class: "overlay-line" }, box, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
   }
 
+  private toggle(id: string): void {
+    this.world.overlays.toggle(id);
+    this.world.invalidate();
+  }
+
   /** By the key's place in the menu. */
   toggleByKey(key: string): boolean {
     const entry = this.world.overlays.switches[KEYS.indexOf(key)];
     if (!KEYS.includes(key) || entry === undefined) return false;
-    this.world.overlays.toggle(entry.id);
+    this.toggle(entry.id);
     (this.boxes.get(entry.id) as HTMLInputElement).checked = entry.on;
     return true;
   }

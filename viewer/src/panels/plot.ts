@@ -5,13 +5,6 @@ import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
 import { digits, h, say } from "./dom.ts";
 
-/** Names of a plot's lines as its legend has them. */
-export function seriesLabel(schema: Schema, { channel, index }: Series): string {
-  const info = schema.channel(channel);
-  const label = info === undefined || info.size === 1 ? "" : ` ${info.labels?.[index] ?? index}`;
-  return channel + label;
-}
-
 /** Colours of a plot's lines, in turn; as the report's. */
 export const LINES = ["--c0", "--c1", "--c2", "--c3", "--c5", "--soft"];
 
@@ -66,8 +59,13 @@ export class Plot {
     }, [[], ...this.series.map(() => [])] as unknown as uPlot.AlignedData, this.frame);
   }
 
+  /** What tells a line from the others: its component, or the part of the name in which they differ. */
   private shortLabel(one: Series): string {
-    return seriesLabel(this.schema, one).replace(/^[a-z]+\.(feet\.)?/, "");
+    const parts = this.series.map(({ channel }) => channel.split("."));
+    const differs = parts[0]?.findIndex((part, i) => parts.some((other) => other[i] !== part)) ?? -1;
+    if (differs >= 0) return one.channel.split(".")[differs] ?? one.channel;
+    const info = this.schema.channel(one.channel);
+    return info?.labels?.[one.index] ?? (info?.size === 1 ? "" : String(one.index));
   }
 
   private listen(u: uPlot): void {

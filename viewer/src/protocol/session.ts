@@ -101,6 +101,8 @@ export interface Session {
   period: number;
   first_tick: number;
   ticks: number;
+  /** Of a log: ticks from the first on whose least and greatest are known by now. */
+  summarised: number;
   channels: ChannelInfo[];
   frame_floats: number;
   rows: string[][];

@@ -2,20 +2,27 @@ import * as THREE from "three";
 import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
+import { coarsen } from "./coarse_mesh.ts";
 import type { MeshInfo } from "../protocol/session.ts";
 
 /** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
 export class MeshLibrary {
   /** What could not be shown, and why. */
   readonly missing = new Map<string, string>();
+  /** Meshes that are still to come. */
+  loading = 0;
   onMissing: () => void = () => {};
   onLoad: () => void = () => {};
   private readonly byUri = new Map<string, MeshInfo>();
   private readonly loads = new Map<string, Promise<THREE.Object3D>>();
   private queue: Promise<unknown>;
 
-  /** Nothing is loaded before `ready`. */
-  constructor(meshes: MeshInfo[], ready: Promise<void>) {
+  /** Nothing is loaded before `ready`; `coarse`: whether fewer triangles do. */
+  constructor(
+    meshes: MeshInfo[],
+    ready: Promise<void>,
+    private readonly coarse: () => boolean,
+  ) {
     this.queue = ready;
     for (const mesh of meshes) this.byUri.set(mesh.uri, mesh);
   }
@@ -36,8 +43,9 @@ export class MeshLibrary {
   }
 
   private enqueue<T>(work: () => Promise<T>): Promise<T> {
+    ++this.loading;
     const result = this.queue.then(() => nextPicture()).then(work);
-    this.queue = result.catch(() => undefined);
+    this.queue = result.catch(() => undefined).then(() => --this.loading);
     return result;
   }
 
@@ -47,6 +55,7 @@ export class MeshLibrary {
     const answer = await fetch(`/api/mesh/${info.id}`);
     if (!answer.ok) throw new Error((await answer.text()).trim());
     const object = await this.parse(uri, answer, material);
+    if (this.coarse()) coarsen(object);
     object.traverse((child) => {
       if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
     });
@@ -88,14 +97,16 @@ export class MeshLibrary {
     return result.scene;
   }
 
-  /** Address of an image that a Collada file names; one transparent pixel where the server has none. */
+  /** Address of an image that a Collada file names; grey where the server has none. */
   private image(folder: string, url: string): string {
     const name = url.startsWith(folder) ? url : folder + url.replace(/^.*\//, "");
     const info = this.byUri.get(name);
     if (info?.found) return `/api/mesh/${info.id}`;
-    return "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACwAAAAAAQABAAACAkQBADs="; // white
+    return GREY;
   }
 }
+
+const GREY = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"><rect width="1" height="1" fill="#7d858c"/></svg>')}`;
 
 /** Matt, as robots are: the files' highlights come from the tools that wrote them. */
 function plain(material: THREE.Material | THREE.Material[]): THREE.Material | THREE.Material[] {

@@ -1,12 +1,8 @@
 import * as THREE from "three";
-import { Quality } from "./quality.ts";
+import { drawsInSoftware, Quality } from "./quality.ts";
 import type { Palette } from "./palette.ts";
 
 THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
-THREE.setConsoleFunction((type, message, ...rest) => {
-  if (type === "error") console.error(message, ...rest); // what loaders say about each file is not for users
-});
-
 /** How far the shadows reach around what the camera follows [m]. */
 const SHADOW_REACH = 1.6;
 
@@ -16,14 +12,16 @@ export class Stage {
   readonly camera = new THREE.PerspectiveCamera(42, 1, 0.02, 120);
   readonly renderer: THREE.WebGLRenderer;
   readonly quality: Quality;
+  onResize: () => void = () => {};
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.4);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0xb8bec4, 1.5);
 
   /** An error where the browser has no WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
+    const software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !software });
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
-    this.quality = new Quality(this.renderer, () => this.resize());
+    this.quality = new Quality(this.renderer, () => this.resize(), software);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0005;
@@ -60,6 +58,7 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    this.onResize();
   }
 
   render(): void {

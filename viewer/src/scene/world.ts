@@ -13,6 +13,7 @@ import { Terrain } from "./terrain.ts";
 
 /** An arrow as long as this stands for the robot's weight [m]. */
 const WEIGHT_LENGTH = 0.75;
+const SETTLING = 1;
 /** Trails are drawn anew this often [s]. */
 const TRAIL_PERIOD = 0.1;
 
@@ -32,6 +33,10 @@ export class World {
   private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
   private sinceTrails = Infinity;
   private shown = NaN;
+  private dirty = true;
+  /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
+  private settling = SETTLING;
+  private readonly view = new THREE.Matrix4();
   private onFirstPicture: () => void = () => {};
   private readonly p = [0, 0, 0];
   private readonly q = [1, 0, 0, 0];
@@ -47,7 +52,7 @@ export class World {
     this.stage = new Stage(canvas);
     this.camera = new FollowCamera(this.stage.camera, canvas);
     this.labels = new Labels(labelLayer, this.stage.camera);
-    this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)));
+    this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
     this.ghost.root.visible = false;
@@ -55,10 +60,13 @@ export class World {
     this.newton = WEIGHT_LENGTH / (9.81 * session.header.robot.mass);
     this.stage.scene.add(this.terrain.root, this.robot.root, this.ghost.root, this.overlays.root, this.extras);
     this.stage.quality.onStep = () => this.dress();
+    this.library.onLoad = () => this.invalidate();
+    this.stage.onResize = () => this.invalidate();
     this.dress();
   }
 
   private dress(): void {
+    this.invalidate();
     this.robot.useMeshes(this.stage.quality.meshes);
     this.ghost.useMeshes(this.stage.quality.meshes);
   }
@@ -69,6 +77,7 @@ export class World {
     this.terrain.wear(this.palette);
     this.overlays.wear(this.palette);
     this.ghostPaint.color.set(this.palette.ghost);
+    this.invalidate();
   }
 
   get ghostShown(): boolean {
@@ -76,13 +85,31 @@ export class World {
   }
   set ghostShown(shown: boolean) {
     this.ghost.root.visible = shown;
+    this.invalidate();
+  }
+
+  /** Something else than the time has changed what is seen. */
+  invalidate(): void {
+    this.dirty = true;
+  }
+
+  /** Whether the picture would be another one than the last. */
+  private changed(frame: Frame | undefined): boolean {
+    this.camera.controls.update();
+    this.stage.camera.updateMatrixWorld();
+    const moved = !this.view.equals(this.stage.camera.matrixWorld);
+    return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
   }
 
   /** Draws the frame; `dt`: since the last picture [s]; `extras` may move what it has added. */
   draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): void {
+    if (!this.changed(frame)) return;
+    this.settling = frame?.time !== this.shown ? SETTLING : this.settling - dt;
+    this.dirty = false;
     this.labels.begin();
     if (frame !== undefined) this.show(frame, source, dt);
     extras();
+    this.view.copy(this.stage.camera.matrixWorld);
     this.stage.render();
     if (frame !== undefined) this.onFirstPicture();
     this.labels.end();
@@ -119,10 +146,14 @@ export class World {
     return found === undefined ? undefined : found.getWorldPosition(new THREE.Vector3()).toArray();
   }
 
-  /** Where a point of W is in the picture, in pixels of the page. */
-  onPage(p_W: [number, number, number]): [number, number] {
+  /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
+  pixel(p_W: [number, number, number]): number[] {
     const at = new THREE.Vector3(...p_W).project(this.stage.camera);
-    const box = this.stage.renderer.domElement.getBoundingClientRect();
-    return [box.left + (0.5 + 0.5 * at.x) * box.width, box.top + (0.5 - 0.5 * at.y) * box.height];
+    this.stage.render(); // what was drawn is gone once it has been shown
+    const context = this.stage.renderer.getContext();
+    const bytes = new Uint8Array(4);
+    const [x, y] = [(0.5 + 0.5 * at.x) * context.drawingBufferWidth, (0.5 + 0.5 * at.y) * context.drawingBufferHeight];
+    context.readPixels(Math.floor(x), Math.floor(y), 1, 1, context.RGBA, context.UNSIGNED_BYTE, bytes);
+    return [...bytes.subarray(0, 3)];
   }
 }
