@@ -37,8 +37,8 @@ export class HierarchyPanel {
     const solve = scalar(frame, "timings.solve");
     const total = scalar(frame, "timings.total");
     const iterations = states.reduce((sum, state) => sum + (state.iterations || 0), 0);
-    const solveText = Number.isNaN(solve) ? "" : `solved in ${digits(solve)} µs (whole tick ${digits(total)} µs), `;
-    say(this.facts, `${solveText}${iterations} iterations in all`);
+    const solveText = Number.isNaN(solve) ? "" : `Solved in ${digits(solve)} of the tick's ${digits(total)} µs, `;
+    say(this.facts, `${solveText}${iterations} iterations`);
   }
 
   private build(states: LevelState[], names: string): void {

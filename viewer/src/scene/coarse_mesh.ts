@@ -2,7 +2,7 @@ import * as THREE from "three";
 import { simplify } from "./simplify.ts";
 
 /** Edge of a cell within which corners become one, as a share of the file's longest extent. */
-const CELL = 1 / 64;
+const CELL = 1 / 24;
 /** Meshes with fewer triangles stay as they are. */
 const SMALL = 200;
 

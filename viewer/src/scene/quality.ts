@@ -28,7 +28,7 @@ export function drawsInSoftware(): boolean {
 }
 
 /** A picture that takes longer than this is too slow [ms]. */
-const TOO_SLOW = 75;
+const TOO_SLOW = 110;
 /** Slow pictures in a row before the next step. */
 const PATIENCE = 12;
 

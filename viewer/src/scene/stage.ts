@@ -39,9 +39,9 @@ export class Stage {
   wear(palette: Palette): void {
     this.scene.background = new THREE.Color(palette.background);
     this.scene.fog = new THREE.Fog(palette.background, 9, 30);
-    this.sky.groundColor.set(palette.dark ? 0x3a4046 : 0xb8bec4);
-    this.sky.intensity = palette.dark ? 1.1 : 1.5;
-    this.sun.intensity = palette.dark ? 1.9 : 2.4;
+    this.sky.groundColor.set(palette.dark ? 0x6b747c : 0xb8bec4);
+    this.sky.intensity = palette.dark ? 1.9 : 1.5;
+    this.sun.intensity = palette.dark ? 2.5 : 2.4;
   }
 
   /** The light comes from the same side wherever the robot is. */
