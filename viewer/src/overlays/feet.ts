@@ -148,7 +148,7 @@ type Shell = THREE.Mesh<THREE.SphereGeometry, THREE.MeshBasicMaterial>;
 function shell(): Shell {
   const material = paint(0.1);
   material.wireframe = true;
-  return new THREE.Mesh(new THREE.SphereGeometry(1, 28, 18).rotateX(Math.PI / 2), material);
+  return new THREE.Mesh(new THREE.SphereGeometry(1, 22, 14).rotateX(Math.PI / 2), material);
 }
 
 function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: number): void {

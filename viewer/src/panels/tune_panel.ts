@@ -19,7 +19,7 @@ export class TunePanel {
       onchange: () => this.send("friction", { value: Number(this.friction.value) }),
     });
     root.append(
-      h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ assumed", this.friction), this.undoButton),
+      h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction), this.undoButton),
       h("h2", {}, "Gains"), this.tables,
       h("h2", {}, "Changes"), this.none, this.list,
     );
