@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace surefoot {
+
+/// A file of the viewer's page, embedded in the program.
+struct PageFile {
+  std::string_view name;        ///< "viewer.js"
+  std::string_view media_type;  ///< "text/javascript; charset=utf-8"
+  std::string_view data;
+};
+
+/// All of them; "index.html" is the page itself. Made from viewer/ by the build
+/// (cmake/viewer.cmake).
+[[nodiscard]] std::span<const PageFile> page_files();
+
+}  // namespace surefoot

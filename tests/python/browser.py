@@ -1,0 +1,131 @@
+"""Debian's chromium without a screen, driven over its debugging protocol."""
+
+import base64
+import contextlib
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+import urllib.request
+
+from websockets.sync.client import connect
+
+CHROMIUM = shutil.which("chromium")
+# The page itself is drawn without SwiftShader: only the picture in it needs it.
+WITH_PICTURE = ["--use-angle=swiftshader-webgl", "--enable-unsafe-swiftshader"]
+WITHOUT_PICTURE = ["--disable-gpu", "--disable-3d-apis"]
+
+
+class Browser:
+    """One page in a browser of its own; all that its console says is kept."""
+
+    def __init__(self, width=1280, height=720, flags=WITH_PICTURE):
+        assert CHROMIUM, "chromium is missing: dependencies/debian.txt lists it"
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="surefoot-browser-"))
+        command = [CHROMIUM, "--headless=new", "--no-sandbox", "--no-first-run", "--disable-extensions",
+                   "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",
+                   "--remote-debugging-port=0", f"--user-data-dir={self.folder}", f"--window-size={width},{height}",
+                   *flags, "about:blank"]
+        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.console, self.requests, self.count = [], [], 0
+        self.open_things = contextlib.ExitStack()
+        self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None))
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+        self.resize(width, height)
+
+    def page_address(self):
+        port_file = self.folder / "DevToolsActivePort"
+        wait_for(lambda: port_file.exists() and port_file.read_text().count("\n") >= 1, "chromium to listen", 30)
+        port = port_file.read_text().splitlines()[0]
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/json/list") as answer:
+            return next(page["webSocketDebuggerUrl"] for page in json.load(answer) if page["type"] == "page")
+
+    def call(self, method, **params):
+        self.count += 1
+        self.socket.send(json.dumps({"id": self.count, "method": method, "params": params}))
+        while True:
+            message = json.loads(self.socket.recv(timeout=60))
+            if message.get("id") == self.count:
+                assert "error" not in message, f"{method}: {message['error']}"
+                return message["result"]
+            self.hear(message)
+
+    def hear(self, message):
+        method, params = message.get("method"), message.get("params", {})
+        if method == "Runtime.consoleAPICalled":
+            text = " ".join(str(part.get("value", part.get("description", ""))) for part in params["args"])
+            self.console.append((params["type"], text))
+        elif method == "Runtime.exceptionThrown":
+            details = params["exceptionDetails"]
+            self.console.append(("error", details.get("exception", {}).get("description", details["text"])))
+        elif method == "Log.entryAdded":
+            self.console.append((params["entry"]["level"], params["entry"]["text"]))
+        elif method == "Network.requestWillBeSent":
+            self.requests.append(params["request"]["url"])
+
+    def run(self, script):
+        """The value of a JavaScript expression; promises are waited for."""
+        result = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        assert "exceptionDetails" not in result, result["exceptionDetails"]
+        return result["result"].get("value")
+
+    def wait(self, script, seconds=20):
+        return wait_for(lambda: self.run(script), script, seconds)
+
+    def resize(self, width, height, scale=1, mobile=False):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=mobile)
+
+    def prefer(self, theme):
+        self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+
+    def open(self, address):
+        self.call("Page.navigate", url=address)
+
+    def click(self, selector):
+        x, y = self.run(f"(() => {{ const b = document.querySelector({selector!r}).getBoundingClientRect();"
+                        "return [b.x + b.width / 2, b.y + b.height / 2]; })()")
+        self.mouse("mousePressed", x, y)
+        self.mouse("mouseReleased", x, y)
+
+    def mouse(self, kind, x, y):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+
+    def press(self, key, text=None):
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text or (key if len(key) == 1 else ""))
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key)
+
+    def screenshot(self, path=None):
+        data = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+        if path is not None:
+            pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
+            pathlib.Path(path).write_bytes(data)
+        return data
+
+    def errors(self):
+        return [text for kind, text in self.console if kind in ("error", "warning")]
+
+    def close(self):
+        self.open_things.close()
+        self.process.terminate()
+        self.process.wait(timeout=20)
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+def wait_for(condition, what, seconds=20):
+    """The condition's first value that counts as true."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise AssertionError(f"waited {seconds} s for {what}")

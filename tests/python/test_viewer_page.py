@@ -1,0 +1,234 @@
+"""The viewer's page in a real browser: what it shows is what the run says. Screenshots stay in build/screenshots."""
+
+import math
+import os
+import pathlib
+import time
+
+import pytest
+
+pytest.importorskip("websockets", reason="the virtual environment is older than dependencies/python.txt")
+
+from browser import WITHOUT_PICTURE, Browser, wait_for  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SCREENSHOTS = pathlib.Path(os.environ.get("SUREFOOT_SCREENSHOTS", pathlib.Path(__file__).resolve().parents[2] / "build/screenshots"))
+WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600"]
+
+
+@pytest.fixture(scope="module")
+def live():
+    with Viewer(*WALK) as viewer:
+        yield viewer
+
+
+@pytest.fixture(scope="module")
+def replayed(log):
+    with Viewer("replay", log) as viewer:
+        yield viewer
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with Browser() as browser:
+        yield browser
+
+
+def show(browser, link):
+    """Opens the page anew and waits for its first picture."""
+    browser.console.clear()
+    browser.open("about:blank")
+    browser.open(link)
+    browser.wait("window.surefoot !== undefined && surefoot.pictures > 1", 60)
+    return browser
+
+
+def pause(browser):
+    """Stops the run; its newest tick is then in the picture."""
+    browser.press(" ")
+    wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause")
+    browser.wait("surefoot.time === surefoot.last")
+
+
+def channel(browser, name):
+    return browser.run(f"surefoot.channel({name!r})")
+
+
+def test_the_page_loads_without_a_complaint_and_asks_nobody_else(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.meshesLoading === 0", 60)
+    browser.screenshot(SCREENSHOTS / "live.png")
+    assert [text for kind, text in browser.console if kind == "error"] == []
+    strangers = [url for url in browser.requests if not url.startswith((live.address, "about:", "data:", "blob:"))]
+    assert strangers == []
+
+
+def test_the_robot_stands_in_the_scene_where_the_run_says(browser, live):
+    show(browser, live.link)
+    pause(browser)
+    base, truth = browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")
+    assert math.dist(base, truth) < 1e-5
+    radius = live.json("api/session")["header"]["robot"]["foot_radius"]
+    for leg in ("LF", "RF", "LH", "RH"):
+        foot, true_foot = browser.run(f"surefoot.position('{leg}_FOOT')"), channel(browser, f"truth.p_WF.{leg}")
+        assert math.dist(foot, true_foot) < radius  # the sphere's centre lies within the foot's own length
+    browser.press(" ")
+
+
+def test_the_robot_stands_in_the_picture_where_the_run_says(browser, live):
+    show(browser, live.link)
+    pause(browser)
+    browser.wait("surefoot.meshesLoading === 0", 60)
+    time.sleep(1.5)  # the camera comes to rest
+    seen = browser.run("""(() => {
+      const p = surefoot.channel('truth.p_WB');
+      const pixel = (x, y, z) => surefoot.pixel([p[0] + x, p[1] + y, p[2] + z]);
+      return [pixel(0, 0, 0.05), pixel(0, 0, 1.2), pixel(0, 2, -0.4)];
+    })()""")
+    difference = [max(abs(a - b) for a, b in zip(seen[0], other)) for other in seen[1:]]
+    assert min(difference) > 25, seen  # the torso is no sky and no ground
+    browser.press(" ")
+
+
+def test_pause_stops_the_run_and_a_step_goes_on_by_one_tick(browser, live):
+    show(browser, live.link)
+    pause(browser)
+    tick = browser.run("surefoot.tick")
+    time.sleep(0.5)
+    assert browser.run("surefoot.tick") == tick
+    browser.press(".")
+    browser.wait(f"surefoot.tick === {tick + 1}")
+    browser.press(" ")
+    browser.wait(f"surefoot.tick > {tick + 20}")
+
+
+def test_scrubbing_shows_an_earlier_tick_while_the_run_goes_on(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.last - surefoot.first > 2", 60)
+    browser.run("""(() => { const scrub = document.querySelector('#scrub'); scrub.value = Number(scrub.min) + 0.5;
+      scrub.dispatchEvent(new Event('input')); })()""")
+    browser.wait("!surefoot.following")
+    shown, last = browser.run("surefoot.time"), browser.run("surefoot.last")
+    assert last - shown > 1
+    browser.wait(f"surefoot.last > {last} + 0.2")
+    assert browser.run("surefoot.time") == shown
+    browser.press("l")
+    browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
+
+
+def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.tick > 400", 60)
+    browser.click("#tab-drive")
+    browser.run("document.querySelector('#push-impulse').value = 12")
+    browser.run("window.peak = 0; window.watch = setInterval(() => {"
+                "const v = surefoot.channel('truth.v_WB'); if (v) peak = Math.max(peak, Math.abs(v[1])); }, 10)")
+    time.sleep(1)
+    before = browser.run("peak")
+    browser.click("#push")
+    browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /push \\d+ N/.test(one.textContent))", 30)
+    browser.screenshot(SCREENSHOTS / "push.png")
+    browser.wait(f"peak > {before} + 0.1", 30)  # 12 N·s on 30 kg
+    browser.wait("document.querySelector('.changes').textContent.includes('N')")
+    browser.run("clearInterval(watch)")
+
+
+def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser, live):
+    show(browser, live.link)
+    browser.click("#tab-tune")
+    browser.run("""(() => { const field = document.querySelector('#friction'); field.value = field.min;
+      field.dispatchEvent(new Event('change')); })()""")
+    browser.click("#tab-hierarchy")
+    browser.wait("surefoot.levels().some(one => one.name === 'friction_cone' && one.active.length > 0)", 60)
+    pause(browser)
+    browser.wait("surefoot.levels().every(one => document.querySelector(`.level[data-level=${one.name}]`)"
+                 ".dataset.status === one.status.replaceAll(' ', '-'))")
+    cards = browser.run("[...document.querySelectorAll('.level')].map(one => "
+                        "[one.dataset.status, one.textContent, getComputedStyle(one).borderLeftColor])")
+    browser.screenshot(SCREENSHOTS / "limit.png")
+    held = [card for card in cards if card[0] in ("at-limit", "gives-way")]
+    assert held
+    assert all("bound" in text or "gives way" in text for _, text, _ in held)
+    assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
+    browser.press("u")
+    browser.press(" ")
+
+
+def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
+    with Viewer(*WALK) as first:
+        show(browser, first.link)
+        port = first.port
+    browser.wait("document.querySelector('#link-state').textContent === 'connection lost'")
+    assert "tries again by itself" in browser.run("document.querySelector('#notes').textContent")
+    browser.screenshot(SCREENSHOTS / "lost.png")
+    with Viewer(*WALK, port=port):
+        browser.wait("document.querySelector('#link-state').textContent === 'connected'", 40)
+        browser.wait("surefoot.tick > 0 && surefoot.following", 40)
+        assert "lost" not in browser.run("document.querySelector('#notes').textContent")
+
+
+def test_without_a_token_the_page_only_looks(browser, live):
+    show(browser, live.address)
+    assert "View only" in browser.run("document.querySelector('#panel-drive').textContent")
+    assert browser.run("document.querySelector('#push').disabled")
+
+
+def test_a_log_is_shown_at_any_time_of_it(browser, replayed):
+    show(browser, replayed.link)
+    session = replayed.json("api/session")
+    for share in (0.8, 0.1):
+        tick = int(share * session["ticks"])
+        browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {tick * session["period"] + 1e-4};
+          scrub.dispatchEvent(new Event('input')); }})()""")
+        browser.run("surefoot.playing && document.querySelector('#play').click()")
+        browser.wait("!surefoot.playing")
+        shown = browser.run("surefoot.tick")
+        browser.wait(f"Math.abs(surefoot.time - surefoot.tick * {session['period']}) < {session['period']}")
+        assert abs(shown - tick) < 400  # it played on between the two calls
+        assert math.dist(browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")) < 1e-5
+
+
+def test_a_press_in_a_plot_moves_the_picture_to_that_time(browser, replayed):
+    show(browser, replayed.link)
+    browser.wait("document.querySelector('.u-over')?.getBoundingClientRect().width > 50")
+    x, y, width = browser.run("(() => { const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.x, b.y + 10, b.width]; })()")
+    browser.run("document.querySelector('#play').click()")
+    browser.mouse("mousePressed", x + 0.5 * width, y)
+    browser.mouse("mouseReleased", x + 0.5 * width, y)
+    middle = browser.run("0.5 * (surefoot.first + surefoot.last)")
+    wait_for(lambda: abs(browser.run("surefoot.time") - middle) < 0.1, "the time of the plot's middle")
+
+
+def test_any_channel_is_found_and_plotted(browser, replayed):
+    show(browser, replayed.link)
+    plots = browser.run("document.querySelectorAll('.plot').length")
+    browser.run("""(() => { const field = document.querySelector('#channel-search'); field.value = 'com residual';
+      field.dispatchEvent(new Event('input')); })()""")
+    assert "hierarchy.level.com_xy.residual" in browser.run("document.querySelector('.found').textContent")
+    browser.run("document.querySelector('.found button').click()")
+    browser.wait(f"document.querySelectorAll('.plot').length === {plots + 1}")
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize(("name", "width", "height"), [("desktop", 1280, 720), ("phone", 390, 844)])
+def test_nothing_is_wider_than_the_page(browser, replayed, theme, name, width, height):
+    browser.prefer(theme)
+    browser.resize(width, height, scale=2 if name == "phone" else 1, mobile=name == "phone")
+    show(browser, replayed.link)
+    browser.wait("surefoot.meshesLoading === 0", 60)
+    time.sleep(1)
+    browser.screenshot(SCREENSHOTS / f"replay_{name}_{theme}.png")
+    assert browser.run("document.documentElement.scrollWidth") <= width
+    cut = browser.run("[...document.querySelectorAll('button, select')].filter(one => one.offsetParent && "
+                      f"(one.getBoundingClientRect().right > {width} || one.getBoundingClientRect().left < 0)).map(one => one.outerHTML)")
+    assert cut == []
+    browser.resize(1280, 720)
+
+
+def test_without_webgl_the_page_says_so_and_its_panels_work(replayed):
+    with Browser(flags=WITHOUT_PICTURE) as browser:
+        browser.open(replayed.link)
+        browser.wait("document.querySelectorAll('.level').length > 5", 60)
+        browser.screenshot(SCREENSHOTS / "no_webgl.png")
+        assert "no WebGL" in browser.run("document.querySelector('#notes').textContent")
+        browser.wait("surefoot.time > 0.3", 30)

@@ -1,0 +1,288 @@
+import { LiveSource } from "./data/live_source.ts";
+import { marksOf } from "./data/marks.ts";
+import { Player } from "./data/player.ts";
+import { ReplaySource } from "./data/replay_source.ts";
+import { Schema } from "./data/schema.ts";
+import { scalar, type Frame } from "./data/frame.ts";
+import { levelStates } from "./data/hierarchy.ts";
+import { listenToKeys } from "./input/keys.ts";
+import { GamepadInput } from "./input/gamepad.ts";
+import { Pull } from "./input/pull.ts";
+import { LiveLink } from "./live_link.ts";
+import { DrivePanel } from "./panels/drive_panel.ts";
+import { h, part, plain, say } from "./panels/dom.ts";
+import { makeHelp } from "./panels/help.ts";
+import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
+import { Notes } from "./panels/notes.ts";
+import { OverlayMenu } from "./panels/overlay_menu.ts";
+import { PlotsPanel } from "./panels/plots_panel.ts";
+import { StatePanel } from "./panels/state_panel.ts";
+import { Tabs } from "./panels/tabs.ts";
+import { Transport } from "./panels/transport.ts";
+import { TunePanel } from "./panels/tune_panel.ts";
+import { Commands } from "./protocol/commands.ts";
+import { fetchSession, type Session } from "./protocol/session.ts";
+import { World } from "./scene/world.ts";
+import { Theme } from "./theme.ts";
+
+/** How often a log that is being summarised is asked for more [ms]. */
+const SUMMARY_PERIOD = 700;
+/** Texts change this often [s]. */
+const TEXT_PERIOD = 0.1;
+
+/** The whole page: data at one end, picture and panels at the other. */
+export class App {
+  readonly player: Player;
+  readonly world: World | undefined;
+  readonly notes: Notes;
+  readonly link: LiveLink | undefined;
+  frame: Frame | undefined;
+  pictures = 0;
+  private readonly theme = new Theme();
+  private readonly commands: Commands;
+  private readonly hierarchy: HierarchyPanel;
+  private readonly tune: TunePanel;
+  private readonly drive: DrivePanel;
+  private readonly state: StatePanel;
+  private readonly plots: PlotsPanel;
+  private readonly transport: Transport;
+  private readonly menu: OverlayMenu | undefined;
+  private readonly pull: Pull | undefined;
+  private readonly gamepad: GamepadInput;
+  private last = performance.now();
+  private sinceText = Infinity;
+  private told = "";
+  private shownTime = NaN;
+
+  constructor(
+    public session: Session,
+    urdf: string,
+    token: string,
+    notes: Notes,
+  ) {
+    this.notes = notes;
+    const schema = new Schema(session);
+    const live = session.mode === "live";
+    const source = live ? new LiveSource(schema) : this.openLog(schema);
+    this.player = new Player(source, live);
+    if (live) this.link = new LiveLink(source as LiveSource, session);
+    this.commands = new Commands(this.link?.connection, token);
+    this.world = this.makeWorld(urdf);
+
+    const tabs = new Tabs();
+    const report = (text: string, kind?: "error" | "plain"): void => notes.say(text, kind);
+    this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"));
+    this.state = new StatePanel(tabs.add("state", "State"), this.facts(), session.header.notes);
+    this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), this.commands, session.limits, report);
+    this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, report);
+    this.tune.show(session);
+    this.plots = new PlotsPanel(part("plots"), this.player, schema);
+    this.transport = new Transport(part("transport"), this.player, session.limits.speeds, {
+      pause: () => this.pause(),
+      step: (ticks) => this.step(ticks),
+      speed: (factor) => this.speed(factor),
+      reset: () => this.reset(),
+    });
+    this.hierarchy.canReorder = this.commands.allowed;
+    this.hierarchy.onOrder = (levels) => this.command("order", { levels });
+    if (this.world !== undefined) {
+      this.menu = new OverlayMenu(this.world);
+      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.player.following);
+      this.pull.onError = (error) => notes.keep("pull", error.message, "error");
+    }
+    const { drive } = this;
+    this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
+    this.wire();
+    this.wireKeys();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private openLog(schema: Schema): ReplaySource {
+    const { period, first_tick, ticks } = this.session;
+    const source = new ReplaySource(schema, period, first_tick, ticks, async (url) => {
+      const answer = await fetch(url);
+      if (!answer.ok) throw new Error((await answer.text()).trim());
+      return answer.arrayBuffer();
+    });
+    source.cache.onTile = () => {
+      this.plots?.refresh();
+      this.shownTime = NaN;
+      this.notes.take("log");
+    };
+    void this.summarise(source, schema);
+    source.cache.onError = (error) => this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    return source;
+  }
+
+  /** Marks and overviews of a log become known from front to back after it was opened. */
+  private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
+    for (let { summarised } = this.session; ; ({ summarised } = await fetchSession())) {
+      source.summarise(summarised);
+      const answer = await fetch("/api/events");
+      if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
+      this.plots?.refresh();
+      if (summarised >= this.session.ticks) return;
+      await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+    }
+  }
+
+  private makeWorld(urdf: string): World | undefined {
+    try {
+      const world = new World(part("canvas"), part("labels"), this.session, urdf);
+      world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
+      return world;
+    } catch (error) {
+      this.notes.keep("webgl", `There is no picture: this browser has no WebGL (${(error as Error).message}). The panels work all the same. Try another browser, or switch hardware acceleration on.`, "error");
+      part("view").classList.add("no-picture");
+      return undefined;
+    }
+  }
+
+  private facts(): [string, string][] {
+    const { header, version, source, whole } = this.session;
+    return [
+      ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
+      ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
+      ["Log", source === "" ? "" : `${source}${whole ? "" : " (not whole: the run was cut off)"}`],
+      ["Again", header.command], ["Version", version],
+    ];
+  }
+
+  private wire(): void {
+    const { world, theme } = this;
+    const wear = (dark: boolean): void => {
+      world?.wear(dark);
+      this.menu?.legend();
+      this.plots.rebuild();
+    };
+    theme.onChange = wear;
+    wear(theme.dark);
+    part("theme").addEventListener("click", () => theme.toggle());
+    part("follow").addEventListener("click", () => this.follow());
+    part("home").addEventListener("click", () => world?.camera.home());
+    say(part("title"), this.session.title);
+    say(part("mode"), this.session.mode === "live" ? "live" : "replay");
+    document.title = `${this.session.title} – Surefoot`;
+    if (this.session.mode === "replay" && !this.session.whole)
+      this.notes.keep("whole", "This log is not whole: the run was cut off. What is here can be seen.");
+    this.link?.wire(this);
+  }
+
+  private wireKeys(): void {
+    const { player, drive } = this;
+    const shift = (seconds: number) => (event: KeyboardEvent) => player.seek(player.time + seconds * (event.shiftKey ? 10 : 1));
+    const toggle = (event: KeyboardEvent): void => void this.menu?.toggleByKey(event.key);
+    const help = makeHelp();
+    listenToKeys({
+      " ": () => this.pause(), ",": () => this.step(-1), ".": () => this.step(1),
+      ArrowLeft: shift(-0.1), ArrowRight: shift(0.1),
+      "[": () => this.transport.faster(-1), "]": () => this.transport.faster(1),
+      l: () => player.goLive(), r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
+      o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
+      w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
+      d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
+      PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
+      x: () => drive.stand(), g: () => drive.giveBack(), p: () => drive.push(), u: () => this.tune.undo(),
+      ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
+    });
+  }
+
+  private follow(): void {
+    if (this.world === undefined) return;
+    this.world.camera.follow = !this.world.camera.follow;
+    part("follow").setAttribute("aria-pressed", String(this.world.camera.follow));
+  }
+
+  /** Sends a command of the run; a refusal is shown. */
+  command(type: string, fields: object = {}): void {
+    this.commands.send(type, fields).catch((error: Error) => this.notes.say(error.message, "error"));
+  }
+
+  /** Of a live run's newest picture the simulation, otherwise only what is shown. */
+  private pause(): void {
+    const { player, link } = this;
+    if (!player.following || link === undefined) player.toggle();
+    else if (this.commands.allowed) this.command(link.status?.paused ? "resume" : "pause");
+    else player.seek(player.time);
+  }
+
+  private step(ticks: number): void {
+    const { player, link } = this;
+    const newest = player.live && player.time >= player.source.last - 1e-9;
+    if (ticks > 0 && (player.following || newest) && link !== undefined && this.commands.allowed) {
+      player.goLive();
+      if (link.status?.paused) this.command("step", { ticks });
+      else this.command("pause");
+    } else player.step(ticks);
+  }
+
+  private speed(factor: number): void {
+    this.player.speed = factor;
+    if (this.player.live && this.player.following && this.commands.allowed) this.command("speed", { factor });
+  }
+
+  private reset(): void {
+    if (this.player.live) this.command("reset");
+    else this.player.seek(this.player.source.first);
+  }
+
+  /** The session is another one: levels, rows or tasks changed, or the run began again. */
+  use(session: Session, schema: Schema): void {
+    this.session = session;
+    this.plots.use(schema);
+    this.tune.show(session);
+  }
+
+  /** Replies, changes and state of a live run. */
+  handlers(): { commands: Commands; tune: TunePanel; drive: DrivePanel } {
+    return { commands: this.commands, tune: this.tune, drive: this.drive };
+  }
+
+  private tick(now: number): void {
+    requestAnimationFrame((next) => this.tick(next));
+    const dt = Math.min((now - this.last) / 1000, 1);
+    if (this.world !== undefined && this.pictures > 5 && this.world.library.loading === 0) this.world.stage.quality.measure(now - this.last);
+    this.last = now;
+    const { player } = this;
+    player.advance(dt, this.link?.rate ?? 0);
+    player.source.expect(player.time, player.playing ? player.speed : 0);
+    const frame = player.source.at(player.time);
+    const moved = player.time !== this.shownTime;
+    this.frame = frame;
+    this.gamepad.update(dt);
+    this.world?.draw(frame, player.source, dt, () => this.pull?.update(dt));
+    if (frame !== undefined) {
+      ++this.pictures;
+      this.shownTime = player.time;
+    }
+    this.transport.update(this.link?.status);
+    this.plots.update(dt, moved, frame);
+    this.texts(dt, frame);
+  }
+
+  private texts(dt: number, frame: Frame | undefined): void {
+    this.sinceText += dt;
+    if (this.sinceText < TEXT_PERIOD || frame === undefined) return;
+    this.sinceText = 0;
+    this.hierarchy.show(frame);
+    this.state.show(frame);
+    this.tune.showFriction(scalar(frame, "plan.feet.LF.friction"));
+    this.link?.showRates(this.world?.stage.quality);
+    this.tell(frame);
+  }
+
+  /** To screen readers: which levels give way, when that changes. */
+  private tell(frame: Frame): void {
+    const yielding = levelStates(frame).filter((level) => level.status === "gives way").map((level) => plain(level.name));
+    const text = yielding.length === 0 ? "All levels are met." : `${yielding.join(", ")}: gives way.`;
+    if (text === this.told) return;
+    this.told = text;
+    say(part("events"), text);
+  }
+}
+
+function missingText(missing: Map<string, string>): string {
+  const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
+  const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
+  return `Shown by primitives, as these meshes are missing: ${list}.`;
+}

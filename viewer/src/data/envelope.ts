@@ -1,0 +1,50 @@
+/** Least and greatest of each stretch of time, for a line that loses no spike. */
+export class Envelope {
+  readonly x: Float64Array;
+  readonly y: Float64Array[];
+
+  /** Two points a bucket: where the stretch begins and its middle. */
+  constructor(
+    readonly from: number,
+    readonly to: number,
+    readonly buckets: number,
+    series: number,
+  ) {
+    const width = (to - from) / buckets;
+    this.x = Float64Array.from({ length: 2 * buckets }, (_, i) => from + 0.5 * width * i);
+    this.y = Array.from({ length: series }, () => new Float64Array(2 * buckets).fill(NaN));
+  }
+
+  add(series: number, time: number, value: number): void {
+    if (Number.isNaN(value) || time < this.from || time > this.to) return;
+    const share = (time - this.from) / (this.to - this.from);
+    const bucket = Math.min(this.buckets - 1, Math.floor(share * this.buckets));
+    const y = this.y[series] as Float64Array;
+    const low = y[2 * bucket] as number;
+    const high = y[2 * bucket + 1] as number;
+    if (!(low <= value)) y[2 * bucket] = value;
+    if (!(high >= value)) y[2 * bucket + 1] = value;
+  }
+
+  /** For uPlot: empty buckets between known ones are left out, so that lines join. */
+  columns(): [Float64Array, ...Float64Array[]] {
+    const kept: number[] = [];
+    for (let i = 0; i < this.x.length; ++i) if (this.y.some((y) => !Number.isNaN(y[i] as number))) kept.push(i);
+    const pick = (column: Float64Array): Float64Array => Float64Array.from(kept, (i) => column[i] as number);
+    return [pick(this.x), ...this.y.map(pick)];
+  }
+
+  /** Least and greatest of all, with a little room. */
+  bounds(): [number, number] {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const y of this.y)
+      for (const value of y) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    if (low > high) return [0, 1];
+    const room = high > low ? 0.06 * (high - low) : Math.max(1e-6, 0.05 * Math.abs(high) || 0.5);
+    return [low - room, high + room];
+  }
+}

@@ -1,0 +1,52 @@
+import type { Schema } from "./schema.ts";
+
+/** An inequality row at a bound (-1, 1) or beyond it (-3, 3). */
+export interface ActiveRow {
+  level: number;
+  state: number;
+  row: number;
+}
+
+/** A row of level `by` that keeps `level` from a residual smaller by `cost`. */
+export interface BlockingRow {
+  level: number;
+  by: number;
+  row: number;
+  cost: number;
+}
+
+/** One control tick. */
+export interface Frame {
+  schema: Schema;
+  tick: number;
+  /** [s] */
+  time: number;
+  values: Float32Array;
+  active: ActiveRow[];
+  blocking: BlockingRow[];
+}
+
+/** A number of the frame; NaN where there is no such channel. */
+export function scalar(frame: Frame, name: string, index = 0): number {
+  const offset = frame.schema.offset(name);
+  return offset < 0 ? NaN : (frame.values[offset + index] ?? NaN);
+}
+
+/** A word of the frame, of those that the channel's `values` list; "" where it has none. */
+export function word(frame: Frame, name: string): string {
+  const value = scalar(frame, name);
+  return Number.isNaN(value) ? "" : (frame.schema.channel(name)?.values?.[value] ?? "");
+}
+
+/** Copies the numbers of a channel; false where there is none or one is not known. */
+export function read(frame: Frame, name: string, out: number[], size = out.length): boolean {
+  const offset = frame.schema.offset(name);
+  if (offset < 0) return false;
+  let known = true;
+  for (let i = 0; i < size; ++i) {
+    const value = frame.values[offset + i] ?? NaN;
+    out[i] = value;
+    known &&= !Number.isNaN(value);
+  }
+  return known;
+}

@@ -1,0 +1,87 @@
+import { scalar, type Frame } from "./frame.ts";
+
+export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows";
+
+export interface RowNote {
+  name: string;
+  level: number;
+  state: number;
+}
+
+export interface BlockNote {
+  by: number;
+  row: string;
+  cost: number;
+}
+
+/** How a level came out at a tick. */
+export interface LevelState {
+  /** Its number in `header.level_names`. */
+  level: number;
+  /** Its place in the order of priority, from 1. */
+  place: number;
+  name: string;
+  unit: string;
+  status: LevelStatus;
+  residual: number;
+  rows: number;
+  freedom: number;
+  iterations: number;
+  active: RowNote[];
+  blocked: BlockNote[];
+}
+
+/** A residual that people should see, by its unit. Below it, it is rounding. */
+export const VISIBLE: Record<string, number> = { "m/s²": 0.02, "rad/s²": 0.05, "N·m": 0.1, N: 0.5, "": 0.05 };
+
+/** Beyond its bound by more than the solver's rounding. */
+const BEYOND = 3;
+
+/** What each level of the frame's hierarchy did, highest priority first. */
+export function levelStates(frame: Frame): LevelState[] {
+  const { schema } = frame;
+  return schema.order(frame.tick).map((level, index) => {
+    const name = schema.levels[level] as string;
+    const field = (what: string): number => scalar(frame, `hierarchy.level.${name}.${what}`);
+    const unit = schema.units[level] ?? "";
+    const active = frame.active
+      .filter((row) => row.level === level)
+      .map(({ row, state }) => ({ name: schema.rowName(level, row), level, state }));
+    const blocked = frame.blocking
+      .filter((row) => row.level === level)
+      .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
+    const state = {
+      level, place: index + 1, name, unit, active, blocked,
+      residual: field("residual"), rows: field("num_rows"),
+      freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
+    };
+    return { ...state, status: statusOf(state) };
+  });
+}
+
+function statusOf({ name, unit, residual, rows, active }: Omit<LevelState, "status">): LevelStatus {
+  if (rows === 0) return "no rows";
+  const beyond = active.some((row) => Math.abs(row.state) >= BEYOND);
+  if (residual > (VISIBLE[unit] ?? 0.05) || (beyond && residual > 0.1 * (VISIBLE[unit] ?? 0.05)))
+    return name.includes("minimi") ? "minimised" : "gives way";
+  return active.length > 0 ? "at limit" : "met";
+}
+
+/** In a sentence what gives way to what. */
+export function accountOf(states: LevelState[]): string {
+  const yielding = states.filter((state) => state.status === "gives way");
+  if (yielding.length === 0) return "Every level gets what it asks for.";
+  return yielding
+    .map((state) => {
+      const why = state.blocked[0];
+      const because = why === undefined ? "" : ` to ${nameOf(states, why.by)} (${why.row})`;
+      const residual = `${state.residual.toPrecision(2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
+      return `${state.name.replaceAll("_", " ")} gives way${because}, ${residual} short.`;
+    })
+    .join(" ");
+}
+
+/** A level by its number, as people read it. */
+export function nameOf(states: LevelState[], level: number): string {
+  return states.find((state) => state.level === level)?.name.replaceAll("_", " ") ?? "a level above";
+}

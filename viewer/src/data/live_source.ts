@@ -1,0 +1,76 @@
+import { Envelope } from "./envelope.ts";
+import type { Frame } from "./frame.ts";
+import { MarkFinder } from "./marks.ts";
+import { FrameRing } from "./ring.ts";
+import type { Schema } from "./schema.ts";
+import type { FrameSource, Mark, Series } from "./source.ts";
+import { FrameTable } from "./table.ts";
+
+/** How far back a live run can be looked at [s]. */
+export const LIVE_SECONDS = 120;
+
+/** The last two minutes of a live run. */
+export class LiveSource implements FrameSource {
+  private readonly ring = new FrameRing(LIVE_SECONDS);
+  private readonly finder = new MarkFinder();
+  private latest: FrameTable;
+
+  constructor(public schema: Schema) {
+    this.latest = new FrameTable(schema, 1);
+  }
+
+  append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
+    if (time < this.ring.last) this.finder.clear();
+    this.ring.append(this.schema, tick, time, values, rows);
+    if (this.latest.schema !== this.schema) this.latest = new FrameTable(this.schema, 1);
+    this.latest.reuse(this.schema);
+    this.latest.append(tick, time, values, undefined);
+    this.finder.see(this.latest.frame(0));
+    this.finder.dropBefore(this.ring.first);
+  }
+
+  clear(): void {
+    this.ring.clear();
+    this.finder.clear();
+  }
+
+  get first(): number {
+    return this.ring.first;
+  }
+  get last(): number {
+    return this.ring.last;
+  }
+  get marks(): Mark[] {
+    return this.finder.marks;
+  }
+
+  at(time: number): Frame | undefined {
+    return this.ring.at(time);
+  }
+  neighbour(time: number, steps: number): number {
+    return this.ring.neighbour(time, steps);
+  }
+  expect(): void {}
+
+  fill(envelope: Envelope, series: Series[]): void {
+    this.ring.visit(envelope.from, envelope.to, (table, begin, end) => fillFrom(table, begin, end, envelope, series));
+  }
+
+  sample(from: number, to: number, count: number, call: (frame: Frame) => void): void {
+    let ticks = 0;
+    this.ring.visit(from, to, (_, begin, end) => (ticks += end - begin));
+    const stride = Math.max(1, Math.ceil(ticks / count));
+    this.ring.visit(from, to, (table, begin, end) => {
+      for (let i = begin; i < end; ++i) if ((table.ticks[i] as number) % stride === 0) call(table.frame(i));
+    });
+  }
+}
+
+/** Adds frames [begin, end) of a table to the envelope. */
+export function fillFrom(table: FrameTable, begin: number, end: number, envelope: Envelope, series: Series[]): void {
+  series.forEach(({ channel, index }, s) => {
+    const offset = table.schema.offset(channel);
+    if (offset < 0) return;
+    for (let i = begin; i < end; ++i) envelope.add(s, table.times[i] as number, table.value(i, offset + index));
+  });
+}

@@ -1,0 +1,71 @@
+import type { FrameSource } from "./source.ts";
+
+/** How far behind the newest frame a live picture runs, so that it moves evenly [s of wall clock]. */
+const LIVE_LAG = 0.05;
+/** A picture further off than this jumps instead of catching up [s of wall clock]. */
+const JUMP = 0.4;
+
+/** The time that is shown, and how it goes on. */
+export class Player {
+  time = NaN;
+  playing = true;
+  speed = 1;
+  /** Live: stay with the newest frame. */
+  following: boolean;
+
+  constructor(
+    public source: FrameSource,
+    readonly live: boolean,
+  ) {
+    this.following = live;
+  }
+
+  /** Goes on by `dt` seconds of wall clock; `liveRate`: seconds of simulation that come in a second. */
+  advance(dt: number, liveRate: number): void {
+    const { first, last } = this.source;
+    if (Number.isNaN(first)) return;
+    if (Number.isNaN(this.time)) this.time = this.live ? last : first;
+    if (this.following) this.follow(dt, liveRate);
+    else if (this.playing) this.play(dt);
+    this.time = Math.min(Math.max(this.time, first), last);
+  }
+
+  private follow(dt: number, rate: number): void {
+    const target = this.source.last - LIVE_LAG * rate;
+    const off = target - (this.time + dt * rate);
+    if (rate === 0 || Math.abs(off) > JUMP * rate) this.time = rate === 0 ? this.source.last : target;
+    else this.time += dt * rate + off * Math.min(1, 3 * dt);
+  }
+
+  private play(dt: number): void {
+    this.time += dt * this.speed;
+    if (this.time < this.source.last) return;
+    if (this.live) this.following = true;
+    else this.playing = false;
+  }
+
+  /** Shows another time, and stays there unless it plays a log. */
+  seek(time: number): void {
+    this.time = Math.min(Math.max(time, this.source.first), this.source.last);
+    if (this.live) {
+      this.following = false;
+      this.playing = false;
+    }
+  }
+
+  step(ticks: number): void {
+    this.playing = false;
+    this.following = false;
+    this.time = this.source.neighbour(this.time, ticks);
+  }
+
+  goLive(): void {
+    this.following = true;
+    this.playing = true;
+  }
+
+  toggle(): void {
+    if (!this.live && !this.playing && this.time >= this.source.last) this.time = this.source.first;
+    this.playing = !this.playing;
+  }
+}

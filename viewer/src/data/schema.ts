@@ -1,0 +1,46 @@
+import type { ChannelInfo, Order, Session } from "../protocol/session.ts";
+
+export const LEGS = ["LF", "RF", "LH", "RH"] as const;
+
+/** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
+export class Schema {
+  readonly channels: ChannelInfo[];
+  readonly frameFloats: number;
+  readonly levels: string[];
+  readonly units: string[];
+  readonly rows: string[][];
+  private readonly orders: Order[];
+  readonly events: string[];
+  private readonly byName = new Map<string, ChannelInfo>();
+
+  constructor(session: Session) {
+    this.channels = session.channels;
+    this.frameFloats = session.frame_floats;
+    this.levels = session.header.level_names;
+    this.units = session.header.level_units;
+    this.rows = session.rows;
+    this.orders = session.orders;
+    this.events = session.header.event_names;
+    for (const channel of this.channels) this.byName.set(channel.name, channel);
+  }
+
+  channel(name: string): ChannelInfo | undefined {
+    return this.byName.get(name);
+  }
+
+  /** Index of a channel's first number in a frame; -1: there is none of that name. */
+  offset(name: string): number {
+    return this.byName.get(name)?.offset ?? -1;
+  }
+
+  /** Numbers of the levels as they were at a tick, highest priority first. */
+  order(tick: number): number[] {
+    const order = this.orders.findLast((one) => one.tick <= tick);
+    if (order === undefined) return this.levels.map((_, level) => level);
+    return order.levels.map((name) => this.levels.indexOf(name)).filter((level) => level >= 0);
+  }
+
+  rowName(level: number, row: number): string {
+    return this.rows[level]?.[row] ?? `row ${row}`;
+  }
+}

@@ -1,0 +1,149 @@
+import type { App } from "./app.ts";
+import type { LiveSource } from "./data/live_source.ts";
+import { Schema } from "./data/schema.ts";
+import { part, say } from "./panels/dom.ts";
+import { readBlock, readBlockHead } from "./protocol/block.ts";
+import { Connection, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
+import { fetchSession, type Session } from "./protocol/session.ts";
+import type { Quality } from "./scene/quality.ts";
+
+/** Blocks that wait while the session is read again. */
+const MOST_WAITING = 200;
+
+/** Keeps the live source up to date, over lost connections and changes of the stack. */
+export class LiveLink {
+  readonly connection: Connection;
+  status: Status | undefined;
+  /** Ticks that were lost on the way to this page. */
+  dropped = 0;
+  private generation: number;
+  private waiting: ArrayBuffer[] = [];
+  private reading = false;
+  private lostBefore = false;
+  private app: App | undefined;
+
+  constructor(
+    private readonly source: LiveSource,
+    private session: Session,
+  ) {
+    this.generation = session.generation;
+    this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
+  }
+
+  /** Seconds of simulation that come in a second. */
+  get rate(): number {
+    if (this.connection.state !== "open" || this.status === undefined) return 0;
+    if (this.status.paused || this.status.ended !== null) return 0;
+    return this.status.speed * Math.min(1, this.status.real_factor > 0 ? this.status.real_factor : 1);
+  }
+
+  wire(app: App): void {
+    this.app = app;
+    this.connection.onBlock = (block) => this.take(block);
+    this.connection.onMessage = (message) => this.hear(message);
+    this.connection.onState = (state) => this.turn(state);
+    this.connection.open();
+  }
+
+  private take(block: ArrayBuffer): void {
+    const head = readBlockHead(block);
+    this.dropped = head.dropped;
+    if (head.generation !== this.generation || this.reading) {
+      if (this.waiting.length < MOST_WAITING) this.waiting.push(block);
+      if (!this.reading) void this.readSession();
+      return;
+    }
+    this.read(block);
+  }
+
+  private read(block: ArrayBuffer): void {
+    try {
+      readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
+    } catch (error) {
+      this.app?.notes.keep("block", (error as Error).message, "error");
+    }
+  }
+
+  private async readSession(): Promise<void> {
+    this.reading = true;
+    try {
+      this.use(await fetchSession());
+      const { waiting } = this;
+      this.waiting = [];
+      this.reading = false;
+      for (const block of waiting) if (readBlockHead(block).generation === this.generation) this.read(block);
+    } catch (error) {
+      this.reading = false;
+      this.app?.notes.say((error as Error).message, "error");
+    }
+  }
+
+  private use(session: Session): void {
+    const schema = new Schema(session);
+    this.session = session;
+    this.generation = session.generation;
+    this.source.schema = schema;
+    this.app?.use(session, schema);
+  }
+
+  private hear(message: ServerMessage): void {
+    const app = this.app as App;
+    const { commands, tune, drive } = app.handlers();
+    switch (message.type) {
+      case "status":
+        this.status = message;
+        drive.show(message);
+        tune.showUndo(message.undo);
+        break;
+      case "change":
+        tune.addChange(message.time, message.text);
+        app.notes.say(message.text);
+        this.source.marks.push({ time: message.time, text: message.text, leg: "", kind: "change" });
+        void this.refreshTasks();
+        break;
+      case "reply":
+        commands.reply(message);
+        break;
+      case "notice":
+        app.notes.say(message.text);
+    }
+  }
+
+  /** Numbers of the tasks as they are now. */
+  private async refreshTasks(): Promise<void> {
+    const { tasks } = await fetchSession();
+    this.session = { ...this.session, tasks };
+    this.app?.handlers().tune.show(this.session);
+  }
+
+  private turn(state: ConnectionState): void {
+    const app = this.app as App;
+    const badge = part("link-state");
+    badge.dataset["state"] = state;
+    say(badge, state === "open" ? "connected" : state === "lost" ? "connection lost" : "connecting");
+    if (state === "lost") {
+      this.lostBefore = true;
+      app.handlers().commands.lost();
+      app.notes.keep("lost", "The connection to the program is lost. The last picture stays; the page tries again by itself.", "error");
+    } else if (state === "open") {
+      app.notes.take("lost");
+      if (this.lostBefore) void this.comeBack();
+    }
+  }
+
+  /** The program may be another one now: everything is read anew. */
+  private async comeBack(): Promise<void> {
+    await this.readSession();
+    this.app?.notes.say("Connected again.");
+  }
+
+  /** Speed against the wall clock, pictures a second, lost ticks. */
+  showRates(quality: Quality | undefined): void {
+    const parts: string[] = [];
+    if (this.status !== undefined && this.rate > 0) parts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
+    if (quality !== undefined && quality.frameTime > 0) parts.push(`${(1000 / quality.frameTime).toFixed(0)} fps`);
+    if (this.dropped > 0) parts.push(`${this.dropped} ticks lost on the way`);
+    if (this.status?.ended != null) parts.push(`ended: ${this.status.ended}`);
+    say(part("rates"), parts.join(" · "));
+  }
+}

@@ -1,0 +1,35 @@
+import "uplot/dist/uPlot.min.css";
+import "./style/page.css";
+import "./style/view.css";
+import "./style/panels.css";
+import { App } from "./app.ts";
+import { Notes } from "./panels/notes.ts";
+import { part, say } from "./panels/dom.ts";
+import { backoff } from "./protocol/connection.ts";
+import { fetchSession } from "./protocol/session.ts";
+import { expose } from "./test_window.ts";
+
+/** The key of this start, from the link's fragment `#token=…`; it is not sent with any request of a page. */
+function tokenOfLink(): string {
+  return new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
+}
+
+async function start(): Promise<void> {
+  const notes = new Notes();
+  for (let attempt = 0; ; ++attempt) {
+    try {
+      const [session, urdf] = await Promise.all([fetchSession(), fetch("/api/robot.urdf").then((answer) => answer.text())]);
+      notes.take("start");
+      expose(new App(session, urdf, tokenOfLink(), notes));
+      return;
+    } catch (error) {
+      console.warn(error);
+      say(part("link-state"), "no connection");
+      part("link-state").dataset["state"] = "lost";
+      notes.keep("start", `The run can't be shown: ${(error as Error).message}. The page tries again by itself.`, "error");
+      await new Promise((resolve) => setTimeout(resolve, backoff(attempt)));
+    }
+  }
+}
+
+void start();

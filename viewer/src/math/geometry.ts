@@ -1,0 +1,56 @@
+/** Geometry on plain arrays, without the scene. */
+
+export type Point = [number, number];
+
+/** Convex hull, counter-clockwise; points on an edge are left out. */
+export function convexHull(points: Point[]): Point[] {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  if (sorted.length < 3) return sorted;
+  const half = (list: Point[]): Point[] => {
+    const chain: Point[] = [];
+    for (const p of list) {
+      while (chain.length >= 2 && cross(chain.at(-2) as Point, chain.at(-1) as Point, p) <= 0) chain.pop();
+      chain.push(p);
+    }
+    chain.pop();
+    return chain;
+  };
+  return [...half(sorted), ...half(sorted.reverse())];
+}
+
+function cross(o: Point, a: Point, b: Point): number {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+/** Heading of a body from its orientation w, x, y, z [rad]. */
+export function yawOf(q: number[]): number {
+  const [w, x, y, z] = q as [number, number, number, number];
+  return Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+}
+
+/** Angle within (−π, π]. */
+export function wrap(angle: number): number {
+  return angle - 2 * Math.PI * Math.ceil((angle - Math.PI) / (2 * Math.PI));
+}
+
+/** z of the plane through `point` with `normal`, over (x, y). */
+export function planeHeight(point: number[], normal: number[], x: number, y: number): number {
+  const [px, py, pz] = point as [number, number, number];
+  const [nx, ny, nz] = normal as [number, number, number];
+  return pz - (nx * (x - px) + ny * (y - py)) / nz;
+}
+
+/**
+ * Zero-moment point of forces on the ground: where their normal parts balance.
+ * Undefined where nothing carries.
+ */
+export function centreOfPressure(points: number[][], forces: number[][]): [number, number, number] | undefined {
+  let total = 0;
+  const sum: [number, number, number] = [0, 0, 0];
+  points.forEach((point, k) => {
+    const f = Math.max(0, (forces[k] as number[])[2] as number);
+    total += f;
+    for (let i = 0; i < 3; ++i) sum[i] = (sum[i] as number) + f * (point[i] as number);
+  });
+  return total > 1 ? [sum[0] / total, sum[1] / total, sum[2] / total] : undefined;
+}

@@ -1,0 +1,159 @@
+import * as THREE from "three";
+import { read, scalar } from "../data/frame.ts";
+import { LEGS } from "../data/schema.ts";
+import type { Palette } from "../scene/palette.ts";
+import { paint } from "./arrow.ts";
+import { TRAIL_SECONDS } from "./com.ts";
+import { vector, type Overlay, type Picture } from "./overlay.ts";
+import { Trail, trailMaterial } from "./trail.ts";
+
+/** Ways of the feet: the references (thin) with the planned way ahead as far as it is known, and where they really went. */
+export class SwingCurves implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly planned = LEGS.map(() => trailMaterial(0.55));
+  private readonly real = LEGS.map(() => trailMaterial());
+  private readonly plannedTrails = this.planned.map((material) => new Trail(material));
+  private readonly realTrails = this.real.map((material) => new Trail(material));
+  private readonly targets = LEGS.map(() => new THREE.Mesh(new THREE.SphereGeometry(0.009, 12, 8), paint()));
+  private readonly foot = new THREE.Vector3();
+
+  constructor() {
+    for (const trail of [...this.plannedTrails, ...this.realTrails]) this.root.add(trail.line);
+    this.root.add(...this.targets);
+  }
+
+  wear(palette: Palette): void {
+    LEGS.forEach((_, k) => {
+      const colour = palette.legs[k] as number;
+      (this.planned[k] as THREE.LineBasicMaterial).color.set(colour);
+      (this.real[k] as THREE.LineBasicMaterial).color.set(colour);
+      (this.targets[k] as THREE.Mesh<THREE.SphereGeometry, THREE.MeshBasicMaterial>).material.color.set(colour);
+    });
+  }
+
+  update(picture: Picture): void {
+    LEGS.forEach((leg, k) => {
+      const target = this.targets[k] as THREE.Mesh;
+      target.visible = scalar(picture.frame, `plan.feet.${leg}.phase`) >= 2;
+      vector(picture.frame, `plan.feet.${leg}.p_WF`, target.position);
+    });
+    if (picture.trails) this.drawTrails(picture);
+  }
+
+  private drawTrails({ frame, source }: Picture): void {
+    for (const trail of [...this.plannedTrails, ...this.realTrails]) trail.begin();
+    source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
+      LEGS.forEach((leg, k) => {
+        if (vector(one, `plan.feet.${leg}.p_WF`, this.foot))
+          (this.plannedTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
+        if (one.time <= frame.time && vector(one, `model.p_WF.${leg}`, this.foot))
+          (this.realTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
+      });
+    });
+    for (const trail of [...this.plannedTrails, ...this.realTrails]) trail.end();
+  }
+}
+
+/** Prints where feet stand, stood, and (where the future is known) will stand. */
+export class Footholds implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly perLeg = 6;
+  private readonly discs = LEGS.map(() =>
+    Array.from({ length: this.perLeg }, () => {
+      const disc = new THREE.Mesh(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6));
+      disc.visible = false;
+      return disc;
+    }),
+  );
+  private readonly last = LEGS.map(() => [NaN, NaN, NaN]);
+  private readonly foot = [0, 0, 0];
+
+  constructor() {
+    for (const discs of this.discs) this.root.add(...discs);
+  }
+
+  wear(palette: Palette): void {
+    this.discs.forEach((discs, k) => discs.forEach((disc) => disc.material.color.set(palette.legs[k] as number)));
+  }
+
+  update({ frame, source, header, trails }: Picture): void {
+    if (!trails) return;
+    const counts = [0, 0, 0, 0];
+    for (const last of this.last) last.fill(NaN);
+    source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
+      LEGS.forEach((leg, k) => {
+        if (!(scalar(one, `plan.feet.${leg}.phase`) <= 1) || !read(one, `plan.feet.${leg}.p_WF`, this.foot)) return;
+        const last = this.last[k] as number[];
+        if (Math.hypot(...this.foot.map((x, i) => x - (last[i] as number))) < 0.03) return;
+        const disc = (this.discs[k] as THREE.Mesh[])[(counts[k] as number) % this.perLeg] as THREE.Mesh;
+        counts[k] = (counts[k] as number) + 1;
+        this.foot.forEach((x, i) => (last[i] = x));
+        disc.position.fromArray(this.foot).setZ((this.foot[2] as number) - header.robot.foot_radius + 0.003);
+      });
+    });
+    this.discs.forEach((discs, k) => discs.forEach((disc, i) => (disc.visible = i < (counts[k] as number))));
+  }
+}
+
+/** Spheres around the hips between which the feet must stay; plainer the nearer a foot is to one. */
+export class LimbLimits implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
+  private readonly legMaterial = LEGS.map(() => trailMaterial());
+  private readonly lines = this.legMaterial.map((material) => new Trail(material, 2));
+  private readonly colours = { good: 0, near: 0, bad: 0 };
+  private readonly hip = new THREE.Vector3();
+  private readonly foot = new THREE.Vector3();
+
+  constructor() {
+    for (const { min, max } of this.shells) this.root.add(min, max);
+    for (const line of this.lines) this.root.add(line.line);
+  }
+
+  wear(palette: Palette): void {
+    Object.assign(this.colours, { good: palette.good, near: palette.near, bad: palette.bad });
+  }
+
+  update({ frame, header, labels, beliefToWorld }: Picture): void {
+    const { min, max, form } = header.limb;
+    LEGS.forEach((leg, k) => {
+      const shells = this.shells[k] as { min: Shell; max: Shell };
+      const line = this.lines[k] as Trail;
+      const known =
+        vector(frame, `model.p_WH.${leg}`, this.hip) && vector(frame, `model.p_WF.${leg}`, this.foot);
+      line.line.visible = known;
+      shells.min.visible = known && min !== null;
+      shells.max.visible = known && max !== null;
+      if (!known) return;
+      const length = form === "vertical" ? Math.abs(this.hip.z - this.foot.z) : this.hip.distanceTo(this.foot);
+      const room = Math.min(max === null ? 1 : max - length, min === null ? 1 : length - min);
+      const colour = this.colours[room > 0.03 ? "good" : room > 0 ? "near" : "bad"];
+      place(shells.max, this.hip, max ?? 0, max === null ? 1 : max - length, colour);
+      place(shells.min, this.hip, min ?? 0, min === null ? 1 : length - min, colour);
+      (this.legMaterial[k] as THREE.LineBasicMaterial).color.set(colour);
+      line.begin();
+      line.add(this.hip.x, this.hip.y, this.hip.z);
+      line.add(this.foot.x, this.foot.y, this.foot.z);
+      line.end();
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), `${(100 * length).toFixed(1)} cm`, "limb");
+    });
+  }
+}
+
+type Shell = THREE.Mesh<THREE.SphereGeometry, THREE.MeshBasicMaterial>;
+
+function shell(): Shell {
+  const material = paint(0.1);
+  material.wireframe = true;
+  return new THREE.Mesh(new THREE.SphereGeometry(1, 22, 14).rotateX(Math.PI / 2), material);
+}
+
+function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: number): void {
+  shell.position.copy(hip);
+  shell.scale.setScalar(radius);
+  shell.material.color.set(colour);
+  shell.material.opacity = 0.04 + 0.2 * Math.max(0, 1 - Math.max(0, room) / 0.1);
+}

@@ -1,0 +1,152 @@
+import * as THREE from "three";
+import { read, scalar } from "../data/frame.ts";
+import { LEGS } from "../data/schema.ts";
+import { centreOfPressure, convexHull, planeHeight, type Point } from "../math/geometry.ts";
+import type { Palette } from "../scene/palette.ts";
+import { paint } from "./arrow.ts";
+import { vector, type Overlay, type Picture } from "./overlay.ts";
+
+/** What is drawn on the ground floats this far over it [m]. */
+const OVER = 0.004;
+
+/** The plane that the controller believes the ground to be. */
+export class BelievedPlane {
+  readonly normal = [0, 0, 1];
+  private readonly point = [0, 0, 0];
+  private readonly R: number[] = new Array<number>(9).fill(0);
+
+  read({ frame, header }: Picture): boolean {
+    if (!read(frame, "plan.R_WC", this.R) || !read(frame, "plan.terrain_point", this.point)) return false;
+    this.normal[0] = this.R[2] as number;
+    this.normal[1] = this.R[5] as number;
+    this.normal[2] = this.R[8] as number;
+    this.point[2] = (this.point[2] as number) - header.robot.foot_radius / (this.normal[2] as number);
+    return true;
+  }
+
+  height(x: number, y: number): number {
+    return planeHeight(this.point, this.normal, x, y) + OVER;
+  }
+}
+
+/** Convex hull of the feet that carry. */
+export class SupportPolygon implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly fill = paint(0.16);
+  private readonly line = new THREE.LineBasicMaterial({ fog: false });
+  private readonly points = new THREE.BufferAttribute(new Float32Array(12), 3);
+  private readonly area = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex([0, 1, 2, 0, 2, 3]);
+  private readonly outline = new THREE.BufferGeometry().setAttribute("position", this.points);
+  private readonly foot = [0, 0, 0];
+
+  constructor() {
+    const mesh = new THREE.Mesh(this.area, this.fill);
+    const loop = new THREE.LineLoop(this.outline, this.line);
+    mesh.frustumCulled = loop.frustumCulled = false;
+    this.root.add(mesh, loop);
+  }
+
+  wear(palette: Palette): void {
+    this.fill.color.set(palette.plane);
+    this.line.color.set(palette.plane);
+  }
+
+  update({ frame, header }: Picture): void {
+    const heights = new Map<Point, number>();
+    for (const leg of LEGS) {
+      if (!(scalar(frame, `plan.feet.${leg}.phase`) <= 1) || !read(frame, `model.p_WF.${leg}`, this.foot)) continue;
+      const [x, y, z] = this.foot as [number, number, number];
+      heights.set([x, y], z - header.robot.foot_radius + OVER);
+    }
+    const hull = convexHull([...heights.keys()]);
+    this.root.visible = hull.length >= 2;
+    hull.forEach((p, k) => this.points.setXYZ(k, p[0], p[1], heights.get(p) as number));
+    this.points.needsUpdate = true;
+    this.area.setDrawRange(0, hull.length === 4 ? 6 : hull.length === 3 ? 3 : 0);
+    this.outline.setDrawRange(0, hull.length);
+  }
+}
+
+/** Zero-moment point: of the plan (a square on its corner) and of the forces there are (a ring). */
+export class ZeroMomentPoint implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly material = paint();
+  private readonly planned = new THREE.Mesh(new THREE.RingGeometry(0.012, 0.022, 4), this.material);
+  private readonly actual = new THREE.Mesh(new THREE.RingGeometry(0.022, 0.03, 32), this.material);
+  private readonly plane = new BelievedPlane();
+  private readonly zmp = [0, 0];
+  private readonly toBelief = new THREE.Matrix4();
+
+  constructor() {
+    this.material.side = THREE.DoubleSide;
+    this.root.add(this.planned, this.actual);
+  }
+
+  wear(palette: Palette): void {
+    this.material.color.set(palette.zmp);
+  }
+
+  update(picture: Picture): void {
+    const known = this.plane.read(picture) && read(picture.frame, "plan.com.zmp", this.zmp);
+    this.planned.visible = known;
+    const [x, y] = this.zmp as [number, number];
+    if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
+    const points: number[][] = [];
+    const forces: number[][] = [];
+    for (const leg of LEGS) {
+      const point = [0, 0, 0];
+      const force = [0, 0, 0];
+      if (!(scalar(picture.frame, `truth.feet.${leg}.touching`) > 0)) continue;
+      if (!read(picture.frame, `truth.feet.${leg}.point`, point)) continue;
+      if (!read(picture.frame, `truth.feet.${leg}.force`, force)) continue;
+      points.push(point);
+      forces.push(force);
+    }
+    const centre = centreOfPressure(points, forces);
+    this.actual.visible = centre !== undefined;
+    if (centre === undefined) return;
+    this.actual.position.fromArray(centre).applyMatrix4(this.toBelief.copy(picture.beliefToWorld).invert());
+    this.actual.position.z += OVER;
+  }
+}
+
+/** A piece of the plane that the controller walks by, with its normal. */
+export class TerrainPlane implements Overlay {
+  readonly space = "belief";
+  readonly root = new THREE.Group();
+  private readonly fill = paint(0.12);
+  private readonly grid: THREE.GridHelper;
+  private readonly R: number[] = new Array<number>(9).fill(0);
+  private readonly point = new THREE.Vector3();
+  private readonly basis = new THREE.Matrix4();
+
+  constructor() {
+    this.grid = new THREE.GridHelper(1.2, 12);
+    this.grid.rotateX(Math.PI / 2);
+    this.grid.material.transparent = true;
+    this.grid.material.opacity = 0.35;
+    const normal = new THREE.Mesh(new THREE.CylinderGeometry(0.003, 0.003, 0.2).rotateX(Math.PI / 2).translate(0, 0, 0.1), this.fill);
+    this.root.add(new THREE.Mesh(new THREE.PlaneGeometry(1.2, 1.2), this.fill), this.grid, normal);
+  }
+
+  wear(palette: Palette): void {
+    this.fill.color.set(palette.plane);
+    const colours = this.grid.geometry.getAttribute("color") as THREE.BufferAttribute;
+    const colour = new THREE.Color(palette.plane);
+    for (let i = 0; i < colours.count; ++i) colours.setXYZ(i, colour.r, colour.g, colour.b);
+    colours.needsUpdate = true;
+  }
+
+  update({ frame, header }: Picture): void {
+    const known = read(frame, "plan.R_WC", this.R) && vector(frame, "plan.terrain_point", this.point);
+    this.root.visible = known;
+    if (!known) return;
+    const [a, b, c, d, e, f, g, h, i] = this.R as [number, number, number, number, number, number, number, number, number];
+    this.basis.set(a, b, c, 0, d, e, f, 0, g, h, i, 0, 0, 0, 0, 1);
+    this.root.quaternion.setFromRotationMatrix(this.basis);
+    const down = OVER - header.robot.foot_radius;
+    this.root.position.set(this.point.x + down * c, this.point.y + down * f, this.point.z + down * i);
+  }
+}

@@ -1,0 +1,37 @@
+import * as THREE from "three";
+import type { Frame } from "../data/frame.ts";
+import type { FrameSource } from "../data/source.ts";
+import type { Header } from "../protocol/session.ts";
+import type { Palette } from "../scene/palette.ts";
+import type { Labels } from "./labels.ts";
+
+/** What overlays know of a picture. */
+export interface Picture {
+  frame: Frame;
+  source: FrameSource;
+  header: Header;
+  labels: Labels;
+  /** Length of an arrow of 1 N [m/N]. */
+  newton: number;
+  /** Takes what was planned and believed to where the robot really is. */
+  beliefToWorld: THREE.Matrix4;
+  /** Trails are drawn anew in this picture. */
+  trails: boolean;
+}
+
+/** Something that is drawn over the robot and can be switched off. */
+export interface Overlay {
+  /** In the coordinates of W as the controller believes them, or as they are. */
+  readonly space: "belief" | "world";
+  readonly root: THREE.Object3D;
+  wear(palette: Palette): void;
+  update(picture: Picture): void;
+}
+
+/** A vector of the frame; false where it is not known. */
+export function vector(frame: Frame, name: string, out: THREE.Vector3, at = 0): boolean {
+  const offset = frame.schema.offset(name);
+  if (offset < 0) return false;
+  out.fromArray(frame.values, offset + at);
+  return !Number.isNaN(out.x + out.y + out.z);
+}

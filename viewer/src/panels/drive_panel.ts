@@ -1,0 +1,130 @@
+import type { Commands, Walk } from "../protocol/commands.ts";
+import type { Status } from "../protocol/connection.ts";
+import type { Limits } from "../protocol/session.ts";
+import { h, say } from "./dom.ts";
+import type { Report } from "./tune_panel.ts";
+
+/** Steps of a key: m/s, m/s, rad/s, m. */
+const WALK_STEPS = { forward: 0.01, left: 0.01, turn: 0.02, height: 0.005 };
+
+export type Axis = keyof typeof WALK_STEPS;
+
+/** The most that can be asked for. */
+export function walkLimits(limits: Limits): Record<Axis, number> {
+  return { forward: limits.walk_velocity, left: limits.walk_velocity, turn: limits.walk_yaw_rate, height: limits.walk_height };
+}
+
+/** Changes one part of what is asked for, within its limits. */
+export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axis, number>): Walk {
+  const next: Walk = { ...walk, velocity: [...walk.velocity], walk: true };
+  const limit = limits[axis];
+  const add = (value: number): number =>
+    Number(Math.min(Math.max(value + steps * WALK_STEPS[axis], -limit), limit).toFixed(4));
+  if (axis === "forward") next.velocity[0] = add(next.velocity[0]);
+  else if (axis === "left") next.velocity[1] = add(next.velocity[1]);
+  else if (axis === "turn") next.yaw_rate = add(next.yaw_rate);
+  else next.height = add(next.height);
+  return next;
+}
+
+/** Pushes by a button, and what the robot is asked to walk. */
+export class DrivePanel {
+  walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
+  readonly most: Record<Axis, number>;
+  private readonly asked = h("p", { id: "asked", class: "asked" });
+  private readonly values = new Map<Axis, HTMLElement>();
+  private readonly impulse: HTMLInputElement;
+  private readonly direction: HTMLInputElement;
+  private readonly directionText = h("output", {});
+  private readonly duration: HTMLInputElement;
+
+  constructor(root: HTMLElement, private readonly commands: Commands, limits: Limits, private readonly report: Report) {
+    this.most = walkLimits(limits);
+    const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
+      h("input", { type: "number", id, value, min: step, max, step });
+    this.impulse = number("push-impulse", Math.min(15, limits.push_newton_seconds), limits.push_newton_seconds, 1);
+    this.duration = number("push-duration", 0.2, limits.push_seconds, 0.05);
+    this.direction = h("input", { type: "range", id: "push-direction", min: -180, max: 180, step: 5, value: 90, oninput: () => this.showDirection() });
+    this.showDirection();
+    root.append(
+      h("h2", {}, "Push"),
+      h("p", { class: "soft" }, `Drag the robot with the mouse, or push its base; at most ${limits.push_newtons} N and ${limits.push_newton_seconds} N·s.`),
+      this.field("Impulse", this.impulse, "N·s"), this.field("Duration", this.duration, "s"),
+      h("label", { class: "field" }, "Direction in W", h("span", { class: "with-unit" }, this.direction, this.directionText)),
+      h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
+      h("h2", {}, "Walk"), this.asked,
+      this.axis("forward", "Forward", "m/s", "w", "s"), this.axis("left", "To the left", "m/s", "a", "d"),
+      this.axis("turn", "Turn left", "rad/s", "q", "e"), this.axis("height", "Torso height", "m", "PgUp", "PgDn"),
+      h("div", { class: "row" },
+        h("button", { id: "stand", title: "stand on four feet (x)", onclick: () => this.stand() }, "Stand"),
+        h("button", { id: "give-back", title: "the scenario commands again (g)", onclick: () => this.giveBack() }, "Give back")),
+    );
+    if (!commands.allowed) {
+      for (const control of root.querySelectorAll("input, button")) control.setAttribute("disabled", "");
+      root.prepend(h("p", { class: "soft view-only" }, "View only: open the link with #token=… that the program printed to push, walk and change."));
+    }
+  }
+
+  private field(label: string, input: HTMLInputElement, unit: string): HTMLElement {
+    return h("label", { class: "field" }, label, h("span", { class: "with-unit" }, input, h("span", { class: "unit" }, unit)));
+  }
+
+  private axis(axis: Axis, label: string, unit: string, more: string, less: string): HTMLElement {
+    const value = h("output", { "data-axis": axis });
+    this.values.set(axis, value);
+    const button = (text: string, steps: number, key: string): HTMLButtonElement =>
+      h("button", { class: "small", "aria-label": `${label} ${steps > 0 ? "more" : "less"}`, title: key, onclick: () => this.nudge(axis, steps) }, text);
+    return h("div", { class: "field" }, label,
+      h("span", { class: "with-unit" }, button("−", -1, less), value, h("span", { class: "unit" }, unit), button("+", 1, more)));
+  }
+
+  private showDirection(): void {
+    const degrees = Number(this.direction.value);
+    const names = ["forward (x)", "left (y)", "backward", "right"];
+    const at = ((degrees % 360) + 360) % 360;
+    say(this.directionText, at % 90 === 0 ? (names[at / 90] ?? "") : `${degrees}°`);
+  }
+
+  push(): void {
+    const angle = (Number(this.direction.value) * Math.PI) / 180;
+    const size = Number(this.impulse.value);
+    const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
+    this.send("push", { body: "base", impulse, duration: Number(this.duration.value) });
+  }
+
+  nudge(axis: Axis, steps: number): void {
+    this.ask(nudged(this.walk, axis, steps, this.most));
+  }
+
+  stand(): void {
+    this.ask({ ...this.walk, walk: false, velocity: [0, 0], yaw_rate: 0 });
+  }
+
+  ask(walk: Walk): void {
+    this.walk = walk;
+    this.send("walk", walk);
+    this.showValues();
+  }
+
+  giveBack(): void {
+    this.send("walk", { by: "scenario" });
+  }
+
+  private send(type: string, fields: object): void {
+    this.commands.send(type, fields).catch((error: Error) => this.report(error.message, "error"));
+  }
+
+  show({ command }: Status): void {
+    const [forward = 0, left = 0] = command.velocity;
+    this.walk = { walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height };
+    const who = command.by === "operator" ? "You command" : "The scenario commands";
+    say(this.asked, command.walk ? `${who}: walk.` : `${who}: stand.`);
+    this.showValues();
+  }
+
+  private showValues(): void {
+    const { velocity, yaw_rate, height } = this.walk;
+    const values = { forward: velocity[0], left: velocity[1], turn: yaw_rate, height };
+    for (const [axis, element] of this.values) say(element, values[axis].toFixed(axis === "height" ? 3 : 2).replace("-", "−"));
+  }
+}

@@ -1,0 +1,119 @@
+import { scalar, type Frame } from "../data/frame.ts";
+import { accountOf, levelStates, nameOf, type LevelState } from "../data/hierarchy.ts";
+import { digits, h, plain, quantity, say } from "./dom.ts";
+
+/** Sign and word of each status: colour is never the only sign. */
+const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–" } as const;
+
+/** The levels in order: how each came out, which rows are active, and what held it back. */
+export class HierarchyPanel {
+  onOrder: (levels: string[]) => void = () => {};
+  private readonly account = h("p", { class: "account", id: "account" });
+  private readonly facts = h("p", { class: "facts" });
+  private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
+  private cards: LevelCard[] = [];
+  private names = "";
+  private reordering = false;
+
+  constructor(root: HTMLElement) {
+    root.append(this.account, this.facts, this.list);
+  }
+
+  /** Whether the order may be changed here. */
+  set canReorder(can: boolean) {
+    if (this.reordering === can) return;
+    this.reordering = can;
+    this.list.classList.toggle("movable", can);
+    for (const card of this.cards) card.root.draggable = can;
+  }
+
+  show(frame: Frame): void {
+    const states = levelStates(frame);
+    const names = states.map((state) => state.name).join();
+    if (names !== this.names) this.build(states, names);
+    states.forEach((state, k) => this.cards[k]?.show(state, states));
+    say(this.account, accountOf(states));
+    this.account.classList.toggle("bad", states.some((state) => state.status === "gives way"));
+    const solve = scalar(frame, "timings.solve");
+    const total = scalar(frame, "timings.total");
+    const iterations = states.reduce((sum, state) => sum + (state.iterations || 0), 0);
+    const solveText = Number.isNaN(solve) ? "" : `Solved in ${digits(solve)} of the tick's ${digits(total)} µs, `;
+    say(this.facts, `${solveText}${iterations} iterations`);
+  }
+
+  private build(states: LevelState[], names: string): void {
+    this.names = names;
+    this.cards = states.map((state, k) => new LevelCard(state.name, k, states.length, (from, to) => this.move(from, to)));
+    for (const card of this.cards) card.root.draggable = this.reordering;
+    this.list.replaceChildren(...this.cards.map((card) => card.root));
+  }
+
+  private move(from: number, to: number): void {
+    const levels = this.names.split(",");
+    if (to < 0 || to >= levels.length || from === to) return;
+    const [level] = levels.splice(from, 1);
+    levels.splice(to, 0, level as string);
+    this.onOrder(levels);
+  }
+}
+
+class LevelCard {
+  readonly root: HTMLLIElement;
+  private readonly sign = h("span", { class: "sign", "aria-hidden": "true" });
+  private readonly status = h("span", { class: "status" });
+  private readonly residual = h("span", { class: "residual" });
+  private readonly meta = h("span", { class: "meta" });
+  private readonly rows = h("p", { class: "rows" });
+  private readonly blocked = h("p", { class: "blocked" });
+
+  constructor(name: string, index: number, count: number, move: (from: number, to: number) => void) {
+    const button = (text: string, to: number, label: string): HTMLButtonElement =>
+      h("button", {
+        class: "small", "aria-label": `${plain(name)}: ${label}`, title: label,
+        disabled: to < 0 || to >= count, onclick: () => move(index, to),
+      }, text);
+    this.root = h("li", { class: "level", "data-level": name },
+      h("div", { class: "level-head" },
+        this.sign,
+        h("span", { class: "level-name" }, `${index + 1} ${plain(name)}`),
+        h("span", { class: "movers" }, button("↑", index - 1, "one up"), button("↓", index + 1, "one down")),
+        this.residual,
+      ),
+      h("div", { class: "level-facts" }, this.status, this.meta),
+      this.rows, this.blocked,
+    );
+    this.drag(index, move);
+  }
+
+  private drag(index: number, move: (from: number, to: number) => void): void {
+    this.root.addEventListener("dragstart", (event) => event.dataTransfer?.setData("text/plain", String(index)));
+    this.root.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      this.root.classList.add("drop");
+    });
+    this.root.addEventListener("dragleave", () => this.root.classList.remove("drop"));
+    this.root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.root.classList.remove("drop");
+      const from = Number.parseInt(event.dataTransfer?.getData("text/plain") ?? "", 10);
+      if (!Number.isNaN(from)) move(from, index);
+    });
+  }
+
+  show(state: LevelState, all: LevelState[]): void {
+    const kind = state.status.replaceAll(" ", "-");
+    if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
+    say(this.sign, SIGNS[state.status]);
+    say(this.status, state.status);
+    say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
+    say(this.meta, state.rows === 0 ? "" : `${state.rows} rows · ${state.freedom} free below · ${state.iterations} it.`);
+    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
+    const blocked = state.status === "met" || state.status === "no rows" ? [] : state.blocked;
+    say(this.blocked, blocked.map(({ by, row, cost }) =>
+      `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
+  }
+}
+
+function words(bound: number): string {
+  return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
+}

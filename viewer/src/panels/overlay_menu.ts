@@ -1,0 +1,65 @@
+import type { World } from "../scene/world.ts";
+import { css } from "../scene/palette.ts";
+import { LEGS } from "../data/schema.ts";
+import { h, part } from "./dom.ts";
+
+const KEYS = "1234567890-";
+
+/** Which overlays are drawn, and the picture's quality. */
+export class OverlayMenu {
+  private readonly boxes = new Map<string, HTMLInputElement>();
+  private readonly ghost: HTMLInputElement;
+
+  constructor(private readonly world: World) {
+    const menu = part("overlays");
+    const open = part<HTMLButtonElement>("overlays-open");
+    open.addEventListener("click", () => {
+      menu.hidden = !menu.hidden;
+      open.setAttribute("aria-expanded", String(!menu.hidden));
+    });
+    world.overlays.switches.forEach(({ id, name, about, on }, k) => {
+      const box = h("input", { type: "checkbox", checked: on, "data-overlay": id, onchange: () => this.toggle(id) });
+      this.boxes.set(id, box);
+      menu.append(this.line(box, name, about, KEYS[k] ?? ""));
+    });
+    this.ghost = h("input", { type: "checkbox", "data-overlay": "ghost", onchange: () => (world.ghostShown = this.ghost.checked) });
+    menu.append(this.line(this.ghost, "Estimator's ghost", "where the controller believes to be", "o"));
+    this.legend();
+  }
+
+  private line(box: HTMLInputElement, name: string, about: string, key: string): HTMLElement {
+    return h("label", { class: "overlay-line" }, box, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
+  }
+
+  private toggle(id: string): void {
+    this.world.overlays.toggle(id);
+    this.world.invalidate();
+  }
+
+  /** By the key's place in the menu. */
+  toggleByKey(key: string): boolean {
+    const entry = this.world.overlays.switches[KEYS.indexOf(key)];
+    if (!KEYS.includes(key) || entry === undefined) return false;
+    this.toggle(entry.id);
+    (this.boxes.get(entry.id) as HTMLInputElement).checked = entry.on;
+    return true;
+  }
+
+  toggleGhost(): void {
+    this.ghost.checked = this.world.ghostShown = !this.world.ghostShown;
+  }
+
+  /** Colours of the legs and of the friction's margin. */
+  legend(): void {
+    const { palette } = this.world;
+    const entry = (colour: number, text: string): HTMLElement => {
+      const swatch = h("i", {});
+      swatch.style.background = css(colour);
+      return h("span", {}, swatch, text);
+    };
+    part("legend").replaceChildren(
+      h("span", { class: "legend-group" }, ...LEGS.map((leg, k) => entry(palette.legs[k] as number, leg))),
+      h("span", { class: "legend-group" }, "friction left:", entry(palette.good, "> 40 %"), entry(palette.near, "10 – 40 %"), entry(palette.bad, "< 10 %")),
+    );
+  }
+}

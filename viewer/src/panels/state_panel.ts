@@ -1,0 +1,69 @@
+import { read, scalar, word, type Frame } from "../data/frame.ts";
+import { accountOf, levelStates } from "../data/hierarchy.ts";
+import { LEGS } from "../data/schema.ts";
+import { wrap, yawOf } from "../math/geometry.ts";
+import { digits, h, say } from "./dom.ts";
+
+const PHASES: Record<string, string> = { stance: "stands", unloading: "unloads", swing: "swings", search: "searches for ground" };
+
+/** Position and heading of a base in words; "" where they aren't known. */
+function whereabouts(frame: Frame, topic: string): string {
+  const p = [0, 0, 0];
+  const q = [1, 0, 0, 0];
+  if (!read(frame, `${topic}.p_WB`, p) || !read(frame, `${topic}.q_WB`, q)) return "";
+  const [x, y, z] = p.map((one) => one.toFixed(3).replace("-", "−"));
+  return `x ${x} m, y ${y} m, z ${z} m, heading ${digits((yawOf(q) * 180) / Math.PI)}°`;
+}
+
+/** How far the estimate is from the truth, in words. */
+export function estimateError(frame: Frame): string {
+  const [p, p_true, q, q_true] = [[0, 0, 0], [0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]];
+  const known = read(frame, "truth.p_WB", p_true) && read(frame, "truth.q_WB", q_true) && read(frame, "state.p_WB", p) && read(frame, "state.q_WB", q);
+  if (!known) return "";
+  const distance = Math.hypot(...p.map((one, i) => one - (p_true[i] as number)));
+  return `${digits(100 * distance)} cm and ${digits((Math.abs(wrap(yawOf(q) - yawOf(q_true))) * 180) / Math.PI)}° in heading`;
+}
+
+/** The state in sentences: what a picture shows to those who see it. */
+export function sentences(frame: Frame): [string, string][] {
+  const legs = LEGS.map((leg) => {
+    const force = scalar(frame, `truth.feet.${leg}.force`, 2);
+    const load = Number.isNaN(force) ? "" : ` with ${digits(force)} N`;
+    return `${leg} ${PHASES[word(frame, `plan.feet.${leg}.phase`)] ?? "is not known"}${load}`;
+  });
+  const speed = [scalar(frame, "state.v_WB", 0), scalar(frame, "state.v_WB", 1)];
+  return [
+    ["Time", `${frame.time.toFixed(4)} s, tick ${frame.tick}`],
+    ["Feet", legs.join(", ")],
+    ["Base", whereabouts(frame, "truth") || whereabouts(frame, "state")],
+    ["Estimate is off by", estimateError(frame)],
+    ["Velocity", `${digits(Math.hypot(...speed))} m/s`],
+    ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
+    ["Hierarchy", accountOf(levelStates(frame))],
+  ].filter((row): row is [string, string] => row[1] !== "");
+}
+
+/** The state in words, and what the run is. */
+export class StatePanel {
+  private readonly list = h("dl", { id: "state", "aria-live": "off" });
+  private readonly rows = new Map<string, HTMLElement>();
+
+  constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
+    const about = h("dl", {});
+    for (const [name, text] of facts) if (text !== "") about.append(h("dt", {}, name), h("dd", {}, text));
+    root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
+    if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  }
+
+  show(frame: Frame): void {
+    for (const [name, text] of sentences(frame)) {
+      let row = this.rows.get(name);
+      if (row === undefined) {
+        row = h("dd", {});
+        this.rows.set(name, row);
+        this.list.append(h("dt", {}, name), row);
+      }
+      say(row, text);
+    }
+  }
+}

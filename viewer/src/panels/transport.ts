@@ -1,0 +1,122 @@
+import type { Player } from "../data/player.ts";
+import type { Status } from "../protocol/connection.ts";
+import { h, say } from "./dom.ts";
+
+export interface TransportActions {
+  pause: () => void;
+  step: (ticks: number) => void;
+  speed: (factor: number) => void;
+  reset: () => void;
+}
+
+/** Text of a speed factor: 1/32× … 8×. */
+export function speedText(factor: number): string {
+  return factor < 1 ? `1/${Math.round(1 / factor)}×` : `${factor}×`;
+}
+
+/** Pause, step, speed, and the bar of the run's time with marks of what happened. */
+export class Transport {
+  private readonly playButton: HTMLButtonElement;
+  private readonly speedSelect: HTMLSelectElement;
+  private readonly liveButton: HTMLButtonElement;
+  private readonly slider: HTMLInputElement;
+  private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
+  private readonly clock = h("output", { class: "clock", id: "clock" });
+  private readonly hint = h("span", { class: "mark-hint", hidden: true });
+  private marksSeen = "";
+
+  constructor(
+    root: HTMLElement,
+    private readonly player: Player,
+    private readonly speeds: number[],
+    private readonly actions: TransportActions,
+  ) {
+    const button = (text: string, label: string, run: () => void, id: string): HTMLButtonElement =>
+      h("button", { "aria-label": label, title: label, onclick: run, id }, text);
+    this.playButton = button("❚❚", "pause or go on (space)", actions.pause, "play");
+    this.speedSelect = h("select", {
+      id: "speed", "aria-label": "speed", title: "speed ([ and ])",
+      onchange: () => actions.speed(Number(this.speedSelect.value)),
+    });
+    for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
+    this.speedSelect.value = "1";
+    this.liveButton = button("Live", "to the newest picture (l)", () => player.goLive(), "go-live");
+    this.slider = h("input", {
+      type: "range", id: "scrub", min: 0, max: 1, step: "any", "aria-label": "time of the run in seconds",
+      oninput: () => player.seek(Number(this.slider.value)),
+    });
+    const bar = h("div", { class: "bar" }, this.canvas, this.slider, this.hint);
+    bar.addEventListener("pointermove", (event) => this.showHint(event));
+    bar.addEventListener("pointerleave", () => (this.hint.hidden = true));
+    root.append(
+      h("div", { class: "buttons" },
+        button("↺", "begin again (r)", actions.reset, "reset"),
+        button("◂", "one tick back (,)", () => actions.step(-1), "step-back"),
+        this.playButton,
+        button("▸", "one tick on (.)", () => actions.step(1), "step"),
+        this.speedSelect),
+      bar, this.clock,
+    );
+    if (player.live) root.append(this.liveButton);
+  }
+
+  /** The next speed up or down. */
+  faster(steps: number): void {
+    const at = this.speeds.indexOf(Number(this.speedSelect.value));
+    const next = this.speeds[Math.min(Math.max(at + steps, 0), this.speeds.length - 1)];
+    if (next !== undefined) this.actions.speed(next);
+  }
+
+  update(status: Status | undefined): void {
+    const { player } = this;
+    const { first, last, marks } = player.source;
+    const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
+    say(this.playButton, running ? "❚❚" : "▶");
+    const speed = player.live && player.following ? (status?.speed ?? 1) : player.speed;
+    if (document.activeElement !== this.speedSelect) this.speedSelect.value = String(speed);
+    this.liveButton.classList.toggle("on", player.following);
+    if (Number.isNaN(first)) return;
+    this.slider.min = String(first);
+    this.slider.max = String(last);
+    this.slider.value = String(player.time);
+    this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(2)} seconds`);
+    say(this.clock, `${player.time.toFixed(player.time < 1000 ? 3 : 1)} s${player.live ? "" : ` / ${last.toFixed(1)} s`}`);
+    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${this.canvas.clientWidth}`;
+    if (key === this.marksSeen) return;
+    this.marksSeen = key;
+    this.drawMarks();
+  }
+
+  private drawMarks(): void {
+    const { first, last, marks } = this.player.source;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    this.canvas.width = width * devicePixelRatio;
+    this.canvas.height = height * devicePixelRatio;
+    const context = this.canvas.getContext("2d");
+    if (context === null) return;
+    context.scale(devicePixelRatio, devicePixelRatio);
+    const style = getComputedStyle(this.canvas);
+    const paints = { event: "--soft", mode: "--bad", change: "--c3" } as const;
+    for (const mark of marks) {
+      context.fillStyle = style.getPropertyValue(/slide|push|lost|no ground|abort/.test(mark.text) ? "--c1" : paints[mark.kind]);
+      const x = ((mark.time - first) / Math.max(last - first, 1e-9)) * width;
+      const tall = mark.kind === "event" ? 0.5 : 1;
+      context.fillRect(x - 0.75, height * (1 - tall), 1.5, height * tall);
+    }
+  }
+
+  private showHint(event: PointerEvent): void {
+    const { first, last, marks } = this.player.source;
+    const box = this.canvas.getBoundingClientRect();
+    const time = first + ((event.clientX - box.left) / box.width) * (last - first);
+    const reach = (5 / box.width) * (last - first);
+    const near = marks.filter((mark) => Math.abs(mark.time - time) < reach);
+    near.sort((a, b) => Math.abs(a.time - time) - Math.abs(b.time - time));
+    const mark = near[0];
+    this.hint.hidden = mark === undefined;
+    if (mark === undefined) return;
+    say(this.hint, `${mark.time.toFixed(2)} s ${mark.leg} ${mark.text}`);
+    const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0.15), 0.85);
+    this.hint.style.left = `${(100 * share).toFixed(1)}%`;
+  }
+}

@@ -1,0 +1,49 @@
+import type { Connection, Reply } from "./connection.ts";
+
+export interface Walk {
+  walk: boolean;
+  velocity: [number, number];
+  yaw_rate: number;
+  height: number;
+}
+
+/** Asks the server for changes of the run. Each needs the token of the link that the program printed. */
+export class Commands {
+  private id = 0;
+  private readonly waiting = new Map<number, (reply: Reply) => void>();
+
+  constructor(
+    private readonly connection: Connection | undefined,
+    private readonly token: string,
+  ) {}
+
+  /** Whether this page was opened with a token on a live run. */
+  get allowed(): boolean {
+    return this.connection !== undefined && this.token !== "";
+  }
+
+  /** Ends with the server's answer; an error says why it was not done. */
+  send(type: string, fields: object = {}): Promise<void> {
+    if (this.connection === undefined) return Promise.reject(new Error("a log can't be changed"));
+    if (this.token === "")
+      return Promise.reject(new Error("this page can only look: open the link with #token=… that the program printed"));
+    const id = ++this.id;
+    if (!this.connection.send({ type, ...fields, token: this.token, id }))
+      return Promise.reject(new Error("there is no connection to the program"));
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, (reply) => (reply.ok ? resolve() : reject(new Error(reply.error ?? "refused"))));
+    });
+  }
+
+  reply(reply: Reply): void {
+    this.waiting.get(reply.id)?.(reply);
+    this.waiting.delete(reply.id);
+  }
+
+  /** The connection is gone: what waits gets no answer. */
+  lost(): void {
+    for (const [id, answer] of this.waiting)
+      answer({ type: "reply", id, ok: false, error: "the connection was lost before the answer" });
+    this.waiting.clear();
+  }
+}

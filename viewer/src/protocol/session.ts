@@ -1,0 +1,129 @@
+/** What `/api/session` answers (docs/view_protocol.md). */
+export interface ChannelInfo {
+  name: string;
+  unit: string;
+  about: string;
+  size: number;
+  labels?: string[];
+  values?: string[];
+  offset: number;
+}
+
+export interface MeshInfo {
+  id: number;
+  uri: string;
+  found: boolean;
+  bytes?: number;
+}
+
+export interface TerrainPiece {
+  shape: string;
+  position: number[];
+  q_WT: number[];
+  size: number[];
+  columns: number;
+  rows: number;
+  heights: number[];
+}
+
+export interface TaskNumber {
+  name: string;
+  value: number;
+  unit: string;
+  min: number;
+  max: number;
+}
+
+export interface TaskInfo {
+  level: number;
+  level_name: string;
+  task: string;
+  numbers: TaskNumber[];
+}
+
+export interface LimbLimits {
+  level: number;
+  form: string;
+  min: number | null;
+  max: number | null;
+}
+
+export interface Header {
+  scenario: string;
+  stack: string;
+  description: string;
+  command: string;
+  seed: number;
+  estimation: string;
+  level_names: string[];
+  level_units: string[];
+  event_names: string[];
+  robot: {
+    name: string;
+    joint_names: string[];
+    torque_limit: number[];
+    mass: number;
+    foot_radius: number;
+  };
+  limb: LimbLimits;
+  terrain: TerrainPiece[];
+  notes: string[];
+  options?: { tasks?: Record<string, Record<string, unknown>> };
+}
+
+export interface Limits {
+  push_newton_seconds: number;
+  push_newtons: number;
+  push_seconds: number;
+  speeds: number[];
+  /** Most of what can be asked to walk: m/s, rad/s, m. */
+  walk_velocity: number;
+  walk_yaw_rate: number;
+  walk_height: number;
+  friction_min: number;
+  friction_max: number;
+}
+
+/** The levels' order from a tick on. */
+export interface Order {
+  tick: number;
+  levels: string[];
+}
+
+export interface Session {
+  protocol: number;
+  mode: "live" | "replay";
+  version: string;
+  title: string;
+  header: Header;
+  source: string;
+  whole: boolean;
+  period: number;
+  first_tick: number;
+  ticks: number;
+  /** Of a log: ticks from the first on whose least and greatest are known by now. */
+  summarised: number;
+  channels: ChannelInfo[];
+  frame_floats: number;
+  rows: string[][];
+  meshes: MeshInfo[];
+  limits: Limits;
+  orders: Order[];
+  generation: number;
+  tasks: TaskInfo[];
+  can_command: boolean;
+}
+
+export const PROTOCOL = 1;
+
+/** Reads the session; an error says what is wrong in a sentence. */
+export async function fetchSession(): Promise<Session> {
+  const answer = await fetch("/api/session");
+  if (!answer.ok) throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
+  const session = (await answer.json()) as Session;
+  if (session.protocol !== PROTOCOL)
+    throw new Error(
+      `the program speaks version ${session.protocol} of the protocol, this page version ${PROTOCOL}: load the page again`,
+    );
+  return session;
+}

@@ -1,0 +1,37 @@
+import * as THREE from "three";
+import { simplify } from "./simplify.ts";
+
+/** Edge of a cell within which corners become one, as a share of the file's longest extent. */
+const CELL = 1 / 24;
+/** Meshes with fewer triangles stay as they are. */
+const SMALL = 200;
+
+/** Puts coarser geometry into the meshes below `object`, for machines that draw slowly. */
+export function coarsen(object: THREE.Object3D): void {
+  object.updateMatrixWorld(true);
+  const extent = new THREE.Box3().setFromObject(object).getSize(new THREE.Vector3());
+  const cell = CELL * Math.max(extent.x, extent.y, extent.z);
+  object.traverse((child) => {
+    if (!(child instanceof THREE.Mesh)) return;
+    const geometry = child.geometry as THREE.BufferGeometry;
+    const position = geometry.getAttribute("position");
+    if (geometry.index !== null || position.count < 3 * SMALL) return;
+    const scale = child.getWorldScale(new THREE.Vector3()).x;
+    child.geometry = coarser(geometry, position, cell / scale);
+  });
+}
+
+function coarser(geometry: THREE.BufferGeometry, position: THREE.BufferAttribute | THREE.InterleavedBufferAttribute, cell: number): THREE.BufferGeometry {
+  const uv = geometry.getAttribute("uv");
+  const groups = geometry.groups.length > 0 ? geometry.groups : [{ start: 0, count: position.count, materialIndex: 0 }];
+  const soup = { position: position.array as Float32Array, ...(uv === undefined ? {} : { uv: uv.array as Float32Array }) };
+  const coarse = simplify(soup, cell, groups.map(({ start, count }) => [start, count]));
+  const result = new THREE.BufferGeometry();
+  result.setAttribute("position", new THREE.BufferAttribute(coarse.position, 3));
+  if (coarse.uv !== undefined) result.setAttribute("uv", new THREE.BufferAttribute(coarse.uv, 2));
+  result.setIndex(coarse.index);
+  if (geometry.groups.length > 0)
+    coarse.ranges.forEach(([begin, count], k) => result.addGroup(begin, count, groups[k]?.materialIndex ?? 0));
+  result.computeVertexNormals();
+  return result;
+}

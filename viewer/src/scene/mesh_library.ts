@@ -1,0 +1,131 @@
+import * as THREE from "three";
+import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
+import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
+import { coarsen } from "./coarse_mesh.ts";
+import type { MeshInfo } from "../protocol/session.ts";
+
+/** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
+export class MeshLibrary {
+  /** What could not be shown, and why. */
+  readonly missing = new Map<string, string>();
+  /** Meshes that are still to come. */
+  loading = 0;
+  onMissing: () => void = () => {};
+  onLoad: () => void = () => {};
+  private readonly byUri = new Map<string, MeshInfo>();
+  private readonly loads = new Map<string, Promise<THREE.Object3D>>();
+  private queue: Promise<unknown>;
+
+  /** Nothing is loaded before `ready`; `coarse`: whether fewer triangles do. */
+  constructor(
+    meshes: MeshInfo[],
+    ready: Promise<void>,
+    private readonly coarse: () => boolean,
+  ) {
+    this.queue = ready;
+    for (const mesh of meshes) this.byUri.set(mesh.uri, mesh);
+  }
+
+  /** A copy that shares geometry and materials; an error where there is no such mesh. */
+  async load(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
+    let loading = this.loads.get(uri);
+    if (loading === undefined) this.loads.set(uri, (loading = this.enqueue(() => this.fetch(uri, material))));
+    try {
+      const object = (await loading).clone();
+      this.onLoad();
+      return object;
+    } catch (error) {
+      this.missing.set(uri, (error as Error).message);
+      this.onMissing();
+      throw error;
+    }
+  }
+
+  private enqueue<T>(work: () => Promise<T>): Promise<T> {
+    ++this.loading;
+    const result = this.queue.then(() => nextPicture()).then(work);
+    this.queue = result.catch(() => undefined).then(() => --this.loading);
+    return result;
+  }
+
+  private async fetch(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
+    const info = this.byUri.get(uri);
+    if (info === undefined || !info.found) throw new Error("the file is not there");
+    const answer = await fetch(`/api/mesh/${info.id}`);
+    if (!answer.ok) throw new Error((await answer.text()).trim());
+    const object = await this.parse(uri, answer, material);
+    if (this.coarse()) coarsen(object);
+    object.traverse((child) => {
+      if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
+    });
+    return object;
+  }
+
+  private async parse(uri: string, answer: Response, material: THREE.Material): Promise<THREE.Object3D> {
+    const kind = uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
+    switch (kind) {
+      case "dae":
+        return this.collada(uri, await answer.text());
+      case "stl":
+        return new THREE.Mesh(new STLLoader().parse(await answer.arrayBuffer()), material);
+      case "obj": {
+        const object = new OBJLoader().parse(await answer.text());
+        object.traverse((child) => {
+          if (child instanceof THREE.Mesh) child.material = material;
+        });
+        return object;
+      }
+      default:
+        throw new Error(`files of kind .${kind} can't be read; .dae, .stl and .obj can`);
+    }
+  }
+
+  private collada(uri: string, text: string): THREE.Object3D {
+    const folder = uri.slice(0, uri.lastIndexOf("/") + 1);
+    const manager = new THREE.LoadingManager();
+    manager.setURLModifier((url) => this.image(folder, url));
+    manager.onLoad = () => this.onLoad();
+    const result = new ColladaLoader(manager).parse(text, folder);
+    if (result === null) throw new Error("the file is no Collada document");
+    const lights: THREE.Object3D[] = [];
+    result.scene.traverse((child) => {
+      if (child instanceof THREE.Light || child instanceof THREE.Camera) lights.push(child);
+      if (child instanceof THREE.Mesh) child.material = plain(child.material);
+    });
+    for (const light of lights) light.removeFromParent();
+    return result.scene;
+  }
+
+  /** Address of an image that a Collada file names; grey where the server has none. */
+  private image(folder: string, url: string): string {
+    const name = url.startsWith(folder) ? url : folder + url.replace(/^.*\//, "");
+    const info = this.byUri.get(name);
+    if (info?.found) return `/api/mesh/${info.id}`;
+    return GREY;
+  }
+}
+
+const GREY = `data:image/svg+xml,${encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"><rect width="1" height="1" fill="#7d858c"/></svg>')}`;
+
+/** Matt, as robots are: the files' highlights come from the tools that wrote them. */
+function plain(material: THREE.Material | THREE.Material[]): THREE.Material | THREE.Material[] {
+  if (Array.isArray(material)) return material.map((one) => plain(one) as THREE.Material);
+  const { color, map } = material as THREE.MeshPhongMaterial;
+  return new THREE.MeshLambertMaterial({
+    color: map ? 0xffffff : color,
+    map,
+    side: THREE.DoubleSide,
+  });
+}
+
+/** After the picture that is being made; in a hidden tab, where none is, soon. */
+function nextPicture(): Promise<void> {
+  return new Promise((resolve) => {
+    const timer = setTimeout(resolve, 200);
+    requestAnimationFrame(() => {
+      clearTimeout(timer);
+      setTimeout(resolve, 0);
+    });
+  });
+}

@@ -1,0 +1,92 @@
+import * as THREE from "three";
+import URDFLoader, { type URDFRobot } from "urdf-loader";
+import type { MeshLibrary } from "./mesh_library.ts";
+
+/** A robot made from the URDF: its primitives at once, its meshes as they come. */
+export class Robot {
+  readonly root = new THREE.Group();
+  readonly urdf: URDFRobot;
+  private readonly visuals: THREE.Object3D[] = [];
+  private readonly primitives: THREE.Object3D[] = [];
+  private showMeshes = true;
+
+  /** `paint`: replaces every material, e.g. for a ghost. */
+  constructor(urdf: string, library: MeshLibrary, private readonly paint?: THREE.Material) {
+    const loader = new URDFLoader();
+    loader.packages = (name: string) => `package://${name}`;
+    loader.parseCollision = true;
+    loader.loadMeshCb = (path, _manager, material, done) => {
+      library.load(path, material).then(
+        (object) => {
+          done(object);
+          this.dress();
+        },
+        () => this.dress(), // the library keeps the note
+      );
+    };
+    this.urdf = loader.parse(urdf);
+    this.root.add(this.urdf);
+    for (const joint of Object.values(this.urdf.joints)) joint.ignoreLimits = true;
+    this.collect();
+    this.dress();
+  }
+
+  private collect(): void {
+    this.urdf.traverse((child) => {
+      if ("isURDFVisual" in child) this.visuals.push(child);
+      if ("isURDFCollider" in child) this.primitives.push(child);
+    });
+    const body = new THREE.MeshLambertMaterial({ color: 0x9aa3ab });
+    for (const primitive of this.primitives)
+      primitive.traverse((child) => {
+        if (!(child instanceof THREE.Mesh)) return;
+        child.material = body;
+        child.castShadow = child.receiveShadow = true;
+      });
+  }
+
+  useMeshes(use: boolean): void {
+    this.showMeshes = use;
+    this.dress();
+  }
+
+  /** A link shows its meshes where they are all here, its primitives otherwise. */
+  private dress(): void {
+    for (const visual of this.visuals) visual.visible = this.showMeshes || !this.hasMesh(visual);
+    for (const primitive of this.primitives) {
+      const siblings = (primitive.parent as THREE.Object3D).children.filter((child) => "isURDFVisual" in child);
+      const dressed = siblings.length > 0 && siblings.every((visual) => visual.children.length > 0);
+      primitive.visible = !(dressed && this.showMeshes);
+    }
+    if (this.paint === undefined) return;
+    this.urdf.traverse((child) => {
+      if (!(child instanceof THREE.Mesh)) return;
+      child.material = this.paint as THREE.Material;
+      child.castShadow = child.receiveShadow = false;
+    });
+  }
+
+  private hasMesh(visual: THREE.Object3D): boolean {
+    return visual.parent?.children.some((child) => "isURDFCollider" in child) ?? false;
+  }
+
+  /** `q_WB` as w, x, y, z; `q` in the order of `joints`. */
+  pose(p_WB: number[], q_WB: number[], joints: string[], q: number[]): void {
+    this.root.position.set(p_WB[0] as number, p_WB[1] as number, p_WB[2] as number);
+    this.root.quaternion.set(q_WB[1] as number, q_WB[2] as number, q_WB[3] as number, q_WB[0] as number);
+    for (let j = 0; j < joints.length; ++j) this.urdf.setJointValue(joints[j] as string, q[j] as number);
+  }
+
+  /** Name of the moving body that a part of the scene belongs to, and the body itself. */
+  bodyOf(part: THREE.Object3D): { name: string; link: THREE.Object3D } | undefined {
+    let at: THREE.Object3D | null = part;
+    while (at !== null && at !== this.urdf) {
+      if ("isURDFJoint" in at && (at as unknown as { jointType: string }).jointType !== "fixed") {
+        const link = at.children.find((child) => "isURDFLink" in child);
+        if (link !== undefined) return { name: link.name, link };
+      }
+      at = at.parent;
+    }
+    return at === null ? undefined : { name: this.urdf.name, link: this.urdf };
+  }
+}

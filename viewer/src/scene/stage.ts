@@ -1,0 +1,68 @@
+import * as THREE from "three";
+import { drawsInSoftware, Quality } from "./quality.ts";
+import type { Palette } from "./palette.ts";
+
+THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
+/** How far the shadows reach around what the camera follows [m]. */
+const SHADOW_REACH = 1.6;
+
+/** Renderer, lights and camera. */
+export class Stage {
+  readonly scene = new THREE.Scene();
+  readonly camera = new THREE.PerspectiveCamera(42, 1, 0.02, 120);
+  readonly renderer: THREE.WebGLRenderer;
+  readonly quality: Quality;
+  onResize: () => void = () => {};
+  private readonly sun = new THREE.DirectionalLight(0xffffff, 2.4);
+  private readonly sky = new THREE.HemisphereLight(0xffffff, 0xb8bec4, 1.5);
+
+  /** An error where the browser has no WebGL. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    const software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !software });
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.quality = new Quality(this.renderer, () => this.resize(), software);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0005;
+    this.sun.shadow.normalBias = 0.01;
+    const shadow = this.sun.shadow.camera;
+    shadow.left = shadow.bottom = -SHADOW_REACH;
+    shadow.right = shadow.top = SHADOW_REACH;
+    shadow.near = 0.5;
+    shadow.far = 12;
+    this.scene.add(this.sky, this.sun, this.sun.target);
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
+    this.resize();
+  }
+
+  wear(palette: Palette): void {
+    this.scene.background = new THREE.Color(palette.background);
+    this.scene.fog = new THREE.Fog(palette.background, 9, 30);
+    this.sky.groundColor.set(palette.dark ? 0x6b747c : 0xb8bec4);
+    this.sky.intensity = palette.dark ? 1.9 : 1.5;
+    this.sun.intensity = palette.dark ? 2.5 : 2.4;
+  }
+
+  /** The light comes from the same side wherever the robot is. */
+  lightAt(target: THREE.Vector3): void {
+    this.sun.target.position.copy(target);
+    this.sun.position.set(target.x - 1.6, target.y + 2.2, target.z + 4.5);
+  }
+
+  resize(): void {
+    const box = (this.canvas.parentElement as HTMLElement).getBoundingClientRect();
+    const width = Math.max(1, Math.floor(box.width));
+    const height = Math.max(1, Math.floor(box.height));
+    this.renderer.setPixelRatio(this.quality.pixelRatio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.onResize();
+  }
+
+  render(): void {
+    this.sun.castShadow = this.quality.shadows;
+    this.renderer.render(this.scene, this.camera);
+  }
+}

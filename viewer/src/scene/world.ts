@@ -1,0 +1,159 @@
+import * as THREE from "three";
+import { read, type Frame } from "../data/frame.ts";
+import type { FrameSource } from "../data/source.ts";
+import { Labels } from "../overlays/labels.ts";
+import { OverlaySet } from "../overlays/set.ts";
+import type { Session } from "../protocol/session.ts";
+import { FollowCamera } from "./follow_camera.ts";
+import { MeshLibrary } from "./mesh_library.ts";
+import { paletteOf, type Palette } from "./palette.ts";
+import { Robot } from "./robot.ts";
+import { Stage } from "./stage.ts";
+import { Terrain } from "./terrain.ts";
+
+/** An arrow as long as this stands for the robot's weight [m]. */
+const WEIGHT_LENGTH = 0.75;
+const SETTLING = 1;
+/** Trails are drawn anew this often [s]. */
+const TRAIL_PERIOD = 0.1;
+
+/** The picture: ground, robot, the estimator's ghost, and what is drawn over them. */
+export class World {
+  readonly stage: Stage;
+  readonly camera: FollowCamera;
+  readonly overlays = new OverlaySet();
+  readonly robot: Robot;
+  readonly ghost: Robot;
+  readonly library: MeshLibrary;
+  readonly extras = new THREE.Group();
+  readonly labels: Labels;
+  readonly newton: number;
+  palette: Palette = paletteOf(false);
+  private readonly terrain: Terrain;
+  private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
+  private sinceTrails = Infinity;
+  private shown = NaN;
+  private dirty = true;
+  /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
+  private settling = SETTLING;
+  private readonly view = new THREE.Matrix4();
+  private onFirstPicture: () => void = () => {};
+  private readonly p = [0, 0, 0];
+  private readonly q = [1, 0, 0, 0];
+  private readonly joints = new Array<number>(12).fill(0);
+  private readonly target = new THREE.Vector3();
+
+  constructor(
+    canvas: HTMLCanvasElement,
+    labelLayer: HTMLElement,
+    private readonly session: Session,
+    urdf: string,
+  ) {
+    this.stage = new Stage(canvas);
+    this.camera = new FollowCamera(this.stage.camera, canvas);
+    this.labels = new Labels(labelLayer, this.stage.camera);
+    this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
+    this.robot = new Robot(urdf, this.library);
+    this.ghost = new Robot(urdf, this.library, this.ghostPaint);
+    this.ghost.root.visible = false;
+    this.terrain = new Terrain(session.header.terrain);
+    this.newton = WEIGHT_LENGTH / (9.81 * session.header.robot.mass);
+    this.stage.scene.add(this.terrain.root, this.robot.root, this.ghost.root, this.overlays.root, this.extras);
+    this.stage.quality.onStep = () => this.dress();
+    this.library.onLoad = () => this.invalidate();
+    this.stage.onResize = () => this.invalidate();
+    this.dress();
+  }
+
+  private dress(): void {
+    this.invalidate();
+    this.robot.useMeshes(this.stage.quality.meshes);
+    this.ghost.useMeshes(this.stage.quality.meshes);
+  }
+
+  wear(dark: boolean): void {
+    this.palette = paletteOf(dark);
+    this.stage.wear(this.palette);
+    this.terrain.wear(this.palette);
+    this.overlays.wear(this.palette);
+    this.ghostPaint.color.set(this.palette.ghost);
+    this.invalidate();
+  }
+
+  get ghostShown(): boolean {
+    return this.ghost.root.visible;
+  }
+  set ghostShown(shown: boolean) {
+    this.ghost.root.visible = shown;
+    this.invalidate();
+  }
+
+  /** Something else than the time has changed what is seen. */
+  invalidate(): void {
+    this.dirty = true;
+  }
+
+  /** Whether the picture would be another one than the last. */
+  private changed(frame: Frame | undefined): boolean {
+    this.camera.controls.update();
+    this.stage.camera.updateMatrixWorld();
+    const moved = !this.view.equals(this.stage.camera.matrixWorld);
+    return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
+  }
+
+  /** Draws the frame; `dt`: since the last picture [s]; `extras` may move what it has added. */
+  draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): void {
+    if (!this.changed(frame)) return;
+    this.settling = frame?.time !== this.shown ? SETTLING : this.settling - dt;
+    this.dirty = false;
+    this.labels.begin();
+    if (frame !== undefined) this.show(frame, source, dt);
+    extras();
+    this.view.copy(this.stage.camera.matrixWorld);
+    this.stage.render();
+    if (frame !== undefined) this.onFirstPicture();
+    this.labels.end();
+  }
+
+  private show(frame: Frame, source: FrameSource, dt: number): void {
+    const joints = this.session.header.robot.joint_names;
+    const truth = this.place(this.robot, frame, "truth", joints);
+    if (!truth) this.place(this.robot, frame, "state", joints);
+    if (this.ghostShown) this.place(this.ghost, frame, "state", joints);
+    this.target.copy(this.robot.root.position);
+    this.camera.update(this.target, dt);
+    this.stage.lightAt(this.target);
+    this.stage.camera.updateMatrixWorld();
+    this.sinceTrails += dt;
+    const trails = this.sinceTrails > TRAIL_PERIOD && (frame.time !== this.shown || this.sinceTrails > 1);
+    if (trails) this.sinceTrails = 0;
+    this.shown = frame.time;
+    const { header } = this.session;
+    const { labels, newton } = this;
+    this.overlays.update({ frame, source, header, labels, newton, trails, beliefToWorld: this.overlays.beliefToWorld });
+  }
+
+  private place(robot: Robot, frame: Frame, topic: string, joints: string[]): boolean {
+    if (!read(frame, `${topic}.p_WB`, this.p) || !read(frame, `${topic}.q_WB`, this.q)) return false;
+    if (!read(frame, `${topic}.q`, this.joints)) return false;
+    robot.pose(this.p, this.q, joints, this.joints);
+    return true;
+  }
+
+  /** Place of a link's frame in W [m]. */
+  positionOf(link: string): number[] | undefined {
+    const found = this.robot.urdf.links[link];
+    return found === undefined ? undefined : found.getWorldPosition(new THREE.Vector3()).toArray();
+  }
+
+  /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
+  pixel(p_W: [number, number, number]): number[] {
+    const at = new THREE.Vector3(...p_W).project(this.stage.camera);
+    this.stage.render(); // what was drawn is gone once it has been shown
+    const context = this.stage.renderer.getContext();
+    const bytes = new Uint8Array(4);
+    const [x, y] = [(0.5 + 0.5 * at.x) * context.drawingBufferWidth, (0.5 + 0.5 * at.y) * context.drawingBufferHeight];
+    context.readPixels(Math.floor(x), Math.floor(y), 1, 1, context.RGBA, context.UNSIGNED_BYTE, bytes);
+    return [...bytes.subarray(0, 3)];
+  }
+}

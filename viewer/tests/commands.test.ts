@@ -1,0 +1,93 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { MarkFinder, marksOf } from "../src/data/marks.ts";
+import { beyondDeadZone } from "../src/input/gamepad.ts";
+import { nudged } from "../src/panels/drive_panel.ts";
+import { digits } from "../src/panels/dom.ts";
+import { speedText } from "../src/panels/transport.ts";
+import { Commands } from "../src/protocol/commands.ts";
+import { backoff, type Connection } from "../src/protocol/connection.ts";
+import { FrameTable } from "../src/data/table.ts";
+import { schemaOf } from "./make.ts";
+
+function connectionOf(open = true): { connection: Connection; sent: Record<string, unknown>[] } {
+  const sent: Record<string, unknown>[] = [];
+  const connection = { send: (message: Record<string, unknown>) => open && sent.push(message) > 0 } as unknown as Connection;
+  return { connection, sent };
+}
+
+test("a command carries the token and ends with the server's answer", async () => {
+  const { connection, sent } = connectionOf();
+  const commands = new Commands(connection, "secret");
+  const answer = commands.send("speed", { factor: 2 });
+  assert.deepEqual(sent, [{ type: "speed", factor: 2, token: "secret", id: 1 }]);
+  commands.reply({ type: "reply", id: 1, ok: true });
+  await answer;
+});
+
+test("a refusal is an error with the server's words", async () => {
+  const commands = new Commands(connectionOf().connection, "secret");
+  const answer = commands.send("speed", { factor: 99 });
+  commands.reply({ type: "reply", id: 1, ok: false, error: "99 is no speed" });
+  await assert.rejects(answer, /99 is no speed/);
+});
+
+test("without a token nothing is sent", async () => {
+  const { connection, sent } = connectionOf();
+  await assert.rejects(new Commands(connection, "").send("pause"), /can only look/);
+  assert.equal(sent.length, 0);
+});
+
+test("what waits when the connection is lost ends with an error", async () => {
+  const commands = new Commands(connectionOf().connection, "secret");
+  const answer = commands.send("pause");
+  commands.lost();
+  await assert.rejects(answer, /lost/);
+  await assert.rejects(new Commands(connectionOf(false).connection, "secret").send("pause"), /no connection/);
+});
+
+test("attempts to connect come ever later, but never later than in 5 s", () => {
+  assert.deepEqual([0, 1, 2, 9].map(backoff), [250, 500, 1000, 5000]);
+});
+
+test("what is asked to walk changes by steps and stays within its limits", () => {
+  let walk = { walk: false, velocity: [0, 0] as [number, number], yaw_rate: 0, height: 0 };
+  const limits = { forward: 0.15, left: 0.1, turn: 0.3, height: 0.05 };
+  for (let k = 0; k < 99; ++k) walk = nudged(walk, "forward", 1, limits);
+  assert.deepEqual(walk, { walk: true, velocity: [0.15, 0], yaw_rate: 0, height: 0 });
+  assert.deepEqual(nudged(walk, "turn", -1, limits).yaw_rate, -0.02);
+  assert.deepEqual(walk.yaw_rate, 0, "what was asked before stays as it was");
+});
+
+test("a stick at rest asks for nothing, one at its end for all", () => {
+  assert.equal(beyondDeadZone(0.1), 0);
+  assert.equal(beyondDeadZone(1), 1);
+  assert.equal(beyondDeadZone(-1), -1);
+});
+
+test("numbers have the digits that count, speeds their fractions", () => {
+  assert.deepEqual([0, 0.0123, 1.2345, -45.67, 123.4, 1e-7, NaN].map(digits), ["0", "0.012", "1.23", "−45.7", "123", "1.0e−7", "–"]);
+  assert.deepEqual([1 / 32, 0.5, 1, 8].map(speedText), ["1/32×", "1/2×", "1×", "8×"]);
+});
+
+test("marks of a live run are the planner's events with their leg, and changes of the command's mode", () => {
+  const schema = schemaOf({ "plan.event": 1, "command.mode": 1, "plan.feet.LF.phase": 1, "plan.feet.RF.phase": 1, "plan.feet.LH.phase": 1, "plan.feet.RH.phase": 1 });
+  for (const channel of schema.channels) if (!channel.name.includes("event")) channel.values = ["stance", "swing"];
+  const finder = new MarkFinder();
+  const table = new FrameTable(schema, 3);
+  [[0, 0, 0, 0, 0, 0], [1, 0, 0, 1, 0, 0], [0, 1, 0, 1, 0, 0]].forEach((values, tick) => {
+    table.append(tick, tick, Float32Array.from(values), undefined);
+    finder.see(table.frame(tick));
+  });
+  assert.deepEqual(finder.marks, [
+    { time: 1, text: "lift-off", leg: "RF", kind: "event" },
+    { time: 2, text: "command: swing", leg: "", kind: "mode" },
+  ]);
+  finder.dropBefore(1.5);
+  assert.equal(finder.marks.length, 1);
+});
+
+test("marks of a log come with names for numbers", () => {
+  const raw = [[1, 1, 0], [2, "touchdown", null], { time: 3, text: "hold" }] as Parameters<typeof marksOf>[0];
+  assert.deepEqual(marksOf(raw, ["none", "lift-off"]).map(({ time, text, leg }) => [time, text, leg]), [[1, "lift-off", "LF"], [2, "touchdown", ""], [3, "hold", ""]]);
+});

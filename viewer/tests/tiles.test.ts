@@ -1,0 +1,100 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Envelope } from "../src/data/envelope.ts";
+import { ReplaySource } from "../src/data/replay_source.ts";
+import { TILE_FRAMES } from "../src/data/tiles.ts";
+import { blockOf, schemaOf, type RawFrame } from "./make.ts";
+
+const PERIOD = 0.0025;
+const TICKS = 20000;
+const SPIKE = 7777;
+const schema = schemaOf({ x: 1 });
+const valueAt = (tick: number): number => (tick === SPIKE ? 1000 : tick % 7);
+
+/** A server of a log, as docs/view_protocol.md has it. */
+function server(): { fetchBlock: (url: string) => Promise<ArrayBuffer>; urls: string[] } {
+  const urls: string[] = [];
+  const fetchBlock = (url: string): Promise<ArrayBuffer> => {
+    urls.push(url);
+    const query = new URLSearchParams(url.slice(url.indexOf("?")));
+    const [from, count, stride] = ["from", "count", "stride"].map((name) => Number(query.get(name))) as [number, number, number];
+    const frames: RawFrame[] = [];
+    for (let tick = from; tick < TICKS && frames.length < count; tick += stride) {
+      const span = Array.from({ length: query.has("min_max") ? Math.min(stride, TICKS - tick) : 1 }, (_, k) => valueAt(tick + k));
+      const frame = (value: number): RawFrame => ({ tick, time: tick * PERIOD, values: [value] });
+      frames.push(frame(Math.min(...span)));
+      if (query.has("min_max")) frames.push(frame(Math.max(...span)));
+    }
+    return Promise.resolve(blockOf(frames));
+  };
+  return { fetchBlock, urls };
+}
+
+async function settled(source: ReplaySource): Promise<void> {
+  for (let k = 0; k < 1000 && source.cache.pending > 0; ++k) await new Promise((resolve) => setTimeout(resolve, 1));
+  assert.equal(source.cache.pending, 0);
+}
+
+test("any tick of a log is shown once its piece has come", async () => {
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, server().fetchBlock);
+  for (const tick of [0, 1, TILE_FRAMES - 1, TILE_FRAMES, SPIKE, TICKS - 1]) {
+    source.at(tick * PERIOD);
+    await settled(source);
+    assert.equal(source.at(tick * PERIOD)?.tick, tick);
+  }
+});
+
+test("until then the nearest frame of an overview stands for it", async () => {
+  const { fetchBlock } = server();
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, fetchBlock);
+  source.at(0);
+  await settled(source);
+  const far = source.at(30);
+  assert.ok(far !== undefined && Math.abs(far.time - 30) < 0.11, `${far?.time}`);
+});
+
+test("a plot of a whole log shows a spike of one tick, from a few requests", async () => {
+  const { fetchBlock, urls } = server();
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, fetchBlock);
+  const envelopeOf = (): Envelope => {
+    const envelope = new Envelope(source.first, source.last, 250, 1);
+    source.fill(envelope, [{ channel: "x", index: 0 }]);
+    return envelope;
+  };
+  envelopeOf();
+  await settled(source);
+  assert.equal(Math.max(...(envelopeOf().columns()[1] as Float64Array)), 1000);
+  assert.ok(urls.length <= 3, `${urls.length} requests`);
+});
+
+test("memory for a log is bounded: what was not looked at for long is asked for again", async () => {
+  const { fetchBlock, urls } = server();
+  const source = new ReplaySource(schemaOf({ x: 1 }), PERIOD, 0, 10 ** 9, (url) => fetchBlock(url.replace(/from=\d+/, "from=0")));
+  const capacity = Math.floor(160e6 / (TILE_FRAMES * 20));
+  const piece = (index: number): void => void source.cache.get({ stride: 1, index, minMax: false });
+  for (let index = 0; index <= capacity; ++index) {
+    piece(index);
+    if (index % 20 === 0) await settled(source);
+  }
+  await settled(source);
+  const before = urls.length;
+  piece(capacity);
+  assert.equal(urls.length, before);
+  piece(0);
+  await settled(source);
+  assert.equal(urls.length, before + 1);
+});
+
+test("a piece that could not be had is asked for again, and the reason is told", async () => {
+  const { fetchBlock } = server();
+  let fails = 1;
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, (url) => (fails-- > 0 ? Promise.reject(new Error("the log is damaged there")) : fetchBlock(url)));
+  const reasons: string[] = [];
+  source.cache.onError = (error) => reasons.push(error.message);
+  source.cache.get({ stride: 1, index: 0, minMax: false });
+  await new Promise((resolve) => setTimeout(resolve, 1100));
+  assert.deepEqual(reasons, ["the log is damaged there"]);
+  source.cache.get({ stride: 1, index: 0, minMax: false });
+  await settled(source);
+  assert.equal(source.cache.get({ stride: 1, index: 0, minMax: false })?.size, TILE_FRAMES);
+});
