@@ -2,9 +2,11 @@
 
 #include "surefoot/control/controller.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/message_fields.hpp"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -30,7 +32,9 @@ class LogReplay {
 
  private:
   void switch_levels(const LevelSwitchReport& logged);
+  void apply_changes();
 
+  std::vector<logged::Change> changes_;  // that stand before the tick
   LogReader log_;
   TickRecord tick_;
   std::unique_ptr<Controller> controller_;

@@ -5,6 +5,7 @@
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
+#include "app/log_server.hpp"
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -41,6 +42,7 @@ Examples:
   surefoot run step_down --seeds 100 --jobs 2            success rate over 100 random trials
   surefoot run step_down --set terrain.elements.ground.height=-0.20 --report out
   surefoot run my_scenario.yaml --record run.mcap        a file of your own, and its log
+  surefoot run step_down --seed 3 --view                 watch and steer it in a browser
 )";
 
 constexpr const char* kSolveFooter = R"(
@@ -76,6 +78,15 @@ Examples:
   surefoot dump run.mcap --from 3.2 --to 3.21 | surefoot solve - --explain
 )";
 
+constexpr const char* kReplayFooter = R"(
+Serves a page on this machine that shows the log, and prints its link; ^C closes it.
+
+Exit codes: 0 it was closed, 2 the log can't be read, or the port not be used.
+
+Example:
+  surefoot run walk_flat --record run.mcap && surefoot replay run.mcap
+)";
+
 constexpr const char* kListFooter = R"(
 Examples:
   surefoot list scenarios
@@ -101,8 +112,9 @@ They take some minutes on two cores; most of it goes to those over seeds.
 Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
 was interrupted (experiments that were whole by then stay, with their index).
 
-Example:
+Examples:
   surefoot demo --seeds 3 --jobs 2 --out out
+  surefoot demo --view                                   walk down the step, in a browser
 )";
 }
 
@@ -119,6 +131,38 @@ CLI::Validator whole_number(int min) {
     return "\"" + text + "\" is not a whole number of at least " + std::to_string(min);
   };
   return CLI::Validator(check, "");
+}
+
+CLI::Validator whole_number(int min, int max) {
+  const auto check = [min, max](std::string& text) -> std::string {
+    const bool digits =
+        !text.empty() && text.size() < 10 &&
+        std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
+    if (digits && std::stoi(text) >= min && std::stoi(text) <= max) return "";
+    return "\"" + text + "\" is not a whole number from " + std::to_string(min) + " to " +
+           std::to_string(max);
+  };
+  return CLI::Validator(check, "");
+}
+
+void add_server(CLI::App& command, ViewArguments& view) {
+  command.add_option("--port", view.port, "Port of the page; 0: any that is free")
+      ->check(whole_number(0, 65535))
+      ->capture_default_str();
+  command.add_option("--listen", view.listen,
+                     "Serve the page on this address of the machine, not on loopback alone; needs "
+                     "--token");
+  command.add_option("--token", view.token,
+                     "Secret that commands from the page need; by default a random one");
+  command.add_option("--view-clients", view.clients, "Pages that may watch at once, up to 64")
+      ->check(whole_number(1, 64))
+      ->capture_default_str();
+}
+
+void add_view(CLI::App& command, ViewArguments& view) {
+  command.add_flag("--view", view.view,
+                   "Run at real time and serve a page on this machine that shows it; ^C ends it");
+  add_server(command, view);
 }
 
 void add_run(CLI::App& app, Command& chosen) {
@@ -145,6 +189,7 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_flag("--check", arguments->check,
                 "Read the scenario and say what is wrong; run nothing");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
@@ -219,6 +264,21 @@ void add_dump(CLI::App& app, Command& chosen) {
   });
 }
 
+void add_replay(CLI::App& app, Command& chosen) {
+  CLI::App* replay = app.add_subcommand("replay", "Show a log in a browser");
+  replay->footer(kReplayFooter);
+  const auto log = std::make_shared<std::string>();
+  const auto view = std::make_shared<ViewArguments>();
+  replay->add_option("log", *log, "Log of a run (MCAP)")->required();
+  add_server(*replay, *view);
+  replay->callback([&chosen, log, view] {
+    chosen = [log, view] {
+      serve_log(*log, *view);
+      return static_cast<int>(kPassed);
+    };
+  });
+}
+
 void add_demo(CLI::App& app, Command& chosen) {
   CLI::App* demo =
       app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
@@ -231,6 +291,7 @@ void add_demo(CLI::App& app, Command& chosen) {
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
       ->check(whole_number(1))
       ->capture_default_str();
+  add_view(*demo, arguments->view);
   demo->callback(
       [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });
 }
@@ -299,6 +360,7 @@ int run_program(int argc, char** argv) {
   add_report(app, chosen);
   add_solve(app, chosen);
   add_dump(app, chosen);
+  add_replay(app, chosen);
   add_demo(app, chosen);
   add_campaign(app, chosen);
   app.footer(kFooter);  // only now: commands that are added later would have it, too
