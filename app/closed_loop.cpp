@@ -1,5 +1,6 @@
 #include "app/closed_loop.hpp"
 
+#include "app/change_log.hpp"
 #include "app/goal_watch.hpp"
 #include "app/run_log.hpp"
 #include "app/stop_text.hpp"
@@ -33,6 +34,8 @@ std::string reason(Ending ending) {
       return "the controller stopped for safety";
     case Ending::interrupted:
       return "interrupted";
+    case Ending::reset:
+      return "begun again";
   }
   return "";
 }
@@ -51,10 +54,13 @@ class ClosedLoop {
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);
-    if (options.record_path.empty()) return;
-    controller_.explain_levels(true);
-    recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
-    truth_log_.emplace(*recorder_);
+    controller_.explain_levels(!options.record_path.empty() || options.steering != nullptr);
+    if (!options.record_path.empty()) {
+      recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
+      truth_log_.emplace(*recorder_);
+    }
+    if (options.steering != nullptr) begin_steering(*options.steering);
+    if (options.ready) options.ready();
   }
 
   RunResult run() {
@@ -75,15 +81,44 @@ class ClosedLoop {
             .hip_in_base = [this](Leg leg, const Vec3& q) { return model_.hip_in_base(leg, q); }};
   }
 
+  void begin_steering(RunSteering& steering) {
+    if (recorder_) change_log_.emplace(*recorder_);
+    steering.begin({.plant = plant_,
+                    .controller = controller_,
+                    .header = log_header(scenario_, controller_, plant_, model_),
+                    .log_change = [this](const logged::Change& change) {
+                      if (change_log_) change_log_->record(change, controller_);
+                    }});
+  }
+
   /// One tick; says why it is the last one.
   std::optional<Ending> step() {
+    if (const std::optional<Ending> cut = steer()) return cut;
     const SensorReading& reading = plant_.read();
-    const JointCommand& command = controller_.step(reading, scenario_.user(reading.time));
+    const JointCommand& command = controller_.step(reading, user(reading.time));
     judge();
     const std::optional<Ending> ending = check_end(command);
     report_progress();
     plant_.write(command);
     return ending;
+  }
+
+  std::optional<Ending> steer() {
+    if (options_.steering == nullptr) return std::nullopt;
+    switch (options_.steering->before_tick(plant_.time())) {
+      case RunOrder::tick:
+        return std::nullopt;
+      case RunOrder::reset:
+        return Ending::reset;
+      case RunOrder::stop:
+        return Ending::interrupted;
+    }
+    return std::nullopt;
+  }
+
+  UserCommand user(double time) const {
+    const UserCommand& planned = scenario_.user(time);
+    return options_.steering == nullptr ? planned : options_.steering->user(planned);
   }
 
   /// Readings, truth and record belong to the same time until the plant moves on.
@@ -93,6 +128,9 @@ class ClosedLoop {
     evaluator_.add(plant_.truth(), controller_.record());
     events_.add(timing.time, controller_.record().plan);
     evaluator_.add(timing);
+    if (options_.steering != nullptr) {
+      options_.steering->after_tick(controller_.record(), plant_.truth(), timing);
+    }
     if (!recorder_) return;
     recorder_->record(controller_.record());
     recorder_->record(timing);
@@ -137,12 +175,12 @@ class ClosedLoop {
                                          .seed = scenario_.seed,
                                          .version = std::string(build_info().version),
                                          .goal_reached = goal_.reached()});
-    if (result.safety_stop && ending != Ending::interrupted) {
+    const bool is_cut = ending == Ending::interrupted || ending == Ending::reset;
+    if (result.safety_stop && !is_cut) {
       result.metrics.reason = safety_reason(evaluator_.fall());
     }
     result.criteria = evaluate(scenario_.criteria, result.metrics);
-    result.metrics.succeeded =
-        all_passed(result.criteria) && !result.safety_stop && ending != Ending::interrupted;
+    result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(controller_, plant_);
@@ -152,7 +190,7 @@ class ClosedLoop {
 
   void close_log(const RunResult& result) {
     const std::string summary = summary_json(result.metrics, result.criteria);
-    if (result.ending == Ending::interrupted) {
+    if (result.ending == Ending::interrupted || result.ending == Ending::reset) {
       recorder_->close_partial(summary);
     } else {
       recorder_->close(summary);
@@ -170,6 +208,7 @@ class ClosedLoop {
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;
+  std::optional<ChangeLog> change_log_;
   double stopped_at_ = kNaN;  // time of the safety stop [s]
   double damped_at_ = kNaN;   // … and of the first tick of damping
   std::string why_stopped_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/run_steering.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
@@ -18,12 +19,15 @@ enum class Ending {
   fell,
   safety,       ///< the controller stopped, and did not come back
   interrupted,  ///< from outside
+  reset,        ///< from outside, to begin again
 };
 
 struct ClosedLoopOptions {
   std::string record_path;  ///< log to write; empty: none; of a run cut off: partial_path of it
-  std::function<void(double time)> progress;  ///< called about every 0.1 s of simulated time
-  std::function<bool()> interrupted;          ///< asked at every tick
+  std::function<void(double time)> progress{};  ///< called about every 0.1 s of simulated time
+  std::function<bool()> interrupted{};          ///< asked at every tick
+  RunSteering* steering = nullptr;              ///< asked between the ticks
+  std::function<void()> ready{};                ///< called when all is made, before the first tick
 };
 
 struct RunResult {

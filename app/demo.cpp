@@ -8,6 +8,7 @@
 #include "app/progress.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
+#include "app/run_command.hpp"
 #include "app/seed_runs.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
@@ -169,9 +170,19 @@ void write_index(const fs::path& out, const std::vector<Trial>& trials,
   std::cout << "\nreport: " << (out / "index.html").string() << "\n";
 }
 
+/// The experiment that shows most: down a step that the robot does not know of.
+RunArguments watched(const DemoArguments& arguments) {
+  RunArguments run;
+  run.scenario = "step_down";
+  run.view = arguments.view;
+  return run;
+}
+
 }  // namespace
 
 int demo_command(const DemoArguments& arguments) {
+  check(arguments.view);
+  if (arguments.view.view) return run_command(watched(arguments));
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);
   const bool is_new = !fs::exists(out);

@@ -4,6 +4,8 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
+#include "surefoot/config/stack_file.hpp"
+#include "surefoot/logging/message_decoder.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -74,10 +76,17 @@ Scenario scenario_with(const std::string& stack, const LogHeader& header,
   }
 }
 
+/// What was changed stands in the log before the first tick that has it.
+void keep_change(const McapMessage& message, std::vector<logged::Change>& changes) {
+  if (message.channel->topic != "/changes") return;
+  logged::Decoder::decode(message.data, changes.emplace_back());
+}
+
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path), own_stack_(options.stack.empty()) {
+    : log_(path, [this](const McapMessage& message) { keep_change(message, changes_); }),
+      own_stack_(options.stack.empty()) {
   const ScratchFolder folder;
   const Scenario scenario = own_stack_ ? scenario_of(log_.header(), folder)
                                        : scenario_with(options.stack, log_.header(), folder);
@@ -97,9 +106,24 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
 
 bool LogReplay::step() {
   if (!log_.next(tick_)) return false;
+  apply_changes();
   switch_levels(tick_.hierarchy.level_switch);
   controller_->step(tick_.reading, tick_.user);
   return true;
+}
+
+// As it was done to the controller at the run.
+void LogReplay::apply_changes() {
+  if (changes_.empty()) return;
+  const ScratchFolder folder;
+  for (const logged::Change& change : changes_) {
+    if (change.kind == "friction") controller_->set_friction(change.friction);
+    if (change.kind != "stack" || !own_stack_) continue;
+    const StackOptions stack = load_stack(folder.write("changed.yaml", change.stack));
+    // Refused only where the program is another one; then `is_same` says so.
+    (void)controller_->set_stack(stack, change.duration);
+  }
+  changes_.clear();
 }
 
 void LogReplay::switch_levels(const LevelSwitchReport& logged) {

@@ -2,9 +2,11 @@
 
 #include "surefoot/control/controller.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/message_fields.hpp"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -48,7 +50,9 @@ class LogReplay {
 
  private:
   void switch_levels(const LevelSwitchReport& logged);
+  void apply_changes();
 
+  std::vector<logged::Change> changes_;  // that stand before the tick
   LogReader log_;
   TickRecord tick_;
   bool estimates_ = false;

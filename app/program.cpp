@@ -7,6 +7,7 @@
 #include "app/list_command.hpp"
 #include "app/pictures.hpp"
 #include "app/program_log.hpp"
+#include "app/program_view.hpp"
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
@@ -41,6 +42,7 @@ Examples:
   surefoot run step_down --seeds 100 --jobs 2            success rate over 100 random trials
   surefoot run step_down --set terrain.elements.ground.height=-0.20 --report out
   surefoot run my_scenario.yaml --record run.mcap        a file of your own, and its log
+  surefoot run step_down --seed 3 --view                 watch and steer it in a browser
 )";
 
 constexpr const char* kSolveFooter = R"(
@@ -101,21 +103,10 @@ They take some minutes on two cores; most of it goes to those over seeds.
 Exit codes: 0 every experiment came out as it must, 1 one did not, 2 the input is wrong or the demo
 was interrupted (experiments that were whole by then stay, with their index).
 
-Example:
+Examples:
   surefoot demo --seeds 3 --jobs 2 --out out
+  surefoot demo --view                                   walk down the step, in a browser
 )";
-}
-
-/// Digits only, and not too many of them; CLI11 would take -1 for a large number.
-CLI::Validator whole_number(int min) {
-  const auto check = [min](std::string& text) -> std::string {
-    const bool digits =
-        !text.empty() && text.size() < 10 &&
-        std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
-    if (digits && std::stoi(text) >= min) return "";
-    return "\"" + text + "\" is not a whole number of at least " + std::to_string(min);
-  };
-  return CLI::Validator(check, "");
 }
 
 void add_run(CLI::App& app, Command& chosen) {
@@ -144,6 +135,7 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_flag("--check", arguments->check,
                 "Read the scenario and say what is wrong; run nothing");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
+  add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
@@ -230,6 +222,7 @@ void add_demo(CLI::App& app, Command& chosen) {
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
       ->check(whole_number(1))
       ->capture_default_str();
+  add_view(*demo, arguments->view);
   demo->callback(
       [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });
 }

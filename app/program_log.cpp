@@ -1,6 +1,7 @@
 #include "app/program_log.hpp"
 
 #include "app/log_commands.hpp"
+#include "app/program_view.hpp"
 #include "app/replay_command.hpp"
 #include "surefoot/base/error.hpp"
 
@@ -11,15 +12,18 @@ namespace surefoot {
 namespace {
 
 constexpr const char* kReplayFooter = R"(
+Without --verify and --stack it serves a page on this machine that shows the log, and prints its
+link; ^C closes it.
 --verify runs the controller again from the first tick on: with `estimation: sensors` its estimator,
 too, with `estimation: truth` on the logged states. The same build computes the same bits.
 --stack asks each tick for itself, on the logged states: it shows what another hierarchy makes of the
 same situations, not where it would have walked.
 
-Exit codes: 0 all torques are the same, or --stack was answered; 1 a torque is not the same; 2 the
-input is wrong.
+Exit codes: 0 the page was closed, all torques are the same, or --stack was answered; 1 a torque is
+not the same; 2 the input is wrong, or the port not free.
 
 Examples:
+  surefoot replay run.mcap
   surefoot replay run.mcap --verify
   surefoot replay run.mcap --stack regular --csv ticks.csv
 )";
@@ -42,7 +46,8 @@ Example:
 )";
 
 void add_replay(CLI::App& app, Command& chosen) {
-  CLI::App* replay = app.add_subcommand("replay", "Run the controller of a log again");
+  CLI::App* replay =
+      app.add_subcommand("replay", "Show a log in a browser, or run its controller again");
   replay->footer(kReplayFooter);
   const auto arguments = std::make_shared<ReplayArguments>();
   replay->add_option("log", arguments->log, "Log of a run (MCAP)")->required();
@@ -53,6 +58,7 @@ void add_replay(CLI::App& app, Command& chosen) {
   replay->add_option("--csv", arguments->csv,
                      "With --stack: write torques and residuals of both at each tick");
   replay->add_flag("--json", arguments->json, "Print one JSON object instead of text");
+  add_server(*replay, arguments->view);
   replay->callback(
       [&chosen, arguments] { chosen = [arguments] { return run_replay(*arguments, std::cout); }; });
 }

@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/log_server.hpp"
 #include "app/output_files.hpp"
 #include "app/replay_text.hpp"
 #include "surefoot/base/error.hpp"
@@ -23,10 +24,8 @@ void check(const ReplayArguments& arguments) {
     throw Error("--verify and --stack are two questions; ask one at a time");
   if (!arguments.csv.empty() && arguments.stack.empty())
     throw Error("--csv writes the ticks of --stack, which is not given");
-  if (!arguments.verify && arguments.stack.empty())
-    throw Error(
-        "replay needs to be told what to do: --verify runs the controller again and compares every "
-        "torque, --stack OTHER asks another hierarchy");
+  if (arguments.json && !arguments.verify && arguments.stack.empty())
+    throw Error("--json is for --verify and --stack; without them replay serves a page");
 }
 
 /// Torques and residuals of both at each tick, as the log's channels are called; those of the other
@@ -117,6 +116,10 @@ StackComparison compare(const ReplayArguments& arguments) {
 int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   check(arguments);
   watch_for_interrupt();
+  if (!arguments.verify && arguments.stack.empty()) {
+    serve_log(arguments.log, arguments.view);
+    return kPassed;
+  }
   if (arguments.verify) return verify(arguments, out);
   const StackComparison result = compare(arguments);
   if (arguments.json) {

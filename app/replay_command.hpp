@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/live_run.hpp"
+
 #include <iosfwd>
 #include <string>
 
@@ -11,12 +13,14 @@ struct ReplayArguments {
   bool verify = false;
   std::string stack;  ///< another hierarchy to ask; empty: none
   bool json = false;
-  std::string csv;  ///< file for the ticks of `stack`; empty: none
+  std::string csv;     ///< file for the ticks of `stack`; empty: none
+  ViewArguments view;  ///< of the page, where neither is asked for
 };
 
-/// `surefoot replay RUN.mcap --verify`: runs the controller again on the logged readings and says
-/// whether every torque is the same to the bit. `--stack OTHER`: what another hierarchy would have
-/// commanded at each tick. Returns an ExitCode; throws Error on wrong input.
+/// `surefoot replay RUN.mcap`: serves a page that shows the log, until ^C. `--verify`: runs the
+/// controller again on the logged readings and says whether every torque is the same to the bit.
+/// `--stack OTHER`: what another hierarchy would have commanded at each tick. Returns an ExitCode;
+/// throws Error on wrong input.
 int run_replay(const ReplayArguments& arguments, std::ostream& out);
 
 }  // namespace surefoot

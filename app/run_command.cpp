@@ -120,6 +120,23 @@ void tell_film(bool done, const std::string& file) {
                file.c_str());
 }
 
+/// A run before the eyes of those who open its page.
+int watch_one(const RunArguments& arguments) {
+  const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
+                                           .seed = arguments.seed.value_or(0),
+                                           .assignments = arguments.assignments});
+  check_outputs(arguments);
+  const auto tell = [&](const RunResult& result) {
+    const Json json = run_json(scenario, result);
+    print(arguments, json, run_table(scenario, json));
+  };
+  const RunResult result = run_live(
+      scenario, {.record_path = arguments.record, .progress = {}, .interrupted = interrupted},
+      arguments.view, tell);
+  if (result.ending == Ending::interrupted) report_interrupt(arguments.record);
+  return exit_code(scenario, {run_json(scenario, result)});
+}
+
 int run_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
@@ -212,11 +229,28 @@ int run_seeds(const RunArguments& arguments) {
   return exit_code(scenario, rows);
 }
 
+/// What --view can't go with.
+void check_watched(const RunArguments& arguments) {
+  const char* other = arguments.seeds > 0         ? "--seeds"
+                      : arguments.check           ? "--check"
+                      : !arguments.report.empty() ? "--report"
+                                                  : nullptr;
+  if (other == nullptr) return;
+  throw Error(std::string("--view shows one run, and can't go with ") + other +
+              "; leave out one of them" +
+              (arguments.report.empty() ? ""
+                                        : ". --record FILE keeps the log, of which surefoot report "
+                                          "makes one"));
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
   watch_for_interrupt();
+  check(arguments.view);
+  if (arguments.view.view) check_watched(arguments);
   if (arguments.check) return check_one(arguments);
+  if (arguments.view.view) return watch_one(arguments);
   return arguments.seeds > 0 ? run_seeds(arguments) : run_one(arguments);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/live_run.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +21,7 @@ struct RunArguments {
   std::string video;
   bool json = false;
   bool check = false;  ///< read the scenario and run nothing
+  ViewArguments view;
 };
 
 /// Runs a scenario once, or once for each of several seeds. Returns an ExitCode; throws Error on

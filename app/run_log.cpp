@@ -93,6 +93,13 @@ std::string run_again(const Scenario& scenario) {
   return command;
 }
 
+RowNamer row_namer(std::vector<std::vector<std::string>> names) {
+  return [names = std::move(names)](int level, std::int32_t id) -> std::string {
+    const auto k = static_cast<std::size_t>(level), i = static_cast<std::size_t>(id);
+    return level >= 0 && k < names.size() && id >= 0 && i < names[k].size() ? names[k][i] : "?";
+  };
+}
+
 LogHeader log_header(const Scenario& scenario, const Controller& controller, const Plant& plant,
                      const RobotModel& model) {
   const StackOptions stack = with_defaults(scenario.controller.stack);
@@ -116,9 +123,7 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.terrain = log_terrain(scenario.plant.terrain);
   header.notes = run_notes(controller, plant);
   header.attachments = attachments(scenario, stack, plant);
-  header.row_name = [&controller](int level, std::int32_t id) {
-    return controller.row_name(level, id);
-  };
+  header.row_name = row_namer(controller.row_names());
   return header;
 }
 

@@ -14,7 +14,10 @@ namespace surefoot {
 /// The command that makes this run again, for a shell in the source tree.
 [[nodiscard]] std::string run_again(const Scenario& scenario);
 
-/// What the log of a run says before its first tick. The controller must outlive the log.
+/// Names rows out of a table, by level and id.
+[[nodiscard]] RowNamer row_namer(std::vector<std::vector<std::string>> names);
+
+/// What the log of a run says before its first tick.
 [[nodiscard]] LogHeader log_header(const Scenario& scenario, const Controller& controller,
                                    const Plant& plant, const RobotModel& model);
 

@@ -26,3 +26,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(zstd REQUIRED)
 find_package(CLI11 REQUIRED)
 include(mujoco)
+
+# Boost's headers, which come with Pinocchio's packages: Beast and Asio for the viewer's server.
+add_library(surefoot_boost INTERFACE)
+target_include_directories(surefoot_boost SYSTEM INTERFACE ${SUREFOOT_CMEEL_PREFIX}/include)

@@ -9,7 +9,7 @@ set(third_party_simulation mujoco::mujoco)
 set(third_party_config yaml-cpp $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> tinyxml2::tinyxml2)
 set(third_party_logging $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> zstd::libzstd_shared)
 set(third_party_runtime Threads::Threads)
-set(third_party_view $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> Threads::Threads)
+set(third_party_view $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:surefoot_boost> Threads::Threads)
 
 function(surefoot_folder folder allowed)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/surefoot/${folder}/*.cpp)

@@ -1,12 +1,11 @@
 #include "surefoot/control/controller.hpp"
 
 #include "surefoot/base/error.hpp"
-#include "surefoot/control/hierarchy_solver.hpp"
 #include "surefoot/control/hierarchy_summary.hpp"
 #include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/lying_posture.hpp"
 #include "surefoot/control/safety.hpp"
-#include "surefoot/control/task_stack.hpp"
+#include "surefoot/control/stack_fade.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
@@ -19,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -79,10 +79,11 @@ struct Controller::Implementation {
         slip(options.slip, options.period),
         external_force(options.external_force),
         planner(options.planner, model.mass() * kGravity, options.period),
-        stack(options.stack, robot),
+        robot_description(robot),
+        solver_options(options.solver),
+        solved(std::make_unique<SolvedStack>(options.stack, options.solver, robot)),
         switcher(options.stack, options.level_switches),
-        solver(stack.hierarchy(), options.solver),
-        safety(options.safety, robot, stack.first_free_level(),
+        safety(options.safety, robot, solved->stack.first_free_level(),
                lying_posture(model, options.safety.sit_height)) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
@@ -93,6 +94,8 @@ struct Controller::Implementation {
   void calibrate(const Dynamics& dynamics) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
   void describe_refused_state() noexcept;
+  [[nodiscard]] bool set_stack(const StackOptions& options, double duration);
+  [[nodiscard]] bool is_changing() const { return fade && fade->is_going_on(); }
   void ended(Stage stage) const noexcept {
     if (observer != nullptr) observer->stage_ends(stage);
   }
@@ -106,9 +109,11 @@ struct Controller::Implementation {
   SlipDetector slip;
   ExternalForceEstimator external_force;
   Planner planner;
-  TaskStack stack;
+  RobotDescription robot_description;
+  SolverOptions solver_options;
+  std::unique_ptr<SolvedStack> solved;
+  std::unique_ptr<StackFade> fade;  // from the stack before, if there was one; kept when it is over
   LevelSwitcher switcher;
-  HierarchySolver solver;
   Safety safety;
   TickRecord record;
   JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
@@ -185,16 +190,21 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics);
   ended(Stage::plan);
+  TaskStack& stack = solved->stack;
+  HierarchySolver& solver = solved->solver;
   const LevelTransition& transition = switcher.update(record.state.time);
   stack.set_present(transition.before | transition.after);
   const Hierarchy& hierarchy = stack.update(dynamics, record.plan);
   ended(Stage::stack);
   const Substitution* physics =
       solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
-  const Solution& solution = solver.solve(hierarchy, physics, transition);
+  const Solution* solution = &solver.solve(hierarchy, physics, transition);
+  if (is_changing()) {
+    solution = &fade->between(dynamics, record.plan, record.state.time, hierarchy, *solution);
+  }
   ended(Stage::solve);
-  describe(dynamics, solution);
-  return &solution;
+  describe(dynamics, *solution);
+  return solution;
 }
 
 // From feet that stand, and while nobody pushes. A payload, which the external force has too, is
@@ -217,9 +227,12 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
 
 void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
+  const TaskStack& stack = solved->stack;
   summarise(solution, stack.hierarchy(), record.hierarchy);
-  if (explains_levels) summarise_blockers(solver.blockers(), stack.hierarchy(), record.hierarchy);
-  record.hierarchy.transition_share = switcher.transition().share;
+  if (explains_levels && !is_changing()) {
+    summarise_blockers(solved->solver.blockers(), stack.hierarchy(), record.hierarchy);
+  }
+  record.hierarchy.transition_share = is_changing() ? fade->share() : switcher.transition().share;
   record.hierarchy.level_switch = switcher.begun();
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
@@ -240,6 +253,20 @@ void Controller::Implementation::describe_refused_state() noexcept {
   record.hierarchy.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
 }
 
+bool Controller::Implementation::set_stack(const StackOptions& options, double duration) {
+  check_stack_change(switcher.stack(), options, duration);
+  LevelSwitcher next_switcher = switcher.for_stack(options);
+  auto next = std::make_unique<SolvedStack>(options, solver_options, robot_description);
+  if (is_changing() || !switcher.is_idle()) return false;
+  const int first_free_level = next->stack.first_free_level();
+  fade =
+      std::make_unique<StackFade>(std::exchange(solved, std::move(next)),
+                                  switcher.transition().after, solved->stack.hierarchy(), duration);
+  switcher = std::move(next_switcher);
+  safety.set_first_free_level(first_free_level);
+  return true;
+}
+
 Controller::Controller(const RobotDescription& robot, const ControllerOptions& options,
                        std::unique_ptr<StateEstimator> estimator) {
   if (estimator == nullptr) throw Error("the controller was given no state estimator");
@@ -254,25 +281,40 @@ const JointCommand& Controller::step(const SensorReading& reading,
 }
 
 bool Controller::switch_levels(const LevelSwitch& change) {
-  return implementation_->switcher.start(change);
+  check_level_switch(implementation_->switcher.stack(), change);
+  return !implementation_->is_changing() && implementation_->switcher.start(change);
 }
+
+bool Controller::set_stack(const StackOptions& stack, double duration) {
+  return implementation_->set_stack(stack, duration);
+}
+
+void Controller::set_friction(double friction) { implementation_->planner.set_friction(friction); }
 
 const TickRecord& Controller::record() const { return implementation_->record; }
 
-const Hierarchy& Controller::hierarchy() const { return implementation_->stack.hierarchy(); }
+const Hierarchy& Controller::hierarchy() const {
+  return implementation_->solved->stack.hierarchy();
+}
 
 std::vector<std::string> Controller::level_names() const {
-  const Hierarchy& hierarchy = implementation_->stack.hierarchy();
+  const Hierarchy& hierarchy = implementation_->solved->stack.hierarchy();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < hierarchy.num_levels(); ++i)
     names.push_back(hierarchy.level(i).name());
   return names;
 }
 
-std::vector<std::string> Controller::level_units() const { return implementation_->stack.units(); }
+std::vector<std::string> Controller::level_units() const {
+  return implementation_->solved->stack.units();
+}
 
 std::string Controller::row_name(int level, int id) const {
-  return implementation_->stack.row_name(level, id);
+  return implementation_->solved->stack.row_name(level, id);
+}
+
+std::vector<std::vector<std::string>> Controller::row_names() const {
+  return implementation_->solved->stack.row_names();
 }
 
 std::vector<std::string> Controller::notes() const { return implementation_->model.notes(); }

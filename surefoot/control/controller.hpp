@@ -66,6 +66,16 @@ class Controller {
   /// The record of the tick at which it begins has it.
   [[nodiscard]] bool switch_levels(const LevelSwitch& change);
 
+  /// Between two ticks: puts a stack in the place of the present one, whose levels it has, in any
+  /// order and with any parameters. Estimator, plan and safety go on; the torques pass from one
+  /// stack's to the other's over `duration` [s] (see `StackFade`). False, and nothing happens,
+  /// while another change or a switch of levels is going on. Throws Error on a stack or duration
+  /// that makes no sense. Allocates.
+  [[nodiscard]] bool set_stack(const StackOptions& stack, double duration = 0.3);
+  /// Between two ticks: the friction coefficient that every foot is believed to find from now on,
+  /// as `planner.force.friction`. Throws Error unless it is above 0.
+  void set_friction(double friction);
+
   /// Everything of the last tick.
   [[nodiscard]] const TickRecord& record() const;
   /// The rows of the last tick that was believed, as the solver saw them.
@@ -76,6 +86,8 @@ class Controller {
   [[nodiscard]] std::vector<std::string> level_units() const;
   /// Name of the row with this id in a level, for logs and tables.
   [[nodiscard]] std::string row_name(int level, int id) const;
+  /// The names of all rows, by level and id: what `row_name` says, as a copy of its own.
+  [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
   /// Lines worth telling at start (what the model dropped, …).
   [[nodiscard]] std::vector<std::string> notes() const;
   /// Whether the record says from the next tick on what holds each level back, which takes some

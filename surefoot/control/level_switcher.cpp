@@ -51,6 +51,19 @@ LevelSet levels_of(const StackOptions& stack, const std::vector<std::string>& na
   return set;
 }
 
+std::vector<std::string> sorted_names(const StackOptions& stack) {
+  std::vector<std::string> names;
+  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 }  // namespace
 
 void check_level_switch(const StackOptions& stack, const LevelSwitch& change) {
@@ -67,8 +80,16 @@ void check_level_switch(const StackOptions& stack, const LevelSwitch& change) {
   }
 }
 
+void check_stack_change(const StackOptions& stack, const StackOptions& next, double duration) {
+  check_time("duration", duration);
+  const std::vector<std::string> present = sorted_names(stack), given = sorted_names(next);
+  if (given == present) return;
+  throw Error("the new stack \"" + next.name + "\" has the levels: " + listed(given) +
+              "; valid are those of the present one, each once, in any order: " + listed(present));
+}
+
 LevelSwitcher::LevelSwitcher(const StackOptions& stack, const std::vector<LevelSwitch>& schedule)
-    : stack_(stack) {
+    : stack_(stack), given_(schedule) {
   double end = 0.0;
   for (const LevelSwitch& change : schedule) {
     schedule_.push_back(compiled(change));
@@ -80,6 +101,19 @@ LevelSwitcher::LevelSwitcher(const StackOptions& stack, const std::vector<LevelS
   }
   transition_.before.set();
   transition_.after.set();
+}
+
+LevelSwitcher LevelSwitcher::for_stack(const StackOptions& stack) const {
+  LevelSwitcher result(stack, given_);
+  result.next_ = next_;
+  for (std::size_t k = 0; k < std::min(stack.levels.size(), result.transition_.after.size()); ++k) {
+    const auto old = std::ranges::find(stack_.levels, stack.levels[k].name, &LevelSpec::name);
+    if (old == stack_.levels.end()) continue;
+    result.transition_.after[k] =
+        transition_.after[static_cast<std::size_t>(old - stack_.levels.begin())];
+  }
+  result.transition_.before = result.transition_.after;
+  return result;
 }
 
 bool LevelSwitcher::start(const LevelSwitch& change) {

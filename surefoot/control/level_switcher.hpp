@@ -22,6 +22,10 @@ struct LevelTransition {
 /// keep the physics, none at all, a time or duration that is none.
 void check_level_switch(const StackOptions& stack, const LevelSwitch& change);
 
+/// Throws Error unless the new stack has the levels of the present one, in any order, and the
+/// duration is one.
+void check_stack_change(const StackOptions& stack, const StackOptions& next, double duration);
+
 /// Says at each tick which levels of the stack are there. One transition at a time.
 class LevelSwitcher {
  public:
@@ -37,6 +41,13 @@ class LevelSwitcher {
   /// Once a tick, with its time [s]. Does not allocate.
   const LevelTransition& update(double time) noexcept;
 
+  /// The same for a stack that has the same levels in another order or with other parameters, in
+  /// the place of the present one. Throws Error where a switch of the schedule can't be made there.
+  [[nodiscard]] LevelSwitcher for_stack(const StackOptions& stack) const;
+
+  [[nodiscard]] const StackOptions& stack() const { return stack_; }
+  /// Nothing is going on, and nothing was asked for.
+  [[nodiscard]] bool is_idle() const { return !is_requested_ && !transition_.is_going_on(); }
   [[nodiscard]] const LevelTransition& transition() const { return transition_; }
   /// The switch by `start` that has begun at the last update, so that a log can have it.
   [[nodiscard]] const LevelSwitchReport& begun() const { return begun_; }
@@ -52,7 +63,8 @@ class LevelSwitcher {
   void begin(const Change& change, double time);
 
   StackOptions stack_;
-  std::vector<Change> schedule_;
+  std::vector<LevelSwitch> given_;  // the schedule
+  std::vector<Change> schedule_;    // … and with the levels' numbers
   std::size_t next_ = 0;
   bool is_requested_ = false;
   Change requested_{};

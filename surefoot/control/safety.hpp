@@ -37,6 +37,9 @@ class Safety {
   [[nodiscard]] const JointCommand& command(const RobotState& state, const Solution* solution,
                                             const SensorHealth& health = {}) noexcept;
 
+  /// For another stack.
+  void set_first_free_level(int level) { first_free_level_ = level; }
+
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
   /// Of a sensor that was lost: no solution is asked for any more.

@@ -97,4 +97,15 @@ std::string TaskStack::row_name(int level, int id) const {
   return "?";
 }
 
+std::vector<std::vector<std::string>> TaskStack::row_names() const {
+  std::vector<std::vector<std::string>> names(levels_.size());
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    const LevelTasks& tasks = levels_[level];
+    const int count = tasks.num_ids + (tasks.damping > 0.0 ? kNumUnknowns : 0);
+    for (int id = 0; id < count; ++id)
+      names[level].push_back(row_name(static_cast<int>(level), id));
+  }
+  return names;
+}
+
 }  // namespace surefoot

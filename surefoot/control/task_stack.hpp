@@ -40,6 +40,8 @@ class TaskStack {
   /// motion, contacts, torque and contact force limits. The number of levels if that is the last.
   [[nodiscard]] int first_free_level() const { return first_free_level_; }
   [[nodiscard]] std::string row_name(int level, int id) const;
+  /// All of them, by level and id.
+  [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
   /// Of the rows of each level; empty where they have several, or weights.
   [[nodiscard]] std::vector<std::string> units() const;
 

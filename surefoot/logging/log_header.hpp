@@ -13,7 +13,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the first number changes when a reader must change.
-inline constexpr std::string_view kLogVersion = "2.3";
+inline constexpr std::string_view kLogVersion = "2.4";
 
 /// What the report needs to know of the robot and its limits.
 struct LogRobot {
@@ -52,6 +52,9 @@ struct LogAttachment {
   std::string name, media_type, data;
 };
 
+/// Name of an inequality row by its level and its id in that level.
+using RowNamer = std::function<std::string(int level, std::int32_t id)>;
+
 /// What a log says of its run before the first tick. Nothing in it may depend on when or where it
 /// ran.
 struct LogHeader {
@@ -76,9 +79,9 @@ struct LogHeader {
   /// everything worked in, and the robot's URDF.
   std::vector<LogAttachment> attachments;
 
-  /// Name of an inequality row by its level and its id in that level; called on the recorder's
-  /// thread. Not part of the file: the rows' names stand in the hierarchy messages.
-  std::function<std::string(int level, std::int32_t id)> row_name;
+  /// Called on the recorder's thread. Not part of the file: the rows' names stand in the hierarchy
+  /// messages.
+  RowNamer row_name;
 };
 
 /// The header as JSON, without the attachments.

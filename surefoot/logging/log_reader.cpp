@@ -85,60 +85,80 @@ LogHeader parse_header(const json& header) {
   return result;
 }
 
-std::int16_t index_of(const std::string& level, const logged::Hierarchy& named) {
-  const auto found = std::ranges::find(named.levels, level, &logged::Level::name);
-  return static_cast<std::int16_t>(found - named.levels.begin());
-}
+/// Levels by their numbers in the header, whatever order they had at the tick; those that it does
+/// not have by their place in the message.
+class LevelNumbers {
+ public:
+  LevelNumbers(const std::vector<std::string>& header, const logged::Hierarchy& named)
+      : header_(header), named_(named) {}
 
-void add_blockers(const logged::Hierarchy& named, HierarchyReport& report) {
+  [[nodiscard]] std::int16_t of(const std::string& level) const {
+    const auto found = std::ranges::find(header_, level);
+    if (found != header_.end()) return static_cast<std::int16_t>(found - header_.begin());
+    const auto in_message = std::ranges::find(named_.levels, level, &logged::Level::name);
+    return static_cast<std::int16_t>(in_message - named_.levels.begin());
+  }
+
+ private:
+  const std::vector<std::string>& header_;
+  const logged::Hierarchy& named_;
+};
+
+void add_blockers(const logged::Hierarchy& named, const LevelNumbers& numbers,
+                  HierarchyReport& report) {
   report.blocking_is_known = named.blocking_is_known;
   const std::size_t count = std::min(named.blocked_by.size(), kMaxReportedBlockers);
   report.num_blocking = static_cast<std::int32_t>(count);
   for (std::size_t i = 0; i < count; ++i) {
     const logged::BlockingRow& row = named.blocked_by[i];
     report.blocking[i] = row.report;
-    report.blocking[i].level = index_of(row.level, named);
-    report.blocking[i].by_level = index_of(row.by, named);
+    report.blocking[i].level = numbers.of(row.level);
+    report.blocking[i].by_level = numbers.of(row.by);
   }
 }
 
 void set_change(const std::vector<std::string>& names, LevelChange change,
-                const logged::Hierarchy& named, LevelSwitchReport& report) {
+                const logged::Hierarchy& named, const LevelNumbers& numbers,
+                LevelSwitchReport& report) {
   for (const std::string& name : names) {
-    const auto level = static_cast<std::size_t>(index_of(name, named));
+    const auto level = static_cast<std::size_t>(numbers.of(name));
     if (level >= std::min(named.levels.size(), report.change.size()))
       throw JsonError{"a switch of the level \"" + name + "\", which is none of the levels"};
     report.change[level] = change;
   }
 }
 
-void add_switch(const logged::Hierarchy& named, HierarchyReport& report) {
+void add_switch(const logged::Hierarchy& named, const LevelNumbers& numbers,
+                HierarchyReport& report) {
   report.transition_share = named.transition_share;
   if (named.level_switches.empty()) return;
   const logged::LevelSwitch& change = named.level_switches.front();
   report.level_switch.begins = true;
   report.level_switch.duration = change.duration;
-  set_change(change.add, LevelChange::comes, named, report.level_switch);
-  set_change(change.remove, LevelChange::goes, named, report.level_switch);
+  set_change(change.add, LevelChange::comes, named, numbers, report.level_switch);
+  set_change(change.remove, LevelChange::goes, named, numbers, report.level_switch);
 }
 
-HierarchyReport without_names(const logged::Hierarchy& named) {
+HierarchyReport without_names(const logged::Hierarchy& named,
+                              const std::vector<std::string>& header) {
+  const LevelNumbers numbers(header, named);
   HierarchyReport report;
   report.status = named.status;
   report.failed_level = named.failed_level;
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
-    report.levels[i] = named.levels[i].report;
+    const auto number = static_cast<std::size_t>(numbers.of(named.levels[i].name));
+    if (number < report.levels.size()) report.levels[number] = named.levels[i].report;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
     const logged::Row& row = named.active[i];
-    report.active[i] = {.level = index_of(row.level, named),
+    report.active[i] = {.level = numbers.of(row.level),
                         .state = static_cast<std::int16_t>(row.state),
                         .id = row.id};
   }
-  add_blockers(named, report);
-  add_switch(named, report);
+  add_blockers(named, numbers, report);
+  add_switch(named, numbers, report);
   return report;
 }
 
@@ -203,7 +223,7 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
   } else if (topic == "/hierarchy") {
     logged::Hierarchy named;
     decode(named);
-    tick.hierarchy = without_names(named);
+    tick.hierarchy = without_names(named, header_.level_names);
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
       row_names_.try_emplace({row.level, row.id}, named.active[i].row);

@@ -2,80 +2,19 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/crc32.hpp"
+#include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
 
-#include <zstd.h>
-
-#include <concepts>
 #include <filesystem>
 
 namespace surefoot {
 namespace {
 
+using mcap::Cursor;
+using mcap::Malformed;
 using mcap::Opcode;
 
-// What a record claims does not fit into its bytes.
-struct Malformed {
-  const char* what;
-};
-
-constexpr std::uint64_t kLargestChunk = 1ull << 30;
 constexpr std::size_t kRecordHead = 9;  // opcode and length
-
-// Takes values from the front of some bytes.
-class Cursor {
- public:
-  explicit Cursor(std::string_view bytes) : rest_(bytes) {}
-
-  std::string_view bytes(std::uint64_t count) {
-    if (count > rest_.size()) throw Malformed{"a record is shorter than it says"};
-    const std::string_view taken = rest_.substr(0, count);
-    rest_.remove_prefix(count);
-    return taken;
-  }
-
-  template <std::unsigned_integral Integer>
-  Integer number() {
-    Integer result = 0;
-    unsigned shift = 0;
-    for (const char byte : bytes(sizeof(Integer))) {
-      result = static_cast<Integer>(result | static_cast<Integer>(static_cast<unsigned char>(byte))
-                                                 << shift);
-      shift += 8;
-    }
-    return result;
-  }
-
-  std::string text() { return std::string(bytes(number<std::uint32_t>())); }
-
-  std::map<std::string, std::string> map() {
-    Cursor entries(bytes(number<std::uint32_t>()));
-    std::map<std::string, std::string> result;
-    while (!entries.rest_.empty()) {
-      const std::string key = entries.text();
-      result[key] = entries.text();
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::string_view rest() const { return rest_; }
-
- private:
-  std::string_view rest_;
-};
-
-std::string decompress(std::string_view compressed, const std::string& compression,
-                       std::uint64_t size) {
-  if (size > kLargestChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
-  if (compression.empty()) return std::string(compressed);
-  if (compression != "zstd") throw Malformed{"a chunk is not compressed with zstd"};
-  std::string out(size, '\0');
-  const std::size_t written =
-      ZSTD_decompress(out.data(), out.size(), compressed.data(), compressed.size());
-  if (ZSTD_isError(written) != 0u || written != size)
-    throw Malformed{"a chunk can't be decompressed"};
-  return out;
-}
 
 }  // namespace
 
@@ -200,13 +139,7 @@ void McapReader::take(std::uint8_t opcode, std::string_view content) {
 }
 
 void McapReader::open_chunk(std::string_view content) {
-  Cursor cursor(content);
-  cursor.bytes(16);  // times
-  const auto size = cursor.number<std::uint64_t>();
-  const auto crc = cursor.number<std::uint32_t>();
-  const std::string compression = cursor.text();
-  chunk_ = decompress(cursor.bytes(cursor.number<std::uint64_t>()), compression, size);
-  if (crc != 0 && crc != crc32(chunk_)) throw Malformed{"the checksum of a chunk is wrong"};
+  chunk_ = mcap::chunk_records(content);
   rest_ = chunk_;
 }
 

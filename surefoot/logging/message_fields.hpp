@@ -38,6 +38,19 @@ struct LevelSwitch {
   double duration = 0.0;
 };
 
+/// Something that was changed from outside between two ticks; members that its kind does not have
+/// are empty or NaN.
+struct Change {
+  double time = 0.0;
+  std::string kind, text;
+  std::string stack;
+  double duration = kNaN;
+  double friction = kNaN;
+  std::string body;
+  Vec3 point = Vec3::Constant(kNaN);
+  Vec3 force = Vec3::Constant(kNaN);
+};
+
 /// HierarchyReport, with names.
 struct Hierarchy {
   std::int32_t status = 0, failed_level = -1;
@@ -229,6 +242,23 @@ void fields(Archive& field, T& hierarchy) {
         "of the levels that come or go; 1 where none does");
   field("level_switches", hierarchy.level_switches,
         "asked for at run time and begun at this tick; those of the scenario stand in the header");
+}
+
+template <typename Archive, Is<Change> T>
+void fields(Archive& field, T& change) {
+  field("time", change.time, "of the first tick that has it [s]");
+  field("kind", change.kind, "stack, friction, push, pull, walk");
+  field("text", change.text, "what was changed, in words");
+  field("stack", change.stack, "of kind stack: the whole stack from now on, as a stack file");
+  field(
+      "duration", change.duration,
+      "of kind stack: in which the torques pass from one to the other; of kind push: its own [s]");
+  field("friction", change.friction,
+        "of kind friction: coefficient that the controller assumes from now on");
+  field("body", change.body, "of kind push and pull: the link that is pushed");
+  field("point", change.point, "of kind pull: where, in the link's frame [m]");
+  field("force", change.force,
+        "of kind push: at the link's centre of mass; of kind pull, until the next; in W [N]");
 }
 
 template <typename Archive, Is<JointCommand> T>

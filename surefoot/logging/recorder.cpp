@@ -1,6 +1,7 @@
 #include "surefoot/logging/recorder.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
@@ -35,79 +36,16 @@ McapWriter open(const std::string& path) {
   return McapWriter(partial_path(path), {.profile = "surefoot"});
 }
 
-// Gives HierarchyReport its names.
-class Namer {
- public:
-  explicit Namer(const LogHeader& header)
-      : levels_(header.level_names), row_name_(header.row_name) {}
-
-  const logged::Hierarchy& name(const HierarchyReport& report) {
-    named_.status = report.status;
-    named_.failed_level = report.failed_level;
-    named_.levels.resize(
-        static_cast<std::size_t>(std::clamp<int>(report.num_levels, 0, kMaxLevels)));
-    for (std::size_t i = 0; i < named_.levels.size(); ++i) {
-      named_.levels[i].name = level(static_cast<int>(i));
-      named_.levels[i].report = report.levels[i];
-    }
-    named_.active.resize(
-        static_cast<std::size_t>(std::clamp<int>(report.num_active, 0, kMaxReportedRows)));
-    for (std::size_t i = 0; i < named_.active.size(); ++i) {
-      const ActiveRow& row = report.active[i];
-      named_.active[i] = {level(row.level), row_name(row.level, row.id), row.id, row.state};
-    }
-    name_blockers(report);
-    named_.transition_share = report.transition_share;
-    name_switch(report.level_switch);
-    return named_;
-  }
-
- private:
-  void name_blockers(const HierarchyReport& report) {
-    named_.blocking_is_known = report.blocking_is_known;
-    named_.blocked_by.resize(
-        static_cast<std::size_t>(std::clamp<int>(report.num_blocking, 0, kMaxReportedBlockers)));
-    for (std::size_t i = 0; i < named_.blocked_by.size(); ++i) {
-      const BlockingRow& row = report.blocking[i];
-      named_.blocked_by[i] = {level(row.level), level(row.by_level), row_name(row.by_level, row.id),
-                              row};
-    }
-  }
-
-  void name_switch(const LevelSwitchReport& change) {
-    named_.level_switches.clear();
-    if (!change.begins) return;
-    logged::LevelSwitch& named = named_.level_switches.emplace_back();
-    named.duration = change.duration;
-    for (std::size_t k = 0; k < change.change.size(); ++k) {
-      if (change.change[k] == LevelChange::comes) named.add.push_back(level(static_cast<int>(k)));
-      if (change.change[k] == LevelChange::goes) named.remove.push_back(level(static_cast<int>(k)));
-    }
-  }
-
-  std::string level(int i) const {
-    const bool known = i >= 0 && static_cast<std::size_t>(i) < levels_.size();
-    return known ? levels_[static_cast<std::size_t>(i)] : "level " + std::to_string(i + 1);
-  }
-
-  const std::string& row_name(int level, std::int32_t id) {
-    const auto [entry, is_new] = rows_.try_emplace({level, id});
-    if (is_new) entry->second = row_name_ ? row_name_(level, id) : "row " + std::to_string(id);
-    return entry->second;
-  }
-
-  std::vector<std::string> levels_;
-  std::function<std::string(int, std::int32_t)> row_name_;
-  std::map<std::pair<int, std::int32_t>, std::string> rows_;
-  logged::Hierarchy named_;
-};
+constexpr Recorder::Channel kTick = -1;
+constexpr Recorder::Channel kNames = -2;  // none of the file: the names of the ticks that follow
 
 // A message that waits for the writer.
 struct Job {
-  Recorder::Channel channel = -1;  // −1: a tick
+  Recorder::Channel channel = kTick;
   double time = 0.0;
   Recorder::Encode encode;
   TickRecord tick;
+  LevelNames names;
 };
 
 // Topics of a TickRecord, in the order of their messages.
@@ -119,7 +57,9 @@ struct TickChannels {
 
 struct Recorder::Implementation {
   Implementation(const std::string& path, const LogHeader& header, RecorderOptions options)
-      : writer(open(path)), namer(header), queue(std::max<std::size_t>(options.queue_ticks, 1)) {
+      : writer(open(path)),
+        namer({header.level_names, header.row_name}),
+        queue(std::max<std::size_t>(options.queue_ticks, 1)) {
     write_header(header);
     channels = {.readings = json_channel<SensorReading>("/readings", "surefoot.SensorReading"),
                 .health = json_channel<SensorHealth>("/health", "surefoot.SensorHealth"),
@@ -197,8 +137,9 @@ struct Recorder::Implementation {
   }
 
   void write(const Job& job) {
-    if (job.channel < 0) {
-      write(job.tick);
+    if (job.channel == kTick) return write(job.tick);
+    if (job.channel == kNames) {
+      namer = HierarchyNamer(job.names);
       return;
     }
     text.clear();
@@ -246,7 +187,7 @@ struct Recorder::Implementation {
   }
 
   McapWriter writer;
-  Namer namer;
+  HierarchyNamer namer;
   TickChannels channels{};
   std::vector<TickTiming> timings;
   std::string text;  // of the message that is being written
@@ -278,7 +219,7 @@ Recorder::~Recorder() {
 
 void Recorder::record(const TickRecord& tick) {
   implementation_->push([&](Job& job) {
-    job.channel = -1;
+    job.channel = kTick;
     job.tick = tick;
   });
 }
@@ -295,6 +236,13 @@ void Recorder::record(Channel channel, double time, Encode encode) {
     job.channel = channel;
     job.time = time;
     job.encode = std::move(encode);
+  });
+}
+
+void Recorder::rename(LevelNames names) {
+  implementation_->push([&](Job& job) {
+    job.channel = kNames;
+    job.names = std::move(names);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
@@ -41,6 +42,9 @@ class Recorder {
   void record(const TickRecord& tick);
   /// Kept until `close`; written after everything else.
   void record(const TickTiming& timing);
+
+  /// The names of levels and rows from the next tick on, where the stack is another one.
+  void rename(LevelNames names);
 
   /// A channel of somebody else's messages, before the first tick. `schema` is a JSON schema.
   [[nodiscard]] Channel add_channel(std::string_view topic, std::string_view schema_name,

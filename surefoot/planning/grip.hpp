@@ -17,6 +17,12 @@ class Grip {
     friction_.fill(friction);
   }
 
+  /// Every foot is believed to find this from now on, until it slides.
+  void expect(double friction) {
+    configured_ = friction;
+    friction_.fill(friction);
+  }
+
   /// One tick. True if a foot began or ceased to slide: it stands elsewhere than it did.
   bool update(const RobotState& state, const Vec3& normal_W);
 

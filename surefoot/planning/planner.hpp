@@ -31,6 +31,10 @@ class Planner {
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
                            const Dynamics& dynamics) noexcept;
 
+  /// Between two ticks: the friction that every foot is believed to find from now on. Throws Error
+  /// unless it is above 0.
+  void set_friction(double friction);
+
   /// Unit normal of the terrain as believed, in W.
   [[nodiscard]] const Vec3& terrain_normal() const { return plane_.normal; }
   [[nodiscard]] int steps_taken() const { return steps_taken_; }

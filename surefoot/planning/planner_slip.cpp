@@ -1,7 +1,9 @@
+#include "surefoot/base/error.hpp"
 #include "surefoot/planning/planner.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace surefoot {
 
@@ -25,6 +27,14 @@ void Planner::observe_grip(const UserCommand& user, const RobotState& state,
     }
   }
   replan_com(user, dynamics);
+}
+
+void Planner::set_friction(double friction) {
+  if (!(friction > 0.0) || !std::isfinite(friction)) {
+    throw Error("friction is " + std::to_string(friction) + "; valid is a number above 0");
+  }
+  options_.force.friction = friction;
+  grip_.expect(friction);
 }
 
 double Planner::mean_friction() const {

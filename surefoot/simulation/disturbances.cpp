@@ -12,6 +12,8 @@ namespace {
 // MuJoCo wants an inertia above zero; this one is that of a millimetre-sized lump.
 constexpr double kPointInertia = 1e-9;
 
+constexpr double kForgotten = 1.0;  // after its end a push is out of all steps [s]
+
 void scale_mass(mjsBody& body, double scale) {
   body.mass *= scale;
   for (double& value : body.inertia) value *= scale;
@@ -98,24 +100,62 @@ void disturb_masses(mjsBody& base, const RobotDescription& description,
   if (options.payload.mass > 0.0) add_payload(base, options.payload);
 }
 
-Pushes::Pushes(const std::vector<Push>& pushes, const mjModel& model,
-               const std::string& base_link) {
+Pushes::Pushes(const std::vector<Push>& pushes, const mjModel& model, const std::string& base_link)
+    : model_(model), base_link_(base_link) {
   for (std::size_t i = 0; i < pushes.size(); ++i) {
-    const std::string name = pushes[i].body.empty() ? base_link : pushes[i].body;
-    const int body = name == "world" ? -1 : id_of(model, mjOBJ_BODY, name);
-    if (body < 0) {
-      throw UnknownNameError(text("disturbances.pushes[", i, "].body is \"", name,
-                                  "\"; the robot has: ", listed(body_names(model))));
-    }
-    forces_.push_back({pushes[i], body});
+    const std::string key = text("disturbances.pushes[", i, "].body");
+    forces_.push_back({pushes[i], body_of(pushes[i].body, key)});
   }
 }
 
-void Pushes::apply(double time, double timestep, mjData& data) const noexcept {
-  for (const Force& force : forces_) std::fill_n(data.xfrc_applied + 6 * force.body, 6, 0.0);
+int Pushes::body_of(const std::string& body, const std::string& key) const {
+  const std::string name = body.empty() ? base_link_ : body;
+  const int id = name == "world" ? -1 : id_of(model_, mjOBJ_BODY, name);
+  if (id >= 0) return id;
+  throw UnknownNameError(
+      text(key, " is \"", name, "\"; the robot has: ", listed(body_names(model_))));
+}
+
+std::vector<std::string> Pushes::bodies() const { return body_names(model_); }
+
+void Pushes::add(const Push& push) {
+  std::erase_if(forces_, [&](const Force& force) {
+    return force.push.time + force.push.duration + kForgotten < push.time;
+  });
+  forces_.push_back({push, body_of(push.body, "the pushed body")});
+}
+
+void Pushes::set(const Pull& pull) {
+  const int body = body_of(pull.body, "the pulled body");
+  const bool is_known = std::ranges::find(released_, pulled_) != released_.end();
+  if (pulled_ >= 0 && pulled_ != body && !is_known) released_.push_back(pulled_);
+  pull_ = pull;
+  pulled_ = body;
+}
+
+void Pushes::apply(double timestep, mjData& data) const noexcept {
+  const auto clear = [&](int body) { std::fill_n(data.xfrc_applied + 6 * body, 6, 0.0); };
+  for (const Force& force : forces_) clear(force.body);
+  for (const int body : released_) clear(body);
+  if (pulled_ >= 0) clear(pulled_);
   for (const Force& force : forces_) {
-    const double part = share(force.push, time, timestep);
+    const double part = share(force.push, data.time, timestep);
     for (int i = 0; i < 3; ++i) data.xfrc_applied[6 * force.body + i] += part * force.push.force[i];
+  }
+  if (pulled_ >= 0) apply_pull(data);
+}
+
+/// MuJoCo's external force acts at the body's centre of mass.
+void Pushes::apply_pull(mjData& data) const noexcept {
+  using ConstVec3 = Eigen::Map<const Vec3>;
+  using RotationRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  const ConstVec3 p_WX(data.xpos + 3 * pulled_), p_WCom(data.xipos + 3 * pulled_);
+  const RotationRows R_WX(data.xmat + 9 * pulled_);
+  const Vec3 arm = p_WX + R_WX * pull_.point - p_WCom;
+  const Vec3 moment = arm.cross(pull_.force);
+  for (int i = 0; i < 3; ++i) {
+    data.xfrc_applied[6 * pulled_ + i] += pull_.force[i];
+    data.xfrc_applied[6 * pulled_ + 3 + i] += moment[i];
   }
 }
 

@@ -159,7 +159,7 @@ void Plant::Implementation::set_torques() {
 
 void Plant::Implementation::physics_step() {
   set_torques();
-  pushes.apply(data.time, options.timestep, data);
+  pushes.apply(options.timestep, data);
   const Quat q_WB = simulation::base_orientation(data, parts);
   const Vec3 v_before = simulation::base_velocity(data, parts);
   mj_step2(&model, &data);
@@ -219,6 +219,16 @@ Plant::~Plant() = default;
 const SensorReading& Plant::read() { return implementation_->link.received(); }
 
 void Plant::write(const JointCommand& command) { implementation_->write(command.torque); }
+
+void Plant::push(const Push& push) {
+  Push valid = push;
+  valid.time = std::max(push.time, implementation_->data.time);
+  implementation_->pushes.add(valid);
+}
+
+void Plant::pull(const Pull& pull) { implementation_->pushes.set(pull); }
+
+std::vector<std::string> Plant::bodies() const { return implementation_->pushes.bodies(); }
 
 const GroundTruth& Plant::truth() const { return implementation_->truth; }
 

@@ -24,6 +24,15 @@ class Plant final : public RobotPort {
   /// Applies the command through the actuator model and advances the physics by one control period.
   void write(const JointCommand& command) override;
 
+  /// Between two ticks: a push beside those of the options; one whose time is past begins now.
+  /// Throws UnknownNameError, with the robot's links, for a body that does not exist.
+  void push(const Push& push);
+  /// Between two ticks: pulls from now on, in the place of what pulled before; a force of 0 ends
+  /// it. Throws UnknownNameError as `push` does.
+  void pull(const Pull& pull);
+  /// What can be pushed.
+  [[nodiscard]] std::vector<std::string> bodies() const;
+
   [[nodiscard]] const GroundTruth& truth() const;
   [[nodiscard]] double time() const;
   /// The compiled physics model as MJCF text, for the log.

@@ -180,6 +180,13 @@ struct Push {
   Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
+/// A force at a point of a body, as by a spring that somebody holds.
+struct Pull {
+  std::string body;           ///< URDF link; empty: the base
+  Vec3 point = Vec3::Zero();  ///< in the body's frame [m]
+  Vec3 force = Vec3::Zero();  ///< in W [N]
+};
+
 struct Payload {
   double mass = 0.0;                    ///< [kg], a point mass fixed to the base
   Vec3 position = Vec3(0.0, 0.0, 0.2);  ///< in B [m]

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "surefoot/control/controller.hpp"
+#include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/recorder.hpp"
+
+namespace surefoot {
+
+/// The log's channel `/changes`: what was changed from outside between two ticks.
+class ChangeLog {
+ public:
+  /// Adds the channel; before the recorder's first tick.
+  explicit ChangeLog(Recorder& recorder);
+
+  /// Stands in the log before the tick that has it; the ticks from there on have the names of the
+  /// controller's present stack.
+  void record(const logged::Change& change, const Controller& controller);
+
+ private:
+  Recorder& recorder_;
+  Recorder::Channel channel_;
+};
+
+}  // namespace surefoot

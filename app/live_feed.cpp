@@ -1,0 +1,281 @@
+#include "app/live_feed.hpp"
+
+#include "app/run_log.hpp"
+#include "app/view_tasks.hpp"
+#include "surefoot/base/build_info.hpp"
+#include "surefoot/logging/json_text.hpp"
+#include "surefoot/view/web_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+constexpr std::size_t kRingTicks = 1024;
+constexpr std::size_t kRecentFrames = 800;
+constexpr std::chrono::milliseconds kStatusInterval{250};
+constexpr std::chrono::milliseconds kMeasureInterval{1000};
+constexpr double kHeld = 0.3;  // that a pull goes on without being renewed [s]
+
+std::string text_of_file(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> names_of(const StackOptions& stack) {
+  std::vector<std::string> names;
+  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
+  return names;
+}
+
+void vector_member(JsonText& json, std::string_view name, const auto& vector) {
+  json.key(name).array();
+  for (const double number : vector) json.value(number);
+  json.end_array();
+}
+
+}  // namespace
+
+LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
+    : operator_(wishes),
+      robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
+      recording_(std::move(recording)),
+      ring_(kRingTicks) {
+  session_.mode = "live";
+  session_.version = build_info().version;
+  session_.title =
+      scenario.name + (scenario.seed == 0 ? "" : ", seed " + std::to_string(scenario.seed));
+  session_.period = scenario.controller.period;
+  session_.meshes = robot_.meshes();
+  session_.limits = wishes.limits();
+  session_.can_command = true;
+}
+
+void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double friction) {
+  auto channels =
+      std::make_shared<ViewChannels>(tick_channels(parts.header.level_names, parts.plant.truth()));
+  const std::lock_guard lock(mutex_);
+  if (!packings_.empty()) ++generation_;
+  session_.header = to_json(parts.header);
+  session_.channels = *channels;
+  session_.rows = parts.controller.row_names();
+  session_.bodies = parts.plant.bodies();
+  session_.orders = {{0, parts.header.level_names}};
+  session_.tasks = view_tasks(stack, parts.header.level_names);
+  session_.friction = friction;
+  session_.generation = generation_;
+  packings_[generation_] =
+      std::make_shared<Packing>(Packing{std::move(channels), {parts.header.level_names, {}}});
+  ended_.clear();
+  push_ = ShownPush();
+  operator_walks_ = false;
+  is_news_ = true;
+}
+
+void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
+                   const TickTiming& timing) {
+  ViewTick* place = ring_.next_to_write();
+  if (place == nullptr) {
+    ++lost_;
+    return;
+  }
+  place->number = number;
+  place->generation = generation_.load(std::memory_order_relaxed);
+  place->lost = std::exchange(lost_, 0);
+  place->record = tick;
+  place->truth = truth;
+  place->timing = timing;
+  ring_.written();
+}
+
+void LiveFeed::set_control(const StackOptions& stack, double friction, std::uint32_t tick) {
+  const std::lock_guard lock(mutex_);
+  const Packing& before = *packings_.rbegin()->second;
+  auto next = std::make_shared<Packing>(Packing{before.channels, {names_of(stack), {}}});
+  session_.tasks = view_tasks(stack, session_.channels.level_names);
+  session_.friction = friction;
+  if (session_.orders.back().levels != next->names.levels) {
+    session_.orders.push_back({tick, next->names.levels});
+  }
+  session_.generation = ++generation_;
+  packings_[generation_] = std::move(next);
+  is_news_ = true;
+}
+
+void LiveFeed::set_pace(bool paused, double speed) {
+  paused_ = paused;
+  speed_ = speed;
+  is_news_ = true;
+}
+
+void LiveFeed::set_ended(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  ended_ = reason;
+  is_news_ = true;
+}
+
+void LiveFeed::show(const logged::Change& change) {
+  std::string text;
+  JsonText(text)
+      .object()
+      .member("type", "change")
+      .member("time", change.time)
+      .member("kind", std::string_view(change.kind))
+      .member("text", std::string_view(change.text))
+      .end_object();
+  const std::lock_guard lock(mutex_);
+  outbox_.push_back(std::move(text));
+  is_news_ = true;
+}
+
+void LiveFeed::show_push(const ShownPush& push) {
+  const std::lock_guard lock(mutex_);
+  push_ = push;
+}
+
+void LiveFeed::tell(const std::string& notice) {
+  std::string text;
+  JsonText(text)
+      .object()
+      .member("type", "notice")
+      .member("text", std::string_view(notice))
+      .end_object();
+  const std::lock_guard lock(mutex_);
+  outbox_.push_back(std::move(text));
+}
+
+WebAnswer LiveFeed::get(std::string_view path, const Query&) {
+  if (path == "/api/session") return {200, "application/json", session()};
+  if (path == "/api/frames" || path == "/api/events") {
+    return refusal(404, "only a log has these; a live run sends its frames to /api/live");
+  }
+  return robot_.get(path);
+}
+
+std::string LiveFeed::session() {
+  ViewSession copy;
+  {
+    const std::lock_guard lock(mutex_);
+    copy = session_;
+  }
+  copy.ticks = tick_;
+  return to_json(copy);
+}
+
+std::shared_ptr<const LiveFeed::Packing> LiveFeed::packing(std::uint32_t generation) {
+  const std::lock_guard lock(mutex_);
+  packings_.erase(packings_.begin(), packings_.lower_bound(generation));
+  return packings_.begin()->second;
+}
+
+std::vector<SharedBlock> LiveFeed::blocks() {
+  std::vector<SharedBlock> blocks;
+  std::shared_ptr<std::string> bytes;
+  std::shared_ptr<const Packing> packing_now;
+  for (const ViewTick* tick = ring_.next_to_read(); tick != nullptr; tick = ring_.next_to_read()) {
+    if (blocks.empty() || blocks.back().generation != tick->generation) {
+      packing_now = packing(tick->generation);
+      bytes = std::make_shared<std::string>();
+      blocks.push_back({.frames = 0, .generation = tick->generation, .lost = 0, .bytes = bytes});
+    }
+    HierarchyNamer namer(packing_now->names);
+    to_frame({tick->number, tick->record, namer.name(tick->record.hierarchy), &tick->truth,
+              &tick->timing},
+             *packing_now->channels, frame_);
+    pack(frame_, *bytes);
+    ++blocks.back().frames;
+    blocks.back().lost += tick->lost;
+    if (tick->number == 0) recent_.clear();
+    tick_ = tick->number + 1;
+    time_ = tick->record.reading.time;
+    user_ = tick->record.user;
+    ring_.read();
+  }
+  recent_.insert(recent_.end(), blocks.begin(), blocks.end());
+  std::size_t frames = 0;
+  for (const SharedBlock& block : recent_) frames += block.frames;
+  while (!recent_.empty() && frames - recent_.front().frames >= kRecentFrames) {
+    frames -= recent_.front().frames;
+    recent_.pop_front();
+  }
+  return blocks;
+}
+
+std::vector<SharedBlock> LiveFeed::welcome() {
+  std::vector<SharedBlock> blocks(recent_.begin(), recent_.end());
+  for (SharedBlock& block : blocks) block.lost = 0;  // not lost to this page: it was not there
+  return blocks;
+}
+
+void LiveFeed::measure() {
+  const Clock::time_point now = Clock::now();
+  const std::chrono::duration<double> passed = now - measured_;
+  if (now - measured_ < kMeasureInterval) return;
+  real_factor_ = std::max(0.0, time_ - measured_time_) / passed.count();
+  measured_ = now;
+  measured_time_ = time_;
+}
+
+std::vector<std::string> LiveFeed::messages(std::size_t clients) {
+  measure();
+  std::vector<std::string> messages;
+  {
+    const std::lock_guard lock(mutex_);
+    messages.swap(outbox_);
+  }
+  const Clock::time_point now = Clock::now();
+  if (is_news_.exchange(false) || now >= next_status_) {
+    messages.push_back(status(clients));
+    next_status_ = now + kStatusInterval;
+  }
+  return messages;
+}
+
+std::string LiveFeed::status(std::size_t clients) {
+  std::string text;
+  JsonText json(text);
+  json.object()
+      .member("type", "status")
+      .member("paused", paused_.load())
+      .member("speed", speed_.load())
+      .member("real_factor", real_factor_)
+      .member("time", time_)
+      .member("tick", tick_)
+      .member("clients", clients)
+      .member("can_command", true)
+      .member("recording", std::string_view(recording_))
+      .member("generation", generation_.load())
+      .member("undo", operator_.undo_count());
+  json.key("command").object().member("walk", user_.walk);
+  vector_member(json, "velocity", user_.velocity);
+  json.member("yaw_rate", user_.yaw_rate)
+      .member("height", user_.height)
+      .member("by", operator_walks_ ? "operator" : "scenario")
+      .end_object();
+  const std::lock_guard lock(mutex_);
+  json.key("ended");
+  ended_.empty() ? json.null() : json.value(std::string_view(ended_));
+  json.key("push");
+  if (push_.until < time_ || push_.force.isZero()) {
+    json.null();
+  } else {
+    json.object()
+        .member("body", std::string_view(push_.body))
+        .member("until", std::isnan(push_.until) ? time_ + kHeld : push_.until);
+    vector_member(json, "force", push_.force);
+    json.end_object();
+  }
+  json.end_object();
+  return text;
+}
+
+std::string LiveFeed::command(const ViewCommand& command) {
+  is_news_ = true;
+  return operator_.command(command);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "surefoot/config/scenario.hpp"
+#include "surefoot/signals/user_command.hpp"
+#include "surefoot/simulation/plant_options.hpp"
+#include "surefoot/view/view_command.hpp"
+#include "surefoot/view/view_session.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// What the operator wants of the controller.
+struct WantedControl {
+  StackOptions stack;  ///< with all defaults
+  double friction = 0.5;
+};
+
+/// What the operator wants of a run.
+struct OperatorWishes {
+  bool paused = false;
+  int steps = 0;  ///< ticks to make although it is paused
+  double speed = 1.0;
+  bool reset = false;
+  std::vector<Push> pushes;
+  std::optional<Pull> pull;
+  std::chrono::steady_clock::time_point pull_ends;
+  std::optional<UserCommand> walk;  ///< none: as the scenario says
+  WantedControl control;
+  std::string reason;  ///< of the last change of `control`: "", or "undo: "
+};
+
+/// Takes the operator's commands, on the server's thread, and says what is wrong with them; the run
+/// asks at each tick what is wanted, and never waits for that.
+class LiveOperator {
+ public:
+  /// `bodies`: what can be pushed.
+  LiveOperator(const Scenario& scenario, ViewLimits limits);
+
+  /// Takes a command. What is wrong with it; empty: nothing.
+  [[nodiscard]] std::string command(const ViewCommand& command);
+
+  /// On the run's thread: what is wanted, if that is something else than at the last call and can
+  /// be had without waiting. What is to be done once is handed over.
+  [[nodiscard]] bool take(OperatorWishes& wishes);
+
+  /// On the run's thread: it begins, again. Everything is as the scenario says; pause and speed
+  /// stay.
+  void begin(std::vector<std::string> bodies);
+  /// On the run's thread: the run has ended, or goes on.
+  void set_ended(std::string reason);
+  /// On the run's thread: what was wanted can't be; the present control is wanted again.
+  void give_up(const WantedControl& present);
+
+  [[nodiscard]] int undo_count() const { return undo_count_.load(); }
+  [[nodiscard]] const ViewLimits& limits() const { return limits_; }
+
+ private:
+  struct Undo {
+    WantedControl control;
+    std::string subject;  // what was changed, so that a slider's steps are one
+    std::chrono::steady_clock::time_point time;
+  };
+
+  void push(const ViewCommand& command);
+  void pull(const ViewCommand& command);
+  void walk(const ViewCommand& command);
+  void gain(const ViewCommand& command);
+  void order(const ViewCommand& command);
+  void friction(const ViewCommand& command);
+  void undo();
+  void want(WantedControl control, const std::string& subject);
+  void check_body(const std::string& body) const;
+
+  const WantedControl scenario_control_;
+  const ViewLimits limits_;
+  std::vector<std::string> bodies_;
+  std::mutex mutex_;  // of all below
+  OperatorWishes wishes_;
+  std::vector<Undo> undo_;
+  std::string ended_;
+  std::atomic<int> undo_count_{0};
+  std::atomic<std::uint64_t> changes_{0};
+  std::uint64_t taken_ = 0;  // of the run's thread
+};
+
+}  // namespace surefoot

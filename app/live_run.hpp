@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/closed_loop.hpp"
+
+#include <functional>
+#include <string>
+
+namespace surefoot {
+
+/// `--view` and what belongs to it, as typed.
+struct ViewArguments {
+  bool view = false;
+  int port = 7373;     ///< 0: any that is free
+  std::string listen;  ///< address; empty: loopback alone
+  std::string token;   ///< for commands; empty: a random one
+  int clients = 8;     ///< pages at once
+};
+
+/// Throws Error where options of the view are given without it.
+void check(const ViewArguments& arguments);
+
+/// Runs a scenario before the eyes of those who open the page, whose link is printed, at real time
+/// or what the operator asks for. When the run has ended the page stays, until ^C; the operator may
+/// begin the run again. `ended` gets the result of each that was not cut off; the last one's is
+/// returned. Throws Error as `run_closed_loop`, and where it can't listen.
+RunResult run_live(const Scenario& scenario, ClosedLoopOptions options,
+                   const ViewArguments& arguments,
+                   const std::function<void(const RunResult&)>& ended);
+
+/// Tells where the page is, on standard error.
+void tell_link(const std::string& link, const std::string& how_it_ends);
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/live_feed.hpp"
+#include "app/live_operator.hpp"
+#include "app/run_pace.hpp"
+#include "app/run_steering.hpp"
+
+#include <functional>
+#include <string>
+
+namespace surefoot {
+
+/// Steers a run as its operator wishes, at the speed that is asked for, and feeds the pages that
+/// watch it.
+class LiveView final : public RunSteering {
+ public:
+  /// `interrupted` is asked while it waits. All must outlive it.
+  LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted);
+
+  void begin(const RunParts& parts) override;
+  [[nodiscard]] RunOrder before_tick(double time) override;
+  [[nodiscard]] UserCommand user(const UserCommand& planned) override;
+  void after_tick(const TickRecord& tick, const GroundTruth& truth,
+                  const TickTiming& timing) override;
+
+  /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
+  /// once it is interrupted.
+  [[nodiscard]] bool wait_for_reset(const std::string& reason);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void take(double time);
+  void take_control(double time);
+  void take_walk(double time);
+  void take_pull(double time);
+  void push(const Push& push, double time);
+  [[nodiscard]] bool change_stack(const std::string& text, double time);
+  void keep(logged::Change change);
+
+  LiveOperator& operator_;
+  LiveFeed& feed_;
+  std::function<bool()> interrupted_;
+  std::optional<RunParts> parts_;
+  OperatorWishes wishes_;
+  WantedControl present_;  // of the controller
+  std::optional<UserCommand> walk_;
+  RunPace pace_;
+  int steps_ = 0;
+  Pull pulled_;
+  bool reset_ = false, was_paused_ = false;
+  bool is_pending_ = false;  // something of the control is wanted and not yet had
+  double speed_ = 1.0;
+  std::uint32_t tick_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,160 @@
+#include "app/log_content.hpp"
+
+#include "app/log_replay.hpp"
+#include "surefoot/base/error.hpp"
+#include "surefoot/config/data_directory.hpp"
+#include "surefoot/logging/log_reader.hpp"
+#include "surefoot/view/web_answer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr std::uint32_t kMostFrames = 4096;    // of an answer
+constexpr std::uint64_t kMostDecoded = 65536;  // ticks that are read for one
+constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
+
+std::string attachment(const LogHeader& header, std::string_view name) {
+  const auto found = std::ranges::find(header.attachments, name, &LogAttachment::name);
+  return found == header.attachments.end() ? "" : found->data;
+}
+
+/// Reads a whole number from the query; keeps the default where it is not given.
+void number(const WebContent::Query& query, const char* key, std::uint32_t min, std::uint32_t max,
+            std::uint32_t& value) {
+  const auto found = query.find(key);
+  if (found == query.end()) return;
+  const std::string& text = found->second;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && value >= min && value <= max)
+    return;
+  throw Error(std::string(key) + " is \"" + text + "\"; valid is a whole number from " +
+              std::to_string(min) + " to " + std::to_string(max));
+}
+
+std::string block(const std::string& bytes, std::uint32_t frames) {
+  const auto head = packed(BlockHead{.frames = frames, .dropped = 0, .generation = 0});
+  return std::string(head.data(), head.size()) + bytes;
+}
+
+}  // namespace
+
+LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(path).header()) {}
+
+LogContent::LogContent(const std::string& path, const LogHeader& header)
+    : frames_(path, header),
+      summary_(path, header),
+      robot_(attachment(header, "robot.urdf"), robot_package_directory()) {
+  describe(path, header);
+}
+
+void LogContent::describe(const std::string& path, const LogHeader& header) {
+  session_.mode = "replay";
+  session_.version = header.version;
+  session_.title =
+      header.scenario + (header.seed == 0 ? "" : ", seed " + std::to_string(header.seed));
+  session_.source = std::filesystem::path(path).filename().string();
+  session_.whole = frames_.complete() && !path.ends_with(".partial");
+  session_.header = to_json(header);
+  session_.period = header.control_period;
+  session_.ticks = frames_.ticks();
+  session_.channels = frames_.channels();
+  session_.meshes = robot_.meshes();
+  session_.orders = {{0, header.level_names}};
+  try {
+    session_.rows = LogReplay(path).controller().row_names();
+  } catch (const Error& error) {
+    notes_.push_back("rows have no names in the page: " + std::string(error.what()));
+  }
+}
+
+WebAnswer LogContent::get(std::string_view path, const Query& query) {
+  if (path == "/api/session") return {200, "application/json", session()};
+  if (path == "/api/events") return {200, "application/json", summary_.events_json()};
+  if (path != "/api/frames") return robot_.get(path);
+  try {
+    return frames(query);
+  } catch (const Error& error) {
+    return refusal(400, error.what());
+  }
+}
+
+std::string LogContent::session() {
+  ViewSession session = session_;
+  session.summarised = summary_.ticks();
+  for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
+  return to_json(session);
+}
+
+WebAnswer LogContent::frames(const Query& query) {
+  Asked asked;
+  number(query, "from", 0, kLargest, asked.from);
+  number(query, "count", 1, kMostFrames, asked.count);
+  number(query, "stride", 1, kLargest, asked.stride);
+  std::uint32_t min_max = 0;
+  number(query, "min_max", 0, 1, min_max);
+  return {200, "application/octet-stream", min_max == 1 ? ranges(asked) : plain_frames(asked)};
+}
+
+std::string LogContent::plain_frames(const Asked& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.ticks(); ++i, tick += asked.stride) {
+    const ViewFrame* frame = frames_.frame(static_cast<std::uint32_t>(tick));
+    if (frame == nullptr) continue;
+    pack(*frame, bytes);
+    ++frames;
+  }
+  return block(bytes, frames);
+}
+
+// Two frames a stride. From the ticks themselves where the summary is coarser than that.
+std::string LogContent::ranges(const Asked& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  const bool is_fine = asked.stride < summary_.stretch() &&
+                       std::uint64_t{asked.count} * asked.stride <= kMostDecoded;
+  std::uint64_t tick = asked.from;
+  for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.ticks(); ++i) {
+    const auto first = static_cast<std::uint32_t>(tick);
+    const std::uint32_t last = first + asked.stride - 1;
+    const bool known =
+        is_fine ? range(first, last) : summary_.range(first, last, least_.floats, greatest_.floats);
+    if (known) put_range(first, bytes, frames);
+    tick += asked.stride;
+  }
+  return block(bytes, frames);
+}
+
+bool LogContent::range(std::uint32_t first, std::uint32_t last) {
+  least_.floats.assign(frames_.channels().floats, NAN);
+  greatest_.floats = least_.floats;
+  bool known = false;
+  for (std::uint32_t tick = first; tick <= last && tick < frames_.ticks(); ++tick) {
+    const ViewFrame* frame = frames_.frame(tick);
+    if (frame == nullptr) continue;
+    known = true;
+    for (std::size_t i = 0; i < frame->floats.size(); ++i) {
+      least_.floats[i] = std::fmin(least_.floats[i], frame->floats[i]);
+      greatest_.floats[i] = std::fmax(greatest_.floats[i], frame->floats[i]);
+    }
+  }
+  return known;
+}
+
+void LogContent::put_range(std::uint32_t tick, std::string& out, std::uint32_t& frames) {
+  for (ViewFrame* frame : {&least_, &greatest_}) {
+    frame->tick = tick;
+    frame->time = tick * frames_.period();
+    pack(*frame, out);
+    ++frames;
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/log_summary.hpp"
+#include "app/view_robot.hpp"
+#include "surefoot/view/web_server.hpp"
+
+#include <string>
+
+namespace surefoot {
+
+/// What the pages of a log are told: the session, and frames as they ask for them.
+class LogContent final : public WebContent {
+ public:
+  /// Throws FileError on a file that can't be shown.
+  explicit LogContent(const std::string& path);
+
+  [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
+
+  /// Lines that the user should know of.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  struct Asked {
+    std::uint32_t from = 0, count = 1, stride = 1;
+    bool min_max = false;
+  };
+
+  LogContent(const std::string& path, const LogHeader& header);
+  void describe(const std::string& path, const LogHeader& header);
+  [[nodiscard]] std::string session();
+  [[nodiscard]] WebAnswer frames(const Query& query);
+  [[nodiscard]] std::string plain_frames(const Asked& asked);
+  [[nodiscard]] std::string ranges(const Asked& asked);
+  [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last);
+  void put_range(std::uint32_t tick, std::string& out, std::uint32_t& frames);
+
+  LogFrames frames_;
+  LogSummary summary_;
+  ViewRobot robot_;
+  ViewSession session_;
+  ViewFrame least_, greatest_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace surefoot

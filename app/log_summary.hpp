@@ -1,0 +1,64 @@
+#pragma once
+
+#include "app/log_frames.hpp"
+#include "surefoot/view/view_session.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace surefoot {
+
+/// What is known of a whole log: the least and greatest of every channel over stretches of it,
+/// and what happened. Found on a thread of its own, from front to back, in bounded memory.
+class LogSummary {
+ public:
+  /// Throws FileError as LogFrames.
+  LogSummary(const std::string& path, const LogHeader& header);
+  ~LogSummary();
+
+  /// Ticks that are known by now.
+  [[nodiscard]] std::uint32_t ticks() const { return known_.load(); }
+  /// Ticks of a stretch: more, the longer the log is.
+  [[nodiscard]] std::uint32_t stretch();
+  /// Least and greatest of every channel over the stretches that ticks `first` to `last` lie in;
+  /// false where that is not known yet.
+  [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last, std::vector<float>& least,
+                           std::vector<float>& greatest);
+  /// So far, as JSON: plan events as [time, number, leg or null], what else happened as
+  /// {"time", "text"}.
+  [[nodiscard]] std::string events_json();
+  /// The orders of the levels so far, but the first.
+  [[nodiscard]] std::vector<ViewOrder> orders();
+
+ private:
+  struct Range {
+    std::vector<float> least, greatest;
+  };
+
+  void run();
+  void add(const ViewFrame& frame);
+  void add_events(const ViewFrame& frame);
+  void add(const logged::Change& change);
+  void coarsen();
+
+  LogFrames frames_;
+  std::size_t event_ = 0, mode_ = 0, cause_ = 0;  // offsets of channels
+  std::vector<std::size_t> phases_;
+  std::vector<float> last_;  // floats of the frame before
+
+  std::mutex mutex_;  // of what follows
+  std::vector<Range> ranges_;
+  std::uint32_t stretch_ = 64;
+  std::vector<std::string> events_;
+  std::vector<ViewOrder> orders_;
+
+  std::atomic<std::uint32_t> known_{0};
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "surefoot/model/mesh_files.hpp"
+#include "surefoot/view/view_session.hpp"
+#include "surefoot/view/web_server.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// The robot's URDF and meshes, for the page.
+class ViewRobot {
+ public:
+  /// `packages`: the folder that package:// names are resolved in. Of a URDF that is no XML there
+  /// are no meshes.
+  ViewRobot(std::string urdf, const std::filesystem::path& packages);
+
+  [[nodiscard]] std::vector<ViewMesh> meshes() const;
+  /// The answer for /api/robot.urdf and /api/mesh/ID.
+  [[nodiscard]] WebAnswer get(std::string_view path) const;
+
+ private:
+  [[nodiscard]] WebAnswer mesh(std::string_view id) const;
+
+  std::string urdf_;
+  std::vector<MeshFile> meshes_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,107 @@
+#include "app/view_tasks.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/tasks/catalog.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace surefoot {
+namespace {
+
+constexpr std::array<double, 5> kRanges{10.0, 5.0, 2.0, 1.5, 1.0};  // of the default
+
+bool is_legal(const std::string& task, const std::string& name, double value) {
+  try {
+    (void)make_task(task, {{{name, value}}, {}});
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+double largest(const std::string& task, const TaskParameter& parameter) {
+  const double usual = parameter.default_value > 0.0 ? parameter.default_value : 1.0;
+  for (const double factor : kRanges) {
+    if (is_legal(task, std::string(parameter.name), factor * usual)) return factor * usual;
+  }
+  return parameter.default_value;
+}
+
+std::string order_text(const StackOptions& stack) {
+  std::string list;
+  for (const LevelSpec& level : stack.levels) list += (list.empty() ? "" : ", ") + level.name;
+  return "order: " + list;
+}
+
+bool has_same_order(const StackOptions& a, const StackOptions& b) {
+  return std::ranges::equal(a.levels, b.levels, {}, &LevelSpec::name, &LevelSpec::name);
+}
+
+std::string title(const LevelSpec& level, const TaskSpec& task) {
+  return level.name == task.task ? level.name : level.name + ", " + task.task;
+}
+
+}  // namespace
+
+ViewNumber view_number(const std::string& task, const std::string& name, double value) {
+  const auto& parameters = task_info(task).parameters;
+  const auto parameter = std::ranges::find(parameters, name, &TaskParameter::name);
+  if (parameter == parameters.end()) {
+    throw UnknownNameError("the task " + task + " has no number \"" + name + "\"");
+  }
+  return {.name = name,
+          .unit = std::string(parameter->unit),
+          .about = std::string(parameter->help),
+          .value = value,
+          .min = parameter->minimum,
+          .max = std::max(largest(task, *parameter), value)};
+}
+
+std::vector<ViewTask> view_tasks(const StackOptions& stack,
+                                 const std::vector<std::string>& level_names) {
+  std::vector<ViewTask> tasks;
+  for (const LevelSpec& level : stack.levels) {
+    const auto number = std::ranges::find(level_names, level.name) - level_names.begin();
+    for (const TaskSpec& task : level.tasks) {
+      ViewTask& view = tasks.emplace_back();
+      view.level = static_cast<std::size_t>(number);
+      view.level_name = level.name;
+      view.task = task.task;
+      for (const TaskParameter& parameter : task_info(task.task).parameters) {
+        const std::string name(parameter.name);
+        view.numbers.push_back(view_number(task.task, name, task.numbers.at(name)));
+      }
+    }
+  }
+  std::ranges::stable_sort(tasks, {}, &ViewTask::level);
+  return tasks;
+}
+
+std::string change_text(double before, double after) {
+  std::ostringstream text;
+  text.precision(4);
+  text << before << " → " << after;
+  return text.str();
+}
+
+std::string change_text(const StackOptions& before, const StackOptions& after) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  for (const LevelSpec& level : after.levels) {
+    const auto old = std::ranges::find(before.levels, level.name, &LevelSpec::name);
+    if (old == before.levels.end()) continue;
+    for (std::size_t i = 0; i < std::min(level.tasks.size(), old->tasks.size()); ++i) {
+      for (const auto& [name, value] : level.tasks[i].numbers) {
+        const auto was = old->tasks[i].numbers.find(name);
+        if (was == old->tasks[i].numbers.end() || was->second == value) continue;
+        add(title(level, level.tasks[i]) + " " + name + " " + change_text(was->second, value));
+      }
+    }
+  }
+  if (!has_same_order(before, after)) add(order_text(after));
+  return text;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,76 @@
+#include "app/view_tick.hpp"
+
+#include "surefoot/evaluation/truth_fields.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr TickTiming kNoTiming{kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+
+/// 255 for a level that has no channels.
+std::uint8_t number_of(const std::string& level, const ViewChannels& channels) {
+  const auto found = std::ranges::find(channels.level_names, level);
+  return found == channels.level_names.end()
+             ? std::uint8_t{255}
+             : static_cast<std::uint8_t>(found - channels.level_names.begin());
+}
+
+void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, ViewFrame& frame) {
+  frame.active.clear();
+  for (const logged::Row& row : hierarchy.active) {
+    frame.active.push_back({.level = number_of(row.level, channels),
+                            .state = static_cast<std::int8_t>(row.state),
+                            .row = static_cast<std::uint16_t>(row.id)});
+  }
+  frame.blocking.clear();
+  for (const logged::BlockingRow& row : hierarchy.blocked_by) {
+    frame.blocking.push_back({.level = number_of(row.level, channels),
+                              .by_level = number_of(row.by, channels),
+                              .row = static_cast<std::uint16_t>(row.report.id),
+                              .cost = static_cast<float>(row.report.cost)});
+  }
+}
+
+}  // namespace
+
+ViewChannels tick_channels(const std::vector<std::string>& level_names, const GroundTruth& truth) {
+  ViewChannels channels;
+  channels.level_names = level_names;
+  const TickRecord tick;
+  logged::ChannelLister lister(channels);
+  lister.add("readings", tick.reading);
+  lister.add("health", tick.health);
+  lister.add("user", tick.user);
+  lister.add("state", tick.state);
+  lister.add("plan", tick.plan);
+  lister.add("model", tick.model);
+  lister.add("hierarchy", logged::Hierarchy());
+  lister.add("command", tick.command);
+  lister.add("timings", TickTiming());
+  lister.add("truth", truth);
+  return channels;
+}
+
+void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& frame) {
+  frame.tick = tick.number;
+  frame.time = tick.record.reading.time;
+  frame.floats.assign(channels.floats, kNone);
+  logged::ChannelWriter writer(channels, frame.floats);
+  writer.add(tick.record.reading);
+  writer.add(tick.record.health);
+  writer.add(tick.record.user);
+  writer.add(tick.record.state);
+  writer.add(tick.record.plan);
+  writer.add(tick.record.model);
+  writer.add(tick.hierarchy);
+  writer.add(tick.record.command);
+  writer.add(tick.timing == nullptr ? kNoTiming : *tick.timing);
+  if (tick.truth != nullptr) writer.add(*tick.truth);
+  add_rows(tick.hierarchy, channels, frame);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "surefoot/logging/hierarchy_namer.hpp"
+#include "surefoot/signals/tick_record.hpp"
+#include "surefoot/simulation/ground_truth.hpp"
+#include "surefoot/view/frame_block.hpp"
+#include "surefoot/view/view_channels.hpp"
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// The channels of a run: every field of the log, under its topic. `truth` has the sizes of
+/// MuJoCo's vectors.
+[[nodiscard]] ViewChannels tick_channels(const std::vector<std::string>& level_names,
+                                         const GroundTruth& truth);
+
+/// What is known of a tick; what is null is not a number in its frame.
+struct KnownTick {
+  std::uint32_t number = 0;
+  const TickRecord& record;
+  const logged::Hierarchy& hierarchy;  ///< of the record, with names
+  const GroundTruth* truth = nullptr;
+  const TickTiming* timing = nullptr;
+};
+
+/// The tick as the page gets it. Levels and rows are numbered as in the channels' level names,
+/// whatever their order was.
+void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& frame);
+
+}  // namespace surefoot

@@ -1,0 +1,68 @@
+"""Whether pages that watch a run delay its control loop: the tick's time without pages and with many.
+
+    python benchmarks/live_clients.py [--clients 50] [--rounds 5] [--duration 20]
+
+Runs a walk at real time, by turns with nobody who watches and with many pages, of which one never reads. Prints quantiles of
+the controller's tick [µs] over all rounds.
+"""
+
+import argparse
+import json
+import pathlib
+import statistics
+import sys
+import tempfile
+import threading
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/python"))
+
+from live_page import Served  # noqa: E402
+from mcap.reader import make_reader  # noqa: E402
+
+
+def read_until_closed(page):
+    try:
+        while True:
+            page.hear()
+            page.blocks.clear()
+            page.texts.clear()
+    except OSError:
+        pass
+
+
+def run(clients, duration):
+    """Times of the ticks [µs]."""
+    with tempfile.TemporaryDirectory() as folder:
+        log = pathlib.Path(folder) / "run.mcap"
+        served = Served("run", "walk_flat", "--view", "--view-clients", 64, "--set", f"duration={duration}", "--record", log)
+        with served:
+            pages = [served.page() for _ in range(clients)]
+            threads = [threading.Thread(target=read_until_closed, args=(page,), daemon=True) for page in pages[1:]]
+            for thread in threads:
+                thread.start()
+            while not log.exists():
+                threading.Event().wait(0.2)
+            served.end()
+        with log.open("rb") as file:
+            return [json.loads(message.data)["total"] for *_, message in make_reader(file).iter_messages(topics=["/timings"])]
+
+
+def quantile(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
+
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("--clients", type=int, default=50)
+parser.add_argument("--rounds", type=int, default=5)
+parser.add_argument("--duration", type=float, default=20.0)
+arguments = parser.parse_args()
+shares = [0.5, 0.99, 0.999]
+rounds = {0: [], arguments.clients: []}
+for _ in range(arguments.rounds):
+    for clients, results in rounds.items():
+        ticks = run(clients, arguments.duration)
+        results.append([quantile(ticks, share) for share in shares])
+        print(clients, "pages:", *(f"p{100 * share:g} {value:.1f} µs" for share, value in zip(shares, results[-1])), flush=True)
+for i, share in enumerate(shares):
+    alone, watched = (statistics.median(result[i] for result in results) for results in rounds.values())
+    print(f"p{100 * share:g}: {alone:.1f} µs alone, {watched:.1f} µs with {arguments.clients} pages, {100 * (watched / alone - 1):+.1f} %")

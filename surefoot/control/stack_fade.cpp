@@ -1,0 +1,32 @@
+#include "surefoot/control/stack_fade.hpp"
+
+#include "surefoot/math/smoothstep.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+StackFade::StackFade(std::unique_ptr<SolvedStack> before, const LevelSet& present,
+                     const Hierarchy& after, double duration)
+    : before_(std::move(before)),
+      at_rest_{.before = present, .after = present},
+      soft_levels_(after),
+      duration_(duration),
+      begin_(kNaN) {
+  before_->stack.set_present(present);
+}
+
+const Solution& StackFade::between(const Dynamics& dynamics, const MotionPlan& plan, double time,
+                                   const Hierarchy& hierarchy, const Solution& after) noexcept {
+  if (std::isnan(begin_)) begin_ = time;
+  share_ = duration_ > 0.0 ? smooth_ramp(time - begin_, duration_) : 1.0;
+  if (share_ >= 1.0) return after;
+  const Hierarchy& rows = before_->stack.update(dynamics, plan);
+  const Substitution* physics =
+      before_->solver.wants_substitution() ? before_->stack.substitution(dynamics) : nullptr;
+  const Solution& before = before_->solver.solve(rows, physics, at_rest_);
+  return soft_levels_.between(hierarchy, before, after, share_);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "surefoot/control/hierarchy_solver.hpp"
+#include "surefoot/control/task_stack.hpp"
+
+#include <memory>
+
+namespace surefoot {
+
+/// A stack with its solver.
+struct SolvedStack {
+  SolvedStack(const StackOptions& options, const SolverOptions& solver_options,
+              const RobotDescription& robot)
+      : stack(options, robot), solver(stack.hierarchy(), solver_options) {}
+
+  TaskStack stack;
+  HierarchySolver solver;
+};
+
+/// On the way from a stack to the one in its place, without a jump of the torques: what lies
+/// between the optima of both (see `SoftLevels`).
+class StackFade {
+ public:
+  /// From `before`, whose levels `present` have rows, to a stack with as many levels and the
+  /// capacity `after`; `duration` [s].
+  StackFade(std::unique_ptr<SolvedStack> before, const LevelSet& present, const Hierarchy& after,
+            double duration);
+
+  /// Begins with the first tick, and is over with the last; 0 … 1.
+  [[nodiscard]] bool is_going_on() const { return share_ < 1.0; }
+  [[nodiscard]] double share() const { return share_; }
+
+  /// One tick at its time [s], of which the new stack has the hierarchy and its optimum. The
+  /// reference stays valid until the next call. Does not allocate.
+  const Solution& between(const Dynamics& dynamics, const MotionPlan& plan, double time,
+                          const Hierarchy& hierarchy, const Solution& after) noexcept;
+
+ private:
+  std::unique_ptr<SolvedStack> before_;
+  LevelTransition at_rest_;  // of the stack before
+  SoftLevels soft_levels_;
+  double duration_;
+  double begin_;  // [s]; NaN before the first tick
+  double share_ = 0.0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/logging/message_fields.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Names of a hierarchy's levels, highest first, and of their inequality rows.
+struct LevelNames {
+  std::vector<std::string> levels;
+  RowNamer row_name;
+
+  /// "level 3" and "row 17" where there is no name.
+  [[nodiscard]] std::string level(int number) const;
+  [[nodiscard]] std::string row(int level, std::int32_t id) const;
+};
+
+/// Gives a HierarchyReport its names, as the log has them.
+class HierarchyNamer {
+ public:
+  explicit HierarchyNamer(LevelNames names) : names_(std::move(names)) {}
+
+  /// The reference stays valid until the next call.
+  const logged::Hierarchy& name(const HierarchyReport& report);
+
+ private:
+  void name_rows(const HierarchyReport& report);
+  void name_switch(const LevelSwitchReport& change);
+
+  LevelNames names_;
+  logged::Hierarchy named_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,56 @@
+#include "surefoot/logging/mcap_cursor.hpp"
+
+#include "surefoot/logging/crc32.hpp"
+
+#include <zstd.h>
+
+namespace surefoot::mcap {
+namespace {
+
+constexpr std::uint64_t kLargestChunk = 1ull << 30;
+
+std::string decompress(std::string_view compressed, const std::string& compression,
+                       std::uint64_t size) {
+  if (size > kLargestChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
+  if (compression.empty()) return std::string(compressed);
+  if (compression != "zstd") throw Malformed{"a chunk is not compressed with zstd"};
+  std::string out(size, '\0');
+  const std::size_t written =
+      ZSTD_decompress(out.data(), out.size(), compressed.data(), compressed.size());
+  if (ZSTD_isError(written) != 0u || written != size)
+    throw Malformed{"a chunk can't be decompressed"};
+  return out;
+}
+
+}  // namespace
+
+std::string_view Cursor::bytes(std::uint64_t count) {
+  if (count > rest_.size()) throw Malformed{"a record is shorter than it says"};
+  const std::string_view taken = rest_.substr(0, count);
+  rest_.remove_prefix(count);
+  return taken;
+}
+
+std::map<std::string, std::string> Cursor::map() {
+  Cursor entries(bytes(number<std::uint32_t>()));
+  std::map<std::string, std::string> result;
+  while (!entries.rest_.empty()) {
+    const std::string key = entries.text();
+    result[key] = entries.text();
+  }
+  return result;
+}
+
+std::string chunk_records(std::string_view chunk) {
+  Cursor cursor(chunk);
+  cursor.bytes(16);  // times
+  const auto size = cursor.number<std::uint64_t>();
+  const auto crc = cursor.number<std::uint32_t>();
+  const std::string compression = cursor.text();
+  const std::string records =
+      decompress(cursor.bytes(cursor.number<std::uint64_t>()), compression, size);
+  if (crc != 0 && crc != crc32(records)) throw Malformed{"the checksum of a chunk is wrong"};
+  return records;
+}
+
+}  // namespace surefoot::mcap

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+/// An inequality row at or beyond a bound; levels by their number in `header.level_names`.
+struct FrameActive {
+  std::uint8_t level = 0;
+  std::int8_t state = 0;  ///< ±1 at a bound, ±3 beyond it
+  std::uint16_t row = 0;  ///< in the session's `rows[level]`
+};
+
+/// A row that keeps a level from a smaller residual.
+struct FrameBlocking {
+  std::uint8_t level = 0, by_level = 0;
+  std::uint16_t row = 0;  ///< in the session's `rows[by_level]`
+  float cost = 0.0F;
+};
+
+/// One tick as the page gets it.
+struct ViewFrame {
+  std::uint32_t tick = 0;
+  double time = 0.0;  ///< [s]
+  std::vector<float> floats;
+  std::vector<FrameActive> active;
+  std::vector<FrameBlocking> blocking;
+};
+
+/// The head of a block, docs/view_protocol.md.
+struct BlockHead {
+  std::uint32_t frames = 0, dropped = 0, generation = 0;
+};
+
+inline constexpr std::size_t kBlockHeadBytes = 16;
+
+[[nodiscard]] std::array<char, kBlockHeadBytes> packed(const BlockHead& head);
+/// Appends the frame's bytes.
+void pack(const ViewFrame& frame, std::string& out);
+
+/// A block in parts: what a reader finds in its bytes.
+struct ReadBlock {
+  BlockHead head;
+  std::vector<ViewFrame> frames;
+};
+
+/// Throws Error where the bytes are no block of frames with so many floats.
+[[nodiscard]] ReadBlock read_block(std::string_view bytes, std::size_t frame_floats);
+
+}  // namespace surefoot

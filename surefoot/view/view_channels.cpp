@@ -1,0 +1,110 @@
+#include "surefoot/view/view_channels.hpp"
+
+#include "surefoot/logging/json_text.hpp"
+
+namespace surefoot {
+namespace {
+
+constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+
+/// What stands in the first brackets: "since the start [s]; …" has the unit "s".
+std::string unit_of(std::string_view about) {
+  const std::size_t begin = about.find('[');
+  const std::size_t end = about.find(']', begin);
+  if (begin == std::string_view::npos || end == std::string_view::npos) return "";
+  return std::string(about.substr(begin + 1, end - begin - 1));
+}
+
+/// The text without these brackets.
+std::string without_unit(std::string_view about) {
+  const std::size_t begin = about.find('[');
+  const std::size_t end = about.find(']', begin);
+  if (begin == std::string_view::npos || end == std::string_view::npos) return std::string(about);
+  std::string text(about.substr(0, begin));
+  while (text.ends_with(' ')) text.pop_back();
+  return text + std::string(about.substr(end + 1));
+}
+
+void list(JsonText& json, std::string_view name, const std::vector<std::string>& texts) {
+  if (texts.empty()) return;
+  json.key(name).array();
+  for (const std::string& text : texts) json.value(std::string_view(text));
+  json.end_array();
+}
+
+}  // namespace
+
+namespace logged {
+
+void ChannelLister::levels() {
+  const std::string outer = name_.substr(0, name_.rfind('.'));
+  for (const std::string& level : table_.level_names) {
+    name_ = outer + ".level." + level;
+    const Level example;
+    fields(*this, example);
+  }
+}
+
+void ChannelLister::add_channel(std::string_view about, std::vector<std::string> labels) {
+  const std::size_t size = std::max<std::size_t>(labels.size(), 1);
+  table_.channels.push_back({.name = name_,
+                             .unit = unit_of(about),
+                             .about = without_unit(about),
+                             .labels = std::move(labels),
+                             .values = {},
+                             .offset = table_.floats,
+                             .size = size});
+  table_.floats += size;
+}
+
+std::vector<std::string> ChannelLister::labels(int rows, int columns) {
+  std::vector<std::string> result;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      if (columns > 1) {
+        result.push_back(std::to_string(i + 1) + std::to_string(j + 1));
+      } else if (rows == kNumJoints) {
+        const auto k = static_cast<std::size_t>(i);
+        result.push_back(std::string(kLegNames[k / kJointsPerLeg]) + "_" +
+                         std::string(kJointNames[k % kJointsPerLeg]));
+      } else if (rows <= 3) {
+        result.emplace_back(kAxes[static_cast<std::size_t>(i)]);
+      } else {
+        result.push_back(std::to_string(i));
+      }
+    }
+  }
+  return result;
+}
+
+void ChannelWriter::levels(const std::vector<Level>& levels) {
+  const Level unknown{.name = "",
+                      .report = {.residual = kNaN, .degrees_of_freedom_left = -1, .iterations = 0}};
+  for (const std::string& name : table_.level_names) {
+    const auto found = std::ranges::find(levels, name, &Level::name);
+    fields(*this, found == levels.end() ? unknown : *found);
+  }
+}
+
+}  // namespace logged
+
+std::string to_json(const std::vector<ViewChannel>& channels) {
+  std::string out;
+  JsonText json(out);
+  json.array();
+  for (const ViewChannel& channel : channels) {
+    json.object()
+        .member("name", std::string_view(channel.name))
+        .member("unit", std::string_view(channel.unit))
+        .member("about", std::string_view(channel.about))
+        .member("size", channel.size)
+        .member("offset", channel.offset);
+    list(json, "labels", channel.labels);
+    list(json, "values", channel.values);
+    json.end_object();
+  }
+  json.end_array();
+  return out;
+}
+
+}  // namespace surefoot

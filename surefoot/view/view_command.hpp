@@ -1,0 +1,59 @@
+#pragma once
+
+#include "surefoot/signals/user_command.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace surefoot {
+
+enum class ViewCommandType {
+  pause,
+  resume,
+  step,
+  speed,
+  reset,
+  push,
+  pull,
+  walk,
+  gain,
+  order,
+  friction,
+  undo,
+};
+
+/// What a page asks for, docs/view_protocol.md. Members that its type does not have keep their
+/// defaults; numbers are finite, and not checked otherwise.
+struct ViewCommand {
+  ViewCommandType type = ViewCommandType::pause;
+  int ticks = 1;                        ///< of step
+  double factor = 1.0;                  ///< of speed, to real time
+  std::string body{};                   ///< of push and pull
+  Vec3 impulse{0, 0, 0};                ///< of push, in W [N·s]
+  double duration = 0.0;                ///< of push [s]
+  Vec3 point{0, 0, 0};                  ///< of pull, in the body's frame [m]
+  Vec3 force{0, 0, 0};                  ///< of pull, in W [N]
+  bool by_scenario = false;             ///< of walk: the operator gives the command back
+  bool walk = false;                    ///< of walk: the operator's command
+  Vec2 velocity{0, 0};                  ///< forward and lateral, in C [m/s]
+  double yaw_rate = 0.0;                ///< [rad/s]
+  double height = 0.0;                  ///< [m]
+  std::string level{}, task{}, name{};  ///< of gain
+  double value = 0.0;                   ///< of gain and friction
+  std::vector<std::string> levels{};    ///< of order
+};
+
+/// A message of a page, with what its sender must know.
+struct ViewMessage {
+  std::int64_t id = 0;
+  std::string token;
+  std::string error;  ///< what is wrong with the rest of it; empty: nothing
+  ViewCommand command;
+};
+
+/// Reads a message. Throws nothing: what is wrong is in `error`.
+[[nodiscard]] ViewMessage read_message(std::string_view text);
+
+}  // namespace surefoot

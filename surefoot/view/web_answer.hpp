@@ -1,0 +1,35 @@
+#pragma once
+
+#include "surefoot/view/web_server.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace surefoot {
+
+/// What every answer says of how a browser is to treat it.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWebHeaders{{
+    {"Content-Security-Policy",
+     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Cache-Control", "no-store"},
+}};
+
+/// A target's path and its query, `?a=1&b=2`. None where it is not a plain path.
+[[nodiscard]] std::optional<std::pair<std::string, WebContent::Query>> read_target(
+    std::string_view target);
+
+/// The answer for a target: a file of the page, or what the content says.
+[[nodiscard]] WebAnswer answer_for(std::string_view target, WebContent& content);
+
+/// A line of text with a status.
+[[nodiscard]] WebAnswer refusal(int status, std::string why);
+
+}  // namespace surefoot

@@ -1,0 +1,165 @@
+#include "surefoot/view/web_client.hpp"
+
+#include "surefoot/logging/json_text.hpp"
+
+#include <boost/asio/buffer.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace surefoot {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+
+constexpr std::size_t kLongestMessage = 4096;      // of a page [bytes]
+constexpr double kMessagesPerSecond = 60.0;        // of a page
+constexpr std::size_t kMostWaiting = 4U << 20U;    // for a page that does not read [bytes] …
+constexpr std::size_t kMostMessagesWaiting = 512;  // … and messages
+constexpr int kSendBuffer = 256 << 10;             // of the system, so that little is on the way
+constexpr std::chrono::seconds kIdle{20};          // without an answer to a ping
+
+}  // namespace
+
+WebClient::WebClient(beast::tcp_stream&& stream, WebShared& shared,
+                     std::shared_ptr<ConnectionCount> count)
+    : socket_(std::move(stream)),
+      shared_(shared),
+      count_(std::move(count)),
+      rate_(kMessagesPerSecond) {}
+
+void WebClient::begin(const Request& request) {
+  beast::get_lowest_layer(socket_).expires_never();
+  beast::error_code ignored;
+  beast::get_lowest_layer(socket_).socket().set_option(
+      asio::socket_base::send_buffer_size(kSendBuffer), ignored);
+  socket_.set_option(websocket::stream_base::timeout{.handshake_timeout = std::chrono::seconds(10),
+                                                     .idle_timeout = kIdle,
+                                                     .keep_alive_pings = true});
+  socket_.read_message_max(kLongestMessage);
+  socket_.auto_fragment(false);
+  shared_.clients.insert(shared_from_this());
+  socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
+    if (error) return self->leave();
+    self->enter();
+  });
+}
+
+void WebClient::enter() {
+  open_ = true;
+  for (const SharedBlock& block : shared_.content.welcome()) send(block);
+  send_status(std::make_shared<std::string>(shared_.content.status(shared_.clients.size())));
+  read();
+}
+
+void WebClient::read() {
+  socket_.async_read(received_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) return self->leave();
+    if (!self->rate_.take(std::chrono::steady_clock::now())) {
+      self->closing_ = true;
+      self->socket_.async_close(
+          {websocket::close_code::policy_error, "more than 60 messages a second"},
+          [self](beast::error_code) { self->leave(); });
+      return;
+    }
+    const auto bytes = self->received_.cdata();
+    self->take({static_cast<const char*>(bytes.data()), bytes.size()});
+    self->received_.consume(self->received_.size());
+    self->read();
+  });
+}
+
+void WebClient::take(std::string_view text) {
+  const ViewMessage message = read_message(text);
+  if (!is_same_secret(message.token, shared_.options.token)) {
+    reply(message.id, "commands need the token of the link that the program printed");
+  } else if (!message.error.empty()) {
+    reply(message.id, message.error);
+  } else {
+    reply(message.id, shared_.content.command(message.command));
+  }
+}
+
+void WebClient::reply(std::int64_t id, const std::string& error) {
+  auto text = std::make_shared<std::string>();
+  JsonText json(*text);
+  json.object().member("type", "reply").member("id", id).member("ok", error.empty());
+  if (!error.empty()) json.member("error", std::string_view(error));
+  json.end_object();
+  send(std::move(text));
+}
+
+void WebClient::send(const SharedBlock& block) {
+  dropped_ += block.lost;
+  put({Kind::block, block.frames, block.generation, block.bytes});
+}
+
+void WebClient::send(std::shared_ptr<const std::string> text) {
+  put({Kind::text, 0, 0, std::move(text)});
+}
+
+void WebClient::send_status(std::shared_ptr<const std::string> status) {
+  const auto first = waiting_.begin() + (writing_ ? 1 : 0);
+  const auto old = std::find_if(
+      first, waiting_.end(), [](const Message& message) { return message.kind == Kind::status; });
+  if (old != waiting_.end()) {
+    waiting_bytes_ -= old->bytes->size();
+    waiting_.erase(old);
+  }
+  put({Kind::status, 0, 0, std::move(status)});
+}
+
+void WebClient::put(Message message) {
+  if (!open_ || closing_) return;
+  waiting_bytes_ += message.bytes->size();
+  waiting_.push_back(std::move(message));
+  while (waiting_bytes_ > kMostWaiting) {
+    const std::size_t before = waiting_bytes_;
+    drop_oldest_block();
+    if (waiting_bytes_ == before) break;
+  }
+  if (waiting_.size() > kMostMessagesWaiting) return close();
+  if (!writing_) write_next();
+}
+
+void WebClient::drop_oldest_block() {
+  const auto first = waiting_.begin() + (writing_ ? 1 : 0);
+  const auto oldest = std::find_if(
+      first, waiting_.end(), [](const Message& message) { return message.kind == Kind::block; });
+  if (oldest == waiting_.end()) return;
+  dropped_ += oldest->frames;
+  waiting_bytes_ -= oldest->bytes->size();
+  waiting_.erase(oldest);
+}
+
+void WebClient::write_next() {
+  if (waiting_.empty() || closing_) return;
+  writing_ = true;
+  const Message& message = waiting_.front();
+  socket_.binary(message.kind == Kind::block);
+  const auto done = [self = shared_from_this()](beast::error_code error, std::size_t) {
+    self->writing_ = false;
+    if (error) return self->leave();
+    self->waiting_bytes_ -= self->waiting_.front().bytes->size();
+    self->waiting_.pop_front();
+    self->write_next();
+  };
+  const asio::const_buffer body = asio::buffer(*message.bytes);
+  if (message.kind != Kind::block) return socket_.async_write(body, done);
+  head_ = packed(BlockHead{message.frames, dropped_, message.generation});
+  socket_.async_write(std::array<asio::const_buffer, 2>{asio::buffer(head_), body}, done);
+}
+
+void WebClient::close() {
+  closing_ = true;
+  beast::get_lowest_layer(socket_).close();
+}
+
+void WebClient::leave() {
+  closing_ = true;
+  shared_.clients.erase(shared_from_this());
+}
+
+}  // namespace surefoot

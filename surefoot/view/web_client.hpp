@@ -1,0 +1,89 @@
+#pragma once
+
+#include "surefoot/view/web_guard.hpp"
+#include "surefoot/view/web_server.hpp"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace surefoot {
+
+class WebClient;
+
+/// What the connections of a server have in common; all on its one thread.
+struct WebShared {
+  const WebServerOptions& options;
+  WebContent& content;
+  const OwnNames& names;
+  std::set<std::shared_ptr<WebClient>> clients{};  ///< that watch live
+  /// With those that only ask; they may outlive this.
+  std::shared_ptr<std::size_t> connections = std::make_shared<std::size_t>(0);
+};
+
+/// Counts a connection as long as it lives.
+class ConnectionCount {
+ public:
+  explicit ConnectionCount(const WebShared& shared) : count_(shared.connections) { ++*count_; }
+  ~ConnectionCount() { --*count_; }
+  ConnectionCount(const ConnectionCount&) = delete;
+  ConnectionCount& operator=(const ConnectionCount&) = delete;
+
+ private:
+  std::shared_ptr<std::size_t> count_;
+};
+
+/// A page that watches live, over WebSocket. What waits for it is bounded: the oldest frames are
+/// dropped, and counted.
+class WebClient : public std::enable_shared_from_this<WebClient> {
+ public:
+  using Request = boost::beast::http::request<boost::beast::http::empty_body>;
+
+  WebClient(boost::beast::tcp_stream&& stream, WebShared& shared,
+            std::shared_ptr<ConnectionCount> count);
+
+  /// Accepts the upgrade that was asked for.
+  void begin(const Request& request);
+  void send(const SharedBlock& block);
+  void send(std::shared_ptr<const std::string> text);
+  /// In the place of a status that still waits.
+  void send_status(std::shared_ptr<const std::string> status);
+  void close();
+
+ private:
+  enum class Kind { block, text, status };
+  struct Message {
+    Kind kind;
+    std::uint32_t frames, generation;
+    std::shared_ptr<const std::string> bytes;
+  };
+
+  void enter();
+  void read();
+  void take(std::string_view text);
+  void reply(std::int64_t id, const std::string& error);
+  void put(Message message);
+  void drop_oldest_block();
+  void write_next();
+  void leave();
+
+  boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
+  WebShared& shared_;
+  std::shared_ptr<ConnectionCount> count_;
+  boost::beast::flat_buffer received_;
+  std::deque<Message> waiting_;  // the first is being written if `writing_`
+  std::size_t waiting_bytes_ = 0;
+  std::array<char, kBlockHeadBytes> head_{};  // of the block that is being written
+  bool open_ = false, writing_ = false, closing_ = false;
+  std::uint32_t dropped_ = 0;
+  RateLimit rate_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,103 @@
+#include "app/live_operator.hpp"
+
+#include "surefoot/config/scenario_file.hpp"
+#include "tests/config/messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+using Type = ViewCommandType;
+
+class LiveOperatorTest : public ::testing::Test {
+ protected:
+  LiveOperatorTest() { operator_.begin({"base", "LF_SHANK"}); }
+
+  std::string push(const std::string& body, const Vec3& impulse, double duration) {
+    return operator_.command(
+        {.type = Type::push, .body = body, .impulse = impulse, .duration = duration});
+  }
+  std::string gain(const std::string& level, const std::string& name, double value) {
+    return operator_.command(
+        {.type = Type::gain, .level = level, .task = level, .name = name, .value = value});
+  }
+  OperatorWishes taken() {
+    OperatorWishes wishes;
+    EXPECT_TRUE(operator_.take(wishes));
+    return wishes;
+  }
+  double kp(const OperatorWishes& wishes) {
+    const auto level = std::ranges::find(wishes.control.stack.levels, "com_xy", &LevelSpec::name);
+    return level->tasks.at(0).numbers.at("kp");
+  }
+
+  Scenario scenario_ = load_scenario({"walk_flat_ideal", 0, {}});
+  LiveOperator operator_{scenario_, ViewLimits()};
+};
+
+TEST_F(LiveOperatorTest, pushes_are_capped_and_the_caps_are_told) {
+  EXPECT_EQ(push("base", Vec3(0, 20, 0), 0.2), "");
+  EXPECT_EQ(taken().pushes.at(0).force, Vec3(0, 100, 0));
+  EXPECT_TRUE(test::holds(push("base", Vec3(0, 61, 0), 1.0), "valid is 0 to 60 N·s"));
+  EXPECT_TRUE(test::holds(push("base", Vec3(0, 60, 0), 0.1), "a duration of at least 0.2 s"));
+  EXPECT_TRUE(test::holds(push("base", Vec3(0, 1, 0), 2.0), "valid is 0.001 to 1 s"));
+  EXPECT_TRUE(test::holds(push("LF_SHNK", Vec3(0, 1, 0), 0.1), "did you mean \"LF_SHANK\""));
+  EXPECT_TRUE(taken().pushes.empty()) << "each is handed over once";
+}
+
+TEST_F(LiveOperatorTest, what_is_wrong_with_a_command_is_told_with_what_would_be_valid) {
+  EXPECT_TRUE(test::holds(gain("com", "kp", 1.0), "com_xy"));
+  EXPECT_TRUE(test::holds(gain("com_xy", "ki", 1.0), "kp"));
+  EXPECT_TRUE(test::holds(gain("com_xy", "kp", -1.0), "valid is 0 to "));
+  EXPECT_TRUE(test::holds(gain("com_xy", "kp", 1e6), "valid is 0 to "));
+  EXPECT_TRUE(test::holds(operator_.command({.type = Type::friction, .value = 0.0}), "valid is"));
+  EXPECT_TRUE(test::holds(operator_.command({.type = Type::speed, .factor = 100.0}), "to 8"));
+  EXPECT_TRUE(test::holds(
+      operator_.command({.type = Type::walk, .walk = true, .velocity = Vec2(3, 0)}), "m/s"));
+  EXPECT_TRUE(test::holds(operator_.command({.type = Type::undo}), "nothing to undo"));
+}
+
+TEST_F(LiveOperatorTest, an_order_must_have_all_levels_and_those_of_the_physics_above) {
+  std::vector<std::string> order;
+  for (const LevelSpec& level : scenario_.controller.stack.levels) order.push_back(level.name);
+  const auto asked = [&](const std::vector<std::string>& levels) {
+    return operator_.command({.type = Type::order, .levels = levels});
+  };
+  EXPECT_TRUE(test::holds(asked({order[0]}), "all"));
+  std::vector<std::string> twice = order;
+  twice.back() = twice.front();
+  EXPECT_NE(asked(twice), "");
+  std::vector<std::string> upside_down(order.rbegin(), order.rend());
+  EXPECT_TRUE(test::holds(asked(upside_down), "keeps the physics"));
+  std::iter_swap(order.end() - 1, order.end() - 2);
+  EXPECT_EQ(asked(order), "");
+  EXPECT_EQ(taken().control.stack.levels.back().name, order.back());
+}
+
+TEST_F(LiveOperatorTest, undo_takes_back_change_by_change_and_a_sliders_steps_are_one) {
+  const double before = kp(taken());
+  for (const double value : {10.0, 20.0, 30.0}) EXPECT_EQ(gain("com_xy", "kp", value), "");
+  EXPECT_EQ(operator_.command({.type = Type::friction, .value = 0.3}), "");
+  EXPECT_EQ(operator_.undo_count(), 2);
+  EXPECT_EQ(kp(taken()), 30.0);
+  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
+  EXPECT_EQ(taken().control.friction, scenario_.controller.planner.force.friction);
+  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
+  EXPECT_EQ(kp(taken()), before);
+  EXPECT_EQ(operator_.undo_count(), 0);
+}
+
+TEST_F(LiveOperatorTest, after_its_end_a_run_can_only_be_begun_again) {
+  operator_.set_ended("fell");
+  const std::string error = push("base", Vec3(0, 1, 0), 0.1);
+  EXPECT_TRUE(test::holds(error, "fell")) << error;
+  EXPECT_TRUE(test::holds(error, "reset")) << error;
+  EXPECT_EQ(operator_.command({.type = Type::reset}), "");
+  EXPECT_TRUE(taken().reset);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,60 @@
+#include "surefoot/model/mesh_files.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string urdf_with(const std::vector<std::string>& names) {
+  std::string text = "<robot name=\"r\"><link name=\"a\">";
+  for (const std::string& name : names) {
+    text += "<visual><geometry><mesh filename=\"" + name + "\"/></geometry></visual>";
+  }
+  return text + "</link></robot>";
+}
+
+TEST(MeshFiles, each_mesh_is_found_once_below_the_packages) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(fs::path(folder / "robot/meshes"));
+  std::ofstream(folder / "robot/meshes/base.dae") << "mesh";
+  const std::vector<MeshFile> meshes =
+      mesh_files(urdf_with({"package://robot/meshes/base.dae", "package://robot/meshes/gone.stl",
+                            "package://robot/meshes/base.dae"}),
+                 folder / "");
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].uri, "package://robot/meshes/base.dae");
+  EXPECT_TRUE(fs::equivalent(meshes[0].path, folder / "robot/meshes/base.dae"));
+  EXPECT_TRUE(meshes[1].path.empty());
+}
+
+TEST(MeshFiles, a_urdf_from_elsewhere_reaches_no_file_but_meshes_below_the_packages) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(fs::path(folder / "packages/robot"));
+  std::ofstream(folder / "outside.stl") << "secret";
+  std::ofstream(folder / "packages/robot/notes.txt") << "secret";
+  const std::string absolute = fs::absolute(folder / "outside.stl").string();
+  for (const std::string& name :
+       {std::string("package://../outside.stl"), std::string("package://robot/../../outside.stl"),
+        "package://" + absolute, "file://" + absolute, absolute,
+        std::string("package://robot/notes.txt"), std::string("package://")}) {
+    const std::vector<MeshFile> meshes = mesh_files(urdf_with({name}), folder / "packages");
+    ASSERT_EQ(meshes.size(), 1u) << name;
+    EXPECT_TRUE(meshes[0].path.empty()) << name;
+  }
+}
+
+TEST(MeshFiles, what_is_no_xml_is_told) {
+  EXPECT_THROW((void)mesh_files("no robot", "."), FileError);
+  EXPECT_THROW((void)mesh_files("", "."), FileError);
+}
+
+}  // namespace
+}  // namespace surefoot
