@@ -261,7 +261,7 @@ TEST_F(WebServerTest, a_thousand_pages_come_and_go) {
 
 /// Bytes of a good request or message, some of them changed, taken out or doubled.
 std::string damaged(std::string bytes, std::mt19937& random) {
-  for (unsigned changes = 1 + random() % 8; changes > 0 && !bytes.empty(); --changes) {
+  for (auto changes = 1 + random() % 8; changes > 0 && !bytes.empty(); --changes) {
     const std::size_t place = random() % bytes.size();
     switch (random() % 4) {
       case 0:
