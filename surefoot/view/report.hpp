@@ -7,12 +7,12 @@ namespace surefoot {
 
 /// Pictures of a run for its report, made elsewhere: the folder knows of no renderer.
 struct ReportPictures {
-  std::string strip;               ///< JPEG: a sequence of moments; empty: none
-  std::vector<double> times;       ///< of these moments [s]
-  std::string clip;                ///< MP4, H.264; empty: none
-  double first = 0.0, last = 0.0;  ///< of the run, that the clip shows [s]
-  std::vector<std::string> notes;  ///< what they don't show as it is
-  std::string why_none;            ///< in words; empty where there are pictures
+  std::string strip{};               ///< JPEG: a sequence of moments; empty: none
+  std::vector<double> times{};       ///< of these moments [s]
+  std::string clip{};                ///< MP4, H.264; empty: none
+  double first = 0.0, last = 0.0;    ///< of the run, that the clip shows [s]
+  std::vector<std::string> notes{};  ///< what they don't show as it is
+  std::string why_none{};            ///< in words; empty where there are pictures
 };
 
 /// Writes OUTPUT_DIR/index.html from a log alone: one page without scripts or network, with the

@@ -34,7 +34,7 @@ class LiveOperatorTest : public ::testing::Test {
     return level->tasks.at(0).numbers.at("kp");
   }
 
-  Scenario scenario_ = load_scenario({"walk_flat_ideal", 0, {}});
+  Scenario scenario_ = load_scenario({"walk_flat_ideal", 0, {"stack=terrain_adaptation"}});
   LiveOperator operator_{scenario_, ViewLimits()};
 };
 
@@ -45,6 +45,9 @@ TEST_F(LiveOperatorTest, pushes_are_capped_and_the_caps_are_told) {
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 60, 0), 0.1), "a duration of at least 0.2 s"));
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 1, 0), 2.0), "valid is 0.001 to 1 s"));
   EXPECT_TRUE(test::holds(push("LF_SHNK", Vec3(0, 1, 0), 0.1), "did you mean \"LF_SHANK\""));
+  OperatorWishes wishes;
+  EXPECT_FALSE(operator_.take(wishes)) << "what is refused changes nothing";
+  EXPECT_EQ(operator_.command({.type = Type::pause}), "");
   EXPECT_TRUE(taken().pushes.empty()) << "each is handed over once";
 }
 
