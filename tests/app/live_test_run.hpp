@@ -19,7 +19,7 @@ class LiveTestRun {
  public:
   explicit LiveTestRun(const std::vector<std::string>& assignments,
                        const std::string& scenario_name = "walk_flat_ideal")
-      : scenario(load_scenario({scenario_name, 0, assignments})),
+      : scenario(load_scenario({scenario_name, 0, over_many_levels(assignments)})),
         wishes(scenario, ViewLimits()),
         feed(scenario, wishes, ""),
         view(wishes, feed, [this] { return turn(); }) {
@@ -63,6 +63,11 @@ class LiveTestRun {
   std::vector<std::string> errors;         // of the commands
 
  private:
+  static std::vector<std::string> over_many_levels(std::vector<std::string> assignments) {
+    assignments.insert(assignments.begin(), "stack=terrain_adaptation");
+    return assignments;
+  }
+
   /// Is called before each tick, and while it waits.
   bool turn() {
     drain();

@@ -7,13 +7,12 @@ import time
 
 import pytest
 
-pytest.importorskip("websockets", reason="the virtual environment is older than dependencies/python.txt")
 
 from browser import WITHOUT_PICTURE, Browser, wait_for  # noqa: E402
 from viewer import Viewer  # noqa: E402
 
 SCREENSHOTS = pathlib.Path(os.environ.get("SUREFOOT_SCREENSHOTS", pathlib.Path(__file__).resolve().parents[2] / "build/screenshots"))
-WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600"]
+WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 
 
 @pytest.fixture(scope="module")
@@ -123,35 +122,36 @@ def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser, live):
     browser.run("document.querySelector('#push-impulse').value = 12")
     browser.run("window.peak = 0; window.watch = setInterval(() => {"
                 "const v = surefoot.channel('truth.v_WB'); if (v) peak = Math.max(peak, Math.abs(v[1])); }, 10)")
-    time.sleep(1)
+    time.sleep(3)  # a cycle of the gait and more
     before = browser.run("peak")
     browser.click("#push")
     browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /push \\d+ N/.test(one.textContent))", 30)
     browser.screenshot(SCREENSHOTS / "push.png")
-    browser.wait(f"peak > {before} + 0.1", 30)  # 12 N·s on 30 kg
+    browser.wait(f"peak > 1.5 * {before}", 30)
     browser.wait("document.querySelector('.changes').textContent.includes('N')")
     browser.run("clearInterval(watch)")
 
 
-def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser, live):
-    show(browser, live.link)
-    browser.click("#tab-tune")
-    browser.run("""(() => { const field = document.querySelector('#friction'); field.value = field.min;
-      field.dispatchEvent(new Event('change')); })()""")
-    browser.click("#tab-hierarchy")
-    browser.wait("surefoot.levels().some(one => one.name === 'friction_cone' && one.active.length > 0)", 60)
-    pause(browser)
-    browser.wait("surefoot.levels().every(one => document.querySelector(`.level[data-level=${one.name}]`)"
-                 ".dataset.status === one.status.replaceAll(' ', '-'))")
-    cards = browser.run("[...document.querySelectorAll('.level')].map(one => "
-                        "[one.dataset.status, one.textContent, getComputedStyle(one).borderLeftColor])")
-    browser.screenshot(SCREENSHOTS / "limit.png")
-    held = [card for card in cards if card[0] in ("at-limit", "gives-way")]
-    assert held
-    assert all("bound" in text or "gives way" in text for _, text, _ in held)
-    assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
-    browser.press("u")
-    browser.press(" ")
+def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser):
+    with Viewer(*WALK) as walk:
+        show(browser, walk.link)
+        browser.click("#tab-tune")
+        browser.run("""(() => { const field = document.querySelector('#friction'); field.value = 0.25;
+          field.dispatchEvent(new Event('change')); })()""")
+        browser.click("#tab-hierarchy")
+        browser.wait("surefoot.levels().some(one => one.name === 'friction_cone' && one.active.length > 0)", 60)
+        pause(browser)
+        browser.wait("surefoot.levels().every(one => document.querySelector(`.level[data-level=${one.name}]`)"
+                     ".dataset.status === one.status.replaceAll(' ', '-'))")
+        cards = browser.run("[...document.querySelectorAll('.level')].map(one => "
+                            "[one.dataset.status, one.textContent, getComputedStyle(one).borderLeftColor])")
+        browser.screenshot(SCREENSHOTS / "limit.png")
+        held = [card for card in cards if card[0] in ("at-limit", "gives-way")]
+        assert held
+        assert all("bound" in text or "gives way" in text for _, text, _ in held)
+        assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
+        browser.press("u")
+        browser.press(" ")
 
 
 def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
@@ -202,9 +202,9 @@ def test_a_press_in_a_plot_moves_the_picture_to_that_time(browser, replayed):
 def test_any_channel_is_found_and_plotted(browser, replayed):
     show(browser, replayed.link)
     plots = browser.run("document.querySelectorAll('.plot').length")
-    browser.run("""(() => { const field = document.querySelector('#channel-search'); field.value = 'com residual';
+    browser.run("""(() => { const field = document.querySelector('#channel-search'); field.value = 'cone residual';
       field.dispatchEvent(new Event('input')); })()""")
-    assert "hierarchy.level.com_xy.residual" in browser.run("document.querySelector('.found').textContent")
+    assert "hierarchy.level.friction_cone.residual" in browser.run("document.querySelector('.found').textContent")
     browser.run("document.querySelector('.found button').click()")
     browser.wait(f"document.querySelectorAll('.plot').length === {plots + 1}")
 
