@@ -31,15 +31,22 @@ start_log() {
 # The lines of a list in dependencies/, without comments.
 listed() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/dependencies/$1"; }
 
+# Lists of Debian packages; ./test adds its own.
+debian_lists=(debian.txt)
+debian_listed() {
+  local list
+  for list in "${debian_lists[@]}"; do listed "$list"; done
+}
+
 install_debian_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
     give_up "this is not Debian (no dpkg or apt-get here): use Debian 12, in a container if need be."
   local -a missing=() as_root=()
   local name version present
-  present=$(dpkg-query -W -f '[${db:Status-Status} ${Package}]' $(listed debian.txt | cut -d' ' -f1) 2>/dev/null || true)
+  present=$(dpkg-query -W -f '[${db:Status-Status} ${Package}]' $(debian_listed | cut -d' ' -f1) 2>/dev/null || true)
   while read -r name version; do
     [[ $present == *"[installed $name]"* ]] || missing+=("$name=$version")
-  done < <(listed debian.txt)
+  done < <(debian_listed)
   ((${#missing[@]})) || return 0
 
   local command="apt-get install --no-install-recommends ${missing[*]}"

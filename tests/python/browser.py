@@ -22,7 +22,7 @@ class Browser:
     """One page in a browser of its own; all that its console says is kept."""
 
     def __init__(self, width=1280, height=720, flags=WITH_PICTURE):
-        assert CHROMIUM, "chromium is missing: dependencies/debian.txt lists it"
+        assert CHROMIUM, "chromium is missing: dependencies/debian_tests.txt lists it"
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="surefoot-browser-"))
         command = [CHROMIUM, "--headless=new", "--no-sandbox", "--no-first-run", "--disable-extensions",
                    "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",

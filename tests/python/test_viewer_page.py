@@ -115,32 +115,47 @@ def test_scrubbing_shows_an_earlier_tick_while_the_run_goes_on(browser, live):
     browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
 
 
-def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser, live):
-    show(browser, live.link)
-    browser.wait("surefoot.tick > 400", 60)
-    browser.click("#tab-drive")
-    browser.run("document.querySelector('#push-impulse').value = 12")
-    browser.run("window.peak = 0; window.watch = setInterval(() => {"
-                "const v = surefoot.channel('truth.v_WB'); if (v) peak = Math.max(peak, Math.abs(v[1])); }, 10)")
-    time.sleep(3)  # a cycle of the gait and more
-    before = browser.run("peak")
-    browser.click("#push")
-    browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /push \\d+ N/.test(one.textContent))", 30)
-    browser.screenshot(SCREENSHOTS / "push.png")
-    browser.wait(f"peak > 1.5 * {before}", 30)
-    browser.wait("document.querySelector('.changes').textContent.includes('N')")
-    browser.run("clearInterval(watch)")
+def step_until(browser, condition, what, ticks=200):
+    """Of a paused run: tick by tick, so that a slow machine misses none."""
+    for _ in range(ticks):
+        newest = browser.run("surefoot.last")
+        browser.press(".")
+        wait_for(lambda: browser.run("surefoot.last") > newest, "the next tick")
+        browser.wait("surefoot.time === surefoot.last")
+        if browser.run(condition):
+            return
+    raise AssertionError(f"{ticks} ticks without {what}")
+
+
+def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
+    with Viewer(*WALK) as walk:
+        show(browser, walk.link)
+        browser.wait("surefoot.tick > 100", 60)
+        browser.click("#tab-drive")
+        browser.run("document.querySelector('#push-impulse').value = 40")
+        browser.run("window.peak = 0; window.watch = setInterval(() => {"
+                    "const v = surefoot.channel('truth.v_WB'); if (v) peak = Math.max(peak, Math.abs(v[1])); }, 10)")
+        time.sleep(3)  # a cycle of the gait and more
+        before = browser.run("peak")
+        browser.run("document.querySelector('#push').click()")
+        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /push \\d+ N/.test(one.textContent))", 30)
+        browser.screenshot(SCREENSHOTS / "push.png")
+        browser.wait(f"peak > {before} + 0.15", 30)  # 40 N·s on 30 kg
+        browser.wait("document.querySelector('.changes').textContent.includes('N')")
+        browser.run("clearInterval(watch)")
 
 
 def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(browser):
     with Viewer(*WALK) as walk:
         show(browser, walk.link)
+        browser.wait("surefoot.tick > 100", 60)
+        pause(browser)
         browser.click("#tab-tune")
-        browser.run("""(() => { const field = document.querySelector('#friction'); field.value = 0.25;
+        browser.run("""(() => { const field = document.querySelector('#friction'); field.value = field.min;
           field.dispatchEvent(new Event('change')); })()""")
         browser.click("#tab-hierarchy")
-        browser.wait("surefoot.levels().some(one => one.name === 'friction_cone' && one.active.length > 0)", 60)
-        pause(browser)
+        at_limit = "surefoot.levels().some(one => one.name === 'friction_cone' && one.active.length > 0)"
+        step_until(browser, at_limit, "a limit")
         browser.wait("surefoot.levels().every(one => document.querySelector(`.level[data-level=${one.name}]`)"
                      ".dataset.status === one.status.replaceAll(' ', '-'))")
         cards = browser.run("[...document.querySelectorAll('.level')].map(one => "
@@ -150,8 +165,6 @@ def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(br
         assert held
         assert all("bound" in text or "gives way" in text for _, text, _ in held)
         assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
-        browser.press("u")
-        browser.press(" ")
 
 
 def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):

@@ -11,4 +11,9 @@ export function listenToKeys(actions: Record<string, (event: KeyboardEvent) => v
     event.preventDefault();
     action(event);
   });
+  // A button that was clicked with a pointer does not keep the space bar for itself.
+  document.addEventListener("click", (event) => {
+    const button = (event.target as HTMLElement).closest<HTMLElement>("button, summary, [role=tab]");
+    if (event.detail > 0) button?.blur();
+  });
 }
