@@ -55,14 +55,14 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
     result.time = now() - level_begin;
   }
   solution_.x = tableau_.value.head(tableau_.unknowns);
-  if (!solution_.x.allFinite()) {
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    describe(hierarchy.level(k), solution_.levels[k]);
+  }
+  clear_levels(solution_, hierarchy.num_levels());
+  const bool is_in_range = std::isfinite(tableau_.x_size);
+  if (!is_in_range || !is_finite(solution_, hierarchy.num_levels())) {
     reject(hierarchy);
     return solution_;
-  }
-  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
-    LevelResult& result = solution_.levels[k];
-    result.num_rows = 0;
-    if (k < hierarchy.num_levels()) describe(hierarchy.level(k), result);
   }
   solution_.time = now() - begin;
   return solution_;
@@ -80,19 +80,10 @@ bool CascadeSolver::is_valid(const Hierarchy& hierarchy) const {
 
 void CascadeSolver::reject(const Hierarchy& hierarchy) {
   solution_.status = SolveStatus::invalid_input;
-  solution_.failed_level = -1;
+  solution_.failed_level = first_unsound_level(hierarchy);
   solution_.time = 0.0;
   solution_.x.setZero();
-  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
-    LevelResult& result = solution_.levels[k];
-    result.num_rows = 0;
-    result.residual = 0.0;
-    result.iterations = 0;
-    result.time = 0.0;
-    result.degrees_of_freedom_left = tableau_.unknowns;
-    const bool is_bad = k < hierarchy.num_levels() && !is_sound(hierarchy.level(k));
-    if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);
-  }
+  clear_levels(solution_, 0);
 }
 
 int CascadeSolver::max_iterations() const {

@@ -3,18 +3,34 @@
 #include "surefoot/solver/optimality_conditions.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace surefoot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
+
+}  // namespace
 
 std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                                       const CertificateOptions& options) {
   std::vector<LevelCertificate> certificates;
+  if (!x.allFinite()) {
+    certificates.assign(hierarchy.num_levels(), {kNaN, kInfinity});
+    return certificates;
+  }
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
     const double distance = multipliers(level.gradient, fixed, touching, options.rank).distance;
-    certificates.push_back({level.residual, distance / level.scale});
+    const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.scale);
+    certificates.push_back(
+        {level.residual, is_sound ? finite_or_infinity(distance / level.scale) : kInfinity});
     fixed.add(level.fixed);
     touching.add(level.touching);
   }
@@ -23,7 +39,9 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
 
 double worst_stationarity(const std::vector<LevelCertificate>& levels) {
   double worst = 0.0;
-  for (const LevelCertificate& level : levels) worst = std::max(worst, level.stationarity);
+  for (const LevelCertificate& level : levels) {
+    worst = std::max(worst, finite_or_infinity(level.stationarity));
+  }
   return worst;
 }
 

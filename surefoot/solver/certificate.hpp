@@ -11,12 +11,15 @@ namespace surefoot {
 /// How far a level is from its lexicographic optimum.
 struct LevelCertificate {
   double residual = 0.0;  ///< √Σ violation²
-  /// min over λ free, μ ≥ 0 of ‖g + Eᵀ λ + Tᵀ μ‖ / (1 + Σ ‖aᵢ‖ |vᵢ|), 0 at an optimum
+  /// min over λ free, μ ≥ 0 of ‖g + Eᵀ λ + Tᵀ μ‖ / (s (s (1 + ‖x‖) + Σ |vᵢ|)), 0 at an optimum; s
+  /// is the length of the level's shortest row. So it is the same for a level in other units, and
+  /// where rows of a level differ in length it is the shortest that has to be proven. ∞ where x or
+  /// a number computed with it isn't finite.
   double stationarity = 0.0;
 };
 
 struct CertificateOptions {
-  double tight = 1e-8;  ///< a row this close to a bound, relative to 1 + ‖a‖ ‖x‖, touches it
+  double tight = 1e-8;  ///< a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it
   double rank = 1e-8;   ///< relative length below which a row depends on others
 };
 
@@ -28,13 +31,14 @@ struct CertificateOptions {
 ///                  signed so that T z ≤ 0 keeps them satisfied
 ///
 /// The level is optimal if and only if −g lies in the cone {Eᵀ λ + Tᵀ μ, μ ≥ 0} (the problem is
-/// convex); the distance to it comes from non-negative least squares. Own rows that touch a bound
+/// convex); the distance to it comes from non-negative least squares, by decompositions of Eigen's:
+/// what it computes with has no line in common with the solvers. Own rows that touch a bound
 /// are not in T: their violation is zero and so is their share of g. Allocates.
 [[nodiscard]] std::vector<LevelCertificate> certify(const Hierarchy& hierarchy,
                                                     const Eigen::VectorXd& x,
                                                     const CertificateOptions& options = {});
 
-/// Largest stationarity of all levels; 0 for a hierarchy without levels.
+/// Largest stationarity of all levels; 0 for a hierarchy without levels, ∞ where one is NaN.
 [[nodiscard]] double worst_stationarity(const std::vector<LevelCertificate>& levels);
 
 }  // namespace surefoot

@@ -92,7 +92,9 @@ void LevelSolver::choose_direction(Tableau& tableau) {
     factorize(tableau, first, rows_.num_counting());
     factorization_.least_squares_step(rows_.counting_residuals(), direction);
   }
-  tableau.set_direction(first, direction, tolerance_.keep * direction.norm());
+  const double size = direction.norm();
+  if (!std::isfinite(size)) tableau.x_size = kInfinity;  // then nothing more can be told
+  tableau.set_direction(first, direction, tolerance_.keep * size);
 }
 
 void LevelSolver::hold(Tableau& tableau, const Block& block) {

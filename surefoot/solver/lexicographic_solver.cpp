@@ -92,6 +92,8 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
     }
     num_sweeps_ = options_.max_sweeps + 1;
   }
+  if (!is_finite(solution_, hierarchy.num_levels())) return reject(hierarchy);
+  clear_levels(solution_, hierarchy.num_levels());
   const Sweep& s = memory_.sweep;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     memory_of_rows_.remember(k, hierarchy.level(k), s.side + s.level_begin[k]);
@@ -154,18 +156,12 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
 
 void LexicographicSolver::reject(const Hierarchy& hierarchy) {
   solution_.status = SolveStatus::invalid_input;
-  solution_.failed_level = -1;
   solution_.x.setZero();
+  is_swept_ = false;
+  num_sweeps_ = 0;
   memory_of_rows_.forget();
-  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
-    LevelResult& result = solution_.levels[k];
-    result.num_rows = 0;
-    result.residual = 0.0;
-    result.iterations = 0;
-    result.degrees_of_freedom_left = solution_.x.size();
-    const bool is_bad = k < hierarchy.num_levels() && !is_sound(hierarchy.level(k));
-    if (is_bad && solution_.failed_level < 0) solution_.failed_level = static_cast<int>(k);
-  }
+  clear_levels(solution_, 0);
+  solution_.failed_level = first_unsound_level(hierarchy);
 }
 
 // Levels of equalities before the first inequality leave no choice: they are swept once, and what
@@ -341,11 +337,9 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
   for (int i = 0; i < s.unknowns; ++i) solution_.x[i] = s.x[i];
   kernels_.evaluate(s, 0, s.level_begin[first_level_]);
   const double tolerance = kAtBound * solution_.x.norm();
-  for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     LevelResult& result = solution_.levels[k];
-    result.num_rows = 0;
     result.iterations = num_sweeps_;
-    if (k >= hierarchy.num_levels()) continue;
     result.num_rows = hierarchy.level(k).num_rows();
     double sum = 0.0;
     const int begin = s.level_begin[k];

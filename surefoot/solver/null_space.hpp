@@ -8,7 +8,7 @@ namespace surefoot {
 ///
 /// A row counts as independent of those before it if more than `relative_tolerance` ‖aᵢ‖ of it is
 /// left after projection, so scaling a row changes nothing. A trivial null space has zero columns,
-/// that of no rows is the identity. Allocates; for set-up, tests and independent checks.
+/// that of no rows is the identity. Allocates; for set-up and tests.
 [[nodiscard]] Eigen::MatrixXd null_space(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                          double relative_tolerance = 1e-8);
 

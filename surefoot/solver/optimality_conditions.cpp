@@ -1,7 +1,5 @@
 #include "surefoot/solver/optimality_conditions.hpp"
 
-#include "surefoot/solver/null_space.hpp"
-
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -14,9 +12,36 @@ using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Signed violation of a row: positive above, negative below.
+/// Beside the longest row of its level, a row this much shorter is rounding of zero.
+constexpr double kNoRow = 1e-13;
+
+/// Signed violation of a row: positive above, negative below; NaN of a value that is none.
 double violation(double value, double lower, double upper) {
-  return std::max(0.0, value - upper) - std::max(0.0, lower - value);
+  if (value > upper) return value - upper;
+  return value >= lower ? 0.0 : value - lower;
+}
+
+/// Length of the shortest row that is one; 1 where there is none.
+double shortest_row(const Level& level) {
+  const VectorXd length = level.A().rowwise().norm();
+  if (length.size() == 0 || !(length.maxCoeff() > 0.0)) return 1.0;
+  const double least = kNoRow * length.maxCoeff();
+  double shortest = length.maxCoeff();
+  for (const double row : length) shortest = row > least ? std::min(shortest, row) : shortest;
+  return shortest;
+}
+
+/// Orthonormal basis of what rows of length 1 leave free, by Eigen's own decomposition: nothing
+/// here shares code with a solver.
+MatrixXd null_space_of(const MatrixXd& rows, double rank) {
+  const Index n = rows.cols();
+  if (rows.rows() == 0) return MatrixXd::Identity(n, n);
+  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(n, rows.rows());
+  decomposition.setThreshold(rank);
+  decomposition.compute(rows.transpose());
+  MatrixXd Q = MatrixXd::Identity(n, n);
+  Q.applyOnTheLeft(decomposition.householderQ());
+  return Q.rightCols(n - decomposition.rank());
 }
 
 /// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
@@ -67,7 +92,8 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
   const Index n = hierarchy.unknowns();
   LevelConditions result{.gradient = VectorXd::Zero(n), .fixed = RowSet(n), .touching = RowSet(n)};
   const Level& level = hierarchy.level(k);
-  double sum_of_squares = 0.0;
+  const double x_size = 1.0 + x.norm();
+  double sum_of_squares = 0.0, sum = 0.0;
   for (Index i = 0; i < level.num_rows(); ++i) {
     const VectorXd row = level.A().row(i).transpose();
     const double value = row.dot(x);
@@ -75,9 +101,9 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     const double upper = level.upper()[i];
     const double v = violation(value, lower, upper);
     const double size = row.norm();
-    const double near = tight * size * (1.0 + x.norm());
+    const double near = tight * size * x_size;
     result.gradient += v * row;
-    result.scale += size * std::abs(v);
+    sum += std::abs(v);
     sum_of_squares += v * v;
     if (size == 0.0) continue;
     if (lower == upper || std::abs(v) > near) {
@@ -87,6 +113,8 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     if (value >= upper - near) result.touching.add(row / size, {k, i});
     if (value <= lower + near) result.touching.add(-row / size, {k, i});
   }
+  const double shortest = shortest_row(level);
+  result.scale = shortest * (shortest * x_size + sum);
   result.residual = std::sqrt(sum_of_squares);
   return result;
 }
@@ -96,7 +124,7 @@ Multipliers multipliers(const VectorXd& gradient, const RowSet& fixed, const Row
   Multipliers result;
   result.fixed = VectorXd::Zero(fixed.rows.rows());
   result.touching = VectorXd::Zero(touching.rows.rows());
-  const MatrixXd Z = null_space(fixed.rows, rank);
+  const MatrixXd Z = null_space_of(fixed.rows, rank);
   if (Z.cols() > 0) {
     const VectorXd target = -Z.transpose() * gradient;
     const MatrixXd generators = (touching.rows * Z).transpose();

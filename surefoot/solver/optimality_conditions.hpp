@@ -29,7 +29,7 @@ struct RowSet {
 struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
-  double scale = 1.0;        ///< 1 + Σ ‖aᵢ‖ |vᵢ|
+  double scale = 1.0;        ///< s (s (1 + ‖x‖) + Σ |vᵢ|), s the length of the shortest row
   RowSet fixed;              ///< E: equality rows and violated rows
   RowSet touching;           ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
 };

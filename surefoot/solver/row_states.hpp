@@ -28,6 +28,35 @@ inline bool is_sound(const Level& level) {
   return true;
 }
 
+/// Index of the first level that isn't sound; −1 if all are.
+inline int first_unsound_level(const Hierarchy& hierarchy) {
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    if (!is_sound(hierarchy.level(k))) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+/// ‖x‖² and the residuals of the first `num_levels` levels are within the range of doubles: all
+/// that is decided is decided relative to ‖x‖.
+inline bool is_finite(const Solution& solution, std::size_t num_levels) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < num_levels; ++k) sum += solution.levels[k].residual;
+  return std::isfinite(sum) && std::isfinite(solution.x.squaredNorm());
+}
+
+/// Empties the results from level `first` on, which asked for nothing and took no freedom.
+inline void clear_levels(Solution& solution, std::size_t first) {
+  const Eigen::Index left =
+      first > 0 ? solution.levels[first - 1].degrees_of_freedom_left : solution.x.size();
+  for (std::size_t k = first; k < solution.levels.size(); ++k) {
+    LevelResult& result = solution.levels[k];
+    result.residual = result.time = 0.0;
+    result.num_rows = 0;
+    result.iterations = 0;
+    result.degrees_of_freedom_left = left;
+  }
+}
+
 /// What a row does where it has this value; `tolerance` is the smallest difference that counts.
 inline RowState state_of(double value, double lower, double upper, double tolerance) {
   const double above = value - upper, below = lower - value;

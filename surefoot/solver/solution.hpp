@@ -10,9 +10,13 @@ namespace surefoot {
 
 enum class SolveStatus : int {
   optimal = 0,  ///< every level is at its lexicographic optimum
-  iteration_cap =
-      1,  ///< ended early at `failed_level`; all levels before are optimal, x is feasible for them
-  invalid_input = 2,  ///< NaN, or lower > upper, or infinities that make no sense; x is zero
+  /// ended early at `failed_level`, at the cap of iterations or of the budget; all levels before
+  /// are optimal, x is feasible for them
+  iteration_cap = 1,
+  /// NaN, or lower > upper, or infinities that make no sense, or a level with more rows than it has
+  /// room for: then `failed_level` is the first such level. −1: a hierarchy beyond the capacity, or
+  /// an ‖x‖² or a residual beyond the range of doubles. x is zero
+  invalid_input = 2,
 };
 
 /// What a row of a level does at the solution.
@@ -26,10 +30,12 @@ enum class RowState : std::int8_t {
 };
 
 struct LevelResult {
-  double residual = 0.0;  ///< √Σ violation², unweighted, over the rows of this level
+  double residual = 0.0;  ///< √Σ violation² over the rows of this level, as they are weighted
   Eigen::Index num_rows = 0;
   Eigen::Index degrees_of_freedom_left = 0;  ///< columns of the null space after this level
-  int iterations = 0;                        ///< of the active-set method
+  /// Of the active-set method. LexicographicSolver solves all levels at once: there it is the
+  /// number of sweeps, of every level, and only where the cascade had to solve its own.
+  int iterations = 0;
   double time = 0.0;  ///< that the level took [s]; 0 unless CascadeSolver was given a clock
   std::vector<RowState> rows;  ///< capacity max_rows; the first num_rows are valid
   [[nodiscard]] int num_active() const {
@@ -47,7 +53,7 @@ struct Solution {
   SolveStatus status = SolveStatus::invalid_input;
   Eigen::VectorXd x;
   std::vector<LevelResult> levels;
-  int failed_level = -1;  ///< where the status isn't optimal; −1: none
+  int failed_level = -1;  ///< where the status isn't optimal; −1: none, or no single one
   double time = 0.0;      ///< that solving took [s]; 0 unless the solver was given a clock
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -51,6 +53,73 @@ TEST(Certificate, GivesTheResidualOfEachLevel) {
   const auto certificates = certify(make_hierarchy(2, levels), Vector2d(4.0, 3.0));
   EXPECT_EQ(certificates[0].residual, 3.0);
   EXPECT_NEAR(certificates[1].residual, std::sqrt(32.0), 1e-15);
+}
+
+/// The same wishes in other units.
+HierarchyData in_other_units(HierarchyData levels, RandomMatrices& random) {
+  for (LevelData& level : levels) {
+    const double unit = std::pow(10.0, random.integer(-6, 6));
+    level.A *= unit;
+    level.lower *= unit;
+    level.upper *= unit;
+  }
+  return levels;
+}
+
+TEST(Certificate, DoesNotDependOnTheUnitsOfLevels) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 3});
+    levels.push_back(close_to(random.vector(6)));
+    const VectorXd x = solve(6, levels).x;
+    const HierarchyData scaled = in_other_units(levels, random);
+    const VectorXd beside = x + 1e-3 * random.vector(6);
+    ASSERT_LE(optimality_error(6, scaled, x), 1e-9);
+    ASSERT_NEAR(optimality_error(6, scaled, beside) / optimality_error(6, levels, beside), 1.0,
+                1e-5);
+  }
+}
+
+TEST(Certificate, RefusesAShortRowThatIsNotServed) {
+  for (const double length : {1e-12, 1e-8, 1e-5, 1.0, 1e6}) {
+    const HierarchyData levels{equalities(MatrixXd::Constant(1, 1, length), number(length))};
+    EXPECT_GE(optimality_error(1, levels, number(0.0)), 0.1) << length;
+    EXPECT_LE(optimality_error(1, levels, number(1.0)), 1e-15) << length;
+  }
+}
+
+TEST(Certificate, RefusesAShortRowBesideLongOnesThatCanNotAllBeHad) {
+  MatrixXd rows(3, 2);
+  rows << 1e4, 0.0, 1e4, 0.0, 0.0, 1.0;
+  const HierarchyData levels{equalities(rows, Eigen::Vector3d(0.0, 1e4, 3.0))};
+  EXPECT_LE(optimality_error(2, levels, Vector2d(0.5, 3.0)), 1e-12);
+  EXPECT_GE(optimality_error(2, levels, Vector2d(0.5, 0.0)), 1e-5);
+}
+
+TEST(Certificate, RefusesNumbersThatAreNone) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Hierarchy hierarchy =
+      make_hierarchy(2, {equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0)),
+                         at_most(RowVector2d(1.0, 0.0), number(1.0)),
+                         equalities(RowVector2d(0.0, 1.0), number(2))});
+  for (const double poison : {kNaN, kInfinity, -kInfinity}) {
+    const auto certificates = certify(hierarchy, Vector2d(1.0, poison));
+    ASSERT_EQ(certificates.size(), 3u);
+    for (const LevelCertificate& level : certificates) {
+      EXPECT_FALSE(std::isfinite(level.residual));
+      EXPECT_EQ(level.stationarity, kInfinity);
+    }
+    EXPECT_EQ(worst_stationarity(certificates), kInfinity);
+  }
+  EXPECT_EQ(worst_stationarity({{0.0, kNaN}, {0.0, 1e-15}}), kInfinity);
+}
+
+TEST(Certificate, RefusesViolationsThatOverflow) {
+  const HierarchyData levels{equalities(MatrixXd::Identity(1, 1), number(1e200)),
+                             equalities(MatrixXd::Identity(1, 1), number(0.0))};
+  EXPECT_EQ(optimality_error(1, levels, number(1e200)), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -74,6 +74,65 @@ TYPED_TEST(Safety, NumbersThatOverflowAreRejectedRatherThanReturned) {
   expect_rejected<TypeParam>(levels, 5);
 }
 
+/// x₁ = 1e190, and each unknown 1e9 times the one before.
+HierarchyData growing(Index unknowns) {
+  HierarchyData levels;
+  for (Index i = 0; i < unknowns; ++i) {
+    MatrixXd row = MatrixXd::Zero(1, unknowns);
+    if (i > 0) row(0, i - 1) = 1.0;
+    row(0, i) = i > 0 ? -1e-9 : 1e-90;
+    levels.push_back(equalities(row, VectorXd::Constant(1, i > 0 ? 0.0 : 1e100)));
+  }
+  return levels;
+}
+
+TYPED_TEST(Safety, AnXThatOverflowsIsRejectedRatherThanReturned) {
+  const VectorXd large = VectorXd::Constant(1, 1e300);
+  const MatrixXd small = MatrixXd::Constant(1, 1, 1e-10);
+  const VectorXd open = VectorXd::Constant(1, kInfinity);
+  const std::vector<HierarchyData> all{
+      {equalities(small, large)},
+      {between(small, large, open)},
+      {at_most(small, -large)},
+      {at_most(MatrixXd::Ones(1, 1), open), equalities(small, large)},
+      {between(small, large, open), equalities(small, -large)},
+      growing(16)};
+  for (const HierarchyData& levels : all) {
+    const Index unknowns = levels[0].A.cols();
+    const Solution solution = solve<TypeParam>(unknowns, levels);
+    EXPECT_EQ(solution.status, SolveStatus::invalid_input);
+    EXPECT_EQ(solution.failed_level, -1);
+    EXPECT_EQ(solution.x, VectorXd::Zero(unknowns));
+    EXPECT_EQ(solution.levels[0].residual, 0.0);
+  }
+}
+
+TYPED_TEST(Safety, AResidualThatOverflowsIsRejectedRatherThanReturned) {
+  const MatrixXd twice = MatrixXd::Ones(2, 1);
+  const Solution solution =
+      solve<TypeParam>(1, {equalities(twice, Eigen::Vector2d(1e200, -1e200))});
+  EXPECT_EQ(solution.status, SolveStatus::invalid_input);
+  EXPECT_EQ(solution.x, VectorXd::Zero(1));
+}
+
+TYPED_TEST(Safety, NothingIsSaidOfLevelsThatAreNotThere) {
+  HierarchyData levels = valid_levels();
+  levels.push_back(equalities(MatrixXd::Zero(1, 6), VectorXd::Ones(1)));
+  const Hierarchy all = make_hierarchy(6, levels);
+  levels.resize(2);
+  const Hierarchy few = make_hierarchy(6, levels);
+  TypeParam solver(all);
+  (void)solver.solve(all);
+  const Solution& solution = solver.solve(few);
+  for (std::size_t k = 2; k < solution.levels.size(); ++k) {
+    EXPECT_EQ(solution.levels[k].residual, 0.0);
+    EXPECT_EQ(solution.levels[k].num_rows, 0);
+    EXPECT_EQ(solution.levels[k].iterations, 0);
+    EXPECT_EQ(solution.levels[k].degrees_of_freedom_left,
+              solution.levels[1].degrees_of_freedom_left);
+  }
+}
+
 TYPED_TEST(Safety, ARowWithoutBoundsIsAllowed) {
   HierarchyData levels = valid_levels();
   levels.push_back(between(MatrixXd::Ones(1, 6), VectorXd::Constant(1, -kInfinity),
