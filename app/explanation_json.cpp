@@ -30,8 +30,10 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
   json["residual"] = level.residual;
   json["rows"] = level.num_rows;
   json["freedom_left"] = level.freedom_left;
-  json["iterations"] = level.iterations;
-  json["time_s"] = level.time;
+  if (!is_at_once(levels)) {
+    json["iterations"] = level.iterations;
+    json["time_s"] = level.time;
+  }
   json["missed"] = Json::array();
   for (const MissedRow& row : level.missed)
     json["missed"].push_back({{"row", row.name}, {"by", row.by}});
@@ -47,16 +49,14 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
 Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& solution,
                       const std::vector<LevelCertificate>& certificates) {
   Json list = Json::array();
-  int iterations = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    iterations += levels[k].iterations;
     list.push_back(level_json(levels, levels[k]));
     if (!certificates.empty()) list.back()["certificate"] = certificates[k].stationarity;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};
   if (solution.failed_level >= 0) json["failed_level"] = solution.failed_level + 1;
-  json["iterations"] = iterations;
+  json[is_at_once(levels) ? "sweeps" : "iterations"] = num_iterations(levels);
   json["time_s"] = solution.time;
   json["levels"] = std::move(list);
   return json;

@@ -61,8 +61,8 @@ class Text {
             std::to_string(level.held.size()),
             std::to_string(level.missed.size()),
             std::to_string(level.freedom_left),
-            std::to_string(level.iterations),
-            microseconds(level.time)};
+            is_at_once(levels_) ? "-" : std::to_string(level.iterations),
+            is_at_once(levels_) ? "-" : microseconds(level.time)};
   }
 
   static std::vector<std::string> split(const std::string& text) {
@@ -139,14 +139,15 @@ class Text {
 };
 
 std::string headline(const std::vector<LevelAccount>& levels, const Solution& solution) {
-  int iterations = 0;
-  for (const LevelAccount& level : levels) iterations += level.iterations;
+  const bool at_once = is_at_once(levels);
+  const std::string unit = at_once ? " sweep" : " iteration";
+  const int iterations = num_iterations(levels);
   std::string text = "status: " + std::string(name(solution.status));
   if (solution.failed_level >= 0)
     text += " in level " + std::to_string(solution.failed_level + 1) +
             "; the levels before it are optimal";
-  return text + ", " + std::to_string(iterations) +
-         (iterations == 1 ? " iteration, " : " iterations, ") + microseconds(solution.time) + "\n";
+  return text + ", " + std::to_string(iterations) + unit + (iterations == 1 ? ", " : "s, ") +
+         microseconds(solution.time) + "\n";
 }
 
 }  // namespace

@@ -150,6 +150,18 @@ std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solu
   return accounts;
 }
 
+bool is_at_once(const std::vector<LevelAccount>& levels) {
+  return std::all_of(levels.begin(), levels.end(),
+                     [](const LevelAccount& level) { return level.time == 0.0; });
+}
+
+int num_iterations(const std::vector<LevelAccount>& levels) {
+  if (is_at_once(levels)) return levels.empty() ? 0 : levels.front().iterations;
+  int sum = 0;
+  for (const LevelAccount& level : levels) sum += level.iterations;
+  return sum;
+}
+
 std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
   std::vector<std::size_t> levels;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {

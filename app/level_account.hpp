@@ -58,6 +58,12 @@ struct LevelAccount {
 [[nodiscard]] std::vector<LevelAccount> account_for(const NamedHierarchy& question,
                                                     const Solution& solution);
 
+/// All levels were solved together: none has iterations and a time of its own.
+[[nodiscard]] bool is_at_once(const std::vector<LevelAccount>& levels);
+
+/// Of the whole hierarchy; where it was solved at once they are sweeps.
+[[nodiscard]] int num_iterations(const std::vector<LevelAccount>& levels);
+
 /// Indices of the levels that have no row: they ask for nothing.
 [[nodiscard]] std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy);
 

@@ -55,6 +55,8 @@ A level without rows asks for nothing: it is named, and the line is solved.
 rows of that level, while everything else above keeps what it has. A multiplier is how fast half the
 squared residual falls as the row's bound gives way. With --json it is one object a line.
 
+A line whose search ended at its --budget has "status": "iteration_cap".
+
 Exit codes: 0 all lines are solved, 1 an answer failed --certify, 2 a line is wrong (the others are
 still solved).
 
@@ -181,6 +183,12 @@ void add_solve(CLI::App& app, Command& chosen) {
       "Tables instead of JSON: what each level missed, and which rows above cost it how much");
   solve->add_flag("--json", arguments->json,
                   "One JSON object a line, which is the default, also with --explain");
+  solve->add_option("--method", arguments->method,
+                    "lexicographic (default), the controller's solver, or cascade, the reference");
+  solve->add_option(
+      "--budget", arguments->budget,
+      "Additions and multiplications after which the search of a line ends: the levels "
+      "that are finished then are optimal");
   solve->callback([&chosen, arguments] {
     chosen = [arguments] { return run_solve(*arguments, std::cout, std::cerr); };
   });

@@ -6,13 +6,16 @@
 #include "app/level_account.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
+#include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -65,6 +68,18 @@ constexpr double kLargestRatio = 1e4;
 constexpr double kProven = 1e-8;  // a certificate below it is rounding
 constexpr int kMostNotes = 10;    // on `err`
 
+/// Throws Error for a method that there isn't, and for a budget that it can't keep.
+void check_method(const SolveArguments& arguments) {
+  const bool is_cascade = arguments.method == name(SolverMethod::cascade);
+  if (!is_cascade && arguments.method != name(SolverMethod::lexicographic)) {
+    throw Error("unknown method \"" + arguments.method + "\"; there are: lexicographic, cascade");
+  }
+  if (!(arguments.budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
+  if (is_cascade && std::isfinite(arguments.budget)) {
+    throw Error("the cascade has no budget; --budget goes with the lexicographic method");
+  }
+}
+
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -90,12 +105,21 @@ class SolveCommand {
   }
 
  private:
+  [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
+    double (*clock)() = arguments_.explain ? seconds : nullptr;
+    if (arguments_.method == name(SolverMethod::cascade)) {
+      return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
+    }
+    LexicographicOptions options;
+    options.budget.flops = arguments_.budget;
+    options.clock = clock;
+    return LexicographicSolver(hierarchy, options).solve(hierarchy);
+  }
+
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy question = parse_hierarchy(line, place);
     check_size(question.hierarchy, place);
-    CascadeSolver solver(question.hierarchy,
-                         {.rank = {}, .clock = arguments_.explain ? seconds : nullptr});
-    const Solution& solution = solver.solve(question.hierarchy);
+    const Solution solution = solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
       throw FileError(
           place +
@@ -191,6 +215,7 @@ class SolveCommand {
 }  // namespace
 
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err) {
+  check_method(arguments);
   const std::string& file = arguments.file;
   SolveCommand command(arguments, out, err);
   if (file == "-") return command.solve_lines(std::cin, "standard input");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <limits>
 #include <string>
 
 namespace surefoot {
@@ -10,27 +11,31 @@ struct SolveArguments {
   bool certify = false;  ///< check each answer against the optimality conditions
   bool explain = false;  ///< tables for people instead of JSON
   bool json = false;     ///< with `explain`: JSON all the same, with all that the tables say
+  std::string method = "lexicographic";  ///< of kSolverMethods: which solver
+  /// Flops after which a line's search ends, of the lexicographic method.
+  double budget = std::numeric_limits<double>::infinity();
 };
 
-/// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file and writes one line
-/// for each,
+/// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file, by the controller's
+/// solver or by the reference (`method`: cascade), and writes one line for each,
 ///
 ///     {"x": […], "levels": [{"residual": …}, …]}
 ///     residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²)
 ///
 /// With `certify` each level has its "certificate", the distance from its optimality conditions
-/// that `LevelCertificate` defines, computed without the solver. With `explain` a table has status,
-/// iterations and time of each level, the rows that it missed or holds at a bound, and the rows
-/// above that held it back, with multiplier and cost; with `json` too, the line has all of it.
+/// that `LevelCertificate` defines, computed without the solver. With `explain` a table has the
+/// status of each level and, by the cascade, its iterations and time, the rows that it missed or
+/// holds at a bound, and the rows above that held it back, with multiplier and cost; with `json`
+/// too, the line has all of it.
 ///
 /// A level without rows asks for nothing: the line is solved, a message on `err` names line and
 /// level, and the result has it under "notes".
 ///
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
-/// are still solved. A line that ended at the cap of iterations has "status": "iteration_cap" in
-/// its result. Returns the exit code: 0; 1 if a certificate is above 1e-8; 2 if the input is wrong.
-/// Throws FileError if the file can't be read.
+/// are still solved. A line that ended at the cap of iterations or at its budget has
+/// "status": "iteration_cap" in its result. Returns the exit code: 0; 1 if a certificate is above
+/// 1e-8; 2 if the input is wrong. Throws FileError if the file can't be read.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

@@ -3,8 +3,12 @@
 #include "python/field_properties.hpp"
 #include "python/level_dict.hpp"
 #include "python/level_outcome.hpp"
+#include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -70,15 +74,34 @@ inline NamedHierarchy read_hierarchy(const nb::list& given) {
   return result;
 }
 
-inline const Solution& solve(CascadeSolver& solver, const Hierarchy& hierarchy) {
-  const nb::gil_scoped_release others_may_run;
-  return solver.solve(hierarchy);
+inline void check_method(const std::string& method, double budget) {
+  const bool is_cascade = method == name(SolverMethod::cascade);
+  if (!is_cascade && method != name(SolverMethod::lexicographic)) {
+    throw Error("unknown method \"" + method + "\"; there are: lexicographic, cascade");
+  }
+  if (!(budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
+  if (is_cascade && std::isfinite(budget)) {
+    throw Error("the cascade has no budget; a budget goes with the lexicographic method");
+  }
 }
 
-inline NamedSolution solve_levels(const nb::list& levels) {
+inline Solution solve(const Hierarchy& hierarchy, const std::string& method, double budget) {
+  const nb::gil_scoped_release others_may_run;
+  if (method == name(SolverMethod::cascade)) return CascadeSolver(hierarchy).solve(hierarchy);
+  LexicographicOptions options;
+  options.budget.flops = budget;
+  return LexicographicSolver(hierarchy, options).solve(hierarchy);
+}
+
+inline NamedSolution solve_levels(const nb::list& levels, const std::string& method,
+                                  double budget) {
+  check_method(method, budget);
   const auto [hierarchy, row_names] = read_hierarchy(levels);
-  CascadeSolver solver(hierarchy);
-  const Solution& solution = solve(solver, hierarchy);
+  const Solution solution = solve(hierarchy, method, budget);
+  if (solution.status == SolveStatus::invalid_input && solution.failed_level < 0) {
+    throw Error(
+        "the answer is beyond the range of doubles; expected rows and bounds of similar size");
+  }
   if (solution.status == SolveStatus::invalid_input) {
     const auto failed = static_cast<std::size_t>(solution.failed_level);
     throw Error("level " + std::to_string(failed + 1) + ": A or D holds " +
@@ -104,12 +127,16 @@ inline void bind_solving(nb::module_& module) {
           },
           "shape (unknowns,)")
       .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
-      .def_ro("status", &NamedSolution::status,
-              "optimal, or iteration_cap: ended early, x is feasible");
+      .def_ro(
+          "status", &NamedSolution::status,
+          "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished");
 
   module.def(
-      "solve", &solve_levels, nb::arg("levels"),
-      nb::sig("def solve(levels: list[dict]) -> Solution"),
+      "solve", &solve_levels, nb::arg("levels"), nb::kw_only(),
+      nb::arg("method") = std::string(name(SolverMethod::lexicographic)),
+      nb::arg("budget") = std::numeric_limits<double>::infinity(),
+      nb::sig("def solve(levels: list[dict], *, method: str = 'lexicographic', "
+              "budget: float = float('inf')) -> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
@@ -117,7 +144,10 @@ inline void bind_solving(nb::module_& module) {
       "  D, f          D x ≤ f\n"
       "  name          a text, for the result\n"
       "Each level is met as well as possible, in least squares of its violation, without\n"
-      "disturbing any before it. What all of them leave open stays at the least norm.");
+      "disturbing any before it. What all of them leave open stays at the least norm.\n\n"
+      "method is lexicographic, the controller's solver, or cascade, the reference. budget ends\n"
+      "the search of the former after so many additions and multiplications: then the status is\n"
+      "iteration_cap, and the levels that are finished are optimal.");
 }
 
 }  // namespace surefoot::python

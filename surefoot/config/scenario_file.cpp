@@ -208,6 +208,7 @@ auto named(const Choices& choices) {
 void read_solver(Section& section, SolverOptions& solver) {
   section.choice<SolverMethod>("method", solver.method, named(kSolverMethods));
   section.flag("structure", solver.structure);
+  section.number("flops", solver.budget.flops, kPositive);
 }
 
 void read_controller(Section& top, ControllerOptions& controller) {

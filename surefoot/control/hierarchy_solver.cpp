@@ -13,7 +13,9 @@ HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
   if (options.method == SolverMethod::cascade) {
     return Solver(std::in_place_type<CascadeSolver>, capacity);
   }
-  return Solver(std::in_place_type<LexicographicSolver>, capacity);
+  LexicographicOptions lexicographic;
+  lexicographic.budget = options.budget;
+  return Solver(std::in_place_type<LexicographicSolver>, capacity, lexicographic);
 }
 
 const Solution& HierarchySolver::solve(const Hierarchy& hierarchy, const Substitution* substitution,

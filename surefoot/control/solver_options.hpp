@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/solver/budget.hpp"
+
 #include <array>
 #include <string_view>
 
@@ -24,12 +26,17 @@ inline constexpr std::array kSolverMethods{SolverMethod::lexicographic, SolverMe
   return "unknown";
 }
 
-/// How the controller solves its hierarchy. The optimum is the same, the time is not.
+/// How the controller solves its hierarchy. Without a budget the optimum is the same, the time is
+/// not.
 struct SolverOptions {
   SolverMethod method = SolverMethod::lexicographic;
   /// Equations of motion and contacts in closed form, where they allow it (PhysicsSubstitution);
   /// the cascade never uses it.
   bool structure = true;
+  /// What a tick may cost; where it ends the search x is feasible for all levels that are finished.
+  /// The controller has no clock, so that a replay ends at the same place: only the flops count.
+  /// The cascade has none.
+  SolveBudget budget{};
 };
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #include "surefoot/solver/active_set_search.hpp"
 
 #include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,6 @@
 namespace surefoot {
 namespace {
 
-/// Forces, relative to Σ ‖aᵢ‖ |vᵢ|: below −kWrongSign a row is let go, above kStrict it is certain
-/// to be needed.
-constexpr double kWrongSign = 1e-11;
-constexpr double kStrict = 1e-9;
-/// Values relative to ‖a‖ ‖x‖: above kViolated a row certainly can't be met, below kRounding a
-/// difference may be rounding.
-constexpr double kViolated = 1e-9;
-constexpr double kTolerance = 1e-12;
-constexpr double kRounding = 2e-14;
 /// So many rows on the wrong side are likely to be put right by changing them all at once.
 constexpr std::size_t kFewRows = 4;
 
@@ -58,9 +50,9 @@ void ActiveSetSearch::judge_own_rows(const Sweep& s, int level) {
     if (s.side[row] == 2) continue;
     const double pull = s.side[row] * s.residual[row];
     const double unit = s.scale[row] * size_;
-    if (pull > kViolated * unit) continue;
+    if (pull > tolerance::kViolated * unit) continue;
     fixed_by_[at(row)] = s.num_levels;
-    if (pull < -kTolerance * unit) {
+    if (pull < -tolerance::kSatisfied * unit) {
       wrong_.push_back(row);
       continue;
     }
@@ -84,7 +76,7 @@ void ActiveSetSearch::judge_forces(Sweep& s, const SweepKernels& kernels, int le
   for (int i = s.order_begin[level]; i < s.order_begin[level + 1]; ++i) {
     const int row = s.order[i];
     scale += s.scale[row] * std::abs(s.residual[row]);
-    noise += s.scale[row] * s.scale[row] * kRounding * size_;
+    noise += s.scale[row] * s.scale[row] * tolerance::kRounding * size_;
   }
   const int lowest = lowest_column();
   if (scale <= noise || lowest < 0 || lowest >= s.first_column[level]) return;
@@ -96,12 +88,12 @@ void ActiveSetSearch::judge_norm(Sweep& s, const SweepKernels& kernels) {
   const int lowest = lowest_column();
   if (lowest < 0) return;
   kernels.balance_norm(s, lowest);
-  judge_undecided(s, s.num_levels, size_, kRounding * size_);
+  judge_undecided(s, s.num_levels, size_, tolerance::kRounding * size_);
 }
 
 void ActiveSetSearch::judge_undecided(const Sweep& s, int level, double scale, double noise) {
-  const double wrong = -(kWrongSign * scale + noise);
-  const double strict = kStrict * scale + 100.0 * noise;
+  const double wrong = -(tolerance::kWrongSign * scale + noise);
+  const double strict = tolerance::kStrict * scale + 100.0 * noise;
   const int num_columns = level < s.num_levels ? s.first_column[level] : s.fixed;
   std::size_t kept = 0;
   for (const Undecided& u : undecided_) {
@@ -135,7 +127,7 @@ void ActiveSetSearch::find_violated(const Sweep& s, int first) {
       if (s.side[row] != 0) continue;
       const double above = s.value[row] - s.upper[row];
       const double below = s.lower[row] - s.value[row];
-      if (!(std::max(above, below) > kTolerance * s.scale[row] * size_)) continue;
+      if (!(std::max(above, below) > tolerance::kSatisfied * s.scale[row] * size_)) continue;
       violated_.push_back({row, k, static_cast<signed char>(above > below ? 1 : -1)});
     }
   }

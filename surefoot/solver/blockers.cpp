@@ -1,5 +1,8 @@
 #include "surefoot/solver/blockers.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,11 +12,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Relative to ‖a‖ ‖x‖: a larger violation is none of rounding.
-constexpr double kViolated = 1e-9;
 /// Relative to Σ ‖aᵢ‖ |vᵢ|: a smaller multiplier is one of rounding.
 constexpr double kSmall = 1e-9;
-constexpr double kRounding = 1e-13;
 /// Of a direction: the rest is rounding.
 constexpr double kRank = 1e-8;
 
@@ -27,9 +27,8 @@ Index most_rows(const Hierarchy& capacity) {
   return rows;
 }
 
-/// Signed: positive above the upper bound.
 double violation(const Sweep& s, int row) {
-  return std::max(0.0, s.value[row] - s.upper[row]) - std::max(0.0, s.lower[row] - s.value[row]);
+  return signed_violation(s.value[row], s.lower[row], s.upper[row]);
 }
 
 double dot(const double* a, const Eigen::VectorXd& b, Index first, Index end) {
@@ -90,7 +89,8 @@ void BlockerSearch::find(Sweep& s, const SweepKernels& kernels, int first,
 void BlockerSearch::turn_missed_rows() {
   Sweep& s = *s_;
   for (int row = s.level_begin[first_]; row < s.num_rows; ++row) {
-    if (s.side[row] != 0 || std::abs(violation(s, row)) <= kViolated * s.scale[row] * size_) {
+    if (s.side[row] != 0 ||
+        std::abs(violation(s, row)) <= tolerance::kViolated * s.scale[row] * size_) {
       continue;
     }
     if (s.base_value[row] == std::numeric_limits<double>::infinity()) kernels_->project(s, row);
@@ -120,7 +120,7 @@ void BlockerSearch::collect(int level) {
   row_size_ = force_noise_ = 0.0;
   for (int row = s.level_begin[level]; row < s.level_begin[level + 1]; ++row) {
     const double by = violation(s, row);
-    const bool is_violated = std::abs(by) > kViolated * s.scale[row] * size_;
+    const bool is_violated = std::abs(by) > tolerance::kViolated * s.scale[row] * size_;
     if (is_violated || s.lower[row] == s.upper[row]) add_row(row, by);
     is_missed_ = is_missed_ || is_violated;
   }
@@ -131,7 +131,7 @@ void BlockerSearch::add_row(int row, double by) {
   violation_[static_cast<Index>(rows_.size())] = by;
   rows_.push_back(row);
   row_size_ = std::max(row_size_, size);
-  force_noise_ += kSmall * size * std::abs(by) + kRounding * size * size * size_;
+  force_noise_ += kSmall * size * std::abs(by) + 5.0 * tolerance::kRounding * size * size * size_;
 }
 
 void BlockerSearch::explain(int level) {
@@ -224,8 +224,8 @@ bool BlockerSearch::is_held_by_others(int num_columns) const {
       if (!has_column && is_fixed(s.order[i]) && holds(s.order[i])) return true;
     }
     for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {
-      const bool is_left_out =
-          s.side[row] == 0 && std::abs(violation(s, row)) > kViolated * s.scale[row] * size_;
+      const bool is_left_out = s.side[row] == 0 && std::abs(violation(s, row)) >
+                                                       tolerance::kViolated * s.scale[row] * size_;
       if (is_left_out && holds(row)) return true;
     }
   }

@@ -8,8 +8,8 @@ namespace surefoot {
 struct SolveBudget {
   /// Of the solver's clock; without a clock this limit does nothing.
   double seconds = std::numeric_limits<double>::infinity();
-  /// Additions and multiplications of the search, counted from the sizes of what is multiplied: the
-  /// same problem ends at the same place on every machine.
+  /// Additions and multiplications, counted from the sizes of what is multiplied: the same problem
+  /// ends at the same place on every machine.
   double flops = std::numeric_limits<double>::infinity();
 };
 
@@ -27,9 +27,11 @@ class BudgetWatch {
   }
   void spend(double flops) { flops_ += flops; }
 
+  [[nodiscard]] double spent() const { return flops_; }
+
   [[nodiscard]] bool is_limited() const { return budget_.flops < kNone || clock_ != nullptr; }
   [[nodiscard]] bool is_spent() const {
-    return flops_ > budget_.flops || (clock_ != nullptr && clock_() - begin_ > budget_.seconds);
+    return flops_ >= budget_.flops || (clock_ != nullptr && clock_() - begin_ >= budget_.seconds);
   }
 
  private:

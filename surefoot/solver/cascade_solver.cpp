@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/denormals.hpp"
 #include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,10 +97,10 @@ void CascadeSolver::describe(const Level& level, LevelResult& result) const {
   double sum = 0.0;
   for (Index i = 0; i < level.num_rows(); ++i) {
     const double value = level.A().row(i).dot(solution_.x);
-    const double tolerance = kAtBound * level.A().row(i).norm() * tableau_.x_size;
+    const double tolerance = tolerance::kAtBound * level.A().row(i).norm() * tableau_.x_size;
     const double lower = level.lower()[i];
     const double upper = level.upper()[i];
-    const double violation = std::max({0.0, lower - value, value - upper});
+    const double violation = signed_violation(value, lower, upper);
     sum += violation * violation;
     result.rows[static_cast<std::size_t>(i)] = state_of(value, lower, upper, tolerance);
   }

@@ -1,6 +1,8 @@
 #include "surefoot/solver/descent.hpp"
 
 #include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/sweep_memory.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +16,6 @@ using Side = LevelRows::Side;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-/// As in LevelSolver.
-constexpr double kWrongSign = 1e-11;
-constexpr double kStrict = 1e-9;
-constexpr double kViolated = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -67,6 +65,7 @@ void Descent::begin(Sweep& s, int first) {
   x_size_ = std::sqrt(square);
   append_identity();
   kernels_->fill_tableau(s);
+  clear_idle_rows();
   std::fill_n(s.limit_lower, s.row_stride, -kInfinity);
   std::fill_n(s.limit_upper, s.row_stride, kInfinity);
   for (int row = s.first_row; row < s.num_rows; ++row) {
@@ -75,8 +74,22 @@ void Descent::begin(Sweep& s, int first) {
   }
   first_column_ = 0;
   held_.clear();
-  num_steps_ = 0;
   has_minimised_norm_ = false;
+}
+
+// Rows beside those of the tableau share packs with them: without motion they stay out of it.
+void Descent::clear_idle_rows() {
+  const Sweep& s = *sweep_;
+  const auto clear = [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      s.base_value[row] = 0.0;
+      for (int j = 0; j < s.columns; ++j) entry(row, j) = 0.0;
+    }
+  };
+  clear(s.first_row / SweepMemory::kWidestPack * SweepMemory::kWidestPack, s.first_row);
+  const int end = SweepMemory::padded(s.end_row);
+  clear(s.end_row, end);
+  std::fill(s.scale + s.end_row, s.scale + end, 1.0);
 }
 
 // The last rows of the tableau are y itself: a last level y = 0.
@@ -107,9 +120,8 @@ RowValues Descent::row_values() const {
 }
 
 bool Descent::minimise() {
-  const int cap = num_steps_ + 20 + 2 * level_end_;
-  while (num_steps_ < cap && !budget_->is_spent()) {
-    ++num_steps_;
+  const int cap = 20 + 2 * level_end_;
+  for (int step = 0; step < cap && !budget_->is_spent(); ++step) {
     spend();
     rows_.update(row_values());
     const Move move = descend();
@@ -216,6 +228,7 @@ void Descent::hold(int row, signed char side) {
 void Descent::let_go(std::size_t place) {
   Sweep& s = *sweep_;
   const int gone = held_[place];
+  budget_->spend(6.0 * (s.end_row - s.first_row) * static_cast<double>(held_.size() - place));
   held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(place));
   for (std::size_t i = place; i < held_.size(); ++i) {
     const int column = first_column_ + static_cast<int>(i);
@@ -252,7 +265,7 @@ void Descent::weigh_forces() {
 // Lets the worst of the held rows go that pulls the wrong way.
 bool Descent::drop_worst() {
   const Sweep& s = *sweep_;
-  double worst = -(kWrongSign * force_scale_ + force_noise_);
+  double worst = -(tolerance::kWrongSign * force_scale_ + force_noise_);
   std::size_t place = held_.size();
   for (std::size_t i = 0; i < held_.size(); ++i) {
     if (s.force[held_[i]] >= worst) continue;
@@ -282,6 +295,8 @@ void Descent::retire() {
     kernels_->gather(s, first_free());
     kernels_->fix(s, 0, s.num_taking_part);
   }
+  budget_->spend(4.0 * (s.columns - first_column_) * (s.fixed - first_column_) *
+                 (s.end_row - s.first_row));
   for (int j = first_free(); j < s.fixed; ++j) {
     if (s.beta[j] != 0.0) kernels_->turn(s, s.reflectors + j * s.stride, s.beta[j], j);
   }
@@ -296,7 +311,7 @@ void Descent::retire() {
 
 // Held rows that don't push back are constraints again.
 void Descent::release_idle() {
-  const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
+  const double strict = tolerance::kStrict * force_scale_ + 100.0 * force_noise_;
   for (std::size_t i = held_.size(); i-- > 0;) {
     const int row = held_[i];
     if (sweep_->force[row] > strict) {
@@ -315,8 +330,8 @@ bool Descent::collect_fixed() {
   fixed_.clear();
   for (int row = level_begin_; row < level_end_; ++row) {
     const Side side = rows_.side(row - level_begin_);
-    const bool is_violated =
-        std::abs(rows_.residuals()[row - level_begin_]) > kViolated * s.scale[row] * x_size_;
+    const bool is_violated = std::abs(rows_.residuals()[row - level_begin_]) >
+                             tolerance::kViolated * s.scale[row] * x_size_;
     if (side == Side::equality || is_violated) fix(row, static_cast<signed char>(side));
   }
   return has_factorized_ && static_cast<int>(fixed_.size()) == s.num_taking_part;

@@ -39,15 +39,13 @@ class Descent {
   /// The levels have left x open: y has been minimised, which x isn't if the basis is skew.
   [[nodiscard]] bool has_minimised_norm() const { return has_minimised_norm_; }
 
-  [[nodiscard]] int num_steps() const { return num_steps_; }
-
  private:
   enum class Move { negligible, blocked, piece_changed, stationary };
 
   void begin(Sweep& s, int first);
   void append_identity();
+  void clear_idle_rows();
   void enter(int level);
-  void update_rows();
   [[nodiscard]] RowValues row_values() const;
   [[nodiscard]] bool minimise();
   [[nodiscard]] Move descend();
@@ -85,7 +83,6 @@ class Descent {
   int level_ = 0, level_begin_ = 0, level_end_ = 0, first_column_ = 0;
   bool has_factorized_ = false;  // the rows that count now
   bool has_minimised_norm_ = false;
-  int num_steps_ = 0;
 };
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #include "surefoot/solver/explanation.hpp"
 
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/certificate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,7 @@ namespace {
 using Index = Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kTight = 1e-8;  // as in CertificateOptions
-constexpr double kRank = 1e-8;
+constexpr CertificateOptions kTolerances;
 /// Relative to the scale of a level: a smaller gradient is one of rounding.
 constexpr double kSmall = 1e-9;
 
@@ -23,13 +23,16 @@ void copy(const Level& from, Index i, double lower, double upper, Level& to) {
   row.upper[0] = upper;
 }
 
-/// Copies a row as it stands at x: what is missed stays as it is, what is met stays met.
+/// Copies a row as it stands at x: what is missed stays as it is, what is met stays met. A limit
+/// that is missed by no more than rounding is met.
 void copy_pinned(const Level& from, Index i, const VectorXd& x, Level& to) {
   const double value = from.A().row(i).dot(x);
   const double lower = from.lower()[i];
   const double upper = from.upper()[i];
-  const bool is_fixed = lower == upper || value < lower || value > upper;
-  copy(from, i, is_fixed ? value : lower, is_fixed ? value : upper, to);
+  const double near = kTolerances.tight * from.A().row(i).norm() * (1.0 + x.norm());
+  const bool is_fixed = lower == upper || value < lower - near || value > upper + near;
+  copy(from, i, is_fixed ? value : std::min(lower, value),
+       is_fixed ? value : std::max(upper, value), to);
 }
 
 /// Residual of `level` when the levels before it hold what they have at x, but for the rows that
@@ -61,7 +64,7 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
 std::vector<Blocker> blockers(const Hierarchy& hierarchy, const LevelConditions& level,
                               const RowSet& fixed, const RowSet& touching) {
   std::vector<Blocker> result;
-  const Multipliers found = multipliers(level.gradient, fixed, touching, kRank);
+  const Multipliers found = multipliers(level.gradient, fixed, touching, kTolerances.rank);
   const auto add = [&](const RowSet& rows, const VectorXd& strength) {
     for (Index i = 0; i < strength.size(); ++i) {
       if (std::abs(strength[i]) <= kSmall * level.scale) continue;
@@ -82,7 +85,7 @@ std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const LevelConditions level = optimality_conditions(hierarchy, k, x, kTight);
+    const LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
     LevelExplanation result{.residual = level.residual,
                             .blocked_by = blockers(hierarchy, level, fixed, touching),
                             .cost_of_level = std::vector<double>(k, 0.0)};

@@ -26,7 +26,8 @@ Level::Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns)
       ids_(static_cast<std::size_t>(max_rows), 0) {}
 
 Rows Level::add(Eigen::Index count, int first_id) {
-  assert(count >= 0 && num_rows_ + count <= max_rows() && "level is full");
+  assert(count >= 0 && "rows can't be taken away");
+  if (count > max_rows() - num_rows_) return overflow(count);
   const Eigen::Index first = num_rows_;
   num_rows_ += count;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -37,13 +38,25 @@ Rows Level::add(Eigen::Index count, int first_id) {
   return added;
 }
 
+// Rows that a caller can fill as if there were room: to fill none would be beyond their end.
+Rows Level::overflow(Eigen::Index count) {
+  has_overflowed_ = true;
+  A_beyond_.setZero(count, A_.cols());
+  lower_beyond_.setZero(count);
+  upper_beyond_.setZero(count);
+  return {Eigen::Map<RowMajor>(A_beyond_.data(), count, A_.cols()),
+          Eigen::Map<Eigen::VectorXd>(lower_beyond_.data(), count),
+          Eigen::Map<Eigen::VectorXd>(upper_beyond_.data(), count)};
+}
+
 Rows Level::add(const Level& other, int id_offset) {
   const Eigen::Index first = num_rows_;
   Rows added = add(other.num_rows(), 0);
+  has_overflowed_ = has_overflowed_ || other.has_overflowed_;
   added.A = other.A();
   added.lower = other.lower();
   added.upper = other.upper();
-  for (Eigen::Index i = 0; i < other.num_rows(); ++i) {
+  for (Eigen::Index i = 0; first + i < num_rows_; ++i) {
     ids_[static_cast<std::size_t>(first + i)] = other.id(i) + id_offset;
   }
   return added;

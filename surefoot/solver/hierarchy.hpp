@@ -39,11 +39,15 @@ class Level {
   /// Capacity is fixed here; nothing allocates afterwards.
   Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns);
 
-  void clear() { num_rows_ = 0; }
+  void clear() {
+    num_rows_ = 0;
+    has_overflowed_ = false;
+  }
 
   /// Appends `count` rows, zeroed in A, for the caller to fill. `first_id` identifies the row
   /// across ticks (a friction row of leg 2 keeps its id when leg 1 lifts off); ids count up from
-  /// it.
+  /// it. Where there is no room for them the rows belong to no level and the level has overflowed:
+  /// whoever solves it answers `invalid_input`. Only then memory is taken for them.
   [[nodiscard]] Rows add(Eigen::Index count, int first_id);
 
   /// Appends the rows of another level over the same unknowns, with its ids plus `id_offset`.
@@ -54,6 +58,8 @@ class Level {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Eigen::Index num_rows() const { return num_rows_; }
+  /// Since the last `clear` more rows were added than there is room for.
+  [[nodiscard]] bool has_overflowed() const { return has_overflowed_; }
   [[nodiscard]] Eigen::Index max_rows() const { return A_.rows(); }
   [[nodiscard]] auto A() const { return A_.topRows(num_rows_); }
   [[nodiscard]] auto lower() const { return lower_.head(num_rows_); }
@@ -64,12 +70,17 @@ class Level {
   [[nodiscard]] std::size_t name_hash() const { return name_hash_; }
 
  private:
+  [[nodiscard]] Rows overflow(Eigen::Index count);
+
   std::string name_;
   std::size_t name_hash_;
   RowMajor A_;
   Eigen::VectorXd lower_, upper_;
   std::vector<int> ids_;
   Eigen::Index num_rows_ = 0;
+  bool has_overflowed_ = false;
+  RowMajor A_beyond_;  // rows without room: to be filled, and forgotten
+  Eigen::VectorXd lower_beyond_, upper_beyond_;
 };
 
 /// Levels in strict order of priority over the same unknowns x, highest first.

@@ -148,29 +148,21 @@ static void substitute(Sweep& s, int begin, int end, int first_column) {
   }
 }
 
-/// Rounding of a row's value, relative to ‖a‖ ‖x‖.
-constexpr double kRounding = 1e-14;
-
 static bool is_met(const Sweep& s, int begin, int end) {
   const double size = __builtin_sqrt(dot(s.q, s.q, s.stride));
   for (int i = begin; i < end; ++i) {
     const int row = s.order[i];
-    if (absolute(s.residual[row]) > kRounding * s.scale[row] * size) return false;
+    if (absolute(s.residual[row]) > tolerance::kRounding * s.scale[row] * size) return false;
   }
   return true;
 }
 
 #include "surefoot/solver/kernel_least_squares.inl"
 
-constexpr double kEpsilon = 2.220446049250313e-16;
-
-/// What is taken for rounding at most, however weak the columns used.
-constexpr double kMostRounding = 1e-4;
-
 /// The weaker the columns used, the larger the rounding in what is left.
 static void lower_rank_tolerance(Sweep& s) {
-  const double rounding = 64.0 * kEpsilon / s.smallest_pivot;
-  s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, kMostRounding));
+  const double rounding = tolerance::kPivotRounding / s.smallest_pivot;
+  s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, tolerance::kMostRounding));
 }
 
 static void run_level(Sweep& s, int begin, int end) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/solver/tolerances.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -16,12 +18,12 @@ struct RowValues {
   const double* scale;   ///< length of the row
   const double* motion;  ///< change of the value with a step of length 1
   Eigen::Index level_begin, num_rows;
-  double x_size;  ///< largest ‖x‖ so far
+  double x_size;  ///< largest ‖x‖ so far, or an upper bound of it: the way that x has come
 
   /// Smallest change of row i's value that is not rounding.
-  [[nodiscard]] double noise(Eigen::Index i) const { return kRounding * scale[i] * x_size; }
-
-  static constexpr double kRounding = 2e-14;
+  [[nodiscard]] double noise(Eigen::Index i) const {
+    return tolerance::kRounding * scale[i] * x_size;
+  }
 };
 
 /// The rows of the level being solved and their share in its objective

@@ -12,14 +12,6 @@ using Side = LevelRows::Side;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-/// Forces, relative to Σ ‖aᵢ‖ |rᵢ|: below −kWrongSign a constraint is let go, above kStrict it is
-/// certain to be needed.
-constexpr double kWrongSign = 1e-11;
-constexpr double kStrict = 1e-9;
-/// Violations relative to ‖aᵢ‖ ‖x‖ above which a row certainly can't be met.
-constexpr double kViolated = 1e-9;
-/// What is taken for rounding at most, however weak the directions used.
-constexpr double kMostRounding = 1e-4;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -166,7 +158,7 @@ LevelSolver::Block LevelSolver::first_block(const Tableau& tableau) const {
 // Lets the constraint go that pulls most strongly the wrong way; false if none does.
 bool LevelSolver::drop_constraint(Tableau& tableau) {
   update_forces(tableau);
-  const double wrong = -(kWrongSign * force_scale_ + force_noise_);
+  const double wrong = -(tolerance::kWrongSign * force_scale_ + force_noise_);
   Index worst = -1;
   for (Index i = 0; i < working_set_.size(); ++i) {
     if (working_set_[i].force >= wrong) continue;
@@ -219,7 +211,7 @@ void LevelSolver::retire(Tableau& tableau) {
 }
 
 void LevelSolver::release_idle_constraints(Tableau& tableau) {
-  const double strict = kStrict * force_scale_ + 100.0 * force_noise_;
+  const double strict = tolerance::kStrict * force_scale_ + 100.0 * force_noise_;
   for (Index i = working_set_.size() - 1; i >= 0; --i) {
     if (working_set_[i].force > strict) continue;
     working_set_.remove(tableau, i, turning_);
@@ -232,7 +224,7 @@ Index LevelSolver::collect_determined_rows(const Tableau& tableau) {
   Index count = 0;
   for (Index i = 0; i < tableau.num_rows - tableau.level_begin; ++i) {
     const Index row = tableau.level_begin + i;
-    const double clearly = kViolated * tableau.scale[row] * tableau.x_size;
+    const double clearly = tolerance::kViolated * tableau.scale[row] * tableau.x_size;
     const bool is_determined =
         rows_.side(i) == Side::equality || std::abs(rows_.residuals()[i]) > clearly;
     if (is_determined) selected_[at(count++)] = row;
@@ -255,8 +247,8 @@ void LevelSolver::mark_remaining(Tableau& tableau) {
 // The weaker the directions already used, the larger the rounding in what is left.
 void LevelSolver::note_pivot(double relative) {
   smallest_pivot_ = std::min(smallest_pivot_, relative);
-  const double rounding = 64.0 * kEpsilon / smallest_pivot_;
-  tolerance_.keep = std::max(tolerance_.keep, std::min(rounding, kMostRounding));
+  const double rounding = tolerance::kPivotRounding / smallest_pivot_;
+  tolerance_.keep = std::max(tolerance_.keep, std::min(rounding, tolerance::kMostRounding));
 }
 
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/denormals.hpp"
 #include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,18 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Squared lengths of columns that can be divided by.
+constexpr double kSmallest = 1e-280;
+constexpr double kLargest = 1e280;
 /// Times that a guess is improved before the search starts without one.
 constexpr int kTries = 2;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// Of a triangle from so many rows, at most, with its least squares.
+double factorization_flops(int rows, int columns) {
+  return 4.0 * rows * columns * std::min(rows, columns);
+}
 
 signed char side_of(RowState state) {
   const int side = static_cast<int>(state);
@@ -35,8 +44,15 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
       search_(capacity),
       descent_(capacity),
       budget_(options.budget, options.clock),
-      cascade_(capacity, {.rank = options.rank, .max_iterations = options.max_iterations}),
+      cascade_(
+          capacity,
+          {.rank = options.rank, .max_iterations = options.max_iterations, .clock = options.clock}),
       blockers_(capacity) {
+  if (budget_.is_limited() && options_.max_sweeps == 0) {
+    options_.max_sweeps = LexicographicOptions{}.max_sweeps;
+  }
+  kept_.x = Eigen::VectorXd::Zero(capacity.unknowns());
+  kept_.freedom_left.assign(capacity.num_levels() + 1, 0);
   solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
   solution_.levels.resize(capacity.num_levels());
   for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
@@ -67,10 +83,10 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
   budget_.start();
   is_swept_ = false;
   if (!fits(hierarchy) || !load(hierarchy)) return reject(hierarchy);
-  num_sweeps_ = 0;
+  num_sweeps_ = num_descents_ = 0;
   solution_.status = SolveStatus::optimal;
   solution_.failed_level = -1;
-  if (substitution != nullptr && fits(*substitution)) {
+  if (substitution != nullptr && fits(*substitution) && measure_columns(*substitution)) {
     substitute(*substitution);
   } else {
     sweep_leading_equalities();
@@ -81,7 +97,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
     count_freedom();
     is_swept_ = true;
   } else if (outcome == Outcome::out_of_budget) {
-    take_from_descent();
+    take_kept_point();
     describe(hierarchy);
   } else {
     take_from_cascade(hierarchy);
@@ -124,7 +140,25 @@ bool LexicographicSolver::fits(const Substitution& substitution) const {
   return substitution.basis.rows() == s.unknowns && substitution.basis.cols() < s.unknowns &&
          substitution.offset.size() == s.unknowns &&
          substitution.num_levels <= static_cast<std::size_t>(first_level_) &&
-         std::isfinite(substitution.basis.sum() + substitution.offset.sum());
+         std::isfinite(substitution.offset.sum());
+}
+
+// inverse_pivot ← 1 / length of each column; false if one is no direction.
+bool LexicographicSolver::measure_columns(const Substitution& substitution) {
+  Sweep& s = memory_.sweep;
+  const Index columns = substitution.basis.cols();
+  double* square = s.inverse_pivot;
+  std::fill_n(square, columns, 0.0);
+  for (Index i = 0; i < s.unknowns; ++i) {
+    const double* row = substitution.basis.data() + i * columns;
+    for (Index j = 0; j < columns; ++j) square[j] += row[j] * row[j];
+  }
+  bool are_directions = true;
+  for (Index j = 0; j < columns; ++j) {
+    are_directions = are_directions && square[j] >= kSmallest && square[j] <= kLargest;
+    square[j] = are_directions ? 1.0 / std::sqrt(square[j]) : 0.0;
+  }
+  return are_directions;
 }
 
 // Reads all rows; false if a number makes no sense.
@@ -144,7 +178,7 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
       std::fill_n(s.side + s.num_rows, level.num_rows(), static_cast<signed char>(0));
     }
     const RowKinds kinds = append_level(s, level);
-    is_sound = is_sound && kinds.are_sound;
+    is_sound = is_sound && kinds.are_sound && !level.has_overflowed();
     if (kinds.has_inequality) first_level_ = std::min(first_level_, k);
   }
   s.level_begin[s.num_levels] = s.num_rows;
@@ -180,14 +214,19 @@ void LexicographicSolver::sweep_leading_equalities() {
   for (int k = 0; k < first_level_; ++k) {
     solution_.levels[at(k)].degrees_of_freedom_left = s.unknowns - s.first_column[k + 1];
   }
-  if (s.fixed > 0) kernels_.reduce(s);
+  budget_.spend(factorization_flops(s.num_taking_part, s.unknowns));
+  if (s.fixed > 0) {
+    budget_.spend(4.0 * s.unknowns * s.fixed * (s.unknowns - s.fixed + 1));
+    kernels_.reduce(s);
+  }
   keep_tolerance_ = s.keep_tolerance;
   smallest_pivot_ = s.smallest_pivot;
   is_orthonormal_ = true;
   forget_projections();
 }
 
-// The same where the basis is given.
+// The same where the basis is given. Its columns get the length 1: what is left of a row is
+// compared with its length in the space of x.
 void LexicographicSolver::substitute(const Substitution& substitution) {
   Sweep& s = memory_.sweep;
   const auto pack = static_cast<Index>(kernels_.pack);
@@ -195,7 +234,7 @@ void LexicographicSolver::substitute(const Substitution& substitution) {
   const Index stride = (columns + pack) / pack * pack;
   for (Index i = 0; i < s.unknowns; ++i) {
     double* row = s.basis + i * stride;
-    for (Index j = 0; j < columns; ++j) row[j] = substitution.basis(i, j);
+    for (Index j = 0; j < columns; ++j) row[j] = substitution.basis(i, j) * s.inverse_pivot[j];
     row[columns] = substitution.offset[i];
     std::fill(row + columns + 1, row + stride, 0.0);
   }
@@ -206,6 +245,7 @@ void LexicographicSolver::substitute(const Substitution& substitution) {
   keep_tolerance_ = options_.rank.keep;
   smallest_pivot_ = 1.0;
   is_orthonormal_ = false;
+  budget_.spend(4.0 * static_cast<double>(s.unknowns * columns));
   first_level_ = static_cast<int>(substitution.num_levels);
   Index left = s.unknowns;
   for (int k = 0; k < first_level_; ++k) {
@@ -232,6 +272,7 @@ void LexicographicSolver::make_basis_orthonormal() {
     for (int i = 0; i < 2 * j; ++i) column -= basis.col(i % j).dot(column) * basis.col(i % j);
     if (j < s.columns) column /= column.norm();
   }
+  budget_.spend(8.0 * s.unknowns * s.columns * (s.columns + 1));
   is_orthonormal_ = true;
   forget_projections();
 }
@@ -239,7 +280,7 @@ void LexicographicSolver::make_basis_orthonormal() {
 void LexicographicSolver::sweep() {
   Sweep& s = memory_.sweep;
   for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
-    if (s.side[row] != 0 && s.base_value[row] == kInfinity) kernels_.project(s, row);
+    if (s.side[row] != 0) project(row);
   }
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
@@ -248,12 +289,22 @@ void LexicographicSolver::sweep() {
   kernels_.turn_back(s, 0);
   kernels_.recover(s);
   kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
+  budget_.spend(factorization_flops(s.num_taking_part, s.columns) +
+                2.0 * s.unknowns * (s.columns + s.num_rows));
   ++num_sweeps_;
 }
 
+void LexicographicSolver::project(int row) {
+  Sweep& s = memory_.sweep;
+  if (s.base_value[row] != kInfinity) return;
+  kernels_.project(s, row);
+  budget_.spend(2.0 * s.unknowns * (s.columns + 1));
+}
+
 LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
+  if (budget_.is_limited()) keep_point();
   bool has_released = false;
-  while (num_sweeps_ < options_.max_sweeps) {
+  while (num_sweeps_ < options_.max_sweeps && !budget_.is_spent()) {
     sweep();
     const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_);
     const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
@@ -262,8 +313,7 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
     } else if (is_optimal) {
       if (has_released || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
       has_released = true;
-    } else if (may_descend &&
-               (num_sweeps_ > kTries || !search_.is_nearly_optimal() || budget_.is_spent())) {
+    } else if (may_descend && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
       may_descend = false;
       const Outcome outcome = descend();
       if (outcome != Outcome::optimal) return outcome;
@@ -272,36 +322,51 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
     }
   }
   if (!budget_.is_limited()) return Outcome::stuck;
-  if (may_descend) (void)descend();
+  if (may_descend && !budget_.is_spent()) (void)descend();
   return Outcome::out_of_budget;
 }
 
 // The active rows without a guess.
 LexicographicSolver::Outcome LexicographicSolver::descend() {
   Sweep& s = memory_.sweep;
-  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
-    if (s.base_value[row] == kInfinity) kernels_.project(s, row);
-  }
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) project(row);
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
-  if (!descent_.find_sides(s, kernels_, first_level_, budget_)) {
-    return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
-  }
+  ++num_descents_;
+  const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_);
+  if (budget_.is_limited()) keep_point();
+  if (!has_ended) return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
   if (is_orthonormal_ || !descent_.has_minimised_norm()) return Outcome::optimal;
   make_basis_orthonormal();
   return descend();
 }
 
-// The point where the descent has ended. It has finished the levels before that one.
-void LexicographicSolver::take_from_descent() {
+// Where the search is: at the end of the descent's last step, or where the leading equalities leave
+// x. A later point replaces an earlier one only if it has finished as many levels.
+void LexicographicSolver::keep_point() {
   Sweep& s = memory_.sweep;
-  for (int j = 0; j < s.columns; ++j) s.y[j] = s.base_value[s.num_rows + j];
+  const int level = num_descents_ > 0 ? descent_.level() : first_level_;
+  if (num_descents_ > 1 && level < kept_.level) return;
+  for (int j = 0; j < s.columns; ++j) {
+    s.y[j] = num_descents_ > 0 ? s.base_value[s.num_rows + j] : 0.0;
+  }
   kernels_.recover(s);
+  std::copy_n(s.x, s.unknowns, kept_.x.data());
+  kept_.level = level;
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    kept_.freedom_left[at(k)] = num_descents_ > 0 ? descent_.freedom_left(k) : s.columns;
+  }
+}
+
+// The end of a budget. The levels before that of the point are finished.
+void LexicographicSolver::take_kept_point() {
+  Sweep& s = memory_.sweep;
+  std::copy_n(kept_.x.data(), s.unknowns, s.x);
   kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
   solution_.status = SolveStatus::iteration_cap;
-  solution_.failed_level = std::min(descent_.level(), s.num_levels - 1);
+  solution_.failed_level = std::min(kept_.level, s.num_levels - 1);
   for (int k = first_level_; k < s.num_levels; ++k) {
-    solution_.levels[at(k)].degrees_of_freedom_left = descent_.freedom_left(k);
+    solution_.levels[at(k)].degrees_of_freedom_left = kept_.freedom_left[at(k)];
   }
 }
 
@@ -325,6 +390,7 @@ void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
     to.num_rows = from.num_rows;
     to.degrees_of_freedom_left = from.degrees_of_freedom_left;
     to.iterations = from.iterations;
+    to.time = from.time;
     for (std::size_t i = 0; i < at(to.num_rows); ++i) {
       to.rows[i] = from.rows[i];
       s.side[at(s.level_begin[k]) + i] = side_of(from.rows[i]);
@@ -336,10 +402,11 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
   Sweep& s = memory_.sweep;
   for (int i = 0; i < s.unknowns; ++i) solution_.x[i] = s.x[i];
   kernels_.evaluate(s, 0, s.level_begin[first_level_]);
-  const double tolerance = kAtBound * solution_.x.norm();
+  const double tolerance = tolerance::kAtBound * solution_.x.norm();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     LevelResult& result = solution_.levels[k];
     result.iterations = num_sweeps_;
+    result.time = 0.0;
     result.num_rows = hierarchy.level(k).num_rows();
     double sum = 0.0;
     const int begin = s.level_begin[k];

@@ -16,7 +16,8 @@ namespace surefoot {
 struct LexicographicOptions {
   RankTolerance rank{};    ///< what counts as an independent row
   bool warm_start = true;  ///< begin with the rows that were active in the last solution
-  int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade
+  int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade, which has no
+                           ///< budget: where one is set 0 means 8
   int max_iterations = 0;  ///< of the cascade in a level; 0: its default
   SolveBudget budget{};    ///< see LexicographicSolver
   /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
@@ -39,9 +40,9 @@ struct LexicographicOptions {
 /// Where the hierarchy leaves x open, the shortest x of all optima is returned.
 ///
 /// With a budget the cascade isn't asked, and the search may end within a level. Then the status is
-/// `iteration_cap`, the levels before `failed_level` are optimal, and x is feasible for them. The
-/// leading equalities are always solved, and a search that has come to its end is certified by one
-/// more sweep: so much a solve may cost beyond its budget.
+/// `iteration_cap`, the levels before `failed_level` are optimal, and x is feasible for them. All
+/// that is computed counts. The leading equalities are always solved; beyond them and its budget a
+/// solve costs at most what it had begun, one sweep or one step of the descent.
 ///
 /// The last active rows are remembered by the name of their level and their id (Level::id), across
 /// contact switches and reordered levels. All memory is taken at construction; `solve` does not
@@ -74,14 +75,19 @@ class LexicographicSolver {
   /// The next solve starts without a guess.
   void forget() { memory_of_rows_.forget(); }
 
-  /// Sweeps of the last solve; more than `max_sweeps` if the cascade solved.
+  /// Sweeps of the last solve; more than `max_sweeps` if the cascade solved, 0 if the input was
+  /// invalid.
   [[nodiscard]] int num_sweeps() const { return num_sweeps_; }
+
+  /// What the last solve has counted against its budget; without what the cascade did.
+  [[nodiscard]] double flops() const { return budget_.spent(); }
 
  private:
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
   void solve_untimed(const Hierarchy& hierarchy, const Substitution* substitution);
   [[nodiscard]] bool fits(const Hierarchy& hierarchy) const;
   [[nodiscard]] bool fits(const Substitution& substitution) const;
+  [[nodiscard]] bool measure_columns(const Substitution& substitution);
   [[nodiscard]] bool load(const Hierarchy& hierarchy);
   void reject(const Hierarchy& hierarchy);
   void sweep_leading_equalities();
@@ -93,7 +99,9 @@ class LexicographicSolver {
   [[nodiscard]] Outcome find_active_rows(bool may_descend);
   [[nodiscard]] Outcome descend();
   void sweep();
-  void take_from_descent();
+  void project(int row);
+  void keep_point();
+  void take_kept_point();
   void take_from_cascade(const Hierarchy& hierarchy);
   [[nodiscard]] bool polish();
   void describe(const Hierarchy& hierarchy);
@@ -109,8 +117,15 @@ class LexicographicSolver {
   CascadeSolver cascade_;
   BlockerSearch blockers_;
   Solution solution_;
+  // Where the descent has come to: it is the answer at the end of a budget.
+  struct KeptPoint {
+    Eigen::VectorXd x;
+    int level = 0;  // that it was solving
+    std::vector<int> freedom_left;
+  };
+  KeptPoint kept_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities
-  int num_sweeps_ = 0;
+  int num_sweeps_ = 0, num_descents_ = 0;
   bool is_swept_ = false;                               // the solution is that of the last sweep
   bool is_orthonormal_ = true;                          // the basis
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities

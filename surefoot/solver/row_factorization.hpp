@@ -1,25 +1,12 @@
 #pragma once
 
+#include "surefoot/solver/tolerances.hpp"
+
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace surefoot {
-
-/// Rank policy of a cascade, relative to the length ‖aᵢ‖ that a row has in the space of x.
-///
-/// What is left of a row after projection onto the null space of everything fixed before decides:
-///  - more than `solve` ‖aᵢ‖: the row is independent, the level may use this direction;
-///  - between `keep` and `solve`: the direction is too weak to be used (x would blow up by more
-///    than 1 / solve) and too strong to be given away: it is fixed where it is;
-///  - less than `keep` ‖aᵢ‖: rounding, the row depends on those fixed before.
-///
-/// Where a weak direction has been used, `keep` grows to 64 ε / (its relative length), 1e-4 at the
-/// most: so large is the rounding in what is left of the rows that follow.
-struct RankTolerance {
-  double solve = 1e-10;
-  double keep = 1e-12;
-};
 
 /// Rank-revealing orthogonal factorization of a stack of rows K (m × d),
 ///

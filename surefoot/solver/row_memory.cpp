@@ -14,12 +14,14 @@ RowMemory::RowMemory(const Hierarchy& capacity) : levels_(capacity.num_levels())
 void RowMemory::forget() { forget_from(0); }
 
 void RowMemory::forget_from(std::size_t k) {
-  for (; k < levels_.size(); ++k) levels_[k].num_rows = 0;
+  for (; k < levels_.size(); ++k) levels_[k].name = levels_[k].num_rows = 0;
 }
 
 const RowMemory::LevelMemory* RowMemory::find(std::size_t k, std::size_t name) const {
-  if (levels_[k].name == name) return &levels_[k];
-  const auto same_name = [name](const LevelMemory& level) { return level.name == name; };
+  const auto same_name = [name](const LevelMemory& level) {
+    return level.name == name && level.num_rows > 0;
+  };
+  if (same_name(levels_[k])) return &levels_[k];
   const auto level = std::find_if(levels_.begin(), levels_.end(), same_name);
   return level == levels_.end() ? nullptr : &*level;
 }
@@ -52,6 +54,7 @@ void RowMemory::recall(std::size_t k, const Level& level, signed char* side) con
 
 void RowMemory::remember(std::size_t k, const Level& level, const signed char* side) {
   LevelMemory& memory = levels_[k];
+  if (memory.name == level.name_hash() && level.num_rows() == 0) return;  // it may come back
   if (memory.name != level.name_hash() || !has_rows_of(memory, level)) {
     memory.name = level.name_hash();
     memory.num_rows = static_cast<std::size_t>(level.num_rows());

@@ -10,8 +10,11 @@ namespace surefoot {
 
 /// What both solvers say of rows, in one place.
 
-/// A row within this share of ‖a‖ ‖x‖ of a bound is reported as being at it.
-inline constexpr double kAtBound = 1e-10;
+/// What is beyond the bounds: positive above, negative below, 0 between.
+inline double signed_violation(double value, double lower, double upper) {
+  if (value > upper) return value - upper;
+  return value < lower ? value - lower : 0.0;
+}
 
 /// lower ≤ upper, and neither is an infinity that nothing can meet. False for NaN.
 inline bool are_sound(double lower, double upper) {
@@ -19,8 +22,10 @@ inline bool are_sound(double lower, double upper) {
   return lower <= upper && lower < kInfinity && upper > -kInfinity;
 }
 
-/// All bounds are sound, and the squared length of every row is finite: so is then every element.
+/// All rows have had room, all bounds are sound, and the squared length of every row is finite: so
+/// is then every element.
 inline bool is_sound(const Level& level) {
+  if (level.has_overflowed()) return false;
   for (Eigen::Index i = 0; i < level.num_rows(); ++i) {
     if (!are_sound(level.lower()[i], level.upper()[i])) return false;
     if (!std::isfinite(level.A().row(i).squaredNorm())) return false;

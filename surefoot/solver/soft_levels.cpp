@@ -13,12 +13,6 @@ using Index = Eigen::Index;
 /// A row this close to its bound is at it [relative].
 constexpr double kTouching = 1e-9;
 
-/// What is beyond the bounds, 0 between them.
-double violation(double value, double lower, double upper) {
-  if (value > upper) return value - upper;
-  return std::min(value - lower, 0.0);
-}
-
 }  // namespace
 
 SoftLevels::SoftLevels(const Hierarchy& capacity) : selected_(capacity) {
@@ -38,15 +32,21 @@ const Hierarchy& SoftLevels::select(const Hierarchy& hierarchy, const LevelSet& 
     selected_.level(k).clear();
     if (k >= present.size() || present[k]) selected_.level(k).add(hierarchy.level(k));
   }
+  for (std::size_t k = hierarchy.num_levels(); k < selected_.num_levels(); ++k) {
+    selected_.level(k).clear();
+  }
   return selected_;
 }
 
 const Solution& SoftLevels::between(const Hierarchy& hierarchy, const Solution& before,
                                     const Solution& after, double share) noexcept {
-  const double s = std::clamp(share, 0.0, 1.0);
+  const double s = share > 0.0 ? std::min(share, 1.0) : 0.0;
   solution_.x = (1.0 - s) * before.x + s * after.x;
-  describe(hierarchy);
   judge(before, after);
+  const bool is_invalid = solution_.status == SolveStatus::invalid_input;
+  if (is_invalid) solution_.x.setZero();
+  if (!is_invalid) describe(hierarchy);
+  clear_levels(solution_, is_invalid ? 0 : hierarchy.num_levels());
   return solution_;
 }
 
@@ -59,7 +59,7 @@ void SoftLevels::describe(const Hierarchy& hierarchy) {
     double sum = 0.0;
     for (Index i = 0; i < level.num_rows(); ++i) {
       const double lower = level.lower()[i], upper = level.upper()[i];
-      const double beyond = violation(value[i], lower, upper);
+      const double beyond = signed_violation(value[i], lower, upper);
       sum += beyond * beyond;
       result.rows[static_cast<std::size_t>(i)] =
           state_of(value[i], lower, upper, kTouching * (1.0 + std::abs(value[i])));
@@ -75,7 +75,6 @@ void SoftLevels::judge(const Solution& before, const Solution& after) {
   solution_.failed_level = std::max(before.failed_level, after.failed_level);
   if (before.failed_level >= 0 && after.failed_level >= 0)
     solution_.failed_level = std::min(before.failed_level, after.failed_level);
-  if (solution_.status == SolveStatus::invalid_input) solution_.x.setZero();
   for (std::size_t k = 0; k < solution_.levels.size(); ++k) {
     const LevelResult &a = before.levels[k], &b = after.levels[k];
     solution_.levels[k].degrees_of_freedom_left =

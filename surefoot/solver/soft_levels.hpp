@@ -35,8 +35,8 @@ class SoftLevels {
   const Hierarchy& select(const Hierarchy& hierarchy, const LevelSet& present) noexcept;
 
   /// x(s), and what each row of `hierarchy`, with all levels of either side, does there. If one
-  /// side failed, so did what is between. The reference stays valid until the next call. Does not
-  /// allocate.
+  /// side failed, so did what is between. A share that is no number is 0. The reference stays valid
+  /// until the next call. Does not allocate.
   const Solution& between(const Hierarchy& hierarchy, const Solution& before, const Solution& after,
                           double share) noexcept;
 

@@ -36,7 +36,7 @@ struct LevelResult {
   /// Of the active-set method. LexicographicSolver solves all levels at once: there it is the
   /// number of sweeps, of every level, and only where the cascade had to solve its own.
   int iterations = 0;
-  double time = 0.0;  ///< that the level took [s]; 0 unless CascadeSolver was given a clock
+  double time = 0.0;  ///< that the level took [s]; 0 unless the cascade solved it, with a clock
   std::vector<RowState> rows;  ///< capacity max_rows; the first num_rows are valid
   [[nodiscard]] int num_active() const {
     int count = 0;

@@ -11,7 +11,7 @@ namespace surefoot {
 struct Substitution {
   std::size_t num_levels = 0;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      basis;  ///< unknowns × size of y; columns independent, they need not be orthonormal
+      basis;  ///< unknowns × size of y; columns independent, of any length and angle
   Eigen::VectorXd offset;
 };
 

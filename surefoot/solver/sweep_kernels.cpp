@@ -1,4 +1,5 @@
 #include "surefoot/solver/sweep.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #define SUREFOOT_PACK 2
 #define SUREFOOT_ISA_NAME "baseline"

@@ -9,7 +9,7 @@
 namespace surefoot {
 namespace {
 
-constexpr std::size_t kAlignment = 8;  // doubles: a cache line, and the widest pack
+constexpr std::size_t kAlignment = SweepMemory::kWidestPack;
 
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 

@@ -11,6 +11,12 @@ namespace surefoot {
 /// Owns the arrays of a sweep, aligned and padded for every instruction set.
 class SweepMemory {
  public:
+  static constexpr int kWidestPack = 8;  ///< doubles: a cache line
+  /// The next multiple of the widest pack.
+  static constexpr int padded(int size) {
+    return (size + kWidestPack - 1) / kWidestPack * kWidestPack;
+  }
+
   /// `more_rows` than the levels have.
   explicit SweepMemory(const Hierarchy& capacity, std::size_t more_rows = 0);
   SweepMemory(const SweepMemory&) = delete;

@@ -96,10 +96,44 @@ TEST(SolveCommand, RowsOfLengthsTooDifferentToBeProvenAreTold) {
 }
 
 TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {
-  const CommandRun run(
-      R"({"levels":[{"A":[[1e-90,0]],"b":[1e100]},{"A":[[0,1e-90]],"b":[1e100]}]})");
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.results.size(), 1u);
+  const std::string overflow =
+      R"({"levels":[{"A":[[1e-90,0]],"b":[1e100]},{"A":[[0,1e-90]],"b":[1e100]}]})";
+  for (const char* method : {"lexicographic", "cascade"}) {
+    const CommandRun run(overflow + "\n" + R"({"levels":[{"A":[[1]],"b":[3]}]})",
+                         {.file = "", .certify = true, .method = method});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.results.size(), 1u);
+    EXPECT_NE(run.err.str().find(":1: the answer is beyond the range of doubles"),
+              std::string::npos)
+        << run.err.str();
+  }
+}
+
+TEST(SolveCommand, TheReferenceGivesTheSameAnswer) {
+  const std::string line =
+      R"({"levels":[{"D":[[1,0],[1,1]],"f":[1,1]},{"A":[[1,2]],"b":[4]},{"A":[[1,0],[0,1]],"b":[3,0]}]})";
+  const CommandRun ours(line), cascade(line, {.file = "", .method = "cascade"});
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(ours.results.at(0)["x"][i].get<double>(),
+                cascade.results.at(0)["x"][i].get<double>(), 1e-12);
+  }
+}
+
+TEST(SolveCommand, EndsALineAtItsBudgetWithTheLevelsThatAreFinished) {
+  const std::string line = R"({"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0]],"f":[-3]}]})";
+  const CommandRun all(line, {.file = "", .budget = 1e6});
+  EXPECT_FALSE(all.results.at(0).contains("status"));
+  const CommandRun none(line, {.file = "", .budget = 0.0});
+  EXPECT_EQ(none.exit_code, 0);
+  EXPECT_EQ(none.results.at(0).at("status"), "iteration_cap");
+  EXPECT_NEAR(none.results.at(0)["levels"][0]["residual"].get<double>(), 0.0, 1e-12);
+  EXPECT_GT(none.results.at(0)["levels"][1]["residual"].get<double>(), 1.0);
+}
+
+TEST(SolveCommand, AMethodThatThereIsNotOrHasNoBudgetIsAnError) {
+  EXPECT_THROW(CommandRun("", {.file = "", .method = "simplex"}), Error);
+  EXPECT_THROW(CommandRun("", {.file = "", .method = "cascade", .budget = 1.0}), Error);
+  EXPECT_THROW(CommandRun("", {.file = "", .budget = -1.0}), Error);
 }
 
 TEST(SolveCommand, AFileThatCannotBeReadIsAnError) {
@@ -149,13 +183,24 @@ TEST(SolveCommand, ExplainsInTheUnitOfTheLevel) {
 }
 
 TEST(SolveCommand, ExplainsWithStatusIterationsAndTimeOfEachLevel) {
-  const std::string text = CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
+  const std::string text =
+      CommandRun(kLimitedWish, {.file = "", .explain = true, .method = "cascade"}).out.str();
   const std::regex headline("\nstatus: optimal, 1 iteration, [0-9.]+ µs\n");
   EXPECT_TRUE(std::regex_search(text, headline)) << text;
   const std::regex met("\n1 limit +met +0 +1 +1 +0 +1 +0 +[0-9.]+ µs\n");
   EXPECT_TRUE(std::regex_search(text, met)) << text;
   const std::regex missed("\n2 wish +missed +2 +1 +0 +1 +0 +1 +[0-9.]+ µs\n");
   EXPECT_TRUE(std::regex_search(text, missed)) << text;
+}
+
+TEST(SolveCommand, ExplainsWithSweepsWhereAllLevelsAreSolvedAtOnce) {
+  const std::string text = CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
+  EXPECT_TRUE(
+      std::regex_search(text, std::regex("\nstatus: optimal, [0-9]+ sweeps?, [0-9.]+ µs\n")))
+      << text;
+  const CommandRun json(kLimitedWish, {.file = "", .explain = true, .json = true});
+  EXPECT_GE(json.results.at(0).at("sweeps").get<int>(), 1);
+  EXPECT_FALSE(json.results.at(0)["levels"][0].contains("iterations"));
 }
 
 TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {

@@ -46,3 +46,33 @@ def test_a_level_without_rows_is_met_by_any_x(tmp_path):
     done = subprocess.run([PROGRAM, "solve", "--certify", "lines.jsonl"], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0
     assert [level["residual"] for level in json.loads(done.stdout)["levels"]] == [0, 0, 0]
+
+
+def test_a_budget_ends_the_search_of_the_controllers_solver_only(tmp_path):
+    (tmp_path / "lines.jsonl").write_text('{"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0]],"f":[-3]}]}\n')
+    solve = [PROGRAM, "solve", "lines.jsonl", "--budget", "0"]
+    done = subprocess.run(solve, cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["status"] == "iteration_cap"
+    done = subprocess.run([*solve, "--method", "cascade"], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert "the cascade has no budget" in done.stderr
+
+
+@pytest.mark.parametrize("method", ["lexicographic", "cascade"])
+def test_python_solves_by_either_method(method):
+    surefoot = pytest.importorskip("surefoot")
+    levels = [{"D": [[1.0]], "f": [1.0]}, {"A": [[1.0]], "b": [3.0]}]
+    assert surefoot.solve(levels, method=method).x[0] == pytest.approx(1.0)
+    with pytest.raises(surefoot.Error, match="beyond the range of doubles"):
+        surefoot.solve([{"A": [[1e-10]], "b": [1e300]}], method=method)
+
+
+def test_python_says_what_is_wrong_with_a_method_or_a_budget():
+    surefoot = pytest.importorskip("surefoot")
+    levels = [{"A": [[1.0, 1.0]], "b": [2.0]}, {"D": [[1.0, 0.0]], "f": [-3.0]}]
+    assert surefoot.solve(levels, budget=0).status == "iteration_cap"
+    with pytest.raises(surefoot.Error, match="there are: lexicographic, cascade"):
+        surefoot.solve(levels, method="simplex")
+    with pytest.raises(surefoot.Error, match="the cascade has no budget"):
+        surefoot.solve(levels, method="cascade", budget=1e3)

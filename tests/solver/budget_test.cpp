@@ -3,6 +3,7 @@
 #include "tests/solver/solve.hpp"
 #include "tests/support/malloc_counter.hpp"
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,6 +117,92 @@ TEST(Budget, ALevelThatIsCutShortIsBetterThanBefore) {
       last_level = solution.failed_level;
     }
   }
+}
+
+/// More than one sweep or one step costs: all rows, and the rows that tell where y is, through all
+/// columns.
+double largest_piece(const Hierarchy& hierarchy) {
+  double rows = static_cast<double>(kUnknowns);
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    rows += static_cast<double>(hierarchy.level(k).num_rows());
+  }
+  return 12.0 * rows * kUnknowns * kUnknowns;
+}
+
+TEST(Budget, IsKeptButForTheLeadingEqualitiesAndWhatHadBegun) {
+  int num_early = 0;
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy =
+        make_hierarchy(kUnknowns, table_one_levels(random, 2 + seed % 3, 1.0));
+    LexicographicSolver none(hierarchy, with_flops(0.0));
+    ASSERT_EQ(none.solve(hierarchy).status, SolveStatus::iteration_cap);
+    ASSERT_EQ(none.num_sweeps(), 0);
+    const double least = none.flops();
+    const double all = [&] {
+      LexicographicSolver solver(hierarchy);
+      (void)solver.solve(hierarchy);
+      return solver.flops();
+    }();
+    for (double flops = 0.0; flops < 2.0 * all; flops += 0.05 * all) {
+      LexicographicSolver solver(hierarchy, with_flops(flops));
+      const Solution& solution = solver.solve(hierarchy);
+      ASSERT_LE(solver.flops(), std::max(flops, least) + largest_piece(hierarchy));
+      const bool ended_early = solution.status == SolveStatus::iteration_cap;
+      ASSERT_TRUE(!ended_early || (solver.flops() >= flops && flops <= all));
+      num_early += ended_early ? 1 : 0;
+    }
+  }
+  EXPECT_GT(num_early, 300);
+}
+
+TEST(Budget, IsKeptWhereTheCascadeWasAskedForWhichHasNone) {
+  RandomMatrices random(2);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, table_one_levels(random, 3, 1.0));
+  LexicographicOptions options = with_flops(1.0);
+  options.max_sweeps = 0;
+  EXPECT_EQ(LexicographicSolver(hierarchy, options).solve(hierarchy).status,
+            SolveStatus::iteration_cap);
+  options.budget.flops = 1e9;
+  EXPECT_EQ(LexicographicSolver(hierarchy, options).solve(hierarchy).status, SolveStatus::optimal);
+}
+
+/// All x that satisfy the first two levels, in a skew basis.
+Substitution skew_substitution(const HierarchyData& levels, RandomMatrices& random) {
+  const LevelData both = joined(levels[0], levels[1]);
+  const Eigen::MatrixXd Q =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(both.A.transpose()).householderQ();
+  const Eigen::MatrixXd N = Q.rightCols(kUnknowns - both.A.rows());
+  Substitution result;
+  result.num_levels = 2;
+  result.basis = N * random.matrix(N.cols(), N.cols());
+  result.offset =
+      both.A.completeOrthogonalDecomposition().solve(both.upper) + N * random.vector(N.cols());
+  return result;
+}
+
+TEST(Budget, WhereverItEndsXIsReadInTheBasisInWhichItWasFound) {
+  int num_early = 0, most_finished = 0;
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = table_one_levels(random, 2 + seed % 3, 1.0);
+    levels.resize(5);  // x is left open: the basis is made orthonormal on the way
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Substitution substitution = skew_substitution(levels, random);
+    const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
+    for (double flops = 0.0; flops < 1e6; flops += 4e3) {
+      LexicographicSolver solver(hierarchy, with_flops(flops));
+      const Solution& solution = solver.solve(hierarchy, substitution);
+      if (solution.status == SolveStatus::optimal) continue;
+      expect_safe(hierarchy, solution, optimum);
+      most_finished = std::max(most_finished, solution.failed_level);
+      ++num_early;
+    }
+  }
+  EXPECT_GT(num_early, 200);
+  EXPECT_EQ(most_finished, 4);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace surefoot::test {
 namespace {
@@ -64,7 +65,7 @@ TEST(Explanation, GivesTheCostOfDuplicatedRowsToTheirLevel) {
   EXPECT_NEAR(levels[1].cost_of_level[0], 2.0, 1e-12);
 }
 
-TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
+TEST(Explanation, CostsAreNeitherNegativeNorMoreThanTheResidual) {
   int blocked = 0;
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -80,6 +81,49 @@ TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
     }
   }
   EXPECT_GT(blocked, 100);
+}
+
+LevelData without_row(const LevelData& level, Index row) {
+  std::vector<Index> kept;
+  for (Index i = 0; i < level.lower.size(); ++i) {
+    if (i != row) kept.push_back(i);
+  }
+  return {level.A(kept, Eigen::all), level.lower(kept), level.upper(kept)};
+}
+
+/// Limits and a task that x = 0 satisfies, with or without any of their rows, and wishes.
+HierarchyData wishes_under_limits(RandomMatrices& random) {
+  const LevelData limits =
+      between(random.matrix(5, 6), -random.vector(5).cwiseAbs(), random.vector(5).cwiseAbs());
+  return {limits, equalities(random.matrix(2, 6), VectorXd::Zero(2)),
+          equalities(random.matrix(4, 6), 3.0 * random.vector(4))};
+}
+
+TEST(Explanation, CostsAreWhatIsGainedWithoutARow) {
+  int compared = 0;
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = wishes_under_limits(random);
+    const LevelExplanation wishes = explanation(6, levels)[2];
+    const auto gain = [&](const HierarchyData& less) {
+      return wishes.residual - solve<LexicographicSolver>(6, less).levels.back().residual;
+    };
+    for (const Blocker& blocker : wishes.blocked_by) {
+      HierarchyData less = levels;
+      less[blocker.at.level] = without_row(levels[blocker.at.level], blocker.at.row);
+      ASSERT_NEAR(gain(less), blocker.cost, 1e-9);
+      ++compared;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      HierarchyData less = levels;
+      less.erase(less.begin() + static_cast<std::ptrdiff_t>(k));
+      const bool is_blocked = wishes.cost_of_level[k] > 0.0;
+      ASSERT_NEAR(is_blocked ? gain(less) : 0.0, wishes.cost_of_level[k], 1e-9);
+      compared += is_blocked ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, 200);
 }
 
 TEST(Explanation, ALevelWithoutBlockersDoesNoBetterAlone) {

@@ -86,6 +86,26 @@ TYPED_TEST(FloatTrapped, WeakDirectionsAndLargeNumbersAreSolved) {
   }
 }
 
+TYPED_TEST(FloatTrapped, AProblemAfterALargerOneIsSolved) {
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData large = table_one_levels(random, 4, 1.0);
+    const Hierarchy capacity = make_hierarchy(30, large);
+    TypeParam solver(capacity);
+    for (int time = 0; time < 6; ++time) {
+      const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 4 - time % 3, 1.0));
+      Hierarchy fewer(30);
+      for (std::size_t k = 0; k < hierarchy.num_levels() - static_cast<std::size_t>(time); ++k) {
+        fewer.add_level(hierarchy.level(k).name(), hierarchy.level(k).num_rows());
+        (void)fewer.level(k).add(hierarchy.level(k));
+      }
+      const FloatTraps traps;
+      ASSERT_NE(solver.solve(fewer).status, SolveStatus::iteration_cap);
+    }
+  }
+}
+
 TEST(FloatTraps, EndTheProgramWhereTheyShould) {
   volatile double zero = 0.0;
   EXPECT_DEATH(

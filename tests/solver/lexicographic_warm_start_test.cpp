@@ -187,5 +187,64 @@ TEST(LexicographicWarmStart, NothingIsAllocatedWhateverTheGuessIs) {
   EXPECT_EQ(counter.count(), 0u);
 }
 
+HierarchyData unique_case(int seed) {
+  RandomMatrices random(static_cast<std::uint64_t>(seed));
+  return random_case(random);
+}
+
+TEST(WarmStart, ALevelThatComesBackHasItsGuess) {
+  int cold_sweeps = 0, warm_sweeps = 0;
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Hierarchy all = named(unique_case(seed));
+    Hierarchy without = all;
+    without.level(2).clear();
+    LexicographicSolver solver(all);
+    (void)solver.solve(all);
+    cold_sweeps += solver.num_sweeps();
+    LexicographicSolver memory = LexicographicSolver(all);
+    (void)memory.solve(all);
+    for (int tick = 0; tick < 3; ++tick) (void)memory.solve(without);
+    (void)memory.solve(all);
+    warm_sweeps += memory.num_sweeps();
+    ASSERT_LE((memory.solution().x - solver.solution().x).norm(), 1e-8);
+  }
+  EXPECT_LT(warm_sweeps, cold_sweeps);
+}
+
+TEST(WarmStart, ALevelThatMovedHasItsGuessWhereAnEmptyPlaceHasItsName) {
+  // "level 1" moves from place 1 to 2 and back: what is left at its old place says nothing of it.
+  for (int seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const HierarchyData levels = unique_case(seed);
+    const Hierarchy all = named(levels);
+    Hierarchy shifted(kUnknowns);  // with a level in front, and one less at the end
+    Hierarchy capacity(kUnknowns);
+    for (std::size_t k = 0; k <= levels.size(); ++k) capacity.add_level("", 12);
+    shifted.add_level("front", 0);
+    for (std::size_t k = 0; k < all.num_levels(); ++k) {
+      shifted.add_level(all.level(k).name(), all.level(k).num_rows());
+      (void)shifted.level(k + 1).add(all.level(k));
+    }
+    LexicographicSolver solver(capacity);
+    (void)solver.solve(shifted);
+    (void)solver.solve(all);
+    (void)solver.solve(all);
+    const int settled = solver.num_sweeps();
+    (void)solver.solve(shifted);
+    ASSERT_LE(solver.num_sweeps(), settled);
+  }
+}
+
+TEST(WarmStart, AfterInvalidInputNothingIsSaidOfSweeps) {
+  Hierarchy hierarchy = named(unique_case(1));
+  LexicographicSolver solver(hierarchy);
+  (void)solver.solve(hierarchy);
+  EXPECT_GT(solver.num_sweeps(), 0);
+  hierarchy.level(0).rows().A(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  (void)solver.solve(hierarchy);
+  EXPECT_EQ(solver.num_sweeps(), 0);
+}
+
 }  // namespace
 }  // namespace surefoot::test

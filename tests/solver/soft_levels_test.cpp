@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -152,6 +153,41 @@ TEST(SoftLevels, NothingIsAllocatedDuringATransition) {
     (void)soft.between(hierarchy, before, after, share);
   }
   EXPECT_EQ(counter.count(), 0u);
+}
+
+TEST(SoftLevels, LevelsThatAHierarchyDoesNotHaveAreEmpty) {
+  const Hierarchy all = random_hierarchy(1);
+  Hierarchy few(kUnknowns);
+  for (std::size_t k = 0; k < 2; ++k) {
+    few.add_level(all.level(k).name(), all.level(k).num_rows());
+    (void)few.level(k).add(all.level(k));
+  }
+  SoftLevels soft(all);
+  (void)soft.select(all, kAll);
+  const Hierarchy& selected = soft.select(few, kAll);
+  for (std::size_t k = 2; k < selected.num_levels(); ++k)
+    EXPECT_EQ(selected.level(k).num_rows(), 0);
+  const Solution optimum = CascadeSolver(all).solve(all);
+  (void)soft.between(all, optimum, optimum, 0.5);
+  for (std::size_t k = 2; k < all.num_levels(); ++k)
+    EXPECT_EQ(soft.between(few, optimum, optimum, 0.5).levels[k].num_rows, 0);
+}
+
+TEST(SoftLevels, WhatIsSaidOfAFailureIsSaidOfItsX) {
+  const Hierarchy hierarchy = random_hierarchy(1);
+  SoftLevels soft(hierarchy);
+  const Solution good = CascadeSolver(hierarchy).solve(hierarchy);
+  Solution invalid = good;
+  invalid.status = SolveStatus::invalid_input;
+  const Solution& solution = soft.between(hierarchy, good, invalid, 0.5);
+  EXPECT_EQ(solution.x.norm(), 0.0);
+  for (const LevelResult& level : solution.levels) EXPECT_EQ(level.num_rows, 0);
+}
+
+TEST(SoftLevels, AShareThatIsNoNumberStaysAtTheOptimumBefore) {
+  const Hierarchy hierarchy = random_hierarchy(1);
+  Transition transition(hierarchy, all_but({2}), kAll);
+  EXPECT_EQ(transition.at(std::numeric_limits<double>::quiet_NaN()).x, transition.before().x);
 }
 
 }  // namespace

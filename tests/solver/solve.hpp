@@ -29,12 +29,16 @@ struct OptionsOf<LexicographicSolver> {
 template <typename Solver>
 using Options = typename OptionsOf<Solver>::Type;
 
-/// Options that end a level after so many iterations.
+/// Options that end the search early: the cascade after so many iterations in a level, the sweeps
+/// after a budget that is about as much.
 template <typename Solver>
 Options<Solver> limited(int iterations) {
   Options<Solver> options;
-  options.max_iterations = iterations;
-  if constexpr (std::is_same_v<Solver, LexicographicSolver>) options.max_sweeps = 0;
+  if constexpr (std::is_same_v<Solver, LexicographicSolver>) {
+    options.budget.flops = 3e3 * iterations;
+  } else {
+    options.max_iterations = iterations;
+  }
   return options;
 }
 

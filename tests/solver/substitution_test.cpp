@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -95,6 +96,42 @@ TEST(Substitution, DoesNotAllocate) {
   const MallocCounter counter;
   (void)solver.solve(hierarchy, substitution);
   EXPECT_EQ(counter.count(), 0u);
+}
+
+TEST(Substitution, TheLengthOfItsColumnsDoesNotMatter) {
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = table_one_levels(random, 2 + seed % 3, 0.5 * (seed % 3));
+    if (seed % 2 == 1) levels.resize(5);
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Solution expected = LexicographicSolver(hierarchy).solve(hierarchy);
+    Substitution substitution = skew_substitution(levels, random);
+    for (Index j = 0; j < substitution.basis.cols(); ++j) {
+      substitution.basis.col(j) *= std::pow(10.0, random.integer(-12, 6));
+    }
+    LexicographicSolver solver(hierarchy);
+    const Solution& solution = solver.solve(hierarchy, substitution);
+    ASSERT_EQ(solution.status, SolveStatus::optimal);
+    ASSERT_LE((solution.x - expected.x).norm(), 1e-9 * (1.0 + expected.x.norm()));
+    substitution.basis *= 3e-11;
+    ASSERT_LE((solver.solve(hierarchy, substitution).x - expected.x).norm(),
+              1e-9 * (1.0 + expected.x.norm()));
+  }
+}
+
+TEST(Substitution, AColumnThatIsNoDirectionIsNotUsed) {
+  RandomMatrices random(1);
+  const HierarchyData levels = table_one_levels(random, 3, 0.3);
+  const Substitution good = skew_substitution(levels, random);
+  const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+  LexicographicSolver solver(hierarchy);
+  const VectorXd expected = solver.solve(hierarchy).x;
+  for (const double factor : {0.0, 1e-170, 1e170}) {
+    Substitution bad = good;
+    bad.basis.col(2) *= factor;
+    EXPECT_EQ(solver.solve(hierarchy, bad).x, expected);
+  }
 }
 
 }  // namespace
