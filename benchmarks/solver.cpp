@@ -73,7 +73,7 @@ std::vector<PeerKind> chosen_peers(const Arguments& arguments) {
     if (!exists) throw UnknownNameError("no solver \"" + name + "\" here; there are " + valid);
   }
   std::erase_if(peers, [&](const PeerKind& kind) {
-    return !kind.name.starts_with("ours") &&
+    return !kind.name.starts_with("our") &&
            std::ranges::none_of(arguments.peers, [&](const std::string& name) {
              return kind.name.starts_with(name);
            });

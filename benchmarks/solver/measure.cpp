@@ -158,8 +158,9 @@ class Measurement {
     SetResult result{
         set_.name, count, static_cast<double>(num_active_) / count, quantile(least_q_, 0.5), {}};
     for (Run& run : runs_) {
+      // One that did not come back took at least the time limit.
       for (const double time : run.least) {
-        if (std::isfinite(time)) run.result.times.push_back(time);
+        run.result.times.push_back(std::isfinite(time) ? time : 1e6 * options_.time_limit);
       }
       if (run.solves > 0)
         run.result.allocations = run.allocations / static_cast<double>(run.solves);
