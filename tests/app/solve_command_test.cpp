@@ -216,7 +216,9 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
 }
 
 TEST(SolveCommand, ExplainsTheSameAsJson) {
-  const CommandRun run(kLimitedWish, {.file = "", .certify = true, .explain = true, .json = true});
+  const CommandRun run(
+      kLimitedWish,
+      {.file = "", .certify = true, .explain = true, .json = true, .method = "cascade"});
   ASSERT_EQ(run.results.size(), 1u);
   const Json& line = run.results[0];
   EXPECT_EQ(line.at("status"), "optimal");
