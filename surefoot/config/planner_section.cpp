@@ -97,6 +97,7 @@ void read_contact(Section& section, TouchdownOptions& contact) {
   section.number("lift_off_force", contact.lift_off_force, kPositive);
   section.number("stall_error", contact.stall_error, kPositive);
   section.number("bounce_speed", contact.bounce_speed, kPositive);
+  section.number("bounce_force", contact.bounce_force, kNotNegative);
   section.number("stall_force", contact.stall_force, kNotNegative);
   section.number("lost_force", contact.lost_force, kNotNegative);
   section.number("lost_duration", contact.lost_duration, kNotNegative);

@@ -167,6 +167,7 @@ void read_slip(Section& section, SlipOptions& slip) {
 void read_contact_force(Section& section, ContactForceOptions& contact_force) {
   section.number("bandwidth_hz", contact_force.bandwidth_hz, kPositive);
   section.flag("use_foot_sensor", contact_force.use_foot_sensor);
+  section.flag("tare", contact_force.tare.enabled);
 }
 
 void read_external_force(Section& section, ExternalForceOptions& external) {

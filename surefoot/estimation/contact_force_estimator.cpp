@@ -21,7 +21,8 @@ ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options,
     : options_(options),
       period_(period),
       force_observer_(2.0 * kPi * options.bandwidth_hz, period),
-      velocity_observer_(force_observer_) {}
+      velocity_observer_(force_observer_),
+      tare_(options.tare, period) {}
 
 // Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {
@@ -57,11 +58,17 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   force_observer_.expect(free);
   velocity_observer_.expect(constrained);
   if (is_first_) force_observer_.balance();
+  const JointVector missing = missing_torque(dynamics);
+  tare_.update(stands, missing, state.torque, force_observer_.velocity(),
+               free + force_observer_.disturbance());
+  const JointVector by_ground = missing - tare_.tare();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const bool sensed = options_.use_foot_sensor && std::isfinite(reading.foot_force[k]);
     state.foot_force[k] =
-        sensed ? Vec3(reading.foot_force[k] * terrain_normal_W) : force(dynamics, leg);
+        sensed ? Vec3(reading.foot_force[k] * terrain_normal_W)
+               : Vec3(damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *
+                      by_ground.segment<3>(first_joint(leg)));
   }
 }
 
@@ -87,11 +94,15 @@ Vec3 ContactForceEstimator::stance_acceleration(const Dynamics& dynamics, Leg le
   return -damped_inverse(leg_jacobian(contact, leg)) * rest;
 }
 
-Vec3 ContactForceEstimator::force(const Dynamics& dynamics, Leg leg) const {
-  const int first = leg_rows(leg);
-  const Vec3 torque = dynamics.M.block<3, 3>(first, first) *
-                      force_observer_.disturbance().segment<3>(first_joint(leg));
-  return damped_inverse(leg_jacobian(dynamics.contact[index(leg)], leg)).transpose() * torque;
+JointVector ContactForceEstimator::missing_torque(const Dynamics& dynamics) const {
+  JointVector result;
+  for (const Leg leg : kLegs) {
+    const int first = leg_rows(leg);
+    result.segment<3>(first_joint(leg)) =
+        dynamics.M.block<3, 3>(first, first) *
+        force_observer_.disturbance().segment<3>(first_joint(leg));
+  }
+  return result;
 }
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/estimation/joint_observer.hpp"
+#include "surefoot/estimation/swing_tare.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
@@ -11,6 +12,7 @@ struct ContactForceOptions {
   double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
   /// Take the normal force of a foot force sensor instead, where there is one.
   bool use_foot_sensor = false;
+  SwingTareOptions tare = {};
 };
 
 /// Ground forces on the feet and joint velocities, from encoders and joint torques alone.
@@ -19,12 +21,12 @@ struct ContactForceOptions {
 ///
 ///     a = M_kk⁻¹ (τ − h − M_kb u̇_b)_k,    f_k = (J_kᵀ)⁻¹ M_kk d̂_k
 ///
-/// A second one, for the velocities, takes the same a of legs in the air, and of legs that stand
-/// the one that keeps the foot where it is, J_k a + J_kb u̇_b + J̇ u = 0: torques that the ground
-/// takes up don't move a joint. u̇_b is the base's acceleration, the low-passed difference of the
-/// believed velocities. J_k is the 3×3 block of the contact Jacobian of leg k, inverted with a
-/// damping that matters only near the straight leg. Forces in W, of the ground on the foot [N].
-/// Does not allocate.
+/// less what a swinging leg's torques always lack (SwingTare). A second one, for the velocities,
+/// takes the same a of legs in the air, and of legs that stand the one that keeps the foot where it
+/// is, J_k a + J_kb u̇_b + J̇ u = 0: torques that the ground takes up don't move a joint. u̇_b is the
+/// base's acceleration, the low-passed difference of the believed velocities. J_k is the 3×3 block
+/// of the contact Jacobian of leg k, inverted with a damping that matters only near the straight
+/// leg. Forces in W, of the ground on the foot [N]. Does not allocate.
 class ContactForceEstimator {
  public:
   ContactForceEstimator(const ContactForceOptions& options, double period);
@@ -47,11 +49,13 @@ class ContactForceEstimator {
   [[nodiscard]] Vec3 free_acceleration(const Dynamics& dynamics, Leg leg,
                                        const JointVector& torque) const;
   [[nodiscard]] Vec3 stance_acceleration(const Dynamics& dynamics, Leg leg) const;
-  [[nodiscard]] Vec3 force(const Dynamics& dynamics, Leg leg) const;
+  /// M_kk d̂_k of all legs [N·m].
+  [[nodiscard]] JointVector missing_torque(const Dynamics& dynamics) const;
 
   ContactForceOptions options_;
   double period_;
   JointObserver force_observer_, velocity_observer_;
+  SwingTare tare_;
   double time_ = kNaN;  ///< of the last reading [s]
   int periods_ = 0;     ///< between the last two readings
   bool is_first_ = true;

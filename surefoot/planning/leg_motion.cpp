@@ -12,9 +12,10 @@ constexpr double kLongAgo = 1e3;       // [s]
 constexpr double kCertain = 2.0;       // times the touchdown force: an impact, needs no second look
 constexpr int kFirmTicks = 2;          // debounce of a touchdown
 constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
-constexpr double kFastDescent = 0.25;  // too fast to be quite where it is asked to be [m/s]
-constexpr double kBounceMemory = 0.03;  // of what a foot's velocity usually lacks [s]
-constexpr double kAstray = 0.04;        // beside its reference by more, a foot could not follow [m]
+constexpr double kFastDescent = 0.25;  // too fast for its velocity to be told from a bounce [m/s]
+constexpr double kJolt = 0.015;        // an impact changes a velocity within this [s]
+constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
+constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
 constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
 constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
@@ -50,7 +51,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
-  usual_lag_ = 0.0;
+  num_lags_ = 0;
   held_for_ = 0.0;
   search_pace_ = 1.0;
   stuck_for_ = 0.0;
@@ -120,25 +121,19 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
   return held_for_ > reflex_.duration;
 }
 
-// A foot that meets ground bounces: it is fast for some milliseconds before it presses, and off the
-// ground again before it stays behind its reference. That tells a touch only of a foot that is
-// slow: a fast one is not where it is asked to be, least of all one that is not as modelled. What
-// pushes it back more than up is a wall.
+// A foot that meets ground bounces: it is off the ground again before it presses or stays behind
+// its reference, but its velocity has changed at once, where drives and a robot that is not as
+// modelled change it little by little. What pushes a foot back more than up is a wall.
 bool LegMotion::touches(double time, const LegObservation& seen) {
   const Motion<Vec3>& foot = seen.foot;
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / doubt();
-  const bool carries = force > touchdown_.stall_force;
   const bool arrives = since(time) > kArrivesFrom * curve_.target().duration;
-  const double behind = normal.dot(foot.p - asked.p) / touchdown_.stall_error;
-  const bool stalled = arrives && carries && behind > 1.0;
-  // An impact changes a foot's velocity at once, a robot that is not as modelled little by little.
-  const double lag = normal.dot(foot.v - asked.v);
-  usual_lag_ += period_ / kBounceMemory * (lag - usual_lag_);
-  const bool jolted = lag - usual_lag_ > touchdown_.bounce_speed;
-  const bool follows = behind > -1.0 && normal.dot(asked.v) > -kFastDescent;
-  const bool bounced = arrives && carries && jolted && follows;
+  const bool behind = normal.dot(foot.p - asked.p) > touchdown_.stall_error;
+  const bool stalled = arrives && behind && force > touchdown_.stall_force;
+  const bool jolted = is_jolted(normal.dot(foot.v - asked.v), force);
+  const bool bounced = arrives && jolted && normal.dot(asked.v) > -kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
   const bool strays = !arrives && beside(time, foot.p) > kAstray;
   const bool pressed = force > touchdown_.touchdown_force && !strays;
@@ -148,6 +143,19 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   if (wall) return false;
   firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
   return certain || firm_ticks_ >= kFirmTicks;
+}
+
+bool LegMotion::is_jolted(double lag, double force) {
+  const std::size_t most = lags_.size();
+  const auto window = std::min(most, static_cast<std::size_t>(std::ceil(kJolt / period_)));
+  if (num_lags_ == 0) usual_force_ = force;
+  usual_force_ += period_ / kUsual * (force - usual_force_);
+  double least = lag;
+  for (std::size_t i = 1; i <= std::min(window, num_lags_); ++i) {
+    least = std::min(least, lags_[(num_lags_ - i) % most]);
+  }
+  lags_[num_lags_++ % most] = lag;
+  return lag - least > touchdown_.bounce_speed && force - usual_force_ > touchdown_.bounce_force;
 }
 
 // The reference waits for a foot that stays behind, and at the end of the leg's reach.

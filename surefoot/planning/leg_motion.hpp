@@ -4,6 +4,7 @@
 #include "surefoot/planning/swing_curve.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
+#include <array>
 #include <limits>
 
 namespace surefoot {
@@ -62,6 +63,8 @@ class LegMotion {
   /// Distance of the foot from its reference along the ground [m].
   [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
+  /// Has the foot's velocity just changed as by an impact, and does something bear it?
+  [[nodiscard]] bool is_jolted(double lag, double force);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
@@ -82,7 +85,10 @@ class LegMotion {
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
-  double usual_lag_ = 0.0;    // of a swinging foot's velocity behind its reference [m/s]
+  /// Of a swinging foot's velocity behind its reference, at the last ticks [m/s].
+  std::array<double, 8> lags_{};
+  std::size_t num_lags_ = 0;
+  double usual_force_ = 0.0;  // on a swinging foot, as estimated [N]
   double held_for_ = 0.0;     // how long something has been in the foot's way [s]
   int firm_ticks_ = 0;        // ticks in a row with a firm contact
 };

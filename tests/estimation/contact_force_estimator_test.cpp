@@ -58,6 +58,8 @@ RobotState at_rest(Random& random, const RobotDescription& robot) {
 }
 
 constexpr PerLeg<bool> kInTheAir{}, kStanding{true, true, true, true};
+/// Forces on feet in the air are no forces of the ground otherwise.
+const ContactForceOptions kWithoutTare{.tare = {.enabled = false}};
 
 /// An estimator whose robot's encoders read state.q.
 struct Bench {
@@ -116,7 +118,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
     GeneralizedVector applied = generalized(dynamics, forces) - dynamics.h;
     applied.tail<kNumJoints>() += state.torque;
     const GeneralizedVector acceleration = dynamics.M.ldlt().solve(applied);
-    Bench bench;
+    Bench bench(kWithoutTare);
     for (int tick = 0; tick < 60; ++tick) {  // the observer settles
       bench.tick(dynamics, state);
       move(dynamics, state, acceleration, kPeriod);
@@ -137,7 +139,7 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
     state.torque.setZero();
     Dynamics dynamics = model.update(state, kUp);
     const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
-    Bench bench;
+    Bench bench(kWithoutTare);
     for (int tick = 0; tick < 200; ++tick) {
       move(dynamics, state, acceleration, tick < 199 ? kPeriod : (1 + left_out) * kPeriod);
       bench.tick(dynamics, state);

@@ -1,0 +1,74 @@
+#include "surefoot/estimation/swing_tare.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kNoise = 0.5;  // of a sample, beside what is learnt [N·m]
+
+/// How far θ is from 0 on robots: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
+const Eigen::Vector4d kUsual(0.5, 0.1, 0.2, 0.02);
+
+}  // namespace
+
+SwingTare::SwingTare(const SwingTareOptions& options, double period)
+    : options_(options),
+      period_(period),
+      forgetting_(std::exp(-period / options.memory)),
+      wait_(
+          std::min(kMostWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {}
+
+void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
+                       const JointVector& torque, const JointVector& velocity,
+                       const JointVector& acceleration) noexcept {
+  tare_.setZero();
+  if (!options_.enabled) return;
+  for (const Leg k : kLegs) {
+    LegTare& leg = legs_[index(k)];
+    const int first = first_joint(k);
+    if (stands[index(k)]) {
+      leg.num_seen = 0;
+      leg.in_the_air = 0.0;
+      continue;
+    }
+    leg.in_the_air += period_;
+    Sample sample;
+    sample.missing = missing.segment<3>(first);
+    for (int j = 0; j < kJointsPerLeg; ++j) {
+      const int i = first + j;
+      sample.features[static_cast<std::size_t>(j)] << 1.0, torque[i], velocity[i], acceleration[i];
+      tare_[i] = leg.joints[static_cast<std::size_t>(j)].theta.dot(
+          sample.features[static_cast<std::size_t>(j)]);
+    }
+    if (leg.in_the_air > options_.begin && leg.in_the_air < options_.end + options_.wait) {
+      weigh(leg, sample);
+    }
+  }
+}
+
+// What was seen `wait` ago was in the air: no touchdown was believed since.
+void SwingTare::weigh(LegTare& leg, const Sample& sample) {
+  leg.waiting[leg.num_seen % kMostWaiting] = sample;
+  if (leg.num_seen >= wait_) learn(leg, leg.waiting[(leg.num_seen - wait_) % kMostWaiting]);
+  ++leg.num_seen;
+}
+
+void SwingTare::learn(LegTare& leg, const Sample& sample) const {
+  for (std::size_t j = 0; j < kJointsPerLeg; ++j) {
+    const Features& x = sample.features[j];
+    const double y = sample.missing[static_cast<Eigen::Index>(j)];
+    if (!x.allFinite() || !(std::abs(y) < options_.most)) continue;
+    Joint& joint = leg.joints[j];
+    joint.moments = forgetting_ * joint.moments + x * x.transpose();
+    joint.products = forgetting_ * joint.products + y * x;
+    Moments pulled = joint.moments;
+    pulled.diagonal() += (kNoise / kUsual.array()).square().matrix();
+    joint.theta = pulled.llt().solve(joint.products);
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,130 @@
+#include "surefoot/estimation/swing_tare.hpp"
+
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+constexpr PerLeg<bool> kStanding{true, true, true, true};
+constexpr PerLeg<bool> kSwingLF{false, true, true, true};
+constexpr int kSwing = 160;  // ticks
+
+/// A robot whose swinging leg LF lacks bias + gain τ + friction q̇ + inertia q̈ in its joints.
+struct Bench {
+  void tick(const PerLeg<bool>& stands, double extra = 0.0) {
+    time += kPeriod;
+    for (int j = 0; j < kNumJoints; ++j) {
+      const double phase = (5.0 + j) * time;
+      velocity[j] = 3.0 * std::sin(phase);
+      acceleration[j] = 3.0 * (5.0 + j) * std::cos(phase);
+      torque[j] = 6.0 * std::sin(1.7 * phase) + 2.0;
+    }
+    lacking = JointVector::Constant(0.4) + 0.1 * torque - 0.05 * velocity + 0.01 * acceleration;
+    tare.update(stands, lacking + JointVector::Constant(extra), torque, velocity, acceleration);
+  }
+  void swings(int count, double extra = 0.0) {
+    for (int i = 0; i < count; ++i) {
+      for (int t = 0; t < kSwing; ++t) tick(kSwingLF, extra);
+      for (int t = 0; t < 40; ++t) tick(kStanding, extra);
+    }
+  }
+  /// Largest of what is left of LF's joints over a swing [N·m].
+  double left() {
+    double most = 0.0;
+    for (int t = 0; t < kSwing; ++t) {
+      tick(kSwingLF);
+      most = std::max(most, (lacking - tare.tare()).head<3>().cwiseAbs().maxCoeff());
+    }
+    tick(kStanding);
+    return most;
+  }
+
+  SwingTare tare{SwingTareOptions{}, kPeriod};
+  double time = 0.0;
+  JointVector torque, velocity, acceleration, lacking;
+};
+
+TEST(SwingTare, LearnsWhatASwingingLegLacks) {
+  Bench bench;
+  const double before = Bench().left();
+  bench.swings(4);
+  EXPECT_GT(before, 1.0);
+  EXPECT_LT(bench.left(), 0.1 * before);
+}
+
+TEST(SwingTare, SaysNothingOfLegsThatStandNorOfOtherLegs) {
+  Bench bench;
+  bench.swings(4);
+  bench.tick(kStanding);
+  EXPECT_EQ(bench.tare.tare(), JointVector(JointVector::Zero()));
+  bench.tick(kSwingLF);
+  EXPECT_NE(bench.tare.tare()[1], 0.0);
+  EXPECT_EQ(bench.tare.tare().tail<9>().norm(), 0.0);
+  bench.tick({true, false, true, true});
+  EXPECT_EQ(bench.tare.tare().norm(), 0.0);
+}
+
+TEST(SwingTare, WhatComesShortlyBeforeATouchdownIsNotLearnt) {
+  const SwingTareOptions options;
+  Bench bench, disturbed;
+  bench.swings(3);
+  disturbed.swings(3);
+  for (Bench* b : {&bench, &disturbed}) {
+    for (int t = 0; t < 80; ++t) b->tick(kSwingLF);
+    const int pressed = static_cast<int>(0.9 * options.wait / kPeriod);
+    for (int t = 0; t < pressed; ++t) b->tick(kSwingLF, b == &disturbed ? 5.0 : 0.0);
+    b->tick(kStanding);
+    b->tick(kSwingLF);
+  }
+  EXPECT_EQ(bench.tare.tare(), disturbed.tare.tare());
+}
+
+TEST(SwingTare, ALongSearchForGroundIsNotLearnt) {
+  Bench bench;
+  bench.swings(3);
+  const double known = bench.left();
+  for (int t = 0; t < kSwing; ++t) bench.tick(kSwingLF);
+  for (int t = 0; t < 800; ++t) bench.tick(kSwingLF, 5.0);
+  bench.tick(kStanding);
+  EXPECT_NEAR(bench.left(), known, 0.05);
+}
+
+TEST(SwingTare, FollowsARobotThatChanges) {
+  Bench bench;
+  bench.swings(6);
+  bench.swings(30, 2.0);
+  bench.tick(kSwingLF, 2.0);
+  EXPECT_NEAR((bench.lacking + JointVector::Constant(2.0) - bench.tare.tare())[1], 0.0, 0.1);
+}
+
+TEST(SwingTare, ANotANumberIsNotLearnt) {
+  Bench bench;
+  bench.swings(3);
+  for (int t = 0; t < 80; ++t) bench.tick(kSwingLF, t == 30 ? std::nan("") : 0.0);
+  bench.tick(kStanding);
+  EXPECT_LT(bench.left(), 0.5);
+}
+
+TEST(SwingTare, DoesNotAllocate) {
+  Bench bench;
+  bench.tick(kSwingLF);
+  const test::MallocCounter counter;
+  bench.swings(2);
+  EXPECT_EQ(counter.count(), 0);
+}
+
+TEST(SwingTare, SwitchedOffItSaysNothing) {
+  Bench bench;
+  bench.tare = SwingTare({.enabled = false}, kPeriod);
+  bench.swings(3);
+  bench.tick(kSwingLF);
+  EXPECT_EQ(bench.tare.tare().norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace surefoot
