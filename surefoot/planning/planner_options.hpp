@@ -83,9 +83,9 @@ struct TouchdownOptions {
   double torque_error = 1.6;
   double lift_off_force = 15.0;  ///< [N]
   double stall_error = 0.003;  ///< foot behind its reference by this, with at least stall_force [m]
-  double bounce_speed = 0.08;  ///< … or faster upward, against its reference, than 15 ms ago [m/s]
-  double bounce_force = 1.5;   ///< … while its force rises above what it was by this [N]
-  double stall_force = 2.0;    ///< [N]
+  double bounce_speed = 0.06;  ///< … or faster upward, against its reference, than 10 ms ago [m/s]
+  double bounce_force = 2.0;   ///< … while its force rises above what it was by this [N]
+  double stall_force = 3.0;    ///< [N]
   double lost_force = 2.0;     ///< a loaded stance foot below this … [N]
   double lost_duration = 0.06;  ///< … for this long is lost [s]
 };
