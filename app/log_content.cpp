@@ -15,8 +15,8 @@
 namespace surefoot {
 namespace {
 
-constexpr std::uint32_t kMostFrames = 4096;    // of an answer
-constexpr std::uint64_t kMostDecoded = 65536;  // ticks that are read for one
+constexpr std::uint32_t kMostFrames = 4096;   // of an answer
+constexpr std::uint64_t kMostDecoded = 4096;  // ticks that are read for one
 constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
 
 std::string attachment(const LogHeader& header, std::string_view name) {
@@ -87,6 +87,7 @@ WebAnswer LogContent::get(std::string_view path, const Query& query) {
 std::string LogContent::session() {
   ViewSession session = session_;
   session.summarised = summary_.ticks();
+  session.damage = summary_.damage();
   for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
   return to_json(session);
 }
@@ -102,6 +103,7 @@ WebAnswer LogContent::frames(const Query& query) {
 }
 
 std::string LogContent::plain_frames(const Asked& asked) {
+  if ((asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded) return kept_frames(asked);
   std::string bytes;
   std::uint32_t frames = 0;
   std::uint64_t tick = asked.from;
@@ -114,12 +116,28 @@ std::string LogContent::plain_frames(const Asked& asked) {
   return block(bytes, frames);
 }
 
+// Of a long piece, those that the summary has: each once.
+std::string LogContent::kept_frames(const Asked& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  ViewFrame frame;
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.ticks(); ++i, tick += asked.stride) {
+    const std::uint32_t last = frame.tick;
+    if (!summary_.frame_near(static_cast<std::uint32_t>(tick), frame)) continue;
+    if (frames > 0 && frame.tick == last) continue;
+    pack(frame, bytes);
+    ++frames;
+  }
+  return block(bytes, frames);
+}
+
 // Two frames a stride. From the ticks themselves where the summary is coarser than that.
 std::string LogContent::ranges(const Asked& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   const bool is_fine = asked.stride < summary_.stretch() &&
-                       std::uint64_t{asked.count} * asked.stride <= kMostDecoded;
+                       std::uint64_t{asked.count / 2} * asked.stride <= kMostDecoded;
   std::uint64_t tick = asked.from;
   for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.ticks(); ++i) {
     const auto first = static_cast<std::uint32_t>(tick);

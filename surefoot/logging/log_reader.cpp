@@ -164,6 +164,18 @@ HierarchyReport without_names(const logged::Hierarchy& named,
 
 }  // namespace
 
+bool decode_signal(const McapMessage& message, TickRecord& tick) {
+  const std::string& topic = message.channel->topic;
+  const auto decode = [&](std::string_view name, auto& signal) {
+    if (topic != name) return false;
+    logged::Decoder::decode(message.data, signal);
+    return true;
+  };
+  return decode("/readings", tick.reading) || decode("/health", tick.health) ||
+         decode("/user", tick.user) || decode("/state", tick.state) || decode("/plan", tick.plan) ||
+         decode("/model", tick.model) || decode("/command", tick.command);
+}
+
 LogReader::LogReader(const std::string& path, Other other)
     : path_(path), file_(path), other_(std::move(other)) {
   const auto header = file_.attachments().find(std::string(kHeaderName));
@@ -199,7 +211,7 @@ bool LogReader::next(TickRecord& tick) {
     }
   } catch (const JsonError& error) {
     throw FileError(path_ + ": a message on " + message.channel->topic +
-                    " is not what it should be: " + error.what);
+                    " is not what it should be: " + error.what());
   }
   return false;
 }
@@ -207,22 +219,10 @@ bool LogReader::next(TickRecord& tick) {
 // True when the message completes a tick.
 bool LogReader::take(const McapMessage& message, TickRecord& tick) {
   const std::string& topic = message.channel->topic;
-  const auto decode = [&](auto& signal) { logged::Decoder::decode(message.data, signal); };
-  if (topic == "/readings") {
-    decode(tick.reading);
-  } else if (topic == "/health") {
-    decode(tick.health);
-  } else if (topic == "/user") {
-    decode(tick.user);
-  } else if (topic == "/state") {
-    decode(tick.state);
-  } else if (topic == "/plan") {
-    decode(tick.plan);
-  } else if (topic == "/model") {
-    decode(tick.model);
-  } else if (topic == "/hierarchy") {
+  if (decode_signal(message, tick)) return topic == "/command";
+  if (topic == "/hierarchy") {
     logged::Hierarchy named;
-    decode(named);
+    logged::Decoder::decode(message.data, named);
     tick.hierarchy = without_names(named, header_.level_names);
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
@@ -232,14 +232,12 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
       const BlockingRow& row = tick.hierarchy.blocking[i];
       row_names_.try_emplace({row.by_level, row.id}, named.blocked_by[i].row);
     }
-  } else if (topic == "/command") {
-    decode(tick.command);
   } else if (topic == "/timings") {
-    decode(timings_.emplace_back());
+    logged::Decoder::decode(message.data, timings_.emplace_back());
   } else if (other_) {
     other_(message);
   }
-  return topic == "/command";
+  return false;
 }
 
 std::string LogReader::summary() const {

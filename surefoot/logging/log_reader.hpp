@@ -12,6 +12,10 @@
 
 namespace surefoot {
 
+/// Decodes a message that is a signal of the tick, which is all that a tick has but its hierarchy;
+/// false where it is another. Throws JsonError where the message is not what its schema says.
+[[nodiscard]] bool decode_signal(const McapMessage& message, TickRecord& tick);
+
 /// Reads a recorder's log tick by tick, also one that was cut off.
 class LogReader {
  public:

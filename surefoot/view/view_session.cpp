@@ -105,6 +105,7 @@ std::string to_json(const ViewSession& session) {
   meshes_member(json, session.meshes);
   limits_member(json, session.limits);
   texts(json, "bodies", session.bodies);
+  texts(json, "damage", session.damage);
   json.end_object();
   return out;
 }

@@ -57,7 +57,8 @@ struct ViewSession {
   std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;
-  std::uint32_t summarised = 0;  ///< of a log: ticks that `min_max` and events know already
+  std::uint32_t summarised = 0;     ///< of a log: ticks that `min_max` and events know already
+  std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
   ViewChannels channels;
   std::vector<std::vector<std::string>> rows;  ///< of each level of the header
   std::vector<ViewOrder> orders;

@@ -9,7 +9,7 @@ export class Schema {
   readonly levels: string[];
   readonly units: string[];
   readonly rows: string[][];
-  private readonly orders: Order[];
+  orders: Order[];
   readonly events: string[];
   private readonly byName = new Map<string, ChannelInfo>();
 

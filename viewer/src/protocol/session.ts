@@ -103,6 +103,8 @@ export interface Session {
   ticks: number;
   /** Of a log: ticks from the first on whose least and greatest are known by now. */
   summarised: number;
+  /** Of a log: sentences on what of it can't be read, so far. */
+  damage: string[];
   channels: ChannelInfo[];
   frame_floats: number;
   rows: string[][];
