@@ -178,10 +178,22 @@ RunArguments watched(const DemoArguments& arguments) {
   return run;
 }
 
+void check_watched(const DemoArguments& arguments) {
+  const DemoArguments usual;
+  const char* other = !arguments.out.empty()           ? "--out"
+                      : arguments.seeds != usual.seeds ? "--seeds"
+                      : arguments.jobs != usual.jobs   ? "--jobs"
+                                                       : nullptr;
+  if (!arguments.view.view || other == nullptr) return;
+  throw Error(std::string("--view shows one run and writes nothing, and can't go with ") + other +
+              "; leave out one of them");
+}
+
 }  // namespace
 
 int demo_command(const DemoArguments& arguments) {
   check(arguments.view);
+  check_watched(arguments);
   if (arguments.view.view) return run_command(watched(arguments));
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);

@@ -1,10 +1,13 @@
 #include "app/log_content.hpp"
 
 #include "app/log_replay.hpp"
+#include "app/stack_text.hpp"
+#include "app/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/view/web_answer.hpp"
+#include "surefoot/view/web_guard.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -19,9 +22,9 @@ constexpr std::uint32_t kMostFrames = 4096;   // of an answer
 constexpr std::uint64_t kMostDecoded = 4096;  // ticks that are read for one
 constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
 
-std::string attachment(const LogHeader& header, std::string_view name) {
-  const auto found = std::ranges::find(header.attachments, name, &LogAttachment::name);
-  return found == header.attachments.end() ? "" : found->data;
+std::string urdf_of(const LogHeader& header) {
+  const std::string* urdf = header.attachment("robot.urdf");
+  return urdf == nullptr ? "" : *urdf;
 }
 
 /// Reads a whole number from the query; keeps the default where it is not given.
@@ -49,11 +52,12 @@ LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(pat
 LogContent::LogContent(const std::string& path, const LogHeader& header)
     : frames_(path, header),
       summary_(path, header),
-      robot_(attachment(header, "robot.urdf"), robot_package_directory()) {
+      robot_(urdf_of(header), robot_package_directory()) {
   describe(path, header);
 }
 
 void LogContent::describe(const std::string& path, const LogHeader& header) {
+  session_.start = random_token();
   session_.mode = "replay";
   session_.version = header.version;
   session_.title =
@@ -67,7 +71,9 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.meshes = robot_.meshes();
   session_.orders = {{0, header.level_names}};
   try {
-    session_.rows = LogReplay(path).controller().row_names();
+    const LogReplay replay(path);
+    session_.rows = replay.controller().row_names();
+    session_.tasks = view_tasks(with_defaults(replay.stack()), header.level_names);
   } catch (const Error& error) {
     notes_.push_back("rows have no names in the page: " + std::string(error.what()));
   }

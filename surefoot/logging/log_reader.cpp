@@ -144,7 +144,10 @@ HierarchyReport without_names(const logged::Hierarchy& named,
   const LevelNumbers numbers(header, named);
   HierarchyReport report;
   report.status = named.status;
-  report.failed_level = named.failed_level;
+  const auto failed = static_cast<std::size_t>(named.failed_level);
+  report.failed_level = named.failed_level >= 0 && failed < named.levels.size()
+                            ? numbers.of(named.levels[failed].name)
+                            : named.failed_level;
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
@@ -186,8 +189,9 @@ LogReader::LogReader(const std::string& path, Other other)
     const json parsed = json::parse(header->second);
     const auto version = parsed.at("log_version").get<std::string>();
     if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
-      throw FileError(path + ": log version " + version + "; this program reads " +
-                      std::string(kLogVersion));
+      throw FileError(
+          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
+          ". Read it with the version of surefoot that made it, or record the run anew");
     }
     header_ = parse_header(parsed);
   } catch (const json::exception& error) {
@@ -224,6 +228,12 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
     logged::Hierarchy named;
     logged::Decoder::decode(message.data, named);
     tick.hierarchy = without_names(named, header_.level_names);
+    level_order_.clear();
+    const LevelNumbers numbers(header_.level_names, named);
+    for (const logged::Level& level : named.levels) {
+      const std::int16_t number = numbers.of(level.name);
+      if (static_cast<std::size_t>(number) < kMaxLevels) level_order_.push_back(number);
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
       row_names_.try_emplace({row.level, row.id}, named.active[i].row);

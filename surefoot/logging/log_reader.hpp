@@ -39,6 +39,10 @@ class LogReader {
   /// schema says.
   [[nodiscard]] bool next(TickRecord& tick);
 
+  /// Of the last tick: its levels by their numbers in the header, highest first. In the record they
+  /// stand by these numbers, whatever their order was.
+  [[nodiscard]] const std::vector<std::int16_t>& level_order() const { return level_order_; }
+
   /// After the last tick.
   [[nodiscard]] const std::vector<TickTiming>& timings() const { return timings_; }
   /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
@@ -57,6 +61,7 @@ class LogReader {
   Other other_;
   LogHeader header_;
   std::uint64_t skipped_until_ = 0;  // [ns]
+  std::vector<std::int16_t> level_order_;
   std::vector<TickTiming> timings_;
   std::map<RowKey, std::string> row_names_;
 };

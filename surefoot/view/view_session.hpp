@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
   std::vector<ViewNumber> numbers;
+  std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };
 
 /// The levels in their order from a tick on.
@@ -51,7 +53,8 @@ struct ViewMesh {
 
 /// What a page must know of a run before its frames: /api/session of docs/view_protocol.md.
 struct ViewSession {
-  std::string mode;  ///< "live" or "replay"
+  std::string start;  ///< names this start of the program: another one serves another run
+  std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   bool whole = true;       ///< the log was closed
   std::string header;      ///< the log's header, JSON
