@@ -18,8 +18,9 @@
 namespace surefoot {
 namespace {
 
-constexpr std::uint32_t kMostFrames = 4096;   // of an answer
-constexpr std::uint64_t kMostDecoded = 4096;  // ticks that are read for one
+constexpr std::uint32_t kMostFrames = 4096;    // of an answer
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for one …
+constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
 constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
 
 std::string urdf_of(const LogHeader& header) {
@@ -143,7 +144,7 @@ std::string LogContent::ranges(const Asked& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   const bool is_fine = asked.stride < summary_.stretch() &&
-                       std::uint64_t{asked.count / 2} * asked.stride <= kMostDecoded;
+                       std::uint64_t{asked.count / 2} * asked.stride <= kMostCompared;
   std::uint64_t tick = asked.from;
   for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.ticks(); ++i) {
     const auto first = static_cast<std::uint32_t>(tick);
