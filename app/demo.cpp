@@ -48,6 +48,7 @@ std::vector<PlannedRun> plan(const Experiment& experiment, const DemoArguments& 
     if (seed == 0) {
       run.report = out / experiment.name;
       run.log = run.report / "run.mcap";
+      run.pictures = !arguments.no_pictures;
     }
     runs.push_back(run);
   }
@@ -183,6 +184,7 @@ void check_watched(const DemoArguments& arguments) {
   const char* other = !arguments.out.empty()           ? "--out"
                       : arguments.seeds != usual.seeds ? "--seeds"
                       : arguments.jobs != usual.jobs   ? "--jobs"
+                      : arguments.no_pictures          ? "--no-pictures"
                                                        : nullptr;
   if (!arguments.view.view || other == nullptr) return;
   throw Error(std::string("--view shows one run and writes nothing, and can't go with ") + other +

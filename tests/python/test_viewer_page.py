@@ -1,14 +1,18 @@
 """The viewer's page in a real browser: what it shows is what the run says. Screenshots stay in build/screenshots."""
 
+import functools
+import http.server
 import math
 import os
 import pathlib
+import threading
 import time
 
 import pytest
 
 
 from browser import WITHOUT_PICTURE, Browser, wait_for  # noqa: E402
+from damaged_logs import damaged  # noqa: E402
 from viewer import Viewer  # noqa: E402
 
 SCREENSHOTS = pathlib.Path(os.environ.get("SUREFOOT_SCREENSHOTS", pathlib.Path(__file__).resolve().parents[2] / "build/screenshots"))
@@ -178,6 +182,64 @@ def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
         browser.wait("document.querySelector('#link-state').textContent === 'connected'", 40)
         browser.wait("surefoot.tick > 0 && surefoot.following", 40)
         assert "lost" not in browser.run("document.querySelector('#notes').textContent")
+
+
+def test_a_page_that_finds_another_run_loads_itself_anew(browser):
+    with Viewer(*WALK) as first:
+        show(browser, first.link)
+        port = first.port
+    browser.wait("document.querySelector('#link-state').textContent === 'connection lost'")
+    browser.run("window.before = true")
+    other = ["run", "step_down", "--view", "--set", "duration=600"]
+    with Viewer(*other, port=port):
+        browser.wait("window.before === undefined && window.surefoot !== undefined && surefoot.pictures > 1", 60)
+        assert browser.run("document.querySelector('#title').textContent") == "step_down"
+        browser.wait("surefoot.tick > 0 && surefoot.following", 40)
+        assert browser.run("surefoot.levels().length") > 5
+
+
+def test_the_page_under_another_name_is_refused(live):
+    with Browser(flags=[*WITHOUT_PICTURE, "--host-resolver-rules=MAP evil.example 127.0.0.1"]) as browser:
+        browser.open(f"http://evil.example:{live.port}/")
+        browser.wait("document.body?.textContent.includes('not the host that was asked for')")
+        assert browser.run("document.querySelector('script') === null")
+
+
+def test_a_page_of_another_origin_can_neither_watch_nor_read(live, tmp_path):
+    (tmp_path / "index.html").write_text("<p>elsewhere</p>")
+    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=tmp_path)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as elsewhere, Browser(flags=WITHOUT_PICTURE) as browser:
+        threading.Thread(target=elsewhere.serve_forever, daemon=True).start()
+        browser.open(f"http://127.0.0.1:{elsewhere.server_port}/")
+        browser.wait("document.body?.textContent.includes('elsewhere')")
+        socket = f"new WebSocket('ws://127.0.0.1:{live.port}/api/live')"
+        assert browser.run(f"new Promise(done => Object.assign({socket}, {{onopen: () => done('open'), onerror: () => done('refused')}}))") == "refused"
+        for mode in ("cors", "no-cors"):
+            assert browser.run(f"fetch('{live.address}api/session', {{mode: '{mode}'}}).then(() => 'read', () => 'refused')") == "refused"
+        elsewhere.shutdown()
+
+
+def test_a_wrong_token_can_change_nothing(browser, live):
+    show(browser, live.address + "#token=0123456789abcdef0123456789abcdef")
+    browser.press(" ")
+    browser.wait("document.querySelector('#notes').textContent.includes('token')")
+    browser.wait("surefoot.status !== undefined")
+    assert not browser.run("surefoot.status.paused")
+
+
+def test_a_damaged_log_is_told_in_the_page_and_on_its_time_bar(browser, log, tmp_path):
+    with Viewer("replay", damaged(log, tmp_path, 0.3)) as viewer:
+        show(browser, viewer.link)
+        browser.wait("document.querySelector('#notes').textContent.includes('This log is damaged')", 60)
+        browser.screenshot(SCREENSHOTS / "damaged.png")
+
+
+def test_no_mesh_is_missing_and_pictures_come_in_time(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.meshesLoading === 0", 60)
+    assert browser.run("surefoot.meshesMissing") == []
+    browser.wait("surefoot.frameTime > 0", 60)
+    assert browser.run("surefoot.frameTime") < 1000  # in software, on any machine
 
 
 def test_without_a_token_the_page_only_looks(browser, live):
