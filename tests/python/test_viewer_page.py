@@ -49,8 +49,17 @@ def show(browser, link):
 def pause(browser):
     """Stops the run; its newest tick is then in the picture."""
     browser.press(" ")
-    wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause")
-    browser.wait("surefoot.time === surefoot.last")
+    wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause", 60)
+    # What it says comes before the frames that are still on the way.
+    newest = "[surefoot.tick, surefoot.status.tick - 1, surefoot.time === surefoot.last]"
+    wait_for(lambda: still(browser, newest), "the newest picture", 60)
+
+
+def still(browser, script):
+    """Whether the picture is that of the run's newest tick, and stays so."""
+    shown = browser.run(script)
+    time.sleep(0.5)
+    return shown == browser.run(script) and shown[0] == shown[1] and shown[2]
 
 
 def channel(browser, name):
@@ -267,7 +276,7 @@ def test_a_press_in_a_plot_moves_the_picture_to_that_time(browser, replayed):
     show(browser, replayed.link)
     browser.wait("document.querySelector('.u-over')?.getBoundingClientRect().width > 50")
     x, y, width = browser.run("(() => { const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.x, b.y + 10, b.width]; })()")
-    browser.run("document.querySelector('#play').click()")
+    browser.run("surefoot.playing && document.querySelector('#play').click()")
     browser.mouse("mousePressed", x + 0.5 * width, y)
     browser.mouse("mouseReleased", x + 0.5 * width, y)
     middle = browser.run("0.5 * (surefoot.first + surefoot.last)")
