@@ -48,6 +48,7 @@ std::vector<PlannedRun> plan(const Experiment& experiment, const DemoArguments& 
     if (seed == 0) {
       run.report = out / experiment.name;
       run.log = run.report / "run.mcap";
+      run.pictures = !arguments.no_pictures;
     }
     runs.push_back(run);
   }
@@ -178,10 +179,23 @@ RunArguments watched(const DemoArguments& arguments) {
   return run;
 }
 
+void check_watched(const DemoArguments& arguments) {
+  const DemoArguments usual;
+  const char* other = !arguments.out.empty()           ? "--out"
+                      : arguments.seeds != usual.seeds ? "--seeds"
+                      : arguments.jobs != usual.jobs   ? "--jobs"
+                      : arguments.no_pictures          ? "--no-pictures"
+                                                       : nullptr;
+  if (!arguments.view.view || other == nullptr) return;
+  throw Error(std::string("--view shows one run and writes nothing, and can't go with ") + other +
+              "; leave out one of them");
+}
+
 }  // namespace
 
 int demo_command(const DemoArguments& arguments) {
   check(arguments.view);
+  check_watched(arguments);
   if (arguments.view.view) return run_command(watched(arguments));
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);

@@ -11,7 +11,8 @@ struct DemoArguments {
   std::string out;  ///< folder of the report; empty: demo/ in the build folder, or here
   int seeds = 10;   ///< of the experiments that are random
   int jobs = 2;
-  ViewArguments view;  ///< instead of all this: the step, watched live
+  bool no_pictures = false;  ///< in the reports: they take seconds each
+  ViewArguments view;        ///< instead of all this: the step, watched live
 };
 
 /// Runs the paper's experiments, prints a table beside the paper's numbers, and writes the reports;

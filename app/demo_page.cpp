@@ -1,5 +1,7 @@
 #include "app/demo_page.hpp"
 
+#include "surefoot/view/svg.hpp"
+
 namespace surefoot {
 namespace {
 
@@ -22,52 +24,30 @@ td small { color: #666; }
 <h1>The paper's experiments</h1>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
-
 std::string cell(const std::string& content) { return "<td>" + content + "</td>"; }
 
 std::string linked(const DemoRow& row) {
-  if (row.report.empty()) return escaped(row.name);
-  return "<a href=\"" + escaped(row.report) + "\">" + escaped(row.name) + "</a>";
+  if (row.report.empty()) return plot::escape(row.name);
+  return "<a href=\"" + plot::escape(row.report) + "\">" + plot::escape(row.name) + "</a>";
 }
 
 std::string verdict(const DemoRow& row) {
   const std::string style = row.verdict == "✓" ? "ok" : row.verdict == "✗" ? "bad" : "";
-  return "<span class=\"" + style + "\">" + escaped(row.verdict) + "</span>";
+  return "<span class=\"" + style + "\">" + plot::escape(row.verdict) + "</span>";
 }
 
 }  // namespace
 
 std::string demo_page(const std::vector<DemoRow>& rows, const std::string& summary) {
   std::string page = kHead;
-  page += "<p>" + escaped(summary) +
+  page += "<p>" + plot::escape(summary) +
           "</p>\n<table>\n<tr><th>experiment</th><th>measured</th>"
           "<th>random seeds</th><th></th><th>paper</th></tr>\n";
   for (const DemoRow& row : rows) {
-    page += "<tr>" + cell(linked(row) + "<br><small>" + escaped(row.description) + "</small>") +
-            cell(escaped(row.measured)) + cell(escaped(row.seeds)) + cell(verdict(row)) +
-            cell(escaped(row.paper)) + "</tr>\n";
+    page += "<tr>" +
+            cell(linked(row) + "<br><small>" + plot::escape(row.description) + "</small>") +
+            cell(plot::escape(row.measured)) + cell(plot::escape(row.seeds)) + cell(verdict(row)) +
+            cell(plot::escape(row.paper)) + "</tr>\n";
   }
   return page + "</table>\n</body>\n</html>\n";
 }

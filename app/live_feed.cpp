@@ -1,10 +1,12 @@
 #include "app/live_feed.hpp"
 
 #include "app/run_log.hpp"
+#include "app/stack_text.hpp"
 #include "app/view_tasks.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/view/web_answer.hpp"
+#include "surefoot/view/web_guard.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +20,11 @@ constexpr std::size_t kRingTicks = 1024;
 constexpr std::size_t kRecentFrames = 800;
 constexpr std::chrono::milliseconds kStatusInterval{250};
 constexpr std::chrono::milliseconds kMeasureInterval{1000};
-constexpr double kHeld = 0.3;  // that a pull goes on without being renewed [s]
 
 std::string text_of_file(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
-}
-
-std::vector<std::string> names_of(const StackOptions& stack) {
-  std::vector<std::string> names;
-  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
-  return names;
 }
 
 void vector_member(JsonText& json, std::string_view name, const auto& vector) {
@@ -43,8 +38,8 @@ void vector_member(JsonText& json, std::string_view name, const auto& vector) {
 LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
     : operator_(wishes),
       robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
-      recording_(std::move(recording)),
-      ring_(kRingTicks) {
+      recording_(std::move(recording)) {
+  session_.start = random_token();
   session_.mode = "live";
   session_.version = build_info().version;
   session_.title =
@@ -58,6 +53,11 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
 void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double friction) {
   auto channels =
       std::make_shared<ViewChannels>(tick_channels(parts.header.level_names, parts.plant.truth()));
+  if (!ring_) {  // nobody serves yet
+    ViewTick example;
+    example.truth = parts.plant.truth();
+    ring_.emplace(kRingTicks, example);
+  }
   const std::lock_guard lock(mutex_);
   if (!packings_.empty()) ++generation_;
   session_.header = to_json(parts.header);
@@ -72,13 +72,12 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
       std::make_shared<Packing>(Packing{std::move(channels), {parts.header.level_names, {}}});
   ended_.clear();
   push_ = ShownPush();
-  operator_walks_ = false;
   is_news_ = true;
 }
 
 void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
                    const TickTiming& timing) {
-  ViewTick* place = ring_.next_to_write();
+  ViewTick* place = ring_->next_to_write();
   if (place == nullptr) {
     ++lost_;
     return;
@@ -89,13 +88,13 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
-  ring_.written();
+  ring_->written();
 }
 
 void LiveFeed::set_control(const StackOptions& stack, double friction, std::uint32_t tick) {
   const std::lock_guard lock(mutex_);
   const Packing& before = *packings_.rbegin()->second;
-  auto next = std::make_shared<Packing>(Packing{before.channels, {names_of(stack), {}}});
+  auto next = std::make_shared<Packing>(Packing{before.channels, {level_names(stack), {}}});
   session_.tasks = view_tasks(stack, session_.channels.level_names);
   session_.friction = friction;
   if (session_.orders.back().levels != next->names.levels) {
@@ -176,7 +175,8 @@ std::vector<SharedBlock> LiveFeed::blocks() {
   std::vector<SharedBlock> blocks;
   std::shared_ptr<std::string> bytes;
   std::shared_ptr<const Packing> packing_now;
-  for (const ViewTick* tick = ring_.next_to_read(); tick != nullptr; tick = ring_.next_to_read()) {
+  for (const ViewTick* tick = ring_->next_to_read(); tick != nullptr;
+       tick = ring_->next_to_read()) {
     if (blocks.empty() || blocks.back().generation != tick->generation) {
       packing_now = packing(tick->generation);
       bytes = std::make_shared<std::string>();
@@ -193,7 +193,7 @@ std::vector<SharedBlock> LiveFeed::blocks() {
     tick_ = tick->number + 1;
     time_ = tick->record.reading.time;
     user_ = tick->record.user;
-    ring_.read();
+    ring_->read();
   }
   recent_.insert(recent_.end(), blocks.begin(), blocks.end());
   std::size_t frames = 0;
@@ -250,11 +250,13 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("recording", std::string_view(recording_))
       .member("generation", generation_.load())
       .member("undo", operator_.undo_count());
-  json.key("command").object().member("walk", user_.walk);
-  vector_member(json, "velocity", user_.velocity);
-  json.member("yaw_rate", user_.yaw_rate)
-      .member("height", user_.height)
-      .member("by", operator_walks_ ? "operator" : "scenario")
+  const std::optional<UserCommand> wanted = operator_.walk_wanted();
+  const UserCommand& walk = wanted.value_or(user_);
+  json.key("command").object().member("walk", walk.walk);
+  vector_member(json, "velocity", walk.velocity);
+  json.member("yaw_rate", walk.yaw_rate)
+      .member("height", walk.height)
+      .member("by", wanted ? "operator" : "scenario")
       .end_object();
   const std::lock_guard lock(mutex_);
   json.key("ended");
@@ -265,7 +267,7 @@ std::string LiveFeed::status(std::size_t clients) {
   } else {
     json.object()
         .member("body", std::string_view(push_.body))
-        .member("until", std::isnan(push_.until) ? time_ + kHeld : push_.until);
+        .member("until", std::isnan(push_.until) ? time_ + kPullLasts : push_.until);
     vector_member(json, "force", push_.force);
     json.end_object();
   }

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,12 @@ class LiveFeed final : public WebContent {
  public:
   LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording);
 
-  // Of the run's thread.
+  // Of the run's thread. The server may only begin after the first `begin`.
   void begin(const RunParts& parts, const StackOptions& stack, double friction);
   void put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
            const TickTiming& timing);
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
-  void set_operator_walks(bool walks) { operator_walks_ = walks; }
   void set_ended(const std::string& reason);
   void show(const logged::Change& change);
   void show_push(const ShownPush& push);
@@ -76,7 +76,7 @@ class LiveFeed final : public WebContent {
   LiveOperator& operator_;
   const ViewRobot robot_;
   const std::string recording_;
-  TickRing<ViewTick> ring_;
+  std::optional<TickRing<ViewTick>> ring_;  // from the first begin on
   std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
 
   std::mutex mutex_;  // of what follows, up to the next blank line; held for short
@@ -86,7 +86,7 @@ class LiveFeed final : public WebContent {
   std::string ended_;
   ShownPush push_;
 
-  std::atomic<bool> paused_{false}, operator_walks_{false}, is_news_{true};
+  std::atomic<bool> paused_{false}, is_news_{true};
   std::atomic<double> speed_{1.0};
   std::atomic<std::uint32_t> generation_{0};
 

@@ -15,8 +15,8 @@ namespace {
 
 using Type = ViewCommandType;
 
-constexpr std::chrono::milliseconds kPullLasts{300};  // without being renewed
-constexpr std::chrono::seconds kOneChange{1};         // a slider's steps within this are one
+constexpr int kMostSteps = 4000;               // that wait: ten seconds
+constexpr std::chrono::seconds kOneChange{1};  // a slider's steps within this are one
 constexpr std::size_t kMostUndo = 100;
 
 template <typename... Parts>
@@ -30,12 +30,6 @@ void check(const char* what, double value, double min, double max, const char* u
   if (value >= min && value <= max) return;
   throw Error(
       text(what, " is ", value, "; valid is ", min, " to ", max, *unit == '\0' ? "" : " ", unit));
-}
-
-std::vector<std::string> level_names(const StackOptions& stack) {
-  std::vector<std::string> names;
-  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
-  return names;
 }
 
 LevelSpec& find_level(StackOptions& stack, const std::string& name) {
@@ -86,14 +80,15 @@ std::string LiveOperator::command(const ViewCommand& command) {
   try {
     switch (command.type) {
       case Type::pause:
-        wishes_.paused = true;
+        wishes_.paused = wishes_.halt = true;
+        wishes_.steps = 0;
         break;
       case Type::resume:
         wishes_.paused = false;
         break;
       case Type::step:
         wishes_.paused = true;
-        wishes_.steps += command.ticks;
+        step(command.ticks);
         break;
       case Type::speed:
         check("speed", command.factor, limits_.slowest, limits_.fastest, "times real time");
@@ -131,6 +126,18 @@ std::string LiveOperator::command(const ViewCommand& command) {
   return "";
 }
 
+void LiveOperator::step(int ticks) {
+  if (ticks > kMostSteps - wishes_.steps) {
+    throw Error(text(ticks, " ticks more; valid is up to ", kMostSteps, " that wait"));
+  }
+  wishes_.steps += ticks;
+}
+
+std::optional<UserCommand> LiveOperator::walk_wanted() {
+  const std::lock_guard lock(mutex_);
+  return wishes_.walk;
+}
+
 void LiveOperator::check_body(const std::string& body) const {
   if (std::ranges::find(bodies_, body) != bodies_.end()) return;
   throw Error("there is no body \"" + body + "\" to push; " + valid_names(body, bodies_));
@@ -156,7 +163,9 @@ void LiveOperator::pull(const ViewCommand& command) {
   check("the force's size", command.force.norm(), 0.0, limits_.push_force, "N");
   check("the point's distance", command.point.norm(), 0.0, 2.0, "m");
   wishes_.pull = {.body = command.body, .point = command.point, .force = command.force};
-  wishes_.pull_ends = std::chrono::steady_clock::now() + kPullLasts;
+  wishes_.pull_ends = std::chrono::steady_clock::now() +
+                      std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                          std::chrono::duration<double>(kPullLasts));
 }
 
 void LiveOperator::walk(const ViewCommand& command) {
@@ -248,6 +257,7 @@ bool LiveOperator::take(OperatorWishes& wishes) {
   if (!lock.owns_lock()) return false;
   taken_ = changes_.load(std::memory_order_acquire);
   wishes = wishes_;
+  wishes_.halt = false;
   wishes_.steps = 0;
   wishes_.reset = false;
   wishes_.pushes.clear();
@@ -257,6 +267,7 @@ bool LiveOperator::take(OperatorWishes& wishes) {
 void LiveOperator::begin(std::vector<std::string> bodies) {
   const std::lock_guard lock(mutex_);
   wishes_ = {.paused = wishes_.paused,
+             .halt = true,
              .steps = 0,
              .speed = wishes_.speed,
              .reset = false,

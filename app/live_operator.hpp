@@ -16,6 +16,9 @@
 
 namespace surefoot {
 
+/// That a pull goes on without being renewed [s].
+inline constexpr double kPullLasts = 0.3;
+
 /// What the operator wants of the controller.
 struct WantedControl {
   StackOptions stack;  ///< with all defaults
@@ -25,7 +28,8 @@ struct WantedControl {
 /// What the operator wants of a run.
 struct OperatorWishes {
   bool paused = false;
-  int steps = 0;  ///< ticks to make although it is paused
+  bool halt = false;  ///< ticks that are still to be made are not wanted any more
+  int steps = 0;      ///< ticks to make although it is paused
   double speed = 1.0;
   bool reset = false;
   std::vector<Push> pushes;
@@ -58,6 +62,8 @@ class LiveOperator {
   /// On the run's thread: what was wanted can't be; the present control is wanted again.
   void give_up(const WantedControl& present);
 
+  /// What the operator asks to walk; none: as the scenario says.
+  [[nodiscard]] std::optional<UserCommand> walk_wanted();
   [[nodiscard]] int undo_count() const { return undo_count_.load(); }
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
 
@@ -68,6 +74,7 @@ class LiveOperator {
     std::chrono::steady_clock::time_point time;
   };
 
+  void step(int ticks);
   void push(const ViewCommand& command);
   void pull(const ViewCommand& command);
   void walk(const ViewCommand& command);

@@ -8,11 +8,14 @@
 
 namespace surefoot {
 
-void check(const ViewArguments& arguments) {
+bool says_where(const ViewArguments& arguments) {
   const ViewArguments usual;
-  const bool given = arguments.port != usual.port || !arguments.listen.empty() ||
-                     !arguments.token.empty() || arguments.clients != usual.clients;
-  if (given && !arguments.view) {
+  return arguments.port != usual.port || !arguments.listen.empty() || !arguments.token.empty() ||
+         arguments.clients != usual.clients;
+}
+
+void check(const ViewArguments& arguments) {
+  if (says_where(arguments) && !arguments.view) {
     throw Error(
         "--port, --listen, --token and --view-clients belong to --view, which is not given");
   }

@@ -19,6 +19,9 @@ struct ViewArguments {
 /// Throws Error where options of the view are given without it.
 void check(const ViewArguments& arguments);
 
+/// Whether anything is not as it is by default, but `view` itself.
+[[nodiscard]] bool says_where(const ViewArguments& arguments);
+
 /// Runs a scenario before the eyes of those who open the page, whose link is printed, at real time
 /// or what the operator asks for. When the run has ended the page stays, until ^C; the operator may
 /// begin the run again. `ended` gets the result of each that was not cut off; the last one's is

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kNap{4};       // while it is paused
 constexpr std::chrono::milliseconds kLongest{20};  // sleep before the operator is asked again
+constexpr int kMostSteps = 4000;                   // that wait while it is paused
+constexpr double kPullInterval = 0.25;             // between a pull's changes in the log [s]
 constexpr double kFade = 0.3;                      // from a stack to the next [s]
 
 std::string text_of(const char* format, auto... values) {
@@ -44,9 +46,11 @@ void LiveView::begin(const RunParts& parts) {
   steps_ = 0;
   pulled_ = Pull();
   reset_ = is_pending_ = false;
+  pull_kept_ = -kPullInterval;
   tick_ = 0;
   pace_.begin(0.0, wishes_.speed, Clock::now());
   feed_.begin(parts, present_.stack, present_.friction);
+  feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
 RunOrder LiveView::before_tick(double time) {
@@ -79,7 +83,8 @@ RunOrder LiveView::before_tick(double time) {
 
 void LiveView::take(double time) {
   if (!operator_.take(wishes_)) return;
-  steps_ = wishes_.paused ? steps_ + wishes_.steps : 0;
+  if (wishes_.halt || !wishes_.paused) steps_ = 0;
+  if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostSteps);
   reset_ = reset_ || wishes_.reset;
   for (const Push& wanted : wishes_.pushes) push(wanted, time);
   wishes_.pushes.clear();
@@ -144,7 +149,6 @@ bool LiveView::change_stack(const std::string& text, double time) {
 void LiveView::take_walk(double time) {
   if (is_same(walk_, wishes_.walk)) return;
   walk_ = wishes_.walk;
-  feed_.set_operator_walks(walk_.has_value());
   std::string text = "the scenario commands the walk";
   if (walk_) {
     text = text_of(
@@ -165,9 +169,12 @@ void LiveView::take_pull(double time) {
   if (pull.body == pulled_.body && pull.point == pulled_.point && pull.force == pulled_.force) {
     return;
   }
+  const bool goes_on = wanted && !pulled_.force.isZero() && pull.body == pulled_.body;
   pulled_ = pull;
   parts_->plant.pull(pull);
   feed_.show_push({.force = pull.force, .body = pull.body, .until = wanted ? kNaN : time});
+  if (goes_on && time < pull_kept_ + kPullInterval) return;  // what follows the mouse is too much
+  pull_kept_ = time;
   keep({.time = time,
         .kind = "pull",
         .text = wanted ? "pull at " + pull.body + ", force " + vector_text(pull.force) + " N"

@@ -1,10 +1,13 @@
 #include "app/log_content.hpp"
 
 #include "app/log_replay.hpp"
+#include "app/stack_text.hpp"
+#include "app/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/view/web_answer.hpp"
+#include "surefoot/view/web_guard.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,12 +19,13 @@ namespace surefoot {
 namespace {
 
 constexpr std::uint32_t kMostFrames = 4096;    // of an answer
-constexpr std::uint64_t kMostDecoded = 65536;  // ticks that are read for one
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for one …
+constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
 constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
 
-std::string attachment(const LogHeader& header, std::string_view name) {
-  const auto found = std::ranges::find(header.attachments, name, &LogAttachment::name);
-  return found == header.attachments.end() ? "" : found->data;
+std::string urdf_of(const LogHeader& header) {
+  const std::string* urdf = header.attachment("robot.urdf");
+  return urdf == nullptr ? "" : *urdf;
 }
 
 /// Reads a whole number from the query; keeps the default where it is not given.
@@ -49,11 +53,12 @@ LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(pat
 LogContent::LogContent(const std::string& path, const LogHeader& header)
     : frames_(path, header),
       summary_(path, header),
-      robot_(attachment(header, "robot.urdf"), robot_package_directory()) {
+      robot_(urdf_of(header), robot_package_directory()) {
   describe(path, header);
 }
 
 void LogContent::describe(const std::string& path, const LogHeader& header) {
+  session_.start = random_token();
   session_.mode = "replay";
   session_.version = header.version;
   session_.title =
@@ -67,7 +72,9 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.meshes = robot_.meshes();
   session_.orders = {{0, header.level_names}};
   try {
-    session_.rows = LogReplay(path).controller().row_names();
+    const LogReplay replay(path);
+    session_.rows = replay.controller().row_names();
+    session_.tasks = view_tasks(with_defaults(replay.stack()), header.level_names);
   } catch (const Error& error) {
     notes_.push_back("rows have no names in the page: " + std::string(error.what()));
   }
@@ -87,6 +94,7 @@ WebAnswer LogContent::get(std::string_view path, const Query& query) {
 std::string LogContent::session() {
   ViewSession session = session_;
   session.summarised = summary_.ticks();
+  session.damage = summary_.damage();
   for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
   return to_json(session);
 }
@@ -102,6 +110,7 @@ WebAnswer LogContent::frames(const Query& query) {
 }
 
 std::string LogContent::plain_frames(const Asked& asked) {
+  if ((asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded) return kept_frames(asked);
   std::string bytes;
   std::uint32_t frames = 0;
   std::uint64_t tick = asked.from;
@@ -114,12 +123,28 @@ std::string LogContent::plain_frames(const Asked& asked) {
   return block(bytes, frames);
 }
 
+// Of a long piece, those that the summary has: each once.
+std::string LogContent::kept_frames(const Asked& asked) {
+  std::string bytes;
+  std::uint32_t frames = 0;
+  std::uint64_t tick = asked.from;
+  ViewFrame frame;
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.ticks(); ++i, tick += asked.stride) {
+    const std::uint32_t last = frame.tick;
+    if (!summary_.frame_near(static_cast<std::uint32_t>(tick), frame)) continue;
+    if (frames > 0 && frame.tick == last) continue;
+    pack(frame, bytes);
+    ++frames;
+  }
+  return block(bytes, frames);
+}
+
 // Two frames a stride. From the ticks themselves where the summary is coarser than that.
 std::string LogContent::ranges(const Asked& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   const bool is_fine = asked.stride < summary_.stretch() &&
-                       std::uint64_t{asked.count} * asked.stride <= kMostDecoded;
+                       std::uint64_t{asked.count / 2} * asked.stride <= kMostCompared;
   std::uint64_t tick = asked.from;
   for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.ticks(); ++i) {
     const auto first = static_cast<std::uint32_t>(tick);

@@ -22,7 +22,6 @@ class LogContent final : public WebContent {
  private:
   struct Asked {
     std::uint32_t from = 0, count = 1, stride = 1;
-    bool min_max = false;
   };
 
   LogContent(const std::string& path, const LogHeader& header);
@@ -30,6 +29,7 @@ class LogContent final : public WebContent {
   [[nodiscard]] std::string session();
   [[nodiscard]] WebAnswer frames(const Query& query);
   [[nodiscard]] std::string plain_frames(const Asked& asked);
+  [[nodiscard]] std::string kept_frames(const Asked& asked);
   [[nodiscard]] std::string ranges(const Asked& asked);
   [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last);
   void put_range(std::uint32_t tick, std::string& out, std::uint32_t& frames);

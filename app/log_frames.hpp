@@ -13,12 +13,19 @@
 
 namespace surefoot {
 
-/// The frames of a log, read from its chunks as they are asked for; few are kept in memory.
+/// What a chunk of a log holds, as far as it can be read.
+struct LogChunk {
+  std::vector<ViewFrame> frames;  ///< by tick; those whose messages can be read
+  std::vector<logged::Change> changes;
+  double from = 0.0, to = 0.0;  ///< times of its first and last message [s]
+  std::string problem;          ///< why ticks are missing; empty: none are
+  std::string timing_problem;   ///< why their timings are; empty: none are
+};
+
+/// The frames of a log, read from its chunks as they are asked for; few are kept in memory. What is
+/// damaged is left out.
 class LogFrames {
  public:
-  using Frames = std::vector<ViewFrame>;  ///< by tick
-  using Changes = std::vector<logged::Change>;
-
   /// Throws FileError if the file can't be read or holds no whole tick.
   LogFrames(const std::string& path, const LogHeader& header);
 
@@ -28,32 +35,37 @@ class LogFrames {
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] double period() const { return period_; }
 
+  /// Chunks of which not even the times can be read.
+  [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
   [[nodiscard]] std::size_t num_chunks() const { return ends_.size(); }
   /// Of the chunk that has a tick.
   [[nodiscard]] std::size_t chunk_of(std::uint32_t tick) const;
-  /// The frames of a chunk, none where it is damaged. `changes`, if given, gets what was changed
-  /// in it.
-  [[nodiscard]] std::shared_ptr<const Frames> chunk(std::size_t number, Changes* changes = nullptr);
-  /// The frame of a tick; null where its chunk is damaged or lacks it. Stays valid until the next
-  /// call.
+  [[nodiscard]] std::shared_ptr<const LogChunk> chunk(std::size_t number);
+  /// The frame of a tick; null where it can't be read. Stays valid until the next call.
   [[nodiscard]] const ViewFrame* frame(std::uint32_t tick);
 
  private:
   struct Decoded;
 
+  [[nodiscard]] const McapChunk& place(std::size_t number) const {
+    return file_.chunks()[places_[number]];
+  }
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
   void find_ticks(const std::string& path);
   void learn_channels(const std::string& path);
-  [[nodiscard]] Frames decode(std::size_t number, Changes* changes);
+  [[nodiscard]] LogChunk decode(std::size_t number);
+  void read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk);
   void read_timings(std::uint64_t first, std::uint64_t last, Decoded& decoded);
 
   McapChunks file_;
   double period_;
   ViewChannels channels_;
-  std::vector<std::uint32_t> ends_;   // one past the last tick of each chunk of ticks
+  std::vector<std::size_t> places_;   // chunks of ticks
+  std::vector<std::uint32_t> ends_;   // of each of them: one past its last tick
   std::vector<std::size_t> timings_;  // chunks of timings
+  std::size_t num_lost_ = 0;
   std::uint32_t ticks_ = 0;
-  std::list<std::pair<std::size_t, std::shared_ptr<const Frames>>> recent_;  // the latest first
+  std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // the latest first
 };
 
 }  // namespace surefoot

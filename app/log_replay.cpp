@@ -30,13 +30,10 @@ class PlaybackEstimator final : public StateEstimator {
 };
 
 const std::string& attachment(const LogHeader& header, const std::string& name) {
-  const auto found = std::ranges::find(header.attachments, name,
-                                       [](const LogAttachment& file) { return file.name; });
-  if (found == header.attachments.end()) {
-    throw FileError("the log has no attachment " + name +
-                    ", so its controller can't be made again; record the run anew");
-  }
-  return found->data;
+  const std::string* found = header.attachment(name);
+  if (found != nullptr) return *found;
+  throw FileError("the log has no attachment " + name +
+                  ", so its controller can't be made again; record the run anew");
 }
 
 /// The robot's file, with its URDF where this program finds it.
@@ -88,8 +85,8 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
     : log_(path, [this](const McapMessage& message) { keep_change(message, changes_); }),
       own_stack_(options.stack.empty()) {
   const ScratchFolder folder;
-  const Scenario scenario = own_stack_ ? scenario_of(log_.header(), folder)
-                                       : scenario_with(options.stack, log_.header(), folder);
+  Scenario scenario = own_stack_ ? scenario_of(log_.header(), folder)
+                                 : scenario_with(options.stack, log_.header(), folder);
   estimates_ =
       options.state == ReplayedState::estimated && scenario.estimation == Estimation::sensors;
   std::unique_ptr<StateEstimator> estimator;
@@ -102,6 +99,7 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
   controller_ =
       std::make_unique<Controller>(scenario.robot, scenario.controller, std::move(estimator));
   explain_levels(true);
+  stack_ = std::move(scenario.controller.stack);
 }
 
 bool LogReplay::step() {
@@ -138,11 +136,12 @@ void LogReplay::switch_levels(const LevelSwitchReport& logged) {
   (void)controller_->switch_levels(change);
 }
 
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 bool LogReplay::is_same() const {
   const JointCommand& command = controller_->record().command;
-  const auto same_bits = [](double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-  };
   return command.mode == tick_.command.mode &&
          std::equal(command.torque.begin(), command.torque.end(), tick_.command.torque.begin(),
                     same_bits);

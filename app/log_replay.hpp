@@ -23,6 +23,9 @@ struct ReplayOptions {
   std::string stack;
 };
 
+/// Whether two numbers are the same to the bit, also where they are not numbers.
+[[nodiscard]] bool same_bits(double a, double b);
+
 /// Runs a log's controller again on the logged readings, commands and states: from the first tick
 /// on it computes the same bits.
 class LogReplay {
@@ -38,6 +41,8 @@ class LogReplay {
   [[nodiscard]] bool step();
 
   [[nodiscard]] const Controller& controller() const { return *controller_; }
+  /// That it was made with.
+  [[nodiscard]] const StackOptions& stack() const { return stack_; }
   /// As it stands in the log.
   [[nodiscard]] const TickRecord& logged() const { return tick_; }
   [[nodiscard]] const LogHeader& header() const { return log_.header(); }
@@ -58,6 +63,7 @@ class LogReplay {
   bool estimates_ = false;
   bool own_stack_ = true;
   std::unique_ptr<Controller> controller_;
+  StackOptions stack_;
 };
 
 }  // namespace surefoot

@@ -1,15 +1,18 @@
 #include "app/log_summary.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/config/config_tree.hpp"
 #include "surefoot/logging/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace surefoot {
 namespace {
 
-constexpr std::size_t kMostRanges = 2048;
+constexpr std::size_t kMostRanges = 8192;
 
 void widen(const std::vector<float>& values, std::vector<float>& bound, auto&& wider) {
   for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = wider(bound[i], values[i]);
@@ -24,9 +27,14 @@ std::size_t offset_of(const ViewChannels& channels, std::string_view name) {
   return found == channels.channels.end() ? 0 : found->offset;
 }
 
-std::string text_event(double time, std::string_view text) {
+std::string text_event(double time, std::string_view kind, std::string_view text) {
   std::string out;
-  JsonText(out).object().member("time", time).member("text", text).end_object();
+  JsonText(out)
+      .object()
+      .member("time", time)
+      .member("kind", kind)
+      .member("text", text)
+      .end_object();
   return out;
 }
 
@@ -45,6 +53,10 @@ LogSummary::LogSummary(const std::string& path, const LogHeader& header)
   for (const std::string_view leg : kLegNames) {
     phases_.push_back(offset_of(frames_.channels(), "plan.feet." + std::string(leg) + ".phase"));
   }
+  if (frames_.num_lost() > 0) {
+    damage_.push_back(std::to_string(frames_.num_lost()) +
+                      " chunks can't be read, nor from when they are");
+  }
   thread_ = std::thread([this] { run(); });
 }
 
@@ -55,17 +67,34 @@ LogSummary::~LogSummary() {
 
 void LogSummary::run() {
   for (std::size_t chunk = 0; chunk < frames_.num_chunks() && !stopping_; ++chunk) {
-    LogFrames::Changes changes;
-    const auto frames = frames_.chunk(chunk, &changes);
+    const auto read = frames_.chunk(chunk);
     const std::lock_guard lock(mutex_);
-    for (const logged::Change& change : changes) add(change);
-    for (const ViewFrame& frame : *frames) {
-      add_events(frame);
-      add(frame);
-    }
-    if (!frames->empty()) known_ = frames->back().tick + 1;
+    add(*read);
   }
   if (!stopping_) known_ = frames_.ticks();
+}
+
+void LogSummary::add(const LogChunk& chunk) {
+  add_damage(chunk);
+  for (const logged::Change& change : chunk.changes) add(change);
+  for (const ViewFrame& frame : chunk.frames) {
+    add_events(frame);
+    add(frame);
+  }
+  if (!chunk.frames.empty()) known_ = chunk.frames.back().tick + 1;
+}
+
+void LogSummary::add_damage(const LogChunk& chunk) {
+  const auto tell = [&](const char* what, const std::string& why) {
+    if (why.empty()) return;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << what << chunk.from << " s to " << chunk.to
+         << " s can't be read: " << why;
+    damage_.push_back(text.str());
+    events_.push_back(text_event(chunk.from, "damage", text.str()));
+  };
+  tell(chunk.frames.empty() ? "" : "some ticks of ", chunk.problem);
+  tell("timings of ", chunk.timing_problem);
 }
 
 void LogSummary::add(const ViewFrame& frame) {
@@ -73,8 +102,10 @@ void LogSummary::add(const ViewFrame& frame) {
   const std::size_t place = frame.tick / stretch_;
   while (ranges_.size() <= place) {
     ranges_.push_back({std::vector<float>(frame.floats.size(), NAN),
-                       std::vector<float>(frame.floats.size(), NAN)});
+                       std::vector<float>(frame.floats.size(), NAN),
+                       {}});
   }
+  if (ranges_[place].first.floats.empty()) ranges_[place].first = frame;
   widen(frame.floats, ranges_[place].least, less);
   widen(frame.floats, ranges_[place].greatest, more);
 }
@@ -85,6 +116,7 @@ void LogSummary::coarsen() {
     if (i + 1 < ranges_.size()) {
       widen(ranges_[i + 1].least, range.least, less);
       widen(ranges_[i + 1].greatest, range.greatest, more);
+      if (range.first.floats.empty()) range.first = std::move(ranges_[i + 1].first);
     }
     if (i > 0) ranges_[i / 2] = std::move(range);
   }
@@ -111,14 +143,23 @@ void LogSummary::add_events(const ViewFrame& frame) {
     if (now[cause_] != 0.0F) {
       text += ", cause: " + std::string(name_in(logged::kCauseNames, now[cause_]));
     }
-    events_.push_back(text_event(frame.time, text));
+    events_.push_back(text_event(frame.time, "mode", text));
   }
   last_ = now;
 }
 
 void LogSummary::add(const logged::Change& change) {
-  events_.push_back(text_event(change.time, change.text));
+  events_.push_back(text_event(change.time, "change", change.text));
   if (change.stack.empty()) return;
+  try {
+    add_order(change);
+  } catch (const Error& error) {
+    damage_.push_back("the order of the levels after a change can't be read: " +
+                      std::string(error.what()));
+  }
+}
+
+void LogSummary::add_order(const logged::Change& change) {
   ViewOrder order{static_cast<std::uint32_t>(std::llround(change.time / frames_.period())), {}};
   const ConfigNode tree = parse_yaml(change.stack, "/changes");
   const ConfigNode* levels = tree.find("levels");
@@ -145,6 +186,19 @@ bool LogSummary::range(std::uint32_t first, std::uint32_t last, std::vector<floa
     widen(ranges_[i].greatest, greatest, more);
   }
   return true;
+}
+
+bool LogSummary::frame_near(std::uint32_t tick, ViewFrame& frame) {
+  const std::lock_guard lock(mutex_);
+  const std::size_t place = tick / stretch_;
+  if (place >= ranges_.size() || ranges_[place].first.floats.empty()) return false;
+  frame = ranges_[place].first;
+  return true;
+}
+
+std::vector<std::string> LogSummary::damage() {
+  const std::lock_guard lock(mutex_);
+  return damage_;
 }
 
 std::string LogSummary::events_json() {

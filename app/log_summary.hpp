@@ -12,8 +12,9 @@
 
 namespace surefoot {
 
-/// What is known of a whole log: the least and greatest of every channel over stretches of it,
-/// and what happened. Found on a thread of its own, from front to back, in bounded memory.
+/// What is known of a whole log: over stretches of it the least and greatest of every channel and a
+/// frame of each, what happened, and what is damaged. Found on a thread of its own, from front to
+/// back, in bounded memory: about 100 MB for logs of an hour and more.
 class LogSummary {
  public:
   /// Throws FileError as LogFrames.
@@ -28,8 +29,12 @@ class LogSummary {
   /// false where that is not known yet.
   [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last, std::vector<float>& least,
                            std::vector<float>& greatest);
+  /// Gets the frame that is kept of the stretch of a tick; false where there is none, or not yet.
+  [[nodiscard]] bool frame_near(std::uint32_t tick, ViewFrame& frame);
+  /// Sentences on what can't be read, so far.
+  [[nodiscard]] std::vector<std::string> damage();
   /// So far, as JSON: plan events as [time, number, leg or null], what else happened as
-  /// {"time", "text"}.
+  /// {"time", "kind", "text"}.
   [[nodiscard]] std::string events_json();
   /// The orders of the levels so far, but the first.
   [[nodiscard]] std::vector<ViewOrder> orders();
@@ -37,12 +42,16 @@ class LogSummary {
  private:
   struct Range {
     std::vector<float> least, greatest;
+    ViewFrame first;  // without floats: there is none
   };
 
   void run();
   void add(const ViewFrame& frame);
   void add_events(const ViewFrame& frame);
+  void add(const LogChunk& chunk);
   void add(const logged::Change& change);
+  void add_order(const logged::Change& change);
+  void add_damage(const LogChunk& chunk);
   void coarsen();
 
   LogFrames frames_;
@@ -55,6 +64,7 @@ class LogSummary {
   std::uint32_t stretch_ = 64;
   std::vector<std::string> events_;
   std::vector<ViewOrder> orders_;
+  std::vector<std::string> damage_;
 
   std::atomic<std::uint32_t> known_{0};
   std::atomic<bool> stopping_{false};

@@ -5,16 +5,10 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace surefoot {
 namespace {
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 template <typename Signal>
 bool same_message(const Signal& a, const Signal& b) {

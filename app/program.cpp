@@ -230,6 +230,8 @@ void add_demo(CLI::App& app, Command& chosen) {
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
       ->check(whole_number(1))
       ->capture_default_str();
+  demo->add_flag("--no-pictures", arguments->no_pictures,
+                 "Leave strip and clip out of the reports, which take seconds each");
   add_view(*demo, arguments->view);
   demo->callback(
       [&chosen, arguments] { chosen = [arguments] { return demo_command(*arguments); }; });

@@ -26,6 +26,10 @@ void check(const ReplayArguments& arguments) {
     throw Error("--csv writes the ticks of --stack, which is not given");
   if (arguments.json && !arguments.verify && arguments.stack.empty())
     throw Error("--json is for --verify and --stack; without them replay serves a page");
+  if (says_where(arguments.view) && (arguments.verify || !arguments.stack.empty()))
+    throw Error(
+        "--port, --listen, --token and --view-clients are of the page, which --verify and "
+        "--stack don't serve; leave them out");
 }
 
 /// Torques and residuals of both at each tick, as the log's channels are called; those of the other

@@ -2,6 +2,7 @@
 
 #include "app/results_table.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 
 #include <array>
 #include <cmath>
@@ -79,9 +80,8 @@ Json run_json(const std::string& path, const LogHeader& header) {
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
 
-/// Below it a residual is rounding, in every unit.
 std::string residual(double value, const std::string& unit) {
-  if (value < 1e-6) return "0";
+  if (value < kResidualRounding) return "0";
   return text("%.3g", value) + (unit.empty() ? "" : " " + unit);
 }
 

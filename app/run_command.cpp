@@ -234,13 +234,14 @@ void check_watched(const RunArguments& arguments) {
   const char* other = arguments.seeds > 0         ? "--seeds"
                       : arguments.check           ? "--check"
                       : !arguments.report.empty() ? "--report"
+                      : !arguments.video.empty()  ? "--video"
                                                   : nullptr;
   if (other == nullptr) return;
   throw Error(std::string("--view shows one run, and can't go with ") + other +
               "; leave out one of them" +
-              (arguments.report.empty() ? ""
-                                        : ". --record FILE keeps the log, of which surefoot report "
-                                          "makes one"));
+              (arguments.report.empty() && arguments.video.empty()
+                   ? ""
+                   : ". --record FILE keeps the log, of which surefoot report or video makes it"));
 }
 
 }  // namespace

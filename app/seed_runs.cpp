@@ -20,7 +20,8 @@ std::string run_here(const PlannedRun& run) {
   options.interrupted = interrupted;
   const RunResult result = run_closed_loop(scenario, options);
   if (!run.report.empty() && result.ending != Ending::interrupted) {
-    write_illustrated_report(run.log.string(), run.report.string());
+    run.pictures ? write_illustrated_report(run.log.string(), run.report.string())
+                 : write_report(run.log.string(), run.report.string());
   }
   if (!run.video.empty() && result.ending != Ending::interrupted) {
     (void)film(run.log.string(), run.video.string());  // says itself what went wrong

@@ -17,6 +17,7 @@ struct PlannedRun {
   std::filesystem::path log;     ///< empty: none
   std::filesystem::path report;  ///< folder; empty: none; needs a log
   std::filesystem::path video;   ///< film; empty: none; needs a log
+  bool pictures = true;          ///< in the report
 };
 
 /// Did the run come to its end? Not so a row of one that was cut off by an interrupt, or that never

@@ -28,6 +28,12 @@ std::string task_yaml(const TaskSpec& task) {
 
 }  // namespace
 
+std::vector<std::string> level_names(const StackOptions& stack) {
+  std::vector<std::string> names;
+  for (const LevelSpec& level : stack.levels) names.push_back(level.name);
+  return names;
+}
+
 StackOptions with_defaults(StackOptions stack) {
   for (LevelSpec& level : stack.levels) {
     for (TaskSpec& task : level.tasks) {

@@ -12,4 +12,7 @@ namespace surefoot {
 /// The stack as a stack file that needs no other file; load_stack gives the same levels again.
 [[nodiscard]] std::string stack_yaml(const StackOptions& stack);
 
+/// Of the levels, highest first.
+[[nodiscard]] std::vector<std::string> level_names(const StackOptions& stack);
+
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
@@ -15,8 +16,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kRounding = 1e-6;  // in every unit
-constexpr double kLoaded = 1.0;     // [N]
+constexpr double kLoaded = 1.0;  // [N]
 
 std::string number(double value, const char* format = "%.2g") {
   std::array<char, 32> text{};
@@ -49,8 +49,10 @@ class Search {
       if (has_before) add_event(before);
       before = tick_.plan;
       has_before = true;
-      if (is_nearest()) found_.tick = tick_;
-      if (is_nearest()) nearest_ = tick_.reading.time;
+      if (!is_nearest()) continue;
+      found_.tick = tick_;
+      found_.order = log_.level_order();
+      nearest_ = tick_.reading.time;
     }
     found_.header = log_.header();
     found_.header.attachments.clear();
@@ -144,7 +146,7 @@ std::string clause(const LevelThatGaveWay& level, bool is_known) {
                             : "; to what is not known");
   std::vector<std::string> rows;
   for (const CostlyRow& row : level.to)
-    if (row.cost > kRounding) rows.push_back(named(row) + " (" + number(row.cost) + ")");
+    if (row.cost > kResidualRounding) rows.push_back(named(row) + " (" + number(row.cost) + ")");
   if (rows.empty())
     return text + " to " + named(level.to.front()) +
            " and others, none of which costs anything alone";
@@ -174,16 +176,19 @@ TickExplanation read_tick(const std::string& path, double time) { return Search(
 std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   std::vector<LevelThatGaveWay> levels;
   const HierarchyReport& report = explanation.tick.hierarchy;
-  for (std::int16_t k = 0; k < report.num_levels; ++k) {
+  for (const std::int16_t k : explanation.order) {
     const auto level = static_cast<std::size_t>(k);
     const double residual = report.levels[level].residual;
-    if (!(residual > kRounding)) continue;
     const auto& units = explanation.header.level_units;
     const std::string name = level_name(explanation, k);
+    const std::string unit = level < units.size() ? units[level] : "";
+    const double visible = visible_residual(name, unit);
+    const bool restless = std::isnan(visible);
+    if (!(residual > (restless ? kResidualRounding : visible))) continue;
     levels.push_back({.name = name,
-                      .unit = level < units.size() ? units[level] : "",
+                      .unit = unit,
                       .residual = residual,
-                      .restless = name.ends_with("_minimisation"),
+                      .restless = restless,
                       .to = rows_of(explanation, k)});
   }
   return levels;

@@ -23,7 +23,8 @@ struct NearbyEvent {
 struct TickExplanation {
   LogHeader header;  ///< without its attachments
   TickRecord tick;
-  std::optional<GroundTruth> truth;                                        ///< of logs that have it
+  std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
+  std::optional<GroundTruth> truth;  ///< of logs that have it
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::vector<NearbyEvent> events;  ///< around the tick, in order
   std::string problem;              ///< why the log could not be read further; empty if it could
@@ -50,7 +51,7 @@ struct LevelThatGaveWay {
   std::vector<CostlyRow> to;  ///< dearest first; empty: nothing above holds it back
 };
 
-/// In the order of the hierarchy. What is rounding is left out.
+/// In the order of the tick's hierarchy. What is less than `visible_residual` is left out.
 [[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
 
 /// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone

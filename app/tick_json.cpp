@@ -61,7 +61,8 @@ Json feet_json(const TickExplanation& explanation) {
 Json levels_json(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
+  for (const std::int16_t number_of_level : explanation.order) {
+    const auto k = static_cast<std::size_t>(number_of_level);
     const LevelReport& level = report.levels[k];
     const auto& names = explanation.header.level_names;
     const auto& units = explanation.header.level_units;

@@ -3,6 +3,7 @@
 #include "app/results_table.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 using Table = std::vector<std::vector<std::string>>;
 
 constexpr double kDegrees = 180.0 / kPi;
-constexpr double kRounding = 1e-6;  // of a residual, in every unit
 
 template <typename... Values>
 std::string text(const char* format, Values... values) {
@@ -133,13 +133,14 @@ std::string feet_table(const TickExplanation& explanation) {
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations"}};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
+  for (std::size_t place = 0; place < explanation.order.size(); ++place) {
+    const auto k = static_cast<std::size_t>(explanation.order[place]);
     const LevelReport& level = report.levels[k];
     const auto& [names, units] =
         std::tie(explanation.header.level_names, explanation.header.level_units);
     const std::string unit = k < units.size() && !units[k].empty() ? " " + units[k] : "";
-    table.push_back({std::to_string(k + 1) + " " + (k < names.size() ? names[k] : "level"),
-                     level.residual > kRounding ? text("%.3g", level.residual) + unit : "0",
+    table.push_back({std::to_string(place + 1) + " " + (k < names.size() ? names[k] : "level"),
+                     level.residual > kResidualRounding ? text("%.3g", level.residual) + unit : "0",
                      std::to_string(level.num_rows), std::to_string(level.num_active),
                      std::to_string(level.degrees_of_freedom_left),
                      std::to_string(level.iterations)});

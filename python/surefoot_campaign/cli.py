@@ -9,7 +9,8 @@ import shlex
 import signal
 import sys
 
-from surefoot_campaign.errors import InputError, valid_names
+from surefoot_campaign.command_line import Parser, interrupt, whole_number
+from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
 from surefoot_campaign.plan import by_seed, folder_of, make_plan
@@ -45,27 +46,12 @@ Examples:
 """
 
 
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        if message.startswith("unrecognized arguments: "):
-            given = message.split()[2]
-            options = [name for action in self._actions for name in action.option_strings if name.startswith("--")]
-            message = f'unknown argument "{given}" of campaign; {valid_names(given, options)}'
-        raise InputError(f"{message}; see surefoot campaign --help")
-
-
-def jobs(text):
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
-    return int(text)
-
-
 def parser():
     made = Parser("surefoot campaign", description=DESCRIPTION, epilog=EPILOG, allow_abbrev=False,
                   formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
     made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run")
     made.add_argument("--out", type=pathlib.Path, metavar="DIR", help="folder of the results; results/NAME by default")
-    made.add_argument("--jobs", type=jobs, metavar="N", default=len(os.sched_getaffinity(0)),
+    made.add_argument("--jobs", type=whole_number, metavar="N", default=len(os.sched_getaffinity(0)),
                       help="processes at once; one a core (%(default)s) by default")  # fmt: skip
     made.add_argument("--dry-run", action="store_true", help="list the runs and which are done; run and write nothing")
     made.add_argument("--retry", action="store_true", help="make runs again that crashed, took too long or were refused")
@@ -189,10 +175,6 @@ def campaign(typed):
     if arguments.dry_run:
         return dry_run(plan, read_rows(folder / "rows.jsonl"), program, arguments, folder)
     return make_campaign(plan, program, arguments, folder, typed)
-
-
-def interrupt(*_):
-    raise KeyboardInterrupt
 
 
 def main(typed):

@@ -6,6 +6,7 @@ import pathlib
 import signal
 import sys
 
+from surefoot_campaign.command_line import Parser, interrupt, whole_number
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.log_file import LogFile
 
@@ -32,22 +33,6 @@ Examples:
   surefoot video run.mcap --out run.mp4
   surefoot video run.mcap --out step.mp4 --from 13 --to 20 --speed 2
 """
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        name = self.prog.split()[-1]
-        if message.startswith("unrecognized arguments: "):
-            given = message.split()[2]
-            options = [option for action in self._actions for option in action.option_strings if option.startswith("--")]
-            message = f'unknown argument "{given}" of {name}; {valid_names(given, options)}'
-        raise InputError(f"{message}; see surefoot {name} --help")
-
-
-def whole_number(text):
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
-    return int(text)
 
 
 def positive(text):
@@ -183,10 +168,6 @@ def report_pictures(typed):
 
 
 COMMANDS = {"export": export, "video": video, "report-pictures": report_pictures}
-
-
-def interrupt(*_):
-    raise KeyboardInterrupt
 
 
 def main(typed):

@@ -10,7 +10,7 @@ from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
 from surefoot_log import meshes
 from surefoot_log.foxglove_ground import ground_entity
-from surefoot_log.frames import CARRIES, LEGS, LOADED, friction_use, read_frames
+from surefoot_log.frames import CARRIES, LEGS, LOADED, read_frames
 from surefoot_log.offscreen import mujoco
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull
 from surefoot_log.table import check_topics, written_whole
@@ -79,7 +79,7 @@ def transforms(model, data, time):
 
 def mesh_triangles(visual, X_BV, packages, cache):
     found = []
-    for part in meshes.load(file_of(visual.mesh, packages), cache, DETAIL):
+    for part in meshes.load(file_of(visual.mesh, packages), cache, DETAIL, packages):
         points = np.round(part.vertices * visual.scale @ X_BV[:3, :3].T + X_BV[:3, 3], 4)
         found.append(shapes.triangles(points, part.faces.ravel(), part.colour))
     return found
@@ -136,11 +136,12 @@ def robot_entities(model, urdf, packages, cache):
     return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], notes
 
 
-def scene_entities(frame, foot_radius):
+def scene_entities(frame, foot_radius, places):
+    """`places`: of the centres of mass of the physics' bodies."""
     time = nanoseconds(frame.time)
-    arrows = [shapes.arrow(point, force, METRES_PER_NEWTON, colour_of_use(friction_use(force, friction)))
-              for _, point, force, friction in frame.forces if np.linalg.norm(force) > LOADED / 4]  # fmt: skip
-    pushes = [shapes.arrow(frame.p_WB - 2 * METRES_PER_NEWTON * push, push, 2 * METRES_PER_NEWTON, PUSH) for push in frame.pushes]
+    arrows = [shapes.arrow(touch.point, touch.force, METRES_PER_NEWTON, colour_of_use(touch.friction_use))
+              for touch in frame.forces if np.linalg.norm(touch.force) > LOADED / 4]  # fmt: skip
+    pushes = [shapes.arrow(places[body] - 2 * METRES_PER_NEWTON * push, push, 2 * METRES_PER_NEWTON, PUSH) for body, push in frame.pushes]
     entities = [shapes.entity("forces", WORLD, time, arrows=arrows), shapes.entity("pushes", WORLD, time, arrows=pushes)]
     feet = [frame.p_WF[leg] for leg in LEGS if leg in frame.p_WF and frame.phases.get(leg) in CARRIES]
     level = max((foot[2] for foot in feet), default=0.0) - foot_radius + 0.003
@@ -185,7 +186,7 @@ def write_frames(file, model, run):
         data.qpos[: len(frame.qpos)] = frame.qpos
         mujoco.mj_kinematics(model, data)
         file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(model, data, time)})
-        file.update_scene("/scene/forces", time, scene_entities(frame, radius))
+        file.update_scene("/scene/forces", time, scene_entities(frame, radius, data.xipos))
         if frame.event:
             file.write("/events", "foxglove.Log", schemas.LOG, time,
                        {"timestamp": shapes.moment(time), "level": INFO, "message": frame.event, "name": "planner", "file": "", "line": 0})  # fmt: skip

@@ -10,9 +10,31 @@ from surefoot_campaign.errors import InputError
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
 TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
-ROUNDING = 1e-6  # in every unit
-RESTLESS = "_minimisation"  # levels that ask for nothing at all are never content
+ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
 LOADED = 20.0  # N: what a foot that carries has at least
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A foot on the ground."""
+
+    leg: str
+    point: np.ndarray
+    force: np.ndarray  # of the ground [N]
+    normal: np.ndarray  # of the ground, out of it
+    friction: float  # coefficient
+
+    @property
+    def load(self):
+        """Along the normal [N]."""
+        return float(self.normal @ self.force)
+
+    @property
+    def friction_use(self):
+        """Share of the friction cone that the force uses."""
+        if self.load <= 0.0 or self.friction <= 0.0:
+            return 0.0
+        return float(np.linalg.norm(self.force - self.load * self.normal)) / (self.friction * self.load)
 
 
 @dataclass
@@ -24,8 +46,8 @@ class Frame:
     p_WB: np.ndarray
     p_WCom: np.ndarray | None = None
     p_WF: dict = field(default_factory=dict)
-    forces: list = field(default_factory=list)  # (leg, point, force [N], friction coefficient)
-    pushes: list = field(default_factory=list)  # force [N] on the base
+    forces: list = field(default_factory=list)  # of each touching foot a Touch
+    pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N])
     phases: dict = field(default_factory=dict)
     event: str = ""
     mode: str = "optimal"
@@ -81,7 +103,7 @@ def frame_of(tick, header, event):
     frame = Frame(state["time"], seen["qpos"], np.array(seen["p_WB"]), event=event)
     frame.phases = {leg: foot["phase"] for leg, foot in plan.get("feet", {}).items()}
     frame.mode = decoded.get("/command", {}).get("mode", "optimal")
-    frame.gave_way = gave_way(decoded.get("/hierarchy", {}))
+    frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
     if truth is not None:
         add_truth(frame, truth)
     return frame
@@ -93,16 +115,23 @@ def add_truth(frame, truth):
     for leg in LEGS:
         foot = truth["feet"][leg]
         if foot["touching"]:
-            frame.forces.append((leg, np.array(foot["point"]), np.array(foot["force"]), foot["friction"]))
+            frame.forces.append(Touch(leg, *(np.array(foot[name]) for name in ("point", "force", "normal")), foot["friction"]))
     pushes = np.array(truth["xfrc_applied"]).reshape(-1, 6)[:, :3]
-    frame.pushes = [push for push in pushes if push.any()]
+    frame.pushes = [(body, push) for body, push in enumerate(pushes) if push.any()]
 
 
-def gave_way(hierarchy):
+def visible_residuals(header):
+    """By level, from which residual on it gave way; None: it is never content."""
+    names = header["level_names"]
+    return dict(zip(names, header.get("level_visible", [None if name.endswith("_minimisation") else ROUNDING for name in names])))
+
+
+def gave_way(hierarchy, header):
     """The highest level that did not get what it asked for, and what held it back most."""
+    visible = visible_residuals(header)
     for level in hierarchy.get("levels", []):
-        residual = level["residual"] or 0.0
-        if residual <= ROUNDING or level["name"].endswith(RESTLESS):
+        residual, least = level["residual"] or 0.0, visible.get(level["name"], ROUNDING)
+        if least is None or residual <= least:
             continue
         for row in hierarchy.get("blocked_by", []):
             if row["level"] == level["name"]:
@@ -110,11 +139,5 @@ def gave_way(hierarchy):
     return None
 
 
-def friction_use(force, coefficient):
-    """Share of the friction cone, about the vertical, that a ground force uses."""
-    tangential = float(np.hypot(force[0], force[1]))
-    return tangential / (coefficient * force[2]) if force[2] > 0.0 and coefficient > 0.0 else 0.0
-
-
 def friction_of(frame):
-    return {leg: friction_use(force, mu) for leg, _, force, mu in frame.forces if force[2] > LOADED}
+    return {touch.leg: touch.friction_use for touch in frame.forces if touch.load > LOADED}

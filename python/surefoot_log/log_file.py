@@ -68,7 +68,8 @@ class LogFile:
         except (ValueError, KeyError, TypeError) as error:
             raise InputError(f"{self.path}: its {HEADER} is not what it should be: {error}") from None
         if version.split(".")[0] != LOG_VERSION:
-            raise InputError(f"{self.path}: log version {version}; this program reads {LOG_VERSION}.x")
+            raise InputError(f"{self.path}: log version {version}; this program reads {LOG_VERSION}.x. "
+                             "Read it with the version of surefoot that made it, or record the run anew")
         return header
 
     def _records(self):

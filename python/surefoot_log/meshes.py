@@ -2,15 +2,19 @@
 
 import hashlib
 import io
+import os
 import pathlib
+import tempfile
 import xml.etree.ElementTree as ElementTree
+import zipfile
+import zlib
 from dataclasses import dataclass
 
 import numpy as np
 
 CELL = 0.005  # m: points of one material in a cell of this size become one
 UNKNOWN = (0.25, 0.26, 0.28, 1.0)  # colour where a file names none
-CACHE_FORMAT = "3"
+CACHE_FORMAT = "4"
 
 
 @dataclass(frozen=True)
@@ -50,14 +54,20 @@ def used_only(vertices, faces, uv):
     return vertices[used], renumbered.reshape(-1, 3), None if uv is None else uv[used]
 
 
-def material_of(primitive, folder):
+def image_file(folder, name, root):
+    """Where an image lies; empty where that is not below the root."""
+    path = pathlib.Path(os.path.normpath(folder / name))
+    return str(path) if path.is_relative_to(os.path.normpath(root)) else ""
+
+
+def material_of(primitive, folder, root):
     """Colour and image of a bound Collada primitive."""
     from collada.material import Map
 
     effect = getattr(primitive.material, "effect", None)
     diffuse = getattr(effect, "diffuse", None)
     if isinstance(diffuse, Map):
-        return UNKNOWN, str(folder / diffuse.sampler.surface.image.path)
+        return UNKNOWN, image_file(folder, diffuse.sampler.surface.image.path, root)
     return tuple(float(part) for part in diffuse) if diffuse is not None else UNKNOWN, ""
 
 
@@ -90,7 +100,7 @@ def opened_collada(path):
     return opened(ElementTree.tostring(tree)) if broken else document
 
 
-def read_collada(path):
+def read_collada(path, root):
     """Up is z whatever the file says of it, as the ROS tools that these files are made for have it."""
     document = opened_collada(path)
     by_material = {}
@@ -98,7 +108,7 @@ def read_collada(path):
         for primitive in geometry.primitives():
             if len(primitive) == 0 or "Line" in type(primitive).__name__:
                 continue
-            colour, image = material_of(primitive, path.parent)
+            colour, image = material_of(primitive, path.parent, root)
             vertices, faces, uv = triangles_of(primitive)
             piece = (vertices * document.assetInfo.unitmeter, faces, uv if image else None)
             by_material.setdefault((colour, image if uv is not None else ""), []).append(piece)
@@ -114,7 +124,7 @@ def joined(pieces, colour, image):
     return Part(np.vstack([vertices for vertices, _, _ in pieces]), faces, colour, uv, image)
 
 
-def read_stl(path):
+def read_stl(path, _):
     data = path.read_bytes()
     count = int.from_bytes(data[80:84], "little")
     if len(data) != 84 + 50 * count:
@@ -123,7 +133,7 @@ def read_stl(path):
     return [Part(corners.reshape(-1, 3).astype(float), np.arange(3 * count).reshape(-1, 3), UNKNOWN)]
 
 
-def read_obj(path):
+def read_obj(path, _):
     vertices, faces = [], []
     for line in path.read_text(errors="replace").splitlines():
         words = line.split()
@@ -139,8 +149,9 @@ def read_obj(path):
 READERS = {".dae": read_collada, ".stl": read_stl, ".obj": read_obj}
 
 
-def load(path, cache=None, cell=CELL):
-    """The parts of a mesh file, thinned to a cell [m]. `cache`: a folder that keeps them for the next time."""
+def load(path, cache=None, cell=CELL, root=None):
+    """The parts of a mesh file, thinned to a cell [m]. `cache`: a folder that keeps them for the next time. `root`: the folder
+    that its images must lie below; its own by default."""
     path = pathlib.Path(path)
     reader = READERS.get(path.suffix.lower())
     if reader is None:
@@ -149,9 +160,10 @@ def load(path, cache=None, cell=CELL):
     if cache is not None:
         digest = hashlib.sha256(f"{CACHE_FORMAT} {cell} ".encode() + str(path.parent).encode() + path.read_bytes()).hexdigest()[:20]
         kept = pathlib.Path(cache) / f"{path.stem}-{digest}.npz"
-        if kept.is_file():
-            return unpacked(kept)
-    parts = [thinned(part, cell) for part in reader(path)]
+        known = unpacked(kept)
+        if known is not None:
+            return known
+    parts = [thinned(part, cell) for part in reader(path, path.parent if root is None else root)]
     parts = [part for part in parts if len(part.faces) > 0]
     if kept is not None:
         pack(parts, kept)
@@ -170,12 +182,20 @@ def pack(parts, path):
         if part.uv is not None:
             arrays[f"t{i}"] = part.uv
     path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_suffix(".partial.npz")
-    np.savez_compressed(partial, **arrays)
-    partial.replace(path)
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.stem, suffix=".partial", delete=False) as partial:
+        np.savez_compressed(partial, **arrays)
+    os.replace(partial.name, path)
 
 
 def unpacked(path):
-    with np.load(path) as arrays:
-        return [Part(arrays[f"v{i}"], arrays[f"f{i}"], tuple(arrays[f"c{i}"].tolist()), arrays.get(f"t{i}"), str(arrays[f"i{i}"]))
-                for i in range(int(arrays["count"]))]  # fmt: skip
+    """What is kept; None where it is not there or can't be read."""
+    try:
+        with np.load(path) as arrays:
+            return parts_in(arrays)
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error):
+        return None
+
+
+def parts_in(arrays):
+    return [Part(arrays[f"v{i}"], arrays[f"f{i}"], tuple(arrays[f"c{i}"].tolist()), arrays.get(f"t{i}"), str(arrays[f"i{i}"]))
+            for i in range(int(arrays["count"]))]  # fmt: skip

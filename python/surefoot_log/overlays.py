@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from surefoot_log.frames import CARRIES, LOADED, friction_use
+from surefoot_log.frames import CARRIES, LOADED
 from surefoot_log.offscreen import mujoco
 
 METRES_PER_NEWTON = 0.0022
@@ -43,15 +43,16 @@ class Overlays:
     def __init__(self, scene, foot_radius):
         self._scene, self._radius = scene, foot_radius
 
-    def draw(self, frame):
+    def draw(self, frame, places):
+        """`places`: of the centres of mass of the physics' bodies."""
         self._polygon(frame)
-        for _, point, force, coefficient in frame.forces:
-            if np.linalg.norm(force) > LOADED / 4:
-                self._arrow(point, point + METRES_PER_NEWTON * force, 0.019, colour_of_use(friction_use(force, coefficient)))
+        for touch in frame.forces:
+            if np.linalg.norm(touch.force) > LOADED / 4:
+                self._arrow(touch.point, touch.point + METRES_PER_NEWTON * touch.force, 0.019, colour_of_use(touch.friction_use))
         if frame.p_WCom is not None:
             self._centre_of_mass(frame)
-        for push in frame.pushes:
-            self._arrow(frame.p_WB - 2 * METRES_PER_NEWTON * push, frame.p_WB, 0.018, PUSH)
+        for body, push in frame.pushes:
+            self._arrow(places[body] - 2 * METRES_PER_NEWTON * push, places[body], 0.018, PUSH)
 
     def _new(self, kind, size, position, rotation, colour):
         if self._scene.ngeom >= self._scene.maxgeom:

@@ -33,7 +33,7 @@ class Painter:
         mujoco.mj_camlight(self._model, data)
         data.light_xpos[self._sun] = point + SUN
         self._renderer.update_scene(data, view, self._options)
-        self._overlays.draw(frame)
+        self._overlays.draw(frame, data.xipos)
         return Image.fromarray(self._renderer.render())
 
     def close(self):

@@ -29,14 +29,30 @@ def check_topics(wanted, log):
 
 
 def read_messages(log, topics, every):
-    """The times of every so manieth tick [ns], and of each topic its messages by time."""
-    ticks, found = [], {}
+    """The times of every so manieth tick [ns], and of each topic its messages at these times. The timings stand behind all
+    ticks; what comes before its tick's state waits for it."""
+    ticks, found, waiting, number = set(), {}, [], -1
     for message in log.messages(None if topics is None else topics | {TICK}):
+        if waiting and waiting[0].time < message.time:
+            waiting.clear()
         if message.topic == TICK:
-            ticks.append(message.time)
-        if topics is None or message.topic in topics:
-            found.setdefault(message.topic, {})[message.time] = bytes(message.data)
-    return ticks[::every], found
+            number += 1
+            if number % every == 0:
+                ticks.add(message.time)
+                keep(found, waiting)
+            waiting.clear()
+        if topics is not None and message.topic not in topics:
+            continue
+        if message.time in ticks:
+            keep(found, [message])
+        else:
+            waiting.append(message)
+    return sorted(ticks), found
+
+
+def keep(found, messages):
+    for message in messages:
+        found.setdefault(message.topic, {})[message.time] = bytes(message.data)
 
 
 def topic_arrays(log, topic, rows, times):

@@ -1,6 +1,7 @@
 """What a URDF says about how its links look."""
 
 import math
+import os
 import pathlib
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
@@ -95,7 +96,8 @@ def links_below_bodies(urdf, bodies):
 
 
 def file_of(uri, packages):
-    """Where a mesh lies: `package://NAME/…` below the folder of packages."""
-    if uri.startswith("package://"):
-        return pathlib.Path(packages) / uri.removeprefix("package://")
-    return pathlib.Path(uri.removeprefix("file://"))
+    """Where a mesh lies: `package://NAME/…` below the folder of packages, and nowhere else. Throws ValueError."""
+    inside = os.path.normpath(uri.removeprefix("package://"))
+    if not uri.startswith("package://") or os.path.isabs(inside) or inside.split(os.sep)[0] in ("..", "."):
+        raise ValueError("is not below the folder of packages; package://NAME/… would be valid")
+    return pathlib.Path(packages) / inside

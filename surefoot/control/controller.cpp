@@ -255,9 +255,9 @@ void Controller::Implementation::describe_refused_state() noexcept {
 
 bool Controller::Implementation::set_stack(const StackOptions& options, double duration) {
   check_stack_change(switcher.stack(), options, duration);
+  if (is_changing() || !switcher.is_idle()) return false;  // before what costs much
   LevelSwitcher next_switcher = switcher.for_stack(options);
   auto next = std::make_unique<SolvedStack>(options, solver_options, robot_description);
-  if (is_changing() || !switcher.is_idle()) return false;
   const int first_free_level = next->stack.first_free_level();
   fade =
       std::make_unique<StackFade>(std::exchange(solved, std::move(next)),

@@ -1,13 +1,16 @@
 #pragma once
 
+#include "surefoot/base/error.hpp"
+
 #include <string>
 #include <string_view>
 
 namespace surefoot {
 
 /// What is not JSON, or not of the kind that was asked for.
-struct JsonError {
-  std::string what;
+class JsonError : public Error {
+ public:
+  using Error::Error;
 };
 
 /// Reads JSON from front to back without building a tree: fast enough for each message of a log.

@@ -1,6 +1,9 @@
 #include "surefoot/logging/log_header.hpp"
 
 #include "surefoot/logging/json_text.hpp"
+#include "surefoot/logging/visible_residual.hpp"
+
+#include <algorithm>
 
 namespace surefoot {
 namespace {
@@ -54,6 +57,11 @@ void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
 
 }  // namespace
 
+const std::string* LogHeader::attachment(std::string_view name) const {
+  const auto found = std::ranges::find(attachments, name, &LogAttachment::name);
+  return found == attachments.end() ? nullptr : &found->data;
+}
+
 std::string to_json(const LogHeader& header) {
   std::string out;
   JsonText json(out);
@@ -71,6 +79,8 @@ std::string to_json(const LogHeader& header) {
   drawn_member(json, header.drawn);
   list(json, "level_names", header.level_names);
   list(json, "level_units", header.level_units);
+  const std::vector<double> visible = visible_residuals(header);
+  numbers(json, "level_visible", visible.data(), visible.size());
   list(json, "event_names", header.event_names);
   robot_member(json, header.robot);
   json.key("limb")

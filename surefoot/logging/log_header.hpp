@@ -79,6 +79,9 @@ struct LogHeader {
   /// everything worked in, and the robot's URDF.
   std::vector<LogAttachment> attachments;
 
+  /// The content of an attachment; null where there is none of that name.
+  [[nodiscard]] const std::string* attachment(std::string_view name) const;
+
   /// Called on the recorder's thread. Not part of the file: the rows' names stand in the hierarchy
   /// messages.
   RowNamer row_name;

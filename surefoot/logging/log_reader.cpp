@@ -144,7 +144,10 @@ HierarchyReport without_names(const logged::Hierarchy& named,
   const LevelNumbers numbers(header, named);
   HierarchyReport report;
   report.status = named.status;
-  report.failed_level = named.failed_level;
+  const auto failed = static_cast<std::size_t>(named.failed_level);
+  report.failed_level = named.failed_level >= 0 && failed < named.levels.size()
+                            ? numbers.of(named.levels[failed].name)
+                            : named.failed_level;
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
@@ -164,6 +167,18 @@ HierarchyReport without_names(const logged::Hierarchy& named,
 
 }  // namespace
 
+bool decode_signal(const McapMessage& message, TickRecord& tick) {
+  const std::string& topic = message.channel->topic;
+  const auto decode = [&](std::string_view name, auto& signal) {
+    if (topic != name) return false;
+    logged::Decoder::decode(message.data, signal);
+    return true;
+  };
+  return decode("/readings", tick.reading) || decode("/health", tick.health) ||
+         decode("/user", tick.user) || decode("/state", tick.state) || decode("/plan", tick.plan) ||
+         decode("/model", tick.model) || decode("/command", tick.command);
+}
+
 LogReader::LogReader(const std::string& path, Other other)
     : path_(path), file_(path), other_(std::move(other)) {
   const auto header = file_.attachments().find(std::string(kHeaderName));
@@ -174,8 +189,9 @@ LogReader::LogReader(const std::string& path, Other other)
     const json parsed = json::parse(header->second);
     const auto version = parsed.at("log_version").get<std::string>();
     if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
-      throw FileError(path + ": log version " + version + "; this program reads " +
-                      std::string(kLogVersion));
+      throw FileError(
+          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
+          ". Read it with the version of surefoot that made it, or record the run anew");
     }
     header_ = parse_header(parsed);
   } catch (const json::exception& error) {
@@ -199,7 +215,7 @@ bool LogReader::next(TickRecord& tick) {
     }
   } catch (const JsonError& error) {
     throw FileError(path_ + ": a message on " + message.channel->topic +
-                    " is not what it should be: " + error.what);
+                    " is not what it should be: " + error.what());
   }
   return false;
 }
@@ -207,23 +223,17 @@ bool LogReader::next(TickRecord& tick) {
 // True when the message completes a tick.
 bool LogReader::take(const McapMessage& message, TickRecord& tick) {
   const std::string& topic = message.channel->topic;
-  const auto decode = [&](auto& signal) { logged::Decoder::decode(message.data, signal); };
-  if (topic == "/readings") {
-    decode(tick.reading);
-  } else if (topic == "/health") {
-    decode(tick.health);
-  } else if (topic == "/user") {
-    decode(tick.user);
-  } else if (topic == "/state") {
-    decode(tick.state);
-  } else if (topic == "/plan") {
-    decode(tick.plan);
-  } else if (topic == "/model") {
-    decode(tick.model);
-  } else if (topic == "/hierarchy") {
+  if (decode_signal(message, tick)) return topic == "/command";
+  if (topic == "/hierarchy") {
     logged::Hierarchy named;
-    decode(named);
+    logged::Decoder::decode(message.data, named);
     tick.hierarchy = without_names(named, header_.level_names);
+    level_order_.clear();
+    const LevelNumbers numbers(header_.level_names, named);
+    for (const logged::Level& level : named.levels) {
+      const std::int16_t number = numbers.of(level.name);
+      if (static_cast<std::size_t>(number) < kMaxLevels) level_order_.push_back(number);
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
       row_names_.try_emplace({row.level, row.id}, named.active[i].row);
@@ -232,14 +242,12 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
       const BlockingRow& row = tick.hierarchy.blocking[i];
       row_names_.try_emplace({row.by_level, row.id}, named.blocked_by[i].row);
     }
-  } else if (topic == "/command") {
-    decode(tick.command);
   } else if (topic == "/timings") {
-    decode(timings_.emplace_back());
+    logged::Decoder::decode(message.data, timings_.emplace_back());
   } else if (other_) {
     other_(message);
   }
-  return topic == "/command";
+  return false;
 }
 
 std::string LogReader::summary() const {

@@ -12,6 +12,10 @@
 
 namespace surefoot {
 
+/// Decodes a message that is a signal of the tick, which is all that a tick has but its hierarchy;
+/// false where it is another. Throws JsonError where the message is not what its schema says.
+[[nodiscard]] bool decode_signal(const McapMessage& message, TickRecord& tick);
+
 /// Reads a recorder's log tick by tick, also one that was cut off.
 class LogReader {
  public:
@@ -35,6 +39,10 @@ class LogReader {
   /// schema says.
   [[nodiscard]] bool next(TickRecord& tick);
 
+  /// Of the last tick: its levels by their numbers in the header, highest first. In the record they
+  /// stand by these numbers, whatever their order was.
+  [[nodiscard]] const std::vector<std::int16_t>& level_order() const { return level_order_; }
+
   /// After the last tick.
   [[nodiscard]] const std::vector<TickTiming>& timings() const { return timings_; }
   /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
@@ -53,6 +61,7 @@ class LogReader {
   Other other_;
   LogHeader header_;
   std::uint64_t skipped_until_ = 0;  // [ns]
+  std::vector<std::int16_t> level_order_;
   std::vector<TickTiming> timings_;
   std::map<RowKey, std::string> row_names_;
 };

@@ -10,11 +10,12 @@ namespace surefoot {
 namespace {
 
 using mcap::Cursor;
+using mcap::kChunkTimes;
+using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
-constexpr std::size_t kRecordHead = 9;   // opcode and length
-constexpr std::size_t kChunkTimes = 16;  // at the begin of a chunk
+constexpr std::uint64_t kLargestChannel = 1 << 20;
 
 }  // namespace
 
@@ -31,19 +32,35 @@ void McapChunks::find_chunks() {
     file_.seekg(static_cast<std::streamoff>(offset));
     if (!file_.read(head.data(), static_cast<std::streamsize>(head.size()))) break;
     Cursor cursor(head);
-    const auto opcode = static_cast<Opcode>(cursor.number<std::uint8_t>());
-    const auto length = cursor.number<std::uint64_t>();
+    const auto [opcode, length] = mcap::take_head(cursor);
     if (length > size - offset - kRecordHead) break;
     if (opcode == Opcode::chunk && length >= kChunkTimes) {
       const auto first = cursor.number<std::uint64_t>();
       const auto last = cursor.number<std::uint64_t>();
       chunks_.push_back({offset + kRecordHead, length, first, last});
     }
-    complete_ = opcode == Opcode::data_end;
-    if (complete_) break;
+    complete_ = complete_ || opcode == Opcode::data_end;
+    if (opcode == Opcode::channel && length < kLargestChannel) {
+      learn_channel(offset + kRecordHead, length);
+    }
     offset += kRecordHead + length;
   }
   file_.clear();
+}
+
+// One that is described outside of chunks, as behind the data all are.
+void McapChunks::learn_channel(std::uint64_t offset, std::uint64_t length) {
+  std::string content(length, '\0');
+  file_.seekg(static_cast<std::streamoff>(offset));
+  if (!file_.read(content.data(), static_cast<std::streamsize>(length))) return;
+  try {
+    keep(mcap::channel_record(content));
+  } catch (const Malformed&) {  // then its messages in the chunks tell it
+  }
+}
+
+void McapChunks::keep(const mcap::ChannelRecord& channel) {
+  channels_[channel.id] = {channel.topic, "", channel.encoding, channel.metadata};
 }
 
 void McapChunks::read(std::size_t chunk, const Take& take) {
@@ -58,8 +75,8 @@ void McapChunks::read(std::size_t chunk, const Take& take) {
     const std::string records = mcap::chunk_records(content);
     Cursor cursor(records);
     while (!cursor.rest().empty()) {
-      const auto opcode = cursor.number<std::uint8_t>();
-      take_record(opcode, cursor.bytes(cursor.number<std::uint64_t>()), take);
+      const auto [opcode, length] = mcap::take_head(cursor);
+      take_record(opcode, cursor.bytes(length), take);
     }
   } catch (const Malformed& malformed) {
     throw FileError(path_ + ": " + malformed.what + ", in the chunk at byte " +
@@ -67,24 +84,12 @@ void McapChunks::read(std::size_t chunk, const Take& take) {
   }
 }
 
-void McapChunks::take_record(std::uint8_t opcode, std::string_view content, const Take& take) {
-  Cursor fields(content);
-  if (static_cast<Opcode>(opcode) == Opcode::channel) {
-    const auto id = fields.number<std::uint16_t>();
-    fields.bytes(2);  // schema
-    const std::string topic = fields.text();
-    channels_[id] = {topic, "", fields.text(), fields.map()};
-  } else if (static_cast<Opcode>(opcode) == Opcode::message) {
-    const auto channel = channels_.find(fields.number<std::uint16_t>());
-    fields.bytes(4);  // sequence
-    McapMessage message;
-    message.log_time = fields.number<std::uint64_t>();
-    fields.bytes(8);  // publish time
-    message.data = fields.rest();
-    if (channel == channels_.end()) return;
-    message.channel = &channel->second;
-    take(message);
-  }
+void McapChunks::take_record(mcap::Opcode opcode, std::string_view content, const Take& take) {
+  if (opcode == Opcode::channel) keep(mcap::channel_record(content));
+  if (opcode != Opcode::message) return;
+  const mcap::MessageRecord record = mcap::message_record(content);
+  const auto channel = channels_.find(record.channel);
+  if (channel != channels_.end()) take({&channel->second, record.log_time, record.data});
 }
 
 }  // namespace surefoot

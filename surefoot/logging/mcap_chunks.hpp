@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
 
 #include <cstdint>
@@ -31,14 +32,17 @@ class McapChunks {
   /// The file was closed: its data have an end.
   [[nodiscard]] bool complete() const { return complete_; }
 
-  /// The messages of a chunk, in their order. A channel must have been read before: it is described
-  /// in the chunk of its first message. Of one that was not, messages are left out. Throws
-  /// FileError if the chunk is damaged.
+  /// The messages of a chunk, in their order. Channels are described behind the data, and in the
+  /// chunk of their first message, which must have been read before where the file was cut off;
+  /// messages of a channel that is not known are left out. Throws FileError if the chunk is
+  /// damaged.
   void read(std::size_t chunk, const Take& take);
 
  private:
   void find_chunks();
-  void take_record(std::uint8_t opcode, std::string_view content, const Take& take);
+  void learn_channel(std::uint64_t offset, std::uint64_t length);
+  void keep(const mcap::ChannelRecord& channel);
+  void take_record(mcap::Opcode opcode, std::string_view content, const Take& take);
 
   std::string path_;
   std::ifstream file_;

@@ -41,9 +41,36 @@ std::map<std::string, std::string> Cursor::map() {
   return result;
 }
 
+RecordHead take_head(Cursor& cursor) {
+  const auto opcode = static_cast<Opcode>(cursor.number<std::uint8_t>());
+  return {opcode, cursor.number<std::uint64_t>()};
+}
+
+ChannelRecord channel_record(std::string_view content) {
+  Cursor cursor(content);
+  ChannelRecord record;
+  record.id = cursor.number<std::uint16_t>();
+  record.schema = cursor.number<std::uint16_t>();
+  record.topic = cursor.text();
+  record.encoding = cursor.text();
+  record.metadata = cursor.map();
+  return record;
+}
+
+MessageRecord message_record(std::string_view content) {
+  Cursor cursor(content);
+  MessageRecord record;
+  record.channel = cursor.number<std::uint16_t>();
+  cursor.bytes(4);  // sequence
+  record.log_time = cursor.number<std::uint64_t>();
+  cursor.bytes(8);  // publish time
+  record.data = cursor.rest();
+  return record;
+}
+
 std::string chunk_records(std::string_view chunk) {
   Cursor cursor(chunk);
-  cursor.bytes(16);  // times
+  cursor.bytes(kChunkTimes);
   const auto size = cursor.number<std::uint64_t>();
   const auto crc = cursor.number<std::uint32_t>();
   const std::string compression = cursor.text();

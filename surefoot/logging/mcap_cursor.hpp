@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/logging/mcap_format.hpp"
+
 #include <concepts>
 #include <cstdint>
 #include <map>
@@ -8,6 +10,9 @@
 
 /// Reading of MCAP records, shared by those who read a file from front to back and by chunks.
 namespace surefoot::mcap {
+
+inline constexpr std::size_t kRecordHead = 9;   ///< opcode and length [bytes]
+inline constexpr std::size_t kChunkTimes = 16;  ///< at the begin of a chunk's content [bytes]
 
 /// What a record claims does not fit into its bytes.
 struct Malformed {
@@ -41,6 +46,28 @@ class Cursor {
  private:
   std::string_view rest_;
 };
+
+/// Begin of a record.
+struct RecordHead {
+  Opcode opcode;
+  std::uint64_t length;  ///< of its content [bytes]
+};
+
+struct ChannelRecord {
+  std::uint16_t id, schema;
+  std::string topic, encoding;
+  std::map<std::string, std::string> metadata;
+};
+
+struct MessageRecord {
+  std::uint16_t channel;
+  std::uint64_t log_time;  ///< [ns]
+  std::string_view data;
+};
+
+[[nodiscard]] RecordHead take_head(Cursor& cursor);
+[[nodiscard]] ChannelRecord channel_record(std::string_view content);
+[[nodiscard]] MessageRecord message_record(std::string_view content);
 
 /// The records in a chunk record, decompressed and with the right checksum. Throws Malformed.
 [[nodiscard]] std::string chunk_records(std::string_view chunk);

@@ -11,10 +11,9 @@ namespace surefoot {
 namespace {
 
 using mcap::Cursor;
+using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
-
-constexpr std::size_t kRecordHead = 9;  // opcode and length
 
 }  // namespace
 
@@ -59,8 +58,7 @@ bool McapReader::read_record() {
     return false;
   }
   Cursor cursor(head);
-  const auto opcode = cursor.number<std::uint8_t>();
-  const auto length = cursor.number<std::uint64_t>();
+  const auto [opcode, length] = mcap::take_head(cursor);
   if (length > size_ - offset_ - kRecordHead) {
     stop("cut off");
     return false;
@@ -81,20 +79,18 @@ bool McapReader::read_record() {
   return !ended_;
 }
 
-void McapReader::take(std::uint8_t opcode, std::string_view content) {
+void McapReader::take(mcap::Opcode opcode, std::string_view content) {
   Cursor cursor(content);
-  switch (static_cast<Opcode>(opcode)) {
+  switch (opcode) {
     case Opcode::schema: {
       const auto id = cursor.number<std::uint16_t>();
       schemas_[id] = cursor.text();
       break;
     }
     case Opcode::channel: {
-      const auto id = cursor.number<std::uint16_t>();
-      const auto schema = cursor.number<std::uint16_t>();
-      const std::string topic = cursor.text();
-      const std::string encoding = cursor.text();
-      channels_[id] = {topic, schemas_[schema], encoding, cursor.map()};
+      const mcap::ChannelRecord channel = mcap::channel_record(content);
+      channels_[channel.id] = {channel.topic, schemas_[channel.schema], channel.encoding,
+                               channel.metadata};
       break;
     }
     case Opcode::message: {  // outside of a chunk: a chunk of its own
@@ -146,21 +142,17 @@ void McapReader::open_chunk(std::string_view content) {
 // Takes one record from the open chunk; true if it is a message.
 bool McapReader::take_from_chunk(McapMessage& message) {
   Cursor cursor(rest_);
-  const auto opcode = cursor.number<std::uint8_t>();
-  const std::string_view content = cursor.bytes(cursor.number<std::uint64_t>());
+  const auto [opcode, length] = mcap::take_head(cursor);
+  const std::string_view content = cursor.bytes(length);
   rest_ = cursor.rest();
-  if (static_cast<Opcode>(opcode) != Opcode::message) {
+  if (opcode != Opcode::message) {
     take(opcode, content);
     return false;
   }
-  Cursor fields(content);
-  const auto channel = channels_.find(fields.number<std::uint16_t>());
+  const mcap::MessageRecord record = mcap::message_record(content);
+  const auto channel = channels_.find(record.channel);
   if (channel == channels_.end()) throw Malformed{"a message's channel is unknown"};
-  fields.bytes(4);  // sequence
-  message.channel = &channel->second;
-  message.log_time = fields.number<std::uint64_t>();
-  fields.bytes(8);  // publish time
-  message.data = fields.rest();
+  message = {&channel->second, record.log_time, record.data};
   return true;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "surefoot/logging/mcap_format.hpp"
+
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -49,7 +51,7 @@ class McapReader {
 
  private:
   bool read_record();
-  void take(std::uint8_t opcode, std::string_view content);
+  void take(mcap::Opcode opcode, std::string_view content);
   bool take_from_chunk(McapMessage& message);
   void open_chunk(std::string_view content);
   void stop(const std::string& why);

@@ -1,3 +1,4 @@
+#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/view/report_figures.hpp"
 #include "surefoot/view/time_figure.hpp"
 
@@ -13,7 +14,6 @@ using plot::Frame;
 using plot::Svg;
 
 constexpr double kRowHeight = 27.0, kNames = 205.0, kMaxima = 118.0, kHead = 24.0;
-constexpr double kZero = 1e-6;  // what is below is rounding, in every unit of below
 
 std::string task_of(const RunData& run, std::size_t level) {
   const auto& names = run.header.level_names;
@@ -25,8 +25,7 @@ std::string unit_of(const RunData& run, std::size_t level) {
   return level < units.size() && !units[level].empty() ? " " + units[level] : "";
 }
 
-// What asks for no force or torque at all is never content.
-bool never_zero(const std::string& task) { return task.ends_with("_minimisation"); }
+bool never_zero(const std::string& task) { return std::isnan(visible_residual(task, "")); }
 
 std::vector<double> residuals(const RunData& run, std::size_t level) {
   std::vector<double> result;
@@ -38,7 +37,7 @@ std::vector<double> residuals(const RunData& run, std::size_t level) {
 void draw_curve(Svg& svg, Frame frame, const RunData& run, const std::vector<double>& values,
                 const char* style) {
   const double largest = *std::ranges::max_element(values);
-  if (!(largest > kZero)) return;
+  if (!(largest > kResidualRounding)) return;
   frame.y = {0.0, 1.06 * largest};
   std::vector<double> times;
   for (const TickSample& tick : run.ticks) times.push_back(tick.time);
@@ -60,9 +59,10 @@ void draw_level(Svg& svg, const Frame& frame, const RunData& run, std::size_t le
   std::replace(words.begin(), words.end(), '_', ' ');
   svg.text({kNames - 8.0, bottom - 7.0}, std::to_string(level + 1) + "  " + words, "tick",
            plot::Anchor::end);
-  const std::string size = largest > kZero ? plot::two_digits(largest) + unit_of(run, level) : "0";
+  const std::string size =
+      largest > kResidualRounding ? plot::two_digits(largest) + unit_of(run, level) : "0";
   svg.text({frame.corner.x + frame.width + 8.0, bottom - 7.0}, size + (restless ? "  *" : ""),
-           largest > kZero ? "label" : "tick");
+           largest > kResidualRounding ? "label" : "tick");
 }
 
 }  // namespace

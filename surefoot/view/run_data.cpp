@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
+#include "surefoot/logging/visible_residual.hpp"
 
 #include <cmath>
 #include <map>
@@ -100,7 +101,7 @@ class GaveWaySum {
     ++num_ticks_;
     for (int i = 0; i < report.num_blocking; ++i) {
       const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
-      if (row.cost > kRounding) add(time, row);
+      if (row.cost > kResidualRounding) add(time, row);
     }
   }
 
@@ -110,8 +111,6 @@ class GaveWaySum {
   }
 
  private:
-  static constexpr double kRounding = 1e-6;  // in every unit
-
   void add(double time, const BlockingRow& row) {
     GaveWay& sum = sums_[{row.level, row.by_level, row.id}];
     sum.level = row.level;

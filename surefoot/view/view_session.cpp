@@ -45,7 +45,9 @@ void task_member(JsonText& json, const ViewTask& task) {
         .member("max", number.max)
         .end_object();
   }
-  json.end_array().end_object();
+  json.end_array().key("choices").object();
+  for (const auto& [name, value] : task.choices) json.member(name, std::string_view(value));
+  json.end_object().end_object();
 }
 
 void meshes_member(JsonText& json, const std::vector<ViewMesh>& meshes) {
@@ -86,6 +88,7 @@ std::string to_json(const ViewSession& session) {
   JsonText json(out);
   json.object()
       .member("protocol", kProtocol)
+      .member("start", std::string_view(session.start))
       .member("mode", std::string_view(session.mode))
       .member("version", std::string_view(session.version))
       .member("title", std::string_view(session.title))
@@ -105,6 +108,7 @@ std::string to_json(const ViewSession& session) {
   meshes_member(json, session.meshes);
   limits_member(json, session.limits);
   texts(json, "bodies", session.bodies);
+  texts(json, "damage", session.damage);
   json.end_object();
   return out;
 }

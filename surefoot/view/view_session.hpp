@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
   std::vector<ViewNumber> numbers;
+  std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };
 
 /// The levels in their order from a tick on.
@@ -51,13 +53,15 @@ struct ViewMesh {
 
 /// What a page must know of a run before its frames: /api/session of docs/view_protocol.md.
 struct ViewSession {
-  std::string mode;  ///< "live" or "replay"
+  std::string start;  ///< names this start of the program: another one serves another run
+  std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   bool whole = true;       ///< the log was closed
   std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;
-  std::uint32_t summarised = 0;  ///< of a log: ticks that `min_max` and events know already
+  std::uint32_t summarised = 0;     ///< of a log: ticks that `min_max` and events know already
+  std::vector<std::string> damage;  ///< of a log: sentences on what can't be read, so far
   ViewChannels channels;
   std::vector<std::vector<std::string>> rows;  ///< of each level of the header
   std::vector<ViewOrder> orders;

@@ -104,17 +104,16 @@ void WebClient::send_status(std::shared_ptr<const std::string> status) {
   const auto first = waiting_.begin() + (writing_ ? 1 : 0);
   const auto old = std::find_if(
       first, waiting_.end(), [](const Message& message) { return message.kind == Kind::status; });
-  if (old != waiting_.end()) {
-    waiting_bytes_ -= old->bytes->size();
-    waiting_.erase(old);
-  }
-  put({Kind::status, 0, 0, std::move(status)});
+  if (old == waiting_.end()) return put({Kind::status, 0, 0, std::move(status)});
+  waiting_bytes_ += status->size();
+  waiting_bytes_ -= old->bytes->size();
+  old->bytes = std::move(status);
 }
 
 void WebClient::put(Message message) {
   if (!open_ || closing_) return;
   waiting_bytes_ += message.bytes->size();
-  waiting_.push_back(std::move(message));
+  waiting_.insert(place_of(message.kind), std::move(message));
   while (waiting_bytes_ > kMostWaiting) {
     const std::size_t before = waiting_bytes_;
     drop_oldest_block();
@@ -122,6 +121,14 @@ void WebClient::put(Message message) {
   }
   if (waiting_.size() > kMostMessagesWaiting) return close();
   if (!writing_) write_next();
+}
+
+// What is said goes before the frames that wait: else a slow page would hear of its own commands
+// late, or of its status never.
+std::deque<WebClient::Message>::iterator WebClient::place_of(Kind kind) {
+  if (kind == Kind::block) return waiting_.end();
+  return std::find_if(waiting_.begin() + (writing_ ? 1 : 0), waiting_.end(),
+                      [](const Message& message) { return message.kind == Kind::block; });
 }
 
 void WebClient::drop_oldest_block() {

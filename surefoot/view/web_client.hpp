@@ -53,7 +53,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void begin(const Request& request);
   void send(const SharedBlock& block);
   void send(std::shared_ptr<const std::string> text);
-  /// In the place of a status that still waits.
+  /// In the place of a status that still waits. Texts go before the frames that wait.
   void send_status(std::shared_ptr<const std::string> status);
   void close();
 
@@ -70,6 +70,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void take(std::string_view text);
   void reply(std::int64_t id, const std::string& error);
   void put(Message message);
+  [[nodiscard]] std::deque<Message>::iterator place_of(Kind kind);
   void drop_oldest_block();
   void write_next();
   void leave();

@@ -25,11 +25,13 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using tcp = asio::ip::tcp;
 
-constexpr std::uint32_t kLongestHeader = 8192;           // of a request [bytes]
-constexpr std::size_t kConnectionsBesides = 32;          // besides those that watch live
-constexpr std::chrono::seconds kRequestTime{15};         // to send a request, or the next one
-constexpr std::chrono::seconds kAnswerTime{60};          // to take an answer
-constexpr std::chrono::seconds kFinishTime{2};           // for what comes after the answer
+constexpr std::uint32_t kLongestHeader = 8192;    // of a request [bytes]
+constexpr std::size_t kConnectionsBesides = 32;   // besides those of pages
+constexpr std::size_t kConnectionsOfPage = 8;     // a browser's to one host, and the live one
+constexpr std::size_t kRefusedAtOnce = 32;        // that are told why
+constexpr std::chrono::seconds kRequestTime{15};  // to send a request, or the next one
+constexpr std::chrono::seconds kAnswerTime{60};   // to take an answer
+constexpr std::chrono::seconds kFinishTime{2};    // for what comes after the answer
 constexpr std::chrono::milliseconds kBlockInterval{33};  // between blocks
 constexpr int kNiceness = 5;                             // the run comes before those who watch it
 
@@ -49,6 +51,11 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
                        self->received(error);
                      });
+  }
+
+  /// Instead of reading: there are too many of them.
+  void refuse() {
+    send(refusal(503, "too many connections; close some of the pages that are open"), false, false);
   }
 
  private:
@@ -255,12 +262,18 @@ struct WebServer::Implementation {
 
   void accept(tcp::acceptor& acceptor) {
     acceptor.async_accept([this, &acceptor](beast::error_code error, tcp::socket socket) {
-      const auto most = static_cast<std::size_t>(options.max_clients) + kConnectionsBesides;
-      if (!error && *shared.connections < most) {
-        std::make_shared<WebConnection>(std::move(socket), shared)->read();
-      }
+      if (!error) greet(std::move(socket));
       if (error != asio::error::operation_aborted) accept(acceptor);
     });
+  }
+
+  void greet(tcp::socket&& socket) {
+    const auto pages = static_cast<std::size_t>(options.max_clients);
+    const std::size_t most = pages * kConnectionsOfPage + kConnectionsBesides;
+    if (*shared.connections >= most + kRefusedAtOnce) return;  // closed
+    const bool is_full = *shared.connections >= most;
+    const auto connection = std::make_shared<WebConnection>(std::move(socket), shared);
+    is_full ? connection->refuse() : connection->read();
   }
 
   void tick() {

@@ -51,6 +51,19 @@ TEST_F(LiveOperatorTest, pushes_are_capped_and_the_caps_are_told) {
   EXPECT_TRUE(taken().pushes.empty()) << "each is handed over once";
 }
 
+TEST_F(LiveOperatorTest, ticks_that_wait_are_capped_and_a_pause_takes_them_back) {
+  const auto step = [&](int ticks) {
+    return operator_.command({.type = Type::step, .ticks = ticks});
+  };
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(step(1000), "");
+  EXPECT_TRUE(test::holds(step(1), "valid is up to 4000"));
+  EXPECT_EQ(operator_.command({.type = Type::pause}), "");
+  EXPECT_EQ(step(3), "");
+  const OperatorWishes wishes = taken();
+  EXPECT_TRUE(wishes.halt);
+  EXPECT_EQ(wishes.steps, 3);
+}
+
 TEST_F(LiveOperatorTest, what_is_wrong_with_a_command_is_told_with_what_would_be_valid) {
   EXPECT_TRUE(test::holds(gain("com", "kp", 1.0), "com_xy"));
   EXPECT_TRUE(test::holds(gain("com_xy", "ki", 1.0), "kp"));

@@ -1,6 +1,9 @@
 #include "app/live_view.hpp"
 
 #include "app/log_replay.hpp"
+#include "app/stack_text.hpp"
+#include "app/tick_explanation.hpp"
+#include "app/tick_text.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/recorder.hpp"
@@ -251,6 +254,57 @@ TEST(LiveView, levels_keep_their_names_and_numbers_when_their_order_is_changed) 
   for (std::size_t i = 0; log.next(tick); ++i) {
     ASSERT_EQ(residual[i], static_cast<float>(tick.hierarchy.levels[number].residual));
   }
+}
+
+TEST(LiveView, an_explained_tick_has_the_order_that_its_levels_had) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=0.5"});
+  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  std::swap(order[order.size() - 1], order[order.size() - 2]);
+  run.at(100, {.type = Type::order, .levels = order});
+  run.run(folder / "run.mcap");
+  const auto names = [&](double time) {
+    const TickExplanation tick = read_tick(folder / "run.mcap", time);
+    std::vector<std::string> list;
+    for (const std::int16_t level : tick.order) {
+      list.push_back(tick.header.level_names.at(static_cast<std::size_t>(level)));
+    }
+    return list;
+  };
+  EXPECT_EQ(names(0.1), level_names(run.scenario.controller.stack));
+  EXPECT_EQ(names(0.49), order);
+  const std::string text = tick_text("x", read_tick(folder / "run.mcap", 0.49));
+  EXPECT_LT(text.find(" " + order[order.size() - 2]), text.find(" " + order.back()));
+}
+
+TEST(LiveView, the_status_tells_pause_and_the_operators_walk_before_any_tick_has_it) {
+  LiveTestRun run({"duration=0.05"});
+  (void)run.wishes.command({.type = Type::pause});
+  bool told = false;
+  run.at(0, [&] {
+    told = test::holds(run.feed.status(1), R"("paused":true)");
+    (void)run.wishes.command({.type = Type::walk, .walk = true, .yaw_rate = 0.25});
+    EXPECT_TRUE(test::holds(run.feed.status(1), R"("yaw_rate":0.25)"));
+    EXPECT_TRUE(test::holds(run.feed.status(1), R"("by":"operator")"));
+    (void)run.wishes.command({.type = Type::resume});
+  });
+  run.run();
+  EXPECT_TRUE(told);
+}
+
+TEST(LiveView, a_pull_that_follows_the_mouse_is_logged_a_few_times_a_second) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1"});
+  for (long tick = 40; tick < 240; ++tick) {
+    run.at(tick,
+           {.type = Type::pull, .body = "base", .force = Vec3(0, 20 + 0.1 * double(tick), 0)});
+  }
+  run.at(240, {.type = Type::pull, .body = "base", .force = Vec3::Zero()});
+  run.run(folder / "run.mcap");
+  const auto changes = changes_of(folder / "run.mcap");
+  EXPECT_GE(changes.size(), 3u);
+  EXPECT_LE(changes.size(), 5u);
+  EXPECT_TRUE(changes.back().force.isZero()) << "its end is one of them";
 }
 
 TEST(LiveView, torques_do_not_jump_when_a_gain_does) {

@@ -17,7 +17,7 @@ from log_tools import complaint_of, log_command
 from program import PROGRAM
 
 from surefoot_log import camera, captions, meshes, moments, overlays, pictures, urdf_visuals  # isort: skip
-from surefoot_log.frames import Frame, friction_use, read_frames  # isort: skip
+from surefoot_log.frames import Frame, Touch, gave_way, read_frames  # isort: skip
 from surefoot_log.log_file import LogFile  # isort: skip
 from surefoot_log.painter import painter  # isort: skip
 from surefoot_log.scene import dress  # isort: skip
@@ -85,7 +85,7 @@ def test_the_robot_is_drawn_where_it_is(log, run, cache):
 def test_forces_and_the_support_polygon_are_drawn_over_it(log, run, cache):
     frame = run.frames[5]
     bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[np.array([0.0, 0.0, -120.0])])
+    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array([0.0, 0.0, -120.0]))])
     plain, full, push = painted(log, run, [bare, frame, pushed], cache=cache)
     green = (full[..., 1] - full[..., 0]) - (plain[..., 1] - plain[..., 0]) > 15
     assert green.sum() > 40
@@ -112,6 +112,52 @@ def test_thinned_meshes_keep_their_size_and_colours(cache):
         span = [np.ptp(np.vstack([part.vertices for part in parts]), axis=0) for parts in (fine, coarse)]
         assert span[0] == pytest.approx(span[1], abs=0.02)
         assert sum(len(part.faces) for part in coarse) < sum(len(part.faces) for part in fine)
+
+
+def test_a_push_on_a_leg_is_drawn_at_that_leg(log, run, cache):
+    frame = run.frames[5]
+    bare = Frame(frame.time, frame.qpos, frame.p_WB)
+    pushed = [Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array([0.0, 0.0, -120.0]))]) for body in (1, 4)]
+    plain, base, leg = painted(log, run, [bare, *pushed], cache=cache)
+    places = [np.nonzero(np.abs(image - plain).sum(axis=2) > 60) for image in (base, leg)]
+    assert abs(places[0][1].mean() - places[1][1].mean()) + abs(places[0][0].mean() - places[1][0].mean()) > 4
+
+
+def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
+    header = {"level_names": ["com", "forces_minimisation"], "level_visible": [0.02, None]}
+    levels = [{"name": "com", "residual": 0.01}, {"name": "forces_minimisation", "residual": 9.0}]
+    rows = [{"level": "com", "row": "LF", "by": "limits"}]
+    assert gave_way({"levels": levels, "blocked_by": rows}, header) is None
+    levels[0]["residual"] = 0.03
+    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits")
+    del header["level_visible"]
+    levels[0]["residual"] = 0.01
+    assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"
+
+
+@pytest.mark.parametrize("uri", ["file:///etc/passwd", "/etc/passwd", "package://../x.dae", "package://a/../../x.dae", "package:///etc/x.dae", "x.dae", "package://."])
+def test_meshes_lie_below_the_folder_of_packages(uri, tmp_path):
+    with pytest.raises(ValueError, match="folder of packages"):
+        urdf_visuals.file_of(uri, tmp_path)
+    assert urdf_visuals.file_of("package://a/b/../c.dae", tmp_path) == tmp_path / "a" / "c.dae"
+
+
+def test_images_lie_there_too(tmp_path):
+    assert meshes.image_file(tmp_path / "a" / "meshes", "../images/x.png", tmp_path) == str(tmp_path / "a" / "images" / "x.png")
+    assert meshes.image_file(tmp_path / "a", "../../x.png", tmp_path) == ""
+    assert meshes.image_file(tmp_path / "a", "/etc/x.png", tmp_path) == ""
+
+
+def test_a_broken_cache_is_read_anew(tmp_path):
+    file = tmp_path / "square.obj"
+    file.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    first = meshes.load(file, tmp_path / "cache")
+    (kept,) = (tmp_path / "cache").iterdir()
+    for broken in (b"", b"PK\x03\x04 no zip", kept.read_bytes()[:-40]):
+        kept.write_bytes(broken)
+        again = meshes.load(file, tmp_path / "cache")
+        assert np.array_equal(again[0].vertices, first[0].vertices)
+    assert [path.suffix for path in (tmp_path / "cache").iterdir()] == [".npz"], "nothing partial is left"
 
 
 def test_the_cache_gives_the_same_parts(tmp_path):
@@ -157,7 +203,7 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
     quiet = [frame_at(0.01 * i, 0.1 * i, phases={"LF": "stance"}) for i in range(200)]
     quiet[80].phases = {"LF": "search"}
-    quiet[120].pushes = [np.array([30.0, 0, 0])]
+    quiet[120].pushes = [(1, np.array([30.0, 0, 0]))]
     span = moments.span_of_interest(quiet)
     assert (span.first, span.last) == (pytest.approx(6.5), pytest.approx(13.5))
     chosen = moments.chosen(quiet, span, 7)
@@ -174,8 +220,12 @@ def test_a_walk_without_events_is_shown_from_its_first_step():
 
 
 def test_the_share_of_the_friction_cone_and_its_colours():
-    assert friction_use([30.0, 40.0, 100.0], 0.5) == pytest.approx(1.0)
-    assert friction_use([0.0, 0.0, -1.0], 0.5) == 0.0
+    def touch(force, normal=(0, 0, 1)):
+        return Touch("LF", np.zeros(3), np.array(force, float), np.array(normal, float), 0.5)
+
+    assert touch([30.0, 40.0, 100.0]).friction_use == pytest.approx(1.0)
+    assert touch([0.0, 0.0, -1.0]).friction_use == 0.0
+    assert touch([60.0, 0.0, 80.0], [0.6, 0.0, 0.8]).friction_use == pytest.approx(0.0), "straight into a slope"
     assert overlays.colour_of_use(0.0)[:3] == pytest.approx(overlays.SAFE)
     assert overlays.colour_of_use(0.7)[:3] == pytest.approx(overlays.NEAR)
     assert overlays.colour_of_use(3.0)[:3] == pytest.approx(overlays.SLIDES)

@@ -1,8 +1,10 @@
 """The program with --view, and a log in the page, as a browser sees them."""
 
+import contextlib
 import json
 import math
 import re
+import socket
 import struct
 import subprocess
 import time
@@ -10,6 +12,7 @@ import urllib.parse
 
 import pytest
 
+from damaged_logs import changed, damaged
 from live_page import Frames, Page, Refused, Served
 from program import PROGRAM, complaint
 
@@ -201,8 +204,11 @@ def test_after_its_end_the_page_stays_until_it_is_interrupted():
         page.status(lambda status: status["ended"] is None)
         page.status(lambda status: status["ended"] is not None)
         with run.page() as late:
-            late.status()
-            assert Frames(run.session(), late.blocks).ticks[-1] == 119
+            late.status()  # comes before the frames that wait
+            end = time.monotonic() + 20
+            while not late.blocks or Frames(run.session(), late.blocks).ticks[-1] != 119:
+                assert time.monotonic() < end
+                late.hear()
         code = run.end()
     assert code in (0, 1)
     assert run.output.count("walk_flat") == 2, "results of each"
@@ -281,7 +287,8 @@ def test_the_frames_of_a_log_are_those_that_stand_in_it(replay, log):
 
 @pytest.mark.parametrize("stride", [16, 64, 256])
 def test_least_and_greatest_of_a_log(replay, log, stride):
-    frames = Frames(replay.session(), [replay.get(f"/api/frames?from=0&count=4096&stride={stride}&min_max=1")[2]])
+    pieces = [replay.get(f"/api/frames?from={begin}&count={2 * 1536 // stride}&stride={stride}&min_max=1")[2] for begin in (0, 1536)]
+    frames = Frames(replay.session(), pieces)
     heights = [f32(state["p_WB"][2]) for state in logged(log, "/state")]
     begins = list(range(0, 2400, stride))
     assert frames.ticks == [tick for tick in begins for _ in range(2)]
@@ -323,6 +330,52 @@ def test_a_log_of_a_newer_program_is_told_with_both_versions(tmp_path):
         writer.add_attachment(0, 0, "header.json", "application/json", b'{"log_version":"9.0"}')
         writer.finish()
     assert re.search("log version 9.0; this program reads 2", complaint("replay", tmp_path / "newer.mcap", "--port", 0))
+
+
+def test_a_damaged_log_says_what_is_missing_and_shows_the_rest(tmp_path, log):
+    with Served("replay", damaged(log, tmp_path, 0.3)) as served:
+        session = served.session()
+        for _ in range(200):
+            if session["summarised"] == session["ticks"]:
+                break
+            time.sleep(0.1)
+            session = served.session()
+        assert session["ticks"] == 2400 and len(session["damage"]) == 1 and "can't be read" in session["damage"][0]
+        frames = Frames(session, [served.get("/api/frames?from=0&count=4096&stride=1")[2]])
+        assert 1200 < len(frames.ticks) < 2400
+        marks = [event for event in json.loads(served.get("/api/events")[2]) if isinstance(event, dict) and event["kind"] == "damage"]
+        assert [mark["text"] for mark in marks] == session["damage"]
+
+
+def test_a_first_message_that_is_no_signal_costs_a_tick(tmp_path, log):
+    file = changed(log, tmp_path, "/state", 0, lambda state: state.update(p_WB="nowhere"))
+    with Served("replay", file) as served:
+        assert Frames(served.session(), [served.get("/api/frames?from=0&count=3&stride=1")[2]]).ticks == [1, 2]
+
+
+def test_what_a_page_cannot_do_is_refused(log):
+    for words, part in [
+        (["run", "walk_flat", "--view", "--video", "x.mp4"], "--view shows one run, and can't go with --video"),
+        (["demo", "--view", "--out", "x"], "can't go with --out"),
+        (["demo", "--view", "--seeds", 3], "can't go with --seeds"),
+        (["demo", "--view", "--jobs", 1], "can't go with --jobs"),
+        (["replay", log, "--verify", "--port", 8123], "--verify and --stack don't serve"),
+        (["replay", log, "--stack", "walk", "--listen", "127.0.0.1"], "--verify and --stack don't serve"),
+    ]:
+        assert part in complaint(*words)
+
+
+def test_too_many_connections_are_told_so():
+    with Served("run", "walk_flat", "--view", "--view-clients", 1, *LONG) as served, contextlib.ExitStack() as open_ones:
+        sockets = [open_ones.enter_context(socket.create_connection((served.host, served.port), timeout=20)) for _ in range(45)]
+        assert sockets[-1].recv(1000).startswith(b"HTTP/1.1 503 ")
+        sockets[0].sendall(f"GET /api/session HTTP/1.1\r\nHost: {served.host}:{served.port}\r\n\r\n".encode())
+        assert sockets[0].recv(1000).startswith(b"HTTP/1.1 200 ")
+
+
+def test_the_tasks_of_a_log_have_what_they_were_given(replay):
+    (cone,) = [task for task in replay.session()["tasks"] if task["task"] == "friction_cone"]
+    assert cone["choices"].keys() >= {"axes", "pyramid"}
 
 
 def test_a_log_that_was_cut_off_shows_what_is_left(tmp_path, log):

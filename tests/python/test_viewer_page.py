@@ -1,14 +1,18 @@
 """The viewer's page in a real browser: what it shows is what the run says. Screenshots stay in build/screenshots."""
 
+import functools
+import http.server
 import math
 import os
 import pathlib
+import threading
 import time
 
 import pytest
 
 
 from browser import WITHOUT_PICTURE, Browser, wait_for  # noqa: E402
+from damaged_logs import damaged  # noqa: E402
 from viewer import Viewer  # noqa: E402
 
 SCREENSHOTS = pathlib.Path(os.environ.get("SUREFOOT_SCREENSHOTS", pathlib.Path(__file__).resolve().parents[2] / "build/screenshots"))
@@ -45,8 +49,17 @@ def show(browser, link):
 def pause(browser):
     """Stops the run; its newest tick is then in the picture."""
     browser.press(" ")
-    wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause")
-    browser.wait("surefoot.time === surefoot.last")
+    wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause", 60)
+    # What it says comes before the frames that are still on the way.
+    newest = "[surefoot.tick, surefoot.status.tick - 1, surefoot.time === surefoot.last]"
+    wait_for(lambda: still(browser, newest), "the newest picture", 60)
+
+
+def still(browser, script):
+    """Whether the picture is that of the run's newest tick, and stays so."""
+    shown = browser.run(script)
+    time.sleep(0.5)
+    return shown == browser.run(script) and shown[0] == shown[1] and shown[2]
 
 
 def channel(browser, name):
@@ -180,6 +193,64 @@ def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
         assert "lost" not in browser.run("document.querySelector('#notes').textContent")
 
 
+def test_a_page_that_finds_another_run_loads_itself_anew(browser):
+    with Viewer(*WALK) as first:
+        show(browser, first.link)
+        port = first.port
+    browser.wait("document.querySelector('#link-state').textContent === 'connection lost'")
+    browser.run("window.before = true")
+    other = ["run", "step_down", "--view", "--set", "duration=600"]
+    with Viewer(*other, port=port):
+        browser.wait("window.before === undefined && window.surefoot !== undefined && surefoot.pictures > 1", 60)
+        assert browser.run("document.querySelector('#title').textContent") == "step_down"
+        browser.wait("surefoot.tick > 0 && surefoot.following", 40)
+        assert browser.run("surefoot.levels().length") > 5
+
+
+def test_the_page_under_another_name_is_refused(live):
+    with Browser(flags=[*WITHOUT_PICTURE, "--host-resolver-rules=MAP evil.example 127.0.0.1"]) as browser:
+        browser.open(f"http://evil.example:{live.port}/")
+        browser.wait("document.body?.textContent.includes('not the host that was asked for')")
+        assert browser.run("document.querySelector('script') === null")
+
+
+def test_a_page_of_another_origin_can_neither_watch_nor_read(live, tmp_path):
+    (tmp_path / "index.html").write_text("<p>elsewhere</p>")
+    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=tmp_path)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as elsewhere, Browser(flags=WITHOUT_PICTURE) as browser:
+        threading.Thread(target=elsewhere.serve_forever, daemon=True).start()
+        browser.open(f"http://127.0.0.1:{elsewhere.server_port}/")
+        browser.wait("document.body?.textContent.includes('elsewhere')")
+        socket = f"new WebSocket('ws://127.0.0.1:{live.port}/api/live')"
+        assert browser.run(f"new Promise(done => Object.assign({socket}, {{onopen: () => done('open'), onerror: () => done('refused')}}))") == "refused"
+        for mode in ("cors", "no-cors"):
+            assert browser.run(f"fetch('{live.address}api/session', {{mode: '{mode}'}}).then(() => 'read', () => 'refused')") == "refused"
+        elsewhere.shutdown()
+
+
+def test_a_wrong_token_can_change_nothing(browser, live):
+    show(browser, live.address + "#token=0123456789abcdef0123456789abcdef")
+    browser.press(" ")
+    browser.wait("document.querySelector('#notes').textContent.includes('token')")
+    browser.wait("surefoot.status !== undefined")
+    assert not browser.run("surefoot.status.paused")
+
+
+def test_a_damaged_log_is_told_in_the_page_and_on_its_time_bar(browser, log, tmp_path):
+    with Viewer("replay", damaged(log, tmp_path, 0.3)) as viewer:
+        show(browser, viewer.link)
+        browser.wait("document.querySelector('#notes').textContent.includes('This log is damaged')", 60)
+        browser.screenshot(SCREENSHOTS / "damaged.png")
+
+
+def test_no_mesh_is_missing_and_pictures_come_in_time(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.meshesLoading === 0", 60)
+    assert browser.run("surefoot.meshesMissing") == []
+    browser.wait("surefoot.frameTime > 0", 60)
+    assert browser.run("surefoot.frameTime") < 1000  # in software, on any machine
+
+
 def test_without_a_token_the_page_only_looks(browser, live):
     show(browser, live.address)
     assert "View only" in browser.run("document.querySelector('#panel-drive').textContent")
@@ -205,7 +276,7 @@ def test_a_press_in_a_plot_moves_the_picture_to_that_time(browser, replayed):
     show(browser, replayed.link)
     browser.wait("document.querySelector('.u-over')?.getBoundingClientRect().width > 50")
     x, y, width = browser.run("(() => { const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.x, b.y + 10, b.width]; })()")
-    browser.run("document.querySelector('#play').click()")
+    browser.run("surefoot.playing && document.querySelector('#play').click()")
     browser.mouse("mousePressed", x + 0.5 * width, y)
     browser.mouse("mouseReleased", x + 0.5 * width, y)
     middle = browser.run("0.5 * (surefoot.first + surefoot.last)")

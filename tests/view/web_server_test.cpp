@@ -33,6 +33,10 @@ class FakeContent final : public WebContent {
     if (!bytes->empty()) blocks.push_back({.frames = 1, .bytes = bytes});
     return blocks;
   }
+  std::vector<std::string> messages(std::size_t clients) override {
+    if (!talks) return {};
+    return {status(clients) + " late"};
+  }
   std::string status(std::size_t clients) override {
     return R"({"type":"status","clients":)" + std::to_string(clients) + "}";
   }
@@ -43,6 +47,7 @@ class FakeContent final : public WebContent {
 
   std::atomic<std::size_t> block_bytes{0};
   std::atomic<int> calls{0}, commands{0};
+  std::atomic<bool> talks{false};  // a status with every block
 };
 
 class WebServerTest : public ::testing::Test {
@@ -243,6 +248,29 @@ TEST_F(WebServerTest, a_page_that_does_not_read_loses_blocks_and_nobody_waits_fo
     std::memcpy(&slow_dropped, content.data() + 8, sizeof(slow_dropped));
   }
   EXPECT_GT(slow_dropped, 5u);
+}
+
+TEST_F(WebServerTest, a_slow_page_hears_of_its_status_and_commands_before_the_frames_that_wait) {
+  RawClient slow(server_.port(), 4096);
+  ASSERT_EQ(slow.upgrade(host(), origin()), 101);
+  content_.block_bytes = 256 << 10;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  content_.talks = true;
+  ASSERT_TRUE(slow.say(message(R"("type":"pause")")));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  // What is in the operating system's buffers already comes first.
+  bool status = false, replied = false;
+  int blocks = 0;
+  for (int opcode = 0; blocks < 18 && !(status && replied);) {
+    const std::string content = slow.hear(opcode);
+    ASSERT_NE(opcode, 8);
+    blocks += opcode == 2 ? 1 : 0;
+    replied = replied || (opcode == 1 && content.find("reply") != std::string::npos);
+    status = status || (opcode == 1 && content.find("late") != std::string::npos);
+    std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  }
+  EXPECT_TRUE(status);
+  EXPECT_TRUE(replied);
 }
 
 TEST_F(WebServerTest, a_thousand_pages_come_and_go) {

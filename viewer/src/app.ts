@@ -116,13 +116,19 @@ export class App {
 
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
-    for (let { summarised } = this.session; ; ({ summarised } = await fetchSession())) {
+    for (let session = this.session; ; session = await nextSession(session)) {
+      const { summarised, damage, orders } = session;
       source.summarise(summarised);
-      const answer = await fetch("/api/events");
-      if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
+      schema.orders = orders;
+      if (damage.length > 0) this.notes.keep("damage", damageText(damage), "error");
+      try {
+        const answer = await fetch("/api/events");
+        if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
+      } catch {
+        continue; // asked for again with the next session
+      }
       this.plots?.refresh();
-      if (summarised >= this.session.ticks) return;
-      await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+      if (summarised >= session.ticks) return;
     }
   }
 
@@ -279,6 +285,21 @@ export class App {
     this.told = text;
     say(part("events"), text);
   }
+}
+
+/** The session a little later; the one before where it can't be had just now. */
+async function nextSession(before: Session): Promise<Session> {
+  await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+  try {
+    return await fetchSession();
+  } catch {
+    return before;
+  }
+}
+
+function damageText(damage: string[]): string {
+  const more = damage.length > 1 ? ` And ${damage.length - 1} more pieces; the time bar marks them.` : "";
+  return `This log is damaged: ${damage[0]}.${more} The rest of it can be seen.`;
 }
 
 function missingText(missing: Map<string, string>): string {

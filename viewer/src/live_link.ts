@@ -3,7 +3,7 @@ import type { LiveSource } from "./data/live_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
-import { Connection, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
+import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import type { Quality } from "./scene/quality.ts";
 
@@ -14,8 +14,10 @@ const MOST_WAITING = 200;
 export class LiveLink {
   readonly connection: Connection;
   status: Status | undefined;
-  /** Ticks that were lost on the way to this page. */
-  dropped = 0;
+  /** Ticks that the server could not send to this page. */
+  private dropped = 0;
+  /** Ticks that came while the session was read again, too many to wait. */
+  private skipped = 0;
   private generation: number;
   private waiting: ArrayBuffer[] = [];
   private reading = false;
@@ -33,8 +35,7 @@ export class LiveLink {
   /** Seconds of simulation that come in a second. */
   get rate(): number {
     if (this.connection.state !== "open" || this.status === undefined) return 0;
-    if (this.status.paused || this.status.ended !== null) return 0;
-    return this.status.speed * Math.min(1, this.status.real_factor > 0 ? this.status.real_factor : 1);
+    return rateOf(this.status);
   }
 
   wire(app: App): void {
@@ -49,7 +50,8 @@ export class LiveLink {
     const head = readBlockHead(block);
     this.dropped = head.dropped;
     if (head.generation !== this.generation || this.reading) {
-      if (this.waiting.length < MOST_WAITING) this.waiting.push(block);
+      this.waiting.push(block);
+      if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
       if (!this.reading) void this.readSession();
       return;
     }
@@ -68,17 +70,25 @@ export class LiveLink {
     this.reading = true;
     try {
       this.use(await fetchSession());
-      const { waiting } = this;
-      this.waiting = [];
       this.reading = false;
-      for (const block of waiting) if (readBlockHead(block).generation === this.generation) this.read(block);
+      this.readWaiting();
     } catch (error) {
       this.reading = false;
       this.app?.notes.say((error as Error).message, "error");
     }
   }
 
+  /** All that this session knows of; what is newer waits for the next. Frames of all generations have the same channels. */
+  private readWaiting(): void {
+    const isKnown = (block: ArrayBuffer): boolean => readBlockHead(block).generation <= this.generation;
+    const known = this.waiting.filter(isKnown);
+    this.waiting = this.waiting.filter((block) => !isKnown(block));
+    for (const block of known) this.read(block);
+    if (this.waiting.length > 0) void this.readSession();
+  }
+
   private use(session: Session): void {
+    if (session.start !== this.session.start) return location.reload();
     const schema = new Schema(session);
     this.session = session;
     this.generation = session.generation;
@@ -97,9 +107,8 @@ export class LiveLink {
         break;
       case "change":
         tune.addChange(message.time, message.text);
-        app.notes.say(message.text);
+        if (message.kind !== "pull") app.notes.say(message.text);
         this.source.marks.push({ time: message.time, text: message.text, leg: "", kind: "change" });
-        void this.refreshTasks();
         break;
       case "reply":
         commands.reply(message);
@@ -107,13 +116,6 @@ export class LiveLink {
       case "notice":
         app.notes.say(message.text);
     }
-  }
-
-  /** Numbers of the tasks as they are now. */
-  private async refreshTasks(): Promise<void> {
-    const { tasks } = await fetchSession();
-    this.session = { ...this.session, tasks };
-    this.app?.handlers().tune.show(this.session);
   }
 
   private turn(state: ConnectionState): void {
@@ -142,7 +144,8 @@ export class LiveLink {
     const parts: string[] = [];
     if (this.status !== undefined && this.rate > 0) parts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
     if (quality !== undefined && quality.frameTime > 0) parts.push(`${(1000 / quality.frameTime).toFixed(0)} fps`);
-    if (this.dropped > 0) parts.push(`${this.dropped} ticks lost on the way`);
+    const lost = this.dropped + this.skipped;
+    if (lost > 0) parts.push(`${lost} ticks lost on the way`);
     if (this.status?.ended != null) parts.push(`ended: ${this.status.ended}`);
     say(part("rates"), parts.join(" · "));
   }

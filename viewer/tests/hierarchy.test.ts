@@ -35,8 +35,14 @@ test("a level with a residual that counts gives way, and it is said to what", ()
   assert.equal(accountOf(states), "second gives way to first (b), 0.50 m/s² short.");
 });
 
-test("a row beyond its bound makes its level give way", () => {
-  assert.equal(levelStates(frameOf([0.2, 0], { active: [[0, 3, 0]] }))[0]?.status, "gives way");
+test("what is less than people should see is not told, also beyond a bound", () => {
+  assert.equal(levelStates(frameOf([0.2, 0], { active: [[0, 3, 0]] }))[0]?.status, "at limit");
+});
+
+test("a level that is never content is minimised, whatever its residual", () => {
+  const frame = frameOf([200, 0]);
+  Object.assign(frame.schema, { visible: [null, 0.02] });
+  assert.equal(levelStates(frame)[0]?.status, "minimised");
 });
 
 test("a level without rows asks for nothing", () => {

@@ -9,7 +9,7 @@ export function schemaOf(sizes: Record<string, number>, more: Partial<Session> =
     offset += size;
     return channel;
   });
-  const header = { level_names: ["first", "second"], level_units: ["N", "m/s²"], event_names: ["none", "lift-off"] };
+  const header = { level_names: ["first", "second"], level_units: ["N", "m/s²"], level_visible: [0.5, 0.02], event_names: ["none", "lift-off"] };
   const session = { channels, frame_floats: offset, rows: [["a", "b"], ["c"]], header, orders: [], ...more };
   return new Schema(session as unknown as Session);
 }

@@ -98,3 +98,23 @@ test("a piece that could not be had is asked for again, and the reason is told",
   await settled(source);
   assert.equal(source.cache.get({ stride: 1, index: 0, minMax: false })?.size, TILE_FRAMES);
 });
+
+test("an overview that came before all of it was summarised is asked for again", async () => {
+  let known = 6000;
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, (url) => {
+    if (/stride=1$/.test(url)) return new Promise(() => {}); // never comes
+    const frames: RawFrame[] = [];
+    for (let tick = 0; tick < known; tick += 40) frames.push({ tick, time: tick * PERIOD, values: [0] });
+    return Promise.resolve(blockOf(frames));
+  });
+  const ask = async (): Promise<number | undefined> => {
+    source.at(40);
+    for (let k = 0; k < 20; ++k) await new Promise((resolve) => setTimeout(resolve, 1));
+    return source.at(40)?.tick;
+  };
+  source.summarise(known);
+  assert.equal(await ask(), undefined, "not a frame from far away");
+  known = TICKS;
+  source.summarise(known);
+  assert.equal(await ask(), 16000);
+});

@@ -31,12 +31,6 @@ export interface LevelState {
   blocked: BlockNote[];
 }
 
-/** A residual that people should see, by its unit. Below it, it is rounding. */
-export const VISIBLE: Record<string, number> = { "m/s²": 0.02, "rad/s²": 0.05, "N·m": 0.1, N: 0.5, "": 0.05 };
-
-/** Beyond its bound by more than the solver's rounding. */
-const BEYOND = 3;
-
 /** What each level of the frame's hierarchy did, highest priority first. */
 export function levelStates(frame: Frame): LevelState[] {
   const { schema } = frame;
@@ -55,15 +49,14 @@ export function levelStates(frame: Frame): LevelState[] {
       residual: field("residual"), rows: field("num_rows"),
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
     };
-    return { ...state, status: statusOf(state) };
+    return { ...state, status: statusOf(state, schema.visible[level]) };
   });
 }
 
-function statusOf({ name, unit, residual, rows, active }: Omit<LevelState, "status">): LevelStatus {
+function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visible: number | null | undefined): LevelStatus {
   if (rows === 0) return "no rows";
-  const beyond = active.some((row) => Math.abs(row.state) >= BEYOND);
-  if (residual > (VISIBLE[unit] ?? 0.05) || (beyond && residual > 0.1 * (VISIBLE[unit] ?? 0.05)))
-    return name.includes("minimi") ? "minimised" : "gives way";
+  if (visible === null) return "minimised";
+  if (residual > (visible ?? 0)) return "gives way";
   return active.length > 0 ? "at limit" : "met";
 }
 

@@ -40,12 +40,12 @@ export class MarkFinder {
   }
 }
 
-type RawEvent = [number, string | number, string | number | null] | { time: number; text: string };
+type RawEvent = [number, string | number, string | number | null] | { time: number; kind: "mode" | "change" | "damage"; text: string };
 
 /** What `/api/events` answers, as marks. */
 export function marksOf(raw: RawEvent[], events: string[]): Mark[] {
   return raw.map((entry) => {
-    if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: "mode" as const };
+    if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: entry.kind };
     const [time, event, leg] = entry;
     const text = typeof event === "number" ? (events[event] ?? `event ${event}`) : event;
     const name = typeof leg === "number" ? (LEGS[leg] ?? "") : (leg ?? "");

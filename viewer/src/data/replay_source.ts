@@ -9,6 +9,9 @@ import { TILE_FRAMES, TileCache, type FetchBlock, type TileKey } from "./tiles.t
 /** Memory for pieces of a log [bytes]. */
 const CACHE_BYTES = 160e6;
 
+/** Ticks between the frames that a log's summary has, at least. */
+const STRETCH = 64;
+
 /** A log, of which only what is looked at is loaded. */
 export class ReplaySource implements FrameSource {
   marks: Mark[] = [];
@@ -48,7 +51,10 @@ export class ReplaySource implements FrameSource {
     const index = Math.floor(this.tick(time) / TILE_FRAMES);
     const fine = this.cache.get({ stride: 1, index, minMax: false });
     const table = fine ?? this.cache.get({ stride: this.coarseStride, index: 0, minMax: false });
-    return table !== undefined && table.size > 0 ? table.frame(table.indexAt(time + 1e-6)) : undefined;
+    if (table === undefined || table.size === 0) return undefined;
+    const i = table.indexAt(time + 1e-6);
+    const off = Math.abs(this.tick(time) + this.firstTick - (table.ticks[i] as number));
+    return fine !== undefined || off <= 2 * Math.max(this.coarseStride, STRETCH) ? table.frame(i) : undefined;
   }
 
   neighbour(time: number, steps: number): number {

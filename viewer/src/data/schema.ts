@@ -8,8 +8,10 @@ export class Schema {
   readonly frameFloats: number;
   readonly levels: string[];
   readonly units: string[];
+  /** Residuals that people should see; null: the level asks for nothing and is never content. */
+  readonly visible: (number | null)[];
   readonly rows: string[][];
-  private readonly orders: Order[];
+  orders: Order[];
   readonly events: string[];
   private readonly byName = new Map<string, ChannelInfo>();
 
@@ -18,6 +20,7 @@ export class Schema {
     this.frameFloats = session.frame_floats;
     this.levels = session.header.level_names;
     this.units = session.header.level_units;
+    this.visible = session.header.level_visible;
     this.rows = session.rows;
     this.orders = session.orders;
     this.events = session.header.event_names;

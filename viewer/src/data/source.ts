@@ -7,7 +7,7 @@ export interface Mark {
   time: number;
   text: string;
   leg: string;
-  kind: "event" | "mode" | "change";
+  kind: "event" | "mode" | "change" | "damage";
 }
 
 /** One line of a plot: a number of a channel. */

@@ -21,7 +21,7 @@ export class TileCache {
   private readonly running = new Set<string>();
   private readonly unfinished = new Set<string>();
   private readonly capacity: number;
-  /** Ticks from the first on whose least and greatest are known. */
+  /** Ticks from the first on that are summarised: what long strides are answered from. */
   summarised = Infinity;
   /** Called when a tile came. */
   onTile: () => void = () => {};
@@ -83,7 +83,7 @@ export class TileCache {
     const from = this.firstTick + key.index * TileCache.span(key);
     const query = `from=${from}&count=${TILE_FRAMES}&stride=${key.stride}${key.minMax ? "&min_max=1" : ""}`;
     const end = (key.index + 1) * TileCache.span(key);
-    if (key.minMax && end > this.summarised) this.unfinished.add(name);
+    if (key.stride > 1 && end > this.summarised) this.unfinished.add(name);
     try {
       const block = await this.fetchBlock(`/api/frames?${query}`);
       const tile = new FrameTable(this.schema, TILE_FRAMES);

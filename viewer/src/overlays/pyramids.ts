@@ -52,11 +52,11 @@ export class FrictionPyramids implements Overlay {
     Object.assign(this.colours, { good: palette.good, near: palette.near, bad: palette.bad });
   }
 
-  update({ frame, header, newton }: Picture): void {
+  update({ frame, header, tasks, newton }: Picture): void {
     const known = read(frame, "plan.R_WC", this.R);
-    const task = header.options?.tasks?.["friction_cone"];
-    const axes = pyramidAxes(this.R, task?.["axes"] === "gravity");
-    const inner = task?.["pyramid"] === "outer" ? 1 : Math.SQRT1_2;
+    const choices = tasks.find(({ task }) => task === "friction_cone")?.choices;
+    const axes = pyramidAxes(this.R, choices?.["axes"] === "gravity");
+    const inner = choices?.["pyramid"] === "outer" ? 1 : Math.SQRT1_2;
     LEGS.forEach((leg, k) => {
       const pyramid = this.pyramids[k] as Pyramid;
       pyramid.root.visible = false;

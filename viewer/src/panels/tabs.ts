@@ -20,8 +20,4 @@ export class Tabs {
       tab.setAttribute("aria-selected", String(name === id));
     }
   }
-
-  isShown(id: string): boolean {
-    return this.panels.get(id)?.panel.hidden === false;
-  }
 }

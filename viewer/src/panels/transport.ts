@@ -96,7 +96,7 @@ export class Transport {
     if (context === null) return;
     context.scale(devicePixelRatio, devicePixelRatio);
     const style = getComputedStyle(this.canvas);
-    const paints = { event: "--soft", mode: "--bad", change: "--c3" } as const;
+    const paints = { event: "--soft", mode: "--bad", change: "--c3", damage: "--bad" } as const;
     for (const mark of marks) {
       context.fillStyle = style.getPropertyValue(/slide|push|lost|no ground|abort/.test(mark.text) ? "--c1" : paints[mark.kind]);
       const x = ((mark.time - first) / Math.max(last - first, 1e-9)) * width;

@@ -19,6 +19,7 @@ export interface Status {
 export interface Change {
   type: "change";
   time: number;
+  kind: string;
   text: string;
 }
 
@@ -46,11 +47,15 @@ export function backoff(attempt: number): number {
   return Math.min(LONGEST_WAIT, FIRST_WAIT * 2 ** attempt);
 }
 
+/** Seconds of simulation that come in a second: as measured, but not more than was asked for just now. */
+export function rateOf({ paused, ended, speed, real_factor }: Status): number {
+  if (paused || ended !== null) return 0;
+  return real_factor > 0 ? Math.min(real_factor, speed) : speed;
+}
+
 /** The socket of a live run; opens again by itself. */
 export class Connection {
   state: ConnectionState = "connecting";
-  /** When the next attempt begins, by performance.now() [ms]. */
-  nextAttempt = 0;
   onBlock: (block: ArrayBuffer) => void = () => {};
   onMessage: (message: ServerMessage) => void = () => {};
   onState: (state: ConnectionState) => void = () => {};
@@ -73,10 +78,8 @@ export class Connection {
       else this.onBlock(data);
     };
     socket.onclose = () => {
-      const wait = backoff(this.attempt++);
-      this.nextAttempt = performance.now() + wait;
       this.enter("lost");
-      setTimeout(() => this.open(), wait);
+      setTimeout(() => this.open(), backoff(this.attempt++));
     };
   }
 

@@ -39,6 +39,8 @@ export interface TaskInfo {
   level_name: string;
   task: string;
   numbers: TaskNumber[];
+  /** What it was given besides numbers, e.g. axes: gravity. */
+  choices: Record<string, string>;
 }
 
 export interface LimbLimits {
@@ -57,6 +59,8 @@ export interface Header {
   estimation: string;
   level_names: string[];
   level_units: string[];
+  /** Residuals that people should see; null: the level is never content. */
+  level_visible: (number | null)[];
   event_names: string[];
   robot: {
     name: string;
@@ -68,7 +72,6 @@ export interface Header {
   limb: LimbLimits;
   terrain: TerrainPiece[];
   notes: string[];
-  options?: { tasks?: Record<string, Record<string, unknown>> };
 }
 
 export interface Limits {
@@ -92,6 +95,8 @@ export interface Order {
 
 export interface Session {
   protocol: number;
+  /** Of the program: another one is another run. */
+  start: string;
   mode: "live" | "replay";
   version: string;
   title: string;
@@ -103,6 +108,8 @@ export interface Session {
   ticks: number;
   /** Of a log: ticks from the first on whose least and greatest are known by now. */
   summarised: number;
+  /** Of a log: sentences on what of it can't be read, so far. */
+  damage: string[];
   channels: ChannelInfo[];
   frame_floats: number;
   rows: string[][];

@@ -128,9 +128,9 @@ export class World {
     const trails = this.sinceTrails > TRAIL_PERIOD && (frame.time !== this.shown || this.sinceTrails > 1);
     if (trails) this.sinceTrails = 0;
     this.shown = frame.time;
-    const { header } = this.session;
+    const { header, tasks } = this.session;
     const { labels, newton } = this;
-    this.overlays.update({ frame, source, header, labels, newton, trails, beliefToWorld: this.overlays.beliefToWorld });
+    this.overlays.update({ frame, source, header, tasks, labels, newton, trails, beliefToWorld: this.overlays.beliefToWorld });
   }
 
   private place(robot: Robot, frame: Frame, topic: string, joints: string[]): boolean {

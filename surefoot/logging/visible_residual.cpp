@@ -1,0 +1,32 @@
+#include "surefoot/logging/visible_residual.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+constexpr double kOfOther = 0.05;
+constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
+    {{"m/s²", 0.02}, {"rad/s²", 0.05}, {"N·m", 0.1}, {"N", 0.5}}};
+
+}  // namespace
+
+double visible_residual(std::string_view level_name, std::string_view unit) {
+  if (level_name.ends_with("_minimisation")) return kNaN;
+  const auto found = std::ranges::find(kVisible, unit, &std::pair<std::string_view, double>::first);
+  return found == kVisible.end() ? kOfOther : found->second;
+}
+
+std::vector<double> visible_residuals(const LogHeader& header) {
+  std::vector<double> residuals;
+  for (std::size_t k = 0; k < header.level_names.size(); ++k) {
+    const bool has_unit = k < header.level_units.size();
+    residuals.push_back(
+        visible_residual(header.level_names[k], has_unit ? header.level_units[k] : ""));
+  }
+  return residuals;
+}
+
+}  // namespace surefoot
