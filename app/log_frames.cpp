@@ -44,7 +44,7 @@ struct LogFrames::Decoded {
 };
 
 LogFrames::LogFrames(const std::string& path, const LogHeader& header)
-    : file_(path), period_(header.control_period) {
+    : path_(path), file_(path), period_(header.control_period) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
   find_ticks(path);
@@ -132,6 +132,12 @@ LogChunk LogFrames::decode(std::size_t number) {
   return chunk;
 }
 
+// What a page is told says nothing of this machine's folders.
+std::string LogFrames::without_path(const Error& error) const {
+  const std::string text = error.what(), prefix = path_ + ": ";
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
 // A tick's messages may go on in the next chunk; then it belongs to the chunk where they begin.
 void LogFrames::read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk) {
   const std::uint64_t last = place(number).last_time;
@@ -155,7 +161,7 @@ void LogFrames::read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk
   try {
     file_.read(places_[number], take);
   } catch (const FileError& error) {
-    chunk.problem = error.what();
+    chunk.problem = without_path(error);
   }
   const std::size_t next = number + 1;
   if (next == places_.size() || place(next).first_time != last) return;
@@ -178,7 +184,7 @@ void LogFrames::read_timings(std::uint64_t first, std::uint64_t last, Decoded& d
         decoded.timings[message.log_time] = timing;
       });
     } catch (const Error& error) {  // the ticks are still good
-      decoded.timing_problem = error.what();
+      decoded.timing_problem = without_path(error);
     }
   }
 }

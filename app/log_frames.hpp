@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/view_tick.hpp"
+#include "surefoot/base/error.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 
@@ -54,9 +55,11 @@ class LogFrames {
   void find_ticks(const std::string& path);
   void learn_channels(const std::string& path);
   [[nodiscard]] LogChunk decode(std::size_t number);
+  [[nodiscard]] std::string without_path(const Error& error) const;
   void read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk);
   void read_timings(std::uint64_t first, std::uint64_t last, Decoded& decoded);
 
+  std::string path_;
   McapChunks file_;
   double period_;
   ViewChannels channels_;

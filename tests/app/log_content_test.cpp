@@ -115,6 +115,7 @@ TEST_F(DamagedLog, a_damaged_chunk_costs_its_ticks_and_is_told) {
   EXPECT_EQ(session.at("ticks"), kTicks);
   ASSERT_EQ(session.at("damage").size(), 1u) << session.at("damage");
   EXPECT_NE(session.at("damage")[0].get<std::string>().find("can't be read"), std::string::npos);
+  EXPECT_EQ(session.at("damage")[0].get<std::string>().find(path()), std::string::npos);
   EXPECT_EQ(marks_of_damage(content), 1u);
   const std::size_t left = frames(content, 0, kTicks).size();
   EXPECT_LT(left, kTicks);

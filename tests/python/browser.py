@@ -73,7 +73,16 @@ class Browser:
         return result["result"].get("value")
 
     def wait(self, script, seconds=20):
-        return wait_for(lambda: self.run(script), script, seconds)
+        return wait_for(lambda: self.value(script), script, seconds)
+
+    def value(self, script):
+        """Of a page that may load itself anew meanwhile: nothing then."""
+        try:
+            return self.run(script)
+        except AssertionError as error:
+            if "navigated" in str(error) or "context" in str(error) or "undefined" in str(error):
+                return None
+            raise
 
     def resize(self, width, height, scale=1, mobile=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=mobile)
@@ -103,9 +112,6 @@ class Browser:
             pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
             pathlib.Path(path).write_bytes(data)
         return data
-
-    def errors(self):
-        return [text for kind, text in self.console if kind in ("error", "warning")]
 
     def close(self):
         self.open_things.close()
