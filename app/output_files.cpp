@@ -53,6 +53,13 @@ void check_writable_file(const fs::path& file) {
   probe(folder, file);
 }
 
+void check_not_the_input(const fs::path& output, const fs::path& input) {
+  std::error_code none_yet;
+  if (!fs::equivalent(output, input, none_yet)) return;
+  throw FileError(output.string() +
+                  ": is the log itself, which would be lost; another name would be valid");
+}
+
 void prepare_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

@@ -10,6 +10,9 @@ namespace surefoot {
 /// behind.
 void check_writable_file(const std::filesystem::path& file);
 
+/// Throws FileError if both are the same file, which would be lost.
+void check_not_the_input(const std::filesystem::path& output, const std::filesystem::path& input);
+
 /// Makes the folder if there is none. Throws FileError, with the reason, if files could not be
 /// written into it.
 void prepare_folder(const std::filesystem::path& folder);

@@ -102,6 +102,7 @@ int verify(const ReplayArguments& arguments, std::ostream& out) {
 
 StackComparison compare(const ReplayArguments& arguments) {
   if (arguments.csv.empty()) return compare_stack(arguments.log, arguments.stack);
+  check_not_the_input(arguments.csv, arguments.log);
   check_writable_file(arguments.csv);
   const LogHeader header = LogReader(arguments.log).header();
   TickTable table(arguments.csv);

@@ -60,9 +60,11 @@ def parser(name, description, epilog):
     return made
 
 
-def check_writable(path):
+def check_writable(path, log):
     """What can't be written is told before the work, not after it."""
     path = pathlib.Path(path)
+    if path.exists() and pathlib.Path(log).exists() and path.samefile(log):
+        raise InputError(f"{path}: is the log itself, which would be lost; another name would be valid")
     if path.is_dir():
         raise InputError(f"{path}: is a folder; the name of a file would be valid")
     if not path.parent.is_dir():
@@ -95,8 +97,10 @@ def export(typed):
     files = [file for file in (arguments.csv, arguments.parquet, arguments.foxglove) if file]
     if not files:
         raise InputError("export needs to be told what to write: --csv FILE, --parquet FILE or --foxglove FILE.mcap")
+    if len({pathlib.Path(file).resolve() for file in files}) < len(files):
+        raise InputError(f"two of {', '.join(files)} are the same file; a name for each would be valid")
     for file in files:
-        check_writable(file)
+        check_writable(file, arguments.log)
     write_exports(arguments)
     for file in files:
         print(file)
@@ -136,7 +140,7 @@ def video(typed):
     made.add_argument("--rate", type=whole_number, metavar="N", default=25, help="images a second; 25 by default")
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
-    check_writable(arguments.out)
+    check_writable(arguments.out, arguments.log)
     from surefoot_log import pictures
 
     log = LogFile(arguments.log)

@@ -87,10 +87,20 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
                             shared_.names.names().front() + "/");
   }
 
+  /// What a page of another origin gets.
+  [[nodiscard]] WebAnswer foreign_origin() const {
+    return refusal(403, "a page of another origin may not watch; open http://" +
+                            shared_.names.names().front() + "/");
+  }
+
   [[nodiscard]] WebAnswer answer(const Request& request) const {
     if (auto refused = stranger(request)) return *refused;
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
       return refusal(405, "only GET and HEAD are known here");
+    }
+    const auto origin = std::string_view(request[http::field::origin]);
+    if (request.count(http::field::origin) != 0 && !shared_.names.has_origin(origin)) {
+      return foreign_origin();
     }
     const auto target = std::string_view(request.target());
     if (target == "/api/live") return refusal(426, "this is for a WebSocket");
@@ -105,8 +115,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
     }
     if (!refused &&
         (request.count(http::field::origin) != 1 || !shared_.names.has_origin(origin))) {
-      refused = refusal(403, "a page of another origin may not watch; open http://" +
-                                 shared_.names.names().front() + "/");
+      refused = foreign_origin();
     }
     if (!refused && !shared_.content.is_live()) {
       refused = refusal(404, "there is nothing live: a log is shown");

@@ -162,7 +162,7 @@ TEST(LegMotion, AFootThatLagsMoreAndMoreHasNotBounced) {
   const TouchdownOptions options;
   Bench bench = searching();
   const Vec3 asked = bench.leg.plan(bench.time).v_WF;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 30; ++i) {
     bench.foot_velocity = asked + 0.15 * i * options.bounce_speed * kUp;
     EXPECT_EQ(bench.follow(kPeriod, 0.15 * i * options.bounce_force), LegEvent::none) << i;
   }

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import pathlib
 
 import numpy as np
 import pyarrow.parquet
@@ -131,6 +132,7 @@ def test_wrong_arguments_are_said_with_what_would_be_valid(log, tmp_path):
     assert 'did you mean "/plan"?' in complaint_of("export", log, "--csv", tmp_path / "a.csv", "--topics", "plann")
     assert "there is no folder" in complaint_of("export", log, "--csv", tmp_path / "no/a.csv")
     assert "is a folder" in complaint_of("export", log, "--csv", tmp_path)
+    assert "are the same file" in complaint_of("export", log, "--csv", tmp_path / "a", "--parquet", tmp_path / "a")
     assert "--every" in complaint_of("export", log, "--csv", tmp_path / "a.csv", "--every", "0")
     assert 'did you mean "--topics"?' in complaint_of("export", log, "--topic", "plan")
 
@@ -198,3 +200,14 @@ def test_every_entity_of_the_robot_is_fixed_to_a_frame_that_is_sent(scene):
     assert all(part["frame_locked"] and part["frame_id"] in frames for part in robot)
     triangles = [piece for part in robot for piece in part["triangles"]]
     assert triangles and all(max(piece["indices"]) < len(piece["points"]) for piece in triangles)
+
+
+@pytest.mark.parametrize("command", [("export", "--csv"), ("export", "--parquet"), ("export", "--foxglove"), ("video", "--out")])
+def test_the_log_itself_is_never_written_over(log, tmp_path, command):
+    name, option = command
+    copy = tmp_path / "run.mcap"
+    copy.write_bytes(pathlib.Path(log).read_bytes())
+    (tmp_path / "link.mcap").symlink_to(copy)
+    for written in (copy, tmp_path / "link.mcap"):
+        assert "is the log itself" in complaint_of(name, copy, option, written)
+    assert copy.read_bytes() == pathlib.Path(log).read_bytes()

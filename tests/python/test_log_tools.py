@@ -162,6 +162,7 @@ def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
 
 def test_wrong_arguments_of_replay_are_said(log, tmp_path):
     assert "--json is for --verify and --stack" in complaint("replay", log, "--json")
+    assert "is the log itself" in complaint("replay", log, "--stack", "regular", "--csv", log)
     assert 'did you mean "regular"?' in complaint("replay", log, "--stack", "regulr")
     assert "one at a time" in complaint("replay", log, "--verify", "--stack", "regular")
     assert "--csv" in complaint("replay", log, "--verify", "--csv", tmp_path / "a.csv")

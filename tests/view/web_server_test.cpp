@@ -127,6 +127,10 @@ TEST_F(WebServerTest, refuses_to_be_watched_by_a_page_of_another_origin) {
         std::string("http://127.0.0.1:1"), origin() + ".evil.example"}) {
     RawClient client(server_.port());
     EXPECT_EQ(client.upgrade(host(), other), 403) << other;
+    RawClient reader(server_.port());
+    reader.send("GET /api/session HTTP/1.1\r\nHost: " + host() + "\r\nOrigin: " + other +
+                "\r\n\r\n");
+    EXPECT_EQ(test::status_of(reader.answer()), 403) << other;
   }
   RawClient client(server_.port());
   EXPECT_EQ(client.upgrade(host(), origin()), 101);
