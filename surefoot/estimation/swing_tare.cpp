@@ -13,6 +13,13 @@ constexpr double kNoise = 0.5;  // of a sample, beside what is learnt [N·m]
 /// How far θ is from 0 on robots: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
 const Eigen::Vector4d kUsual(0.5, 0.1, 0.2, 0.02);
 
+template <class Joint>
+void fit(Joint& joint) {
+  auto pulled = joint.moments;
+  pulled.diagonal() += (kNoise / kUsual.array()).square().matrix();
+  joint.theta = pulled.llt().solve(joint.products);
+}
+
 }  // namespace
 
 SwingTare::SwingTare(const SwingTareOptions& options, double period)
@@ -31,6 +38,8 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
     LegTare& leg = legs_[index(k)];
     const int first = first_joint(k);
     if (stands[index(k)]) {
+      // Not before: from part of a swing nothing follows for the rest of it.
+      if (leg.num_seen > 0) std::ranges::for_each(leg.joints, fit<Joint>);
       leg.num_seen = 0;
       leg.in_the_air = 0.0;
       continue;
@@ -65,9 +74,6 @@ void SwingTare::learn(LegTare& leg, const Sample& sample) const {
     Joint& joint = leg.joints[j];
     joint.moments = forgetting_ * joint.moments + x * x.transpose();
     joint.products = forgetting_ * joint.products + y * x;
-    Moments pulled = joint.moments;
-    pulled.diagonal() += (kNoise / kUsual.array()).square().matrix();
-    joint.theta = pulled.llt().solve(joint.products);
   }
 }
 

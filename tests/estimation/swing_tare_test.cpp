@@ -57,6 +57,17 @@ TEST(SwingTare, LearnsWhatASwingingLegLacks) {
   EXPECT_LT(bench.left(), 0.1 * before);
 }
 
+TEST(SwingTare, SaysNothingFromAPartOfASwing) {
+  Bench bench;
+  for (int t = 0; t < kSwing; ++t) {
+    bench.tick(kSwingLF);
+    EXPECT_EQ(bench.tare.tare().norm(), 0.0) << t;
+  }
+  bench.tick(kStanding);
+  bench.tick(kSwingLF);
+  EXPECT_NE(bench.tare.tare()[1], 0.0);
+}
+
 TEST(SwingTare, SaysNothingOfLegsThatStandNorOfOtherLegs) {
   Bench bench;
   bench.swings(4);
