@@ -2,6 +2,7 @@ import type { Commands, Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
+import { takeNumber } from "./number_field.ts";
 import type { Report } from "./tune_panel.ts";
 
 /** Steps of a key: m/s, m/s, rad/s, m. */
@@ -87,9 +88,11 @@ export class DrivePanel {
 
   push(): void {
     const angle = (Number(this.direction.value) * Math.PI) / 180;
-    const size = Number(this.impulse.value);
+    const size = takeNumber(this.impulse, Number(this.impulse.defaultValue));
+    const duration = takeNumber(this.duration, Number(this.duration.defaultValue));
+    if (size === undefined || duration === undefined) return;
     const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
-    this.send("push", { body: "base", impulse, duration: Number(this.duration.value) });
+    this.send("push", { body: "base", impulse, duration });
   }
 
   nudge(axis: Axis, steps: number): void {
