@@ -24,6 +24,7 @@ import { Commands } from "./protocol/commands.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
+import { Wish } from "./data/wish.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
 const SUMMARY_PERIOD = 700;
@@ -53,6 +54,7 @@ export class App {
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
+  private readonly pauseWish = new Wish<boolean>();
 
   constructor(
     public session: Session,
@@ -84,7 +86,9 @@ export class App {
       reset: () => this.reset(),
     });
     this.hierarchy.canReorder = this.commands.allowed;
-    this.hierarchy.onOrder = (levels) => this.command("order", { levels });
+    this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
+    this.hierarchy.newest = orderOf(session);
+    this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
       this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.player.following);
@@ -199,16 +203,28 @@ export class App {
     part("follow").setAttribute("aria-pressed", String(this.world.camera.follow));
   }
 
-  /** Sends a command of the run; a refusal is shown. */
-  command(type: string, fields: object = {}): void {
-    this.commands.send(type, fields).catch((error: Error) => this.notes.say(error.message, "error"));
+  /** Sends a command of the run; a refusal is shown, and ends the wish. */
+  command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
+    this.commands.send(type, fields).catch((error: Error) => {
+      wish?.drop();
+      this.notes.say(error.message, "error");
+    });
+  }
+
+  private get paused(): boolean {
+    return this.pauseWish.or(this.link?.status?.paused ?? false);
+  }
+
+  private askPause(paused: boolean): void {
+    this.pauseWish.ask(paused);
+    this.command(paused ? "pause" : "resume", {}, this.pauseWish);
   }
 
   /** Of a live run's newest picture the simulation, otherwise only what is shown. */
   private pause(): void {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
-    else if (this.commands.allowed) this.command(link.status?.paused ? "resume" : "pause");
+    else if (this.commands.allowed) this.askPause(!this.paused);
     else player.seek(player.time);
   }
 
@@ -217,14 +233,14 @@ export class App {
     const newest = player.live && player.time >= player.source.last - 1e-9;
     if (ticks > 0 && (player.following || newest) && link !== undefined && this.commands.allowed) {
       player.goLive();
-      if (link.status?.paused) this.command("step", { ticks });
-      else this.command("pause");
+      if (this.paused) this.command("step", { ticks });
+      else this.askPause(true);
     } else player.step(ticks);
   }
 
   private speed(factor: number): void {
     this.player.speed = factor;
-    if (this.player.live && this.player.following && this.commands.allowed) this.command("speed", { factor });
+    if (this.player.live && this.player.following && this.commands.allowed) this.command("speed", { factor }, this.transport.wish);
   }
 
   private reset(): void {
@@ -237,6 +253,7 @@ export class App {
     this.session = session;
     this.plots.use(schema);
     this.tune.show(session);
+    this.hierarchy.newest = orderOf(session);
   }
 
   /** Replies, changes and state of a live run. */
@@ -261,6 +278,7 @@ export class App {
       ++this.pictures;
       this.shownTime = player.time;
     }
+    this.hierarchy.paused = this.link?.status?.paused ?? false;
     this.transport.update(this.link?.status);
     this.plots.update(dt, moved, frame);
     this.texts(dt, frame);
@@ -285,6 +303,11 @@ export class App {
     this.told = text;
     say(part("events"), text);
   }
+}
+
+/** The levels' order as it is now. */
+function orderOf({ orders, header }: Session): string[] {
+  return orders.at(-1)?.levels ?? header.level_names;
 }
 
 /** The session a little later; the one before where it can't be had just now. */

@@ -1,3 +1,4 @@
+import { Wish } from "../data/wish.ts";
 import type { Commands, Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
@@ -32,6 +33,7 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
 export class DrivePanel {
   walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
   readonly most: Record<Axis, number>;
+  private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
   private readonly impulse: HTMLInputElement;
@@ -104,22 +106,27 @@ export class DrivePanel {
   }
 
   ask(walk: Walk): void {
-    this.walk = walk;
+    this.walk = { walk: walk.walk, velocity: walk.velocity, yaw_rate: walk.yaw_rate, height: walk.height };
+    this.wish.ask(this.walk);
     this.send("walk", walk);
     this.showValues();
   }
 
   giveBack(): void {
+    this.wish.drop();
     this.send("walk", { by: "scenario" });
   }
 
   private send(type: string, fields: object): void {
-    this.commands.send(type, fields).catch((error: Error) => this.report(error.message, "error"));
+    this.commands.send(type, fields).catch((error: Error) => {
+      if (type === "walk") this.wish.drop();
+      this.report(error.message, "error");
+    });
   }
 
   show({ command }: Status): void {
     const [forward = 0, left = 0] = command.velocity;
-    this.walk = { walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height };
+    this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
     const who = command.by === "operator" ? "You command" : "The scenario commands";
     say(this.asked, command.walk ? `${who}: walk.` : `${who}: stand.`);
     this.showValues();

@@ -7,6 +7,7 @@ export type Report = (text: string, kind?: "error" | "plain") => void;
 
 /** Numbers of the tasks, the friction that the controller assumes, and undo. */
 export class TunePanel {
+  onUndo: () => void = () => {};
   private readonly tables = h("div", { class: "gains" });
   private readonly undoButton: HTMLButtonElement;
   private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
@@ -33,6 +34,7 @@ export class TunePanel {
   }
 
   undo(): void {
+    this.onUndo();
     this.send("undo", {});
   }
 
