@@ -244,7 +244,9 @@ export class App {
   }
 
   private reset(): void {
-    if (this.player.live) this.command("reset");
+    const { link } = this;
+    if (link !== undefined)
+      link.reset(() => this.commands.send("reset")).catch((error: Error) => this.notes.say(error.message, "error"));
     else this.player.seek(this.player.source.first);
   }
 
@@ -254,6 +256,17 @@ export class App {
     this.plots.use(schema);
     this.tune.show(session);
     this.hierarchy.newest = orderOf(session);
+  }
+
+  /** The run begins again: nothing of it is known yet. */
+  restart(): void {
+    this.player.restart();
+    this.shownTime = NaN;
+    this.world?.clear();
+    this.hierarchy.clear();
+    this.state.clear();
+    this.plots.clear();
+    this.told = "";
   }
 
   /** Replies, changes and state of a live run. */
@@ -286,12 +299,13 @@ export class App {
 
   private texts(dt: number, frame: Frame | undefined): void {
     this.sinceText += dt;
-    if (this.sinceText < TEXT_PERIOD || frame === undefined) return;
+    if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
+    this.link?.showRates(this.world?.stage.quality);
+    if (frame === undefined) return;
     this.hierarchy.show(frame);
     this.state.show(frame);
     this.tune.showFriction(scalar(frame, "plan.feet.LF.friction"));
-    this.link?.showRates(this.world?.stage.quality);
     this.tell(frame);
   }
 

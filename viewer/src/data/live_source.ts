@@ -11,6 +11,8 @@ export const LIVE_SECONDS = 120;
 
 /** The last two minutes of a live run. */
 export class LiveSource implements FrameSource {
+  /** Called when frames begin again from an earlier time. */
+  onRestart: () => void = () => {};
   private readonly ring = new FrameRing(LIVE_SECONDS);
   private readonly finder = new MarkFinder();
   private latest: FrameTable;
@@ -20,13 +22,15 @@ export class LiveSource implements FrameSource {
   }
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
-    if (time < this.ring.last) this.finder.clear();
+    const restarts = time < this.ring.last;
+    if (restarts) this.finder.clear();
     this.ring.append(this.schema, tick, time, values, rows);
     if (this.latest.schema !== this.schema) this.latest = new FrameTable(this.schema, 1);
     this.latest.reuse(this.schema);
     this.latest.append(tick, time, values, undefined);
     this.finder.see(this.latest.frame(0));
     this.finder.dropBefore(this.ring.first);
+    if (restarts) this.onRestart();
   }
 
   clear(): void {

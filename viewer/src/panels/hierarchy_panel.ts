@@ -24,6 +24,12 @@ export class HierarchyPanel {
 
   constructor(root: HTMLElement) {
     root.append(this.account, this.facts, this.list);
+    this.clear();
+  }
+
+  /** Says nothing until the next tick. */
+  clear(): void {
+    this.account.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
   /** Whether the order may be changed here. */
@@ -39,6 +45,7 @@ export class HierarchyPanel {
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
+    this.account.hidden = this.facts.hidden = this.list.hidden = false;
     say(this.account, accountOf(states));
     this.account.classList.toggle("bad", states.some((state) => state.status === "gives way"));
     const solve = scalar(frame, "timings.solve");

@@ -37,6 +37,11 @@ export class Plot {
     });
   }
 
+  clear(): void {
+    this.chart?.setData([[], ...this.series.map(() => [])] as unknown as uPlot.AlignedData);
+    for (const value of this.values) say(value, "");
+  }
+
   private get frame(): HTMLElement {
     return this.root.lastElementChild as HTMLElement;
   }

@@ -55,6 +55,11 @@ export class StatePanel {
     if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
   }
 
+  clear(): void {
+    this.rows.clear();
+    this.list.replaceChildren();
+  }
+
   show(frame: Frame): void {
     for (const [name, text] of sentences(frame)) {
       let row = this.rows.get(name);

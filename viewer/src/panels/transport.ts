@@ -83,7 +83,7 @@ export class Transport {
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.speedSelect.value = String(speed);
     this.liveButton.classList.toggle("on", player.following);
-    if (Number.isNaN(first)) return;
+    if (Number.isNaN(first)) return say(this.clock, "");
     this.slider.min = String(first);
     this.slider.max = String(last);
     this.slider.value = String(player.time);
