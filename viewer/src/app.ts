@@ -21,6 +21,7 @@ import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
+import { ask, NoAnswer } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
@@ -54,6 +55,7 @@ export class App {
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
+  private awaiting = false;
   private readonly pauseWish = new Wish<boolean>();
 
   constructor(
@@ -103,24 +105,41 @@ export class App {
 
   private openLog(schema: Schema): ReplaySource {
     const { period, first_tick, ticks } = this.session;
-    const source = new ReplaySource(schema, period, first_tick, ticks, async (url) => {
-      const answer = await fetch(url);
-      if (!answer.ok) throw new Error((await answer.text()).trim());
-      return answer.arrayBuffer();
-    });
+    const source = new ReplaySource(schema, period, first_tick, ticks, (url) => ask(url));
     source.cache.onTile = () => {
       this.plots?.refresh();
       this.shownTime = NaN;
       this.notes.take("log");
     };
     void this.summarise(source, schema);
-    source.cache.onError = (error) => this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    source.cache.onError = (error) => {
+      if (error instanceof NoAnswer) void this.awaitServer();
+      else this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    };
     return source;
+  }
+
+  /** Says that the program which serves the log is gone, until it answers. */
+  private async awaitServer(): Promise<void> {
+    if (this.awaiting) return;
+    this.awaiting = true;
+    this.notes.keep("server", "The program that serves this log does not answer; start `surefoot replay` again. The page tries again by itself.", "error");
+    const badge = part("link-state");
+    badge.dataset["state"] = "lost";
+    say(badge, "no answer");
+    let session = this.session;
+    while (session === this.session) session = await nextSession(this.session);
+    if (session.start !== this.session.start) return location.reload();
+    say(badge, "");
+    this.notes.take("server");
+    this.awaiting = false;
+    this.plots.refresh();
+    this.shownTime = NaN;
   }
 
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
-    for (let session = this.session; ; session = await nextSession(session)) {
+    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
       const { summarised, damage, orders } = session;
       source.summarise(summarised);
       schema.orders = orders;
@@ -325,11 +344,12 @@ function orderOf({ orders, header }: Session): string[] {
 }
 
 /** The session a little later; the one before where it can't be had just now. */
-async function nextSession(before: Session): Promise<Session> {
+async function nextSession(before: Session, failed: () => void = () => {}): Promise<Session> {
   await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
   try {
     return await fetchSession();
   } catch {
+    failed();
     return before;
   }
 }
