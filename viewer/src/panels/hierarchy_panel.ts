@@ -2,7 +2,8 @@ import { scalar, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, nameOf, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
 import { Wish } from "../data/wish.ts";
-import { digits, h, plain, quantity, say } from "./dom.ts";
+import { counted, digits, quantity } from "../data/numbers.ts";
+import { h, plain, say } from "./dom.ts";
 
 /** Sign and word of each status: colour is never the only sign. */
 const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–" } as const;
@@ -52,7 +53,7 @@ export class HierarchyPanel {
     const total = scalar(frame, "timings.total");
     const iterations = states.reduce((sum, state) => sum + (state.iterations || 0), 0);
     const solveText = Number.isNaN(solve) ? "" : `Solved in ${digits(solve)} of the tick's ${digits(total)} µs, `;
-    say(this.facts, `${solveText}${iterations} iterations`);
+    say(this.facts, `${solveText}${counted(iterations, "iteration")}`);
   }
 
   private build(states: LevelState[], names: string): void {
@@ -133,7 +134,7 @@ class LevelCard {
     say(this.sign, SIGNS[state.status]);
     say(this.status, state.status);
     say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
-    say(this.meta, state.rows === 0 ? "" : `${state.rows} rows · ${state.freedom} free below · ${state.iterations} it.`);
+    say(this.meta, state.rows === 0 ? "" : `${counted(state.rows, "row")} · ${state.freedom} free below · ${counted(state.iterations, "iteration")}`);
     say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
     const blocked = state.status === "met" || state.status === "no rows" ? [] : state.blocked;
     say(this.blocked, blocked.map(({ by, row, cost }) =>

@@ -2,7 +2,8 @@ import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates } from "../data/hierarchy.ts";
 import { LEGS } from "../data/schema.ts";
 import { wrap, yawOf } from "../math/geometry.ts";
-import { digits, h, say } from "./dom.ts";
+import { digits } from "../data/numbers.ts";
+import { h, say } from "./dom.ts";
 
 const PHASES: Record<string, string> = { stance: "stands", unloading: "unloads", swing: "swings", search: "searches for ground" };
 
