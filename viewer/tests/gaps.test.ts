@@ -44,3 +44,11 @@ test("a log's summary with fewer frames than were asked for is no row of gaps", 
   fillFrom(table, 0, table.size, envelope, [{ channel: "x", index: 0 }], 32 * PERIOD);
   assert.equal(breaks(envelope.columns()[1] as (number | null)[]), 1);
 });
+
+test("frames of which nothing is known are a gap", () => {
+  const table = new FrameTable(schema, 400);
+  for (let k = 0; k < 400; ++k) table.append(k, k * PERIOD, Float32Array.of(k > 100 && k < 200 ? NaN : k), undefined);
+  const envelope = new Envelope(0, table.last, 100, 1);
+  fillFrom(table, 0, table.size, envelope, [{ channel: "x", index: 0 }], PERIOD);
+  assert.equal(breaks(envelope.columns()[1] as (number | null)[]), 1);
+});

@@ -76,7 +76,7 @@ const MOST_STEPS = 3;
 /** Adds frames [begin, end) of a table to the envelope; `step`: time between frames where none is lost, at least. */
 export function fillFrom(table: FrameTable, begin: number, end: number, envelope: Envelope, series: Series[], step: number): void {
   const most = MOST_STEPS * Math.max(step, usualStep(table, step));
-  for (let i = begin; i < end; ++i) envelope.see(table.times[i] as number, most);
+  for (let i = begin; i < end; ++i) if (table.knows(i)) envelope.see(table.times[i] as number, most);
   series.forEach(({ channel, index }, s) => {
     const offset = table.schema.offset(channel);
     if (offset < 0) return;
