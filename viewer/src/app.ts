@@ -21,9 +21,11 @@ import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
+import { ask, NoAnswer } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
+import { Wish } from "./data/wish.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
 const SUMMARY_PERIOD = 700;
@@ -53,6 +55,8 @@ export class App {
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
+  private awaiting = false;
+  private readonly pauseWish = new Wish<boolean>();
 
   constructor(
     public session: Session,
@@ -84,7 +88,9 @@ export class App {
       reset: () => this.reset(),
     });
     this.hierarchy.canReorder = this.commands.allowed;
-    this.hierarchy.onOrder = (levels) => this.command("order", { levels });
+    this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
+    this.hierarchy.newest = orderOf(session);
+    this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
       this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.player.following);
@@ -99,24 +105,41 @@ export class App {
 
   private openLog(schema: Schema): ReplaySource {
     const { period, first_tick, ticks } = this.session;
-    const source = new ReplaySource(schema, period, first_tick, ticks, async (url) => {
-      const answer = await fetch(url);
-      if (!answer.ok) throw new Error((await answer.text()).trim());
-      return answer.arrayBuffer();
-    });
+    const source = new ReplaySource(schema, period, first_tick, ticks, (url) => ask(url));
     source.cache.onTile = () => {
       this.plots?.refresh();
       this.shownTime = NaN;
       this.notes.take("log");
     };
     void this.summarise(source, schema);
-    source.cache.onError = (error) => this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    source.cache.onError = (error) => {
+      if (error instanceof NoAnswer) void this.awaitServer();
+      else this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    };
     return source;
+  }
+
+  /** Says that the program which serves the log is gone, until it answers. */
+  private async awaitServer(): Promise<void> {
+    if (this.awaiting) return;
+    this.awaiting = true;
+    this.notes.keep("server", "The program that serves this log does not answer; start `surefoot replay` again. The page tries again by itself.", "error");
+    const badge = part("link-state");
+    badge.dataset["state"] = "lost";
+    say(badge, "no answer");
+    let session = this.session;
+    while (session === this.session) session = await nextSession(this.session);
+    if (session.start !== this.session.start) return location.reload();
+    say(badge, "");
+    this.notes.take("server");
+    this.awaiting = false;
+    this.plots.refresh();
+    this.shownTime = NaN;
   }
 
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
-    for (let session = this.session; ; session = await nextSession(session)) {
+    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
       const { summarised, damage, orders } = session;
       source.summarise(summarised);
       schema.orders = orders;
@@ -199,16 +222,28 @@ export class App {
     part("follow").setAttribute("aria-pressed", String(this.world.camera.follow));
   }
 
-  /** Sends a command of the run; a refusal is shown. */
-  command(type: string, fields: object = {}): void {
-    this.commands.send(type, fields).catch((error: Error) => this.notes.say(error.message, "error"));
+  /** Sends a command of the run; a refusal is shown, and ends the wish. */
+  command(type: string, fields: object = {}, wish?: { drop: () => void }): void {
+    this.commands.send(type, fields).catch((error: Error) => {
+      wish?.drop();
+      this.notes.say(error.message, "error");
+    });
+  }
+
+  private get paused(): boolean {
+    return this.pauseWish.or(this.link?.status?.paused ?? false);
+  }
+
+  private askPause(paused: boolean): void {
+    this.pauseWish.ask(paused);
+    this.command(paused ? "pause" : "resume", {}, this.pauseWish);
   }
 
   /** Of a live run's newest picture the simulation, otherwise only what is shown. */
   private pause(): void {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
-    else if (this.commands.allowed) this.command(link.status?.paused ? "resume" : "pause");
+    else if (this.commands.allowed) this.askPause(!this.paused);
     else player.seek(player.time);
   }
 
@@ -217,18 +252,20 @@ export class App {
     const newest = player.live && player.time >= player.source.last - 1e-9;
     if (ticks > 0 && (player.following || newest) && link !== undefined && this.commands.allowed) {
       player.goLive();
-      if (link.status?.paused) this.command("step", { ticks });
-      else this.command("pause");
+      if (this.paused) this.command("step", { ticks });
+      else this.askPause(true);
     } else player.step(ticks);
   }
 
   private speed(factor: number): void {
     this.player.speed = factor;
-    if (this.player.live && this.player.following && this.commands.allowed) this.command("speed", { factor });
+    if (this.player.live && this.player.following && this.commands.allowed) this.command("speed", { factor }, this.transport.wish);
   }
 
   private reset(): void {
-    if (this.player.live) this.command("reset");
+    const { link } = this;
+    if (link !== undefined)
+      link.reset(() => this.commands.send("reset")).catch((error: Error) => this.notes.say(error.message, "error"));
     else this.player.seek(this.player.source.first);
   }
 
@@ -237,6 +274,18 @@ export class App {
     this.session = session;
     this.plots.use(schema);
     this.tune.show(session);
+    this.hierarchy.newest = orderOf(session);
+  }
+
+  /** The run begins again: nothing of it is known yet. */
+  restart(): void {
+    this.player.restart();
+    this.shownTime = NaN;
+    this.world?.clear();
+    this.hierarchy.clear();
+    this.state.clear();
+    this.plots.clear();
+    this.told = "";
   }
 
   /** Replies, changes and state of a live run. */
@@ -261,6 +310,7 @@ export class App {
       ++this.pictures;
       this.shownTime = player.time;
     }
+    this.hierarchy.paused = this.link?.status?.paused ?? false;
     this.transport.update(this.link?.status);
     this.plots.update(dt, moved, frame);
     this.texts(dt, frame);
@@ -268,12 +318,13 @@ export class App {
 
   private texts(dt: number, frame: Frame | undefined): void {
     this.sinceText += dt;
-    if (this.sinceText < TEXT_PERIOD || frame === undefined) return;
+    if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
+    this.link?.showRates(this.world?.stage.quality);
+    if (frame === undefined) return;
     this.hierarchy.show(frame);
     this.state.show(frame);
     this.tune.showFriction(scalar(frame, "plan.feet.LF.friction"));
-    this.link?.showRates(this.world?.stage.quality);
     this.tell(frame);
   }
 
@@ -287,12 +338,18 @@ export class App {
   }
 }
 
+/** The levels' order as it is now. */
+function orderOf({ orders, header }: Session): string[] {
+  return orders.at(-1)?.levels ?? header.level_names;
+}
+
 /** The session a little later; the one before where it can't be had just now. */
-async function nextSession(before: Session): Promise<Session> {
+async function nextSession(before: Session, failed: () => void = () => {}): Promise<Session> {
   await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
   try {
     return await fetchSession();
   } catch {
+    failed();
     return before;
   }
 }

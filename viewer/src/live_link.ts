@@ -1,4 +1,5 @@
 import type { App } from "./app.ts";
+import { Generations } from "./data/generations.ts";
 import type { LiveSource } from "./data/live_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
@@ -9,6 +10,9 @@ import type { Quality } from "./scene/quality.ts";
 
 /** Blocks that wait while the session is read again. */
 const MOST_WAITING = 200;
+
+/** How often it is looked whether the program still says something [ms]. */
+const SILENCE_PERIOD = 500;
 
 /** Keeps the live source up to date, over lost connections and changes of the stack. */
 export class LiveLink {
@@ -23,6 +27,7 @@ export class LiveLink {
   private reading = false;
   private lostBefore = false;
   private app: App | undefined;
+  private readonly generations = new Generations();
 
   constructor(
     private readonly source: LiveSource,
@@ -34,7 +39,7 @@ export class LiveLink {
 
   /** Seconds of simulation that come in a second. */
   get rate(): number {
-    if (this.connection.state !== "open" || this.status === undefined) return 0;
+    if (this.connection.state !== "open" || this.connection.silence > 0 || this.status === undefined) return 0;
     return rateOf(this.status);
   }
 
@@ -43,12 +48,15 @@ export class LiveLink {
     this.connection.onBlock = (block) => this.take(block);
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
+    this.source.onRestart = () => app.restart();
     this.connection.open();
+    setInterval(() => this.showState(), SILENCE_PERIOD);
   }
 
   private take(block: ArrayBuffer): void {
     const head = readBlockHead(block);
     this.dropped = head.dropped;
+    if (this.generations.isOld(head.generation)) return;
     if (head.generation !== this.generation || this.reading) {
       this.waiting.push(block);
       if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
@@ -83,7 +91,7 @@ export class LiveLink {
     const isKnown = (block: ArrayBuffer): boolean => readBlockHead(block).generation <= this.generation;
     const known = this.waiting.filter(isKnown);
     this.waiting = this.waiting.filter((block) => !isKnown(block));
-    for (const block of known) this.read(block);
+    for (const block of known) if (!this.generations.isOld(readBlockHead(block).generation)) this.read(block);
     if (this.waiting.length > 0) void this.readSession();
   }
 
@@ -102,8 +110,10 @@ export class LiveLink {
     switch (message.type) {
       case "status":
         this.status = message;
+        if (this.generations.begins(message.generation)) this.beginAgain(message);
         drive.show(message);
         tune.showUndo(message.undo);
+        this.showState();
         break;
       case "change":
         tune.addChange(message.time, message.text);
@@ -118,13 +128,38 @@ export class LiveLink {
     }
   }
 
+  /** The run is to begin again. */
+  async reset(send: () => Promise<void>): Promise<void> {
+    this.generations.awaitReset();
+    try {
+      await send();
+    } catch (error) {
+      this.generations.stay();
+      throw error;
+    }
+  }
+
+  /** Nothing of the run before is shown; one that is paused makes its first tick, so that there is something to see. */
+  private beginAgain(status: Status): void {
+    this.source.clear();
+    this.app?.restart();
+    if (status.paused) this.app?.command("step", { ticks: 1 });
+  }
+
+  private showState(): void {
+    const { state, silence } = this.connection;
+    const badge = part("link-state");
+    badge.dataset["state"] = silence > 0 ? "lost" : state;
+    const words = { open: "connected", lost: "connection lost", connecting: "connecting" };
+    say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
+  }
+
   private turn(state: ConnectionState): void {
     const app = this.app as App;
-    const badge = part("link-state");
-    badge.dataset["state"] = state;
-    say(badge, state === "open" ? "connected" : state === "lost" ? "connection lost" : "connecting");
+    this.showState();
     if (state === "lost") {
       this.lostBefore = true;
+      this.generations.clear();
       app.handlers().commands.lost();
       app.notes.keep("lost", "The connection to the program is lost. The last picture stays; the page tries again by itself.", "error");
     } else if (state === "open") {

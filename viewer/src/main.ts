@@ -5,6 +5,7 @@ import "./style/panels.css";
 import { App } from "./app.ts";
 import { Notes } from "./panels/notes.ts";
 import { part, say } from "./panels/dom.ts";
+import { ask, textOf } from "./protocol/ask.ts";
 import { backoff } from "./protocol/connection.ts";
 import { fetchSession } from "./protocol/session.ts";
 import { expose } from "./test_window.ts";
@@ -18,7 +19,7 @@ async function start(): Promise<void> {
   const notes = new Notes();
   for (let attempt = 0; ; ++attempt) {
     try {
-      const [session, urdf] = await Promise.all([fetchSession(), fetch("/api/robot.urdf").then((answer) => answer.text())]);
+      const [session, urdf] = await Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
       notes.take("start");
       expose(new App(session, urdf, tokenOfLink(), notes));
       return;

@@ -2,6 +2,9 @@
 export class Envelope {
   readonly x: Float64Array;
   readonly y: Float64Array[];
+  /** Buckets in which lines break, as ticks are not known there. */
+  private readonly broken = new Set<number>();
+  private seen = NaN;
 
   /** Two points a bucket: where the stretch begins and its middle. */
   constructor(
@@ -15,10 +18,23 @@ export class Envelope {
     this.y = Array.from({ length: series }, () => new Float64Array(2 * buckets).fill(NaN));
   }
 
+  private bucketOf(time: number): number {
+    const share = (time - this.from) / (this.to - this.from);
+    return Math.min(this.buckets - 1, Math.max(0, Math.floor(share * this.buckets)));
+  }
+
+  /** A frame, in order of time: lines break where it comes more than `most` after the one before. */
+  see(time: number, most: number): void {
+    const before = this.seen;
+    this.seen = time;
+    if (!(time - before > most)) return;
+    const bucket = this.bucketOf(before) + 1;
+    if (bucket < this.bucketOf(time)) this.broken.add(bucket);
+  }
+
   add(series: number, time: number, value: number): void {
     if (Number.isNaN(value) || time < this.from || time > this.to) return;
-    const share = (time - this.from) / (this.to - this.from);
-    const bucket = Math.min(this.buckets - 1, Math.floor(share * this.buckets));
+    const bucket = this.bucketOf(time);
     const y = this.y[series] as Float64Array;
     const low = y[2 * bucket] as number;
     const high = y[2 * bucket + 1] as number;
@@ -26,12 +42,16 @@ export class Envelope {
     if (!(high >= value)) y[2 * bucket + 1] = value;
   }
 
-  /** For uPlot: empty buckets between known ones are left out, so that lines join. */
-  columns(): [Float64Array, ...Float64Array[]] {
+  /** For uPlot: empty buckets between known ones are left out, so that lines join; null breaks them. */
+  columns(): [Float64Array, ...(number | null)[][]] {
     const kept: number[] = [];
-    for (let i = 0; i < this.x.length; ++i) if (this.y.some((y) => !Number.isNaN(y[i] as number))) kept.push(i);
-    const pick = (column: Float64Array): Float64Array => Float64Array.from(kept, (i) => column[i] as number);
-    return [pick(this.x), ...this.y.map(pick)];
+    for (let i = 0; i < this.x.length; ++i) if (this.breaksAt(i) || this.y.some((y) => !Number.isNaN(y[i] as number))) kept.push(i);
+    const x = Float64Array.from(kept, (i) => this.x[i] as number);
+    return [x, ...this.y.map((y) => kept.map((i) => (this.breaksAt(i) ? null : (y[i] as number))))];
+  }
+
+  private breaksAt(i: number): boolean {
+    return i % 2 === 0 && this.broken.has(i / 2);
   }
 
   /** Least and greatest of all, with a little room. */

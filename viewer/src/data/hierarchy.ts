@@ -1,3 +1,4 @@
+import { rounded } from "./numbers.ts";
 import { scalar, type Frame } from "./frame.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows";
@@ -68,7 +69,7 @@ export function accountOf(states: LevelState[]): string {
     .map((state) => {
       const why = state.blocked[0];
       const because = why === undefined ? "" : ` to ${nameOf(states, why.by)} (${why.row})`;
-      const residual = `${state.residual.toPrecision(2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
+      const residual = `${rounded(state.residual, 2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
       return `${state.name.replaceAll("_", " ")} gives way${because}, ${residual} short.`;
     })
     .join(" ");

@@ -11,6 +11,8 @@ export const LIVE_SECONDS = 120;
 
 /** The last two minutes of a live run. */
 export class LiveSource implements FrameSource {
+  /** Called when frames begin again from an earlier time. */
+  onRestart: () => void = () => {};
   private readonly ring = new FrameRing(LIVE_SECONDS);
   private readonly finder = new MarkFinder();
   private latest: FrameTable;
@@ -20,13 +22,15 @@ export class LiveSource implements FrameSource {
   }
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
-    if (time < this.ring.last) this.finder.clear();
+    const restarts = time < this.ring.last;
+    if (restarts) this.finder.clear();
     this.ring.append(this.schema, tick, time, values, rows);
     if (this.latest.schema !== this.schema) this.latest = new FrameTable(this.schema, 1);
     this.latest.reuse(this.schema);
     this.latest.append(tick, time, values, undefined);
     this.finder.see(this.latest.frame(0));
     this.finder.dropBefore(this.ring.first);
+    if (restarts) this.onRestart();
   }
 
   clear(): void {
@@ -53,7 +57,7 @@ export class LiveSource implements FrameSource {
   expect(): void {}
 
   fill(envelope: Envelope, series: Series[]): void {
-    this.ring.visit(envelope.from, envelope.to, (table, begin, end) => fillFrom(table, begin, end, envelope, series));
+    this.ring.visit(envelope.from, envelope.to, (table, begin, end) => fillFrom(table, begin, end, envelope, series, this.schema.period));
   }
 
   sample(from: number, to: number, count: number, call: (frame: Frame) => void): void {
@@ -66,11 +70,24 @@ export class LiveSource implements FrameSource {
   }
 }
 
-/** Adds frames [begin, end) of a table to the envelope. */
-export function fillFrom(table: FrameTable, begin: number, end: number, envelope: Envelope, series: Series[]): void {
+/** Steps further than this many usual ones are gaps. */
+const MOST_STEPS = 3;
+
+/** Adds frames [begin, end) of a table to the envelope; `step`: time between frames where none is lost, at least. */
+export function fillFrom(table: FrameTable, begin: number, end: number, envelope: Envelope, series: Series[], step: number): void {
+  const most = MOST_STEPS * Math.max(step, usualStep(table, step));
+  for (let i = begin; i < end; ++i) if (table.knows(i)) envelope.see(table.times[i] as number, most);
   series.forEach(({ channel, index }, s) => {
     const offset = table.schema.offset(channel);
     if (offset < 0) return;
     for (let i = begin; i < end; ++i) envelope.add(s, table.times[i] as number, table.value(i, offset + index));
   });
+}
+
+/** Time that most frames of a table come after the one before; a log's summary has fewer of them than were asked for. */
+function usualStep(table: FrameTable, least: number): number {
+  const usual = (table.last - table.first) / (table.size - 1);
+  if (!(usual > 1.01 * least)) return least;
+  const steps = Array.from({ length: table.size - 1 }, (_, i) => (table.times[i + 1] as number) - (table.times[i] as number));
+  return steps.sort((a, b) => a - b)[Math.floor(0.75 * steps.length)] as number;
 }

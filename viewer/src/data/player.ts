@@ -64,6 +64,12 @@ export class Player {
     this.playing = true;
   }
 
+  /** The run begins again: its first picture is the next. */
+  restart(): void {
+    this.time = NaN;
+    this.goLive();
+  }
+
   toggle(): void {
     if (!this.live && !this.playing && this.time >= this.source.last) this.time = this.source.first;
     this.playing = !this.playing;

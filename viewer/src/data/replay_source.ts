@@ -74,7 +74,7 @@ export class ReplaySource implements FrameSource {
     const stride = 2 ** Math.max(0, Math.floor(Math.log2(perBucket)));
     const minMax = stride > 1;
     this.visit({ stride, minMax }, envelope.from, envelope.to, (table) =>
-      fillFrom(table, 0, table.size, envelope, series),
+      fillFrom(table, 0, table.size, envelope, series, stride * this.period),
     );
   }
 

@@ -6,6 +6,8 @@ export const LEGS = ["LF", "RF", "LH", "RH"] as const;
 export class Schema {
   readonly channels: ChannelInfo[];
   readonly frameFloats: number;
+  /** Of a tick [s]. */
+  readonly period: number;
   readonly levels: string[];
   readonly units: string[];
   /** Residuals that people should see; null: the level asks for nothing and is never content. */
@@ -18,6 +20,7 @@ export class Schema {
   constructor(session: Session) {
     this.channels = session.channels;
     this.frameFloats = session.frame_floats;
+    this.period = session.period;
     this.levels = session.header.level_names;
     this.units = session.header.level_units;
     this.visible = session.header.level_visible;

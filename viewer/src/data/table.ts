@@ -67,6 +67,12 @@ export class FrameTable {
     return this.values[i * this.schema.frameFloats + offset] as number;
   }
 
+  /** Whether anything of the frame is known; of a damaged stretch a log's summary says nothing. */
+  knows(i: number): boolean {
+    for (let offset = 0; offset < this.schema.frameFloats; ++offset) if (!Number.isNaN(this.value(i, offset))) return true;
+    return false;
+  }
+
   /** Makes it empty, for frames of another schema of the same size. */
   reuse(schema: Schema): void {
     this.schema = schema;

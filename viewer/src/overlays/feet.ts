@@ -114,7 +114,7 @@ export class LimbLimits implements Overlay {
   }
 
   wear(palette: Palette): void {
-    Object.assign(this.colours, { good: palette.good, near: palette.near, bad: palette.bad });
+    Object.assign(this.colours, palette.margin);
   }
 
   update({ frame, header, labels, beliefToWorld }: Picture): void {

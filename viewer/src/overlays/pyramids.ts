@@ -8,6 +8,8 @@ import type { Overlay, Picture } from "./overlay.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
+/** How dense the sides are: the less is left, the denser. */
+const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
 class Pyramid {
@@ -49,7 +51,7 @@ export class FrictionPyramids implements Overlay {
   }
 
   wear(palette: Palette): void {
-    Object.assign(this.colours, { good: palette.good, near: palette.near, bad: palette.bad });
+    Object.assign(this.colours, palette.margin);
   }
 
   update({ frame, header, tasks, newton }: Picture): void {
@@ -66,7 +68,9 @@ export class FrictionPyramids implements Overlay {
       const normal = [axes[2] as number, axes[5] as number, axes[8] as number];
       const state = frictionState(this.force, normal, mu);
       if (!(state.normal > 2)) return;
-      const colour = this.colours[marginClass(state.share)];
+      const margin = marginClass(state.share);
+      const colour = this.colours[margin];
+      pyramid.fill.opacity = DENSITY[margin];
       pyramid.fill.color.set(colour);
       pyramid.line.color.set(colour);
       pyramid.set(pyramidCorners(axes, inner * mu, state.normal * newton));

@@ -32,17 +32,3 @@ export function say(element: Element, text: string): void {
 export function plain(name: string): string {
   return name.replaceAll("_", " ");
 }
-
-/** A number with three to four digits that count. */
-export function digits(value: number): string {
-  if (!Number.isFinite(value)) return "–";
-  const size = Math.abs(value);
-  if (size === 0) return "0";
-  if (size < 1e-3 || size >= 1e5) return value.toExponential(1).replace("e-", "e−").replace("-", "−");
-  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
-  return value.toFixed(decimals).replace("-", "−");
-}
-
-export function quantity(value: number, unit: string): string {
-  return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
-}

@@ -1,7 +1,9 @@
+import { Wish } from "../data/wish.ts";
 import type { Commands, Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
+import { takeNumber } from "./number_field.ts";
 import type { Report } from "./tune_panel.ts";
 
 /** Steps of a key: m/s, m/s, rad/s, m. */
@@ -31,6 +33,7 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
 export class DrivePanel {
   walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
   readonly most: Record<Axis, number>;
+  private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
   private readonly impulse: HTMLInputElement;
@@ -87,9 +90,11 @@ export class DrivePanel {
 
   push(): void {
     const angle = (Number(this.direction.value) * Math.PI) / 180;
-    const size = Number(this.impulse.value);
+    const size = takeNumber(this.impulse, Number(this.impulse.defaultValue));
+    const duration = takeNumber(this.duration, Number(this.duration.defaultValue));
+    if (size === undefined || duration === undefined) return;
     const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
-    this.send("push", { body: "base", impulse, duration: Number(this.duration.value) });
+    this.send("push", { body: "base", impulse, duration });
   }
 
   nudge(axis: Axis, steps: number): void {
@@ -101,22 +106,27 @@ export class DrivePanel {
   }
 
   ask(walk: Walk): void {
-    this.walk = walk;
+    this.walk = { walk: walk.walk, velocity: walk.velocity, yaw_rate: walk.yaw_rate, height: walk.height };
+    this.wish.ask(this.walk);
     this.send("walk", walk);
     this.showValues();
   }
 
   giveBack(): void {
+    this.wish.drop();
     this.send("walk", { by: "scenario" });
   }
 
   private send(type: string, fields: object): void {
-    this.commands.send(type, fields).catch((error: Error) => this.report(error.message, "error"));
+    this.commands.send(type, fields).catch((error: Error) => {
+      if (type === "walk") this.wish.drop();
+      this.report(error.message, "error");
+    });
   }
 
   show({ command }: Status): void {
     const [forward = 0, left = 0] = command.velocity;
-    this.walk = { walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height };
+    this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
     const who = command.by === "operator" ? "You command" : "The scenario commands";
     say(this.asked, command.walk ? `${who}: walk.` : `${who}: stand.`);
     this.showValues();

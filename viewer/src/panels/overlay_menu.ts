@@ -51,15 +51,16 @@ export class OverlayMenu {
 
   /** Colours of the legs and of the friction's margin. */
   legend(): void {
-    const { palette } = this.world;
-    const entry = (colour: number, text: string): HTMLElement => {
-      const swatch = h("i", {});
+    const { legs, margin } = this.world.palette;
+    const entry = (colour: number, text: string, shape = ""): HTMLElement => {
+      const swatch = h("i", { class: shape });
       swatch.style.background = css(colour);
       return h("span", {}, swatch, text);
     };
     part("legend").replaceChildren(
-      h("span", { class: "legend-group" }, ...LEGS.map((leg, k) => entry(palette.legs[k] as number, leg))),
-      h("span", { class: "legend-group" }, "friction left:", entry(palette.good, "> 40 %"), entry(palette.near, "10 – 40 %"), entry(palette.bad, "< 10 %")),
+      h("span", { class: "legend-group", "data-legend": "legs" }, h("b", {}, "Legs"), ...LEGS.map((leg, k) => entry(legs[k] as number, leg))),
+      h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Friction left"),
+        entry(margin.good, "> 40 %", "pyramid"), entry(margin.near, "10 – 40 %", "pyramid"), entry(margin.bad, "< 10 %", "pyramid")),
     );
   }
 }

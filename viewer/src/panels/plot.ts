@@ -3,7 +3,8 @@ import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { digits, h, say } from "./dom.ts";
+import { digits } from "../data/numbers.ts";
+import { h, say } from "./dom.ts";
 
 /** Colours of a plot's lines, in turn; as the report's. */
 export const LINES = ["--c0", "--c1", "--c2", "--c3", "--c5", "--soft"];
@@ -35,6 +36,11 @@ export class Plot {
       this.values.push(value);
       this.legend.append(h("span", {}, swatch, this.shortLabel(one), " ", value));
     });
+  }
+
+  clear(): void {
+    this.chart?.setData([[], ...this.series.map(() => [])] as unknown as uPlot.AlignedData);
+    for (const value of this.values) say(value, "");
   }
 
   private get frame(): HTMLElement {

@@ -135,6 +135,13 @@ export class PlotsPanel {
     this.schema = schema;
   }
 
+  /** Empties all plots until the next tick. */
+  clear(): void {
+    for (const plot of this.plots) plot.clear();
+    this.from = NaN;
+    this.since = Infinity;
+  }
+
   /** Colours or sizes are others. */
   rebuild(): void {
     for (const plot of this.plots) plot.build();

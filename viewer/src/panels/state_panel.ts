@@ -2,7 +2,8 @@ import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates } from "../data/hierarchy.ts";
 import { LEGS } from "../data/schema.ts";
 import { wrap, yawOf } from "../math/geometry.ts";
-import { digits, h, say } from "./dom.ts";
+import { digits } from "../data/numbers.ts";
+import { h, say } from "./dom.ts";
 
 const PHASES: Record<string, string> = { stance: "stands", unloading: "unloads", swing: "swings", search: "searches for ground" };
 
@@ -53,6 +54,11 @@ export class StatePanel {
     for (const [name, text] of facts) if (text !== "") about.append(h("dt", {}, name), h("dd", {}, text));
     root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
     if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  }
+
+  clear(): void {
+    this.rows.clear();
+    this.list.replaceChildren();
   }
 
   show(frame: Frame): void {

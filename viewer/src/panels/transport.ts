@@ -1,4 +1,5 @@
 import type { Player } from "../data/player.ts";
+import { Wish } from "../data/wish.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
 
@@ -24,6 +25,7 @@ export class Transport {
   private readonly clock = h("output", { class: "clock", id: "clock" });
   private readonly hint = h("span", { class: "mark-hint", hidden: true });
   private marksSeen = "";
+  readonly wish = new Wish<number>();
 
   constructor(
     root: HTMLElement,
@@ -36,7 +38,7 @@ export class Transport {
     this.playButton = button("❚❚", "pause or go on (space)", actions.pause, "play");
     this.speedSelect = h("select", {
       id: "speed", "aria-label": "speed", title: "speed ([ and ])",
-      onchange: () => actions.speed(Number(this.speedSelect.value)),
+      onchange: () => this.ask(Number(this.speedSelect.value)),
     });
     for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
     this.speedSelect.value = "1";
@@ -64,7 +66,13 @@ export class Transport {
   faster(steps: number): void {
     const at = this.speeds.indexOf(Number(this.speedSelect.value));
     const next = this.speeds[Math.min(Math.max(at + steps, 0), this.speeds.length - 1)];
-    if (next !== undefined) this.actions.speed(next);
+    if (next !== undefined) this.ask(next);
+  }
+
+  private ask(speed: number): void {
+    if (this.player.live && this.player.following) this.wish.ask(speed);
+    this.speedSelect.value = String(speed);
+    this.actions.speed(speed);
   }
 
   update(status: Status | undefined): void {
@@ -72,10 +80,10 @@ export class Transport {
     const { first, last, marks } = player.source;
     const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
-    const speed = player.live && player.following ? (status?.speed ?? 1) : player.speed;
+    const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.speedSelect.value = String(speed);
     this.liveButton.classList.toggle("on", player.following);
-    if (Number.isNaN(first)) return;
+    if (Number.isNaN(first)) return say(this.clock, "");
     this.slider.min = String(first);
     this.slider.max = String(last);
     this.slider.value = String(player.time);

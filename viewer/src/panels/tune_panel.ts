@@ -1,22 +1,25 @@
 import type { Commands } from "../protocol/commands.ts";
 import type { Session, TaskInfo, TaskNumber } from "../protocol/session.ts";
 import { h, plain } from "./dom.ts";
+import { takeNumber } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
 
 /** Numbers of the tasks, the friction that the controller assumes, and undo. */
 export class TunePanel {
+  onUndo: () => void = () => {};
   private readonly tables = h("div", { class: "gains" });
   private readonly undoButton: HTMLButtonElement;
   private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
   private readonly none = h("p", { class: "soft" }, "No change so far.");
   private readonly friction: HTMLInputElement;
+  private frictionNow = NaN;
 
   constructor(root: HTMLElement, private readonly commands: Commands, private readonly report: Report) {
     this.undoButton = h("button", { id: "undo", title: "undo the last change (u)", onclick: () => this.undo() }, "Undo");
     this.friction = h("input", {
       type: "number", id: "friction", step: 0.05, "aria-label": "friction coefficient that the controller assumes",
-      onchange: () => this.send("friction", { value: Number(this.friction.value) }),
+      onchange: () => this.askFriction(),
     });
     root.append(
       h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction), this.undoButton),
@@ -25,12 +28,18 @@ export class TunePanel {
     );
   }
 
+  private askFriction(): void {
+    const value = takeNumber(this.friction, this.frictionNow);
+    if (value !== undefined) this.send("friction", { value });
+  }
+
   undo(): void {
+    this.onUndo();
     this.send("undo", {});
   }
 
-  private send(type: string, fields: object, failed: () => void = () => {}): void {
-    this.commands.send(type, fields).catch((error: Error) => {
+  private send(type: string, fields: object, failed: () => void = () => {}, done: () => void = () => {}): void {
+    this.commands.send(type, fields).then(done, (error: Error) => {
       this.report(error.message, "error");
       failed();
     });
@@ -47,7 +56,9 @@ export class TunePanel {
   }
 
   showFriction(mu: number): void {
-    if (document.activeElement !== this.friction && !Number.isNaN(mu)) this.friction.value = String(Number(mu.toFixed(3)));
+    if (Number.isNaN(mu)) return;
+    this.frictionNow = Number(mu.toFixed(3));
+    if (document.activeElement !== this.friction) this.friction.value = String(this.frictionNow);
   }
 
   showUndo(steps: number): void {
@@ -67,10 +78,15 @@ export class TunePanel {
       type: "number", value: number.value, min: number.min, max: number.max, step: "any",
       "data-gain": `${task.level_name}.${task.task}.${number.name}`,
       title: `${number.min} to ${number.max} ${number.unit}`,
-      onchange: () => this.send("gain",
-        { level: task.level_name, task: task.task, name: number.name, value: Number(input.value) },
-        () => (input.value = String(number.value))),
+      onchange: () => ask(),
     });
+    let kept = number.value;
+    const ask = (): void => {
+      const value = takeNumber(input, kept);
+      if (value === undefined) return;
+      const gain = { level: task.level_name, task: task.task, name: number.name, value };
+      this.send("gain", gain, () => (input.value = String(kept)), () => (kept = value));
+    };
     return h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, input, h("span", { class: "unit" }, number.unit)));
   }
 

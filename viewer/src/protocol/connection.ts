@@ -53,6 +53,14 @@ export function rateOf({ paused, ended, speed, real_factor }: Status): number {
   return real_factor > 0 ? Math.min(real_factor, speed) : speed;
 }
 
+/** A program that says nothing for this long does not answer; of its state it tells four times a second [ms]. */
+const SILENCE = 3000;
+
+/** Whole seconds since the last message where these are too many, otherwise 0. */
+export function silenceOf(heard: number, now: number): number {
+  return now - heard < SILENCE ? 0 : Math.floor((now - heard) / 1000);
+}
+
 /** The socket of a live run; opens again by itself. */
 export class Connection {
   state: ConnectionState = "connecting";
@@ -62,8 +70,14 @@ export class Connection {
 
   private socket: WebSocket | undefined;
   private attempt = 0;
+  private heard = 0;
 
   constructor(private readonly url: string) {}
+
+  /** Seconds for which an open connection has brought nothing; 0 where that is usual. */
+  get silence(): number {
+    return this.state === "open" ? silenceOf(this.heard, performance.now()) : 0;
+  }
 
   open(): void {
     const socket = new WebSocket(this.url);
@@ -71,9 +85,11 @@ export class Connection {
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
       this.attempt = 0;
+      this.heard = performance.now();
       this.enter("open");
     };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
+      this.heard = performance.now();
       if (typeof data === "string") this.onMessage(JSON.parse(data) as ServerMessage);
       else this.onBlock(data);
     };

@@ -1,3 +1,5 @@
+import { ask, textOf } from "./ask.ts";
+
 /** What `/api/session` answers (docs/view_protocol.md). */
 export interface ChannelInfo {
   name: string;
@@ -125,9 +127,7 @@ export const PROTOCOL = 1;
 
 /** Reads the session; an error says what is wrong in a sentence. */
 export async function fetchSession(): Promise<Session> {
-  const answer = await fetch("/api/session");
-  if (!answer.ok) throw new Error((await answer.text()).trim() || `the server answered ${answer.status}`);
-  const session = (await answer.json()) as Session;
+  const session = JSON.parse(textOf(await ask("/api/session"))) as Session;
   if (session.protocol !== PROTOCOL)
     throw new Error(
       `the program speaks version ${session.protocol} of the protocol, this page version ${PROTOCOL}: load the page again`,

@@ -3,7 +3,11 @@ import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
+import { askUntilAnswered, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
+
+/** A mesh is asked for again this long after the connection was lost [ms]. */
+const AGAIN = 1000;
 
 /** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
 export class MeshLibrary {
@@ -52,9 +56,8 @@ export class MeshLibrary {
   private async fetch(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
-    const answer = await fetch(`/api/mesh/${info.id}`);
-    if (!answer.ok) throw new Error((await answer.text()).trim());
-    const object = await this.parse(uri, answer, material);
+    const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
+    const object = this.parse(uri, bytes, material);
     if (this.coarse()) coarsen(object);
     object.traverse((child) => {
       if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
@@ -62,15 +65,15 @@ export class MeshLibrary {
     return object;
   }
 
-  private async parse(uri: string, answer: Response, material: THREE.Material): Promise<THREE.Object3D> {
+  private parse(uri: string, bytes: ArrayBuffer, material: THREE.Material): THREE.Object3D {
     const kind = uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
     switch (kind) {
       case "dae":
-        return this.collada(uri, await answer.text());
+        return this.collada(uri, textOf(bytes));
       case "stl":
-        return new THREE.Mesh(new STLLoader().parse(await answer.arrayBuffer()), material);
+        return new THREE.Mesh(new STLLoader().parse(bytes), material);
       case "obj": {
-        const object = new OBJLoader().parse(await answer.text());
+        const object = new OBJLoader().parse(textOf(bytes));
         object.traverse((child) => {
           if (child instanceof THREE.Mesh) child.material = material;
         });

@@ -9,6 +9,8 @@ export interface Palette {
   good: number;
   near: number;
   bad: number;
+  /** What is left of a limit: the less, the stronger, and of no leg's hue. */
+  margin: { good: number; near: number; bad: number };
   com: number;
   zmp: number;
   plane: number;
@@ -27,6 +29,7 @@ const LIGHT: Palette = {
   good: 0x009e73,
   near: 0xe69f00,
   bad: 0xd55e00,
+  margin: { good: 0xa9b3bc, near: 0xc9a100, bad: 0x000000 },
   com: 0x1c1f23,
   zmp: 0xaa4499,
   plane: 0x0072b2,
@@ -46,6 +49,7 @@ const DARK: Palette = {
   good: 0x3fc99c,
   near: 0xf0c04a,
   bad: 0xff7a4d,
+  margin: { good: 0x66717b, near: 0xe8d44d, bad: 0xffffff },
   com: 0xf2f4f6,
   zmp: 0xe29bd3,
   plane: 0x56b4e9,

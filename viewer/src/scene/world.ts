@@ -34,6 +34,7 @@ export class World {
   private sinceTrails = Infinity;
   private shown = NaN;
   private dirty = true;
+  private wantsGhost = false;
   /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
   private settling = SETTLING;
   private readonly view = new THREE.Matrix4();
@@ -55,10 +56,10 @@ export class World {
     this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
-    this.ghost.root.visible = false;
     this.terrain = new Terrain(session.header.terrain);
     this.newton = WEIGHT_LENGTH / (9.81 * session.header.robot.mass);
     this.stage.scene.add(this.terrain.root, this.robot.root, this.ghost.root, this.overlays.root, this.extras);
+    this.clear();
     this.stage.quality.onStep = () => this.dress();
     this.library.onLoad = () => this.invalidate();
     this.stage.onResize = () => this.invalidate();
@@ -81,11 +82,23 @@ export class World {
   }
 
   get ghostShown(): boolean {
-    return this.ghost.root.visible;
+    return this.wantsGhost;
   }
   set ghostShown(shown: boolean) {
-    this.ghost.root.visible = shown;
+    this.wantsGhost = shown;
     this.invalidate();
+  }
+
+  /** Hides the robot and all that belongs to it until there is a frame. */
+  clear(): void {
+    this.setVisible(false);
+    this.shown = NaN;
+    this.invalidate();
+  }
+
+  private setVisible(visible: boolean): void {
+    this.robot.root.visible = this.overlays.root.visible = visible;
+    this.ghost.root.visible = visible && this.wantsGhost;
   }
 
   /** Something else than the time has changed what is seen. */
@@ -116,6 +129,7 @@ export class World {
   }
 
   private show(frame: Frame, source: FrameSource, dt: number): void {
+    this.setVisible(true);
     const joints = this.session.header.robot.joint_names;
     const truth = this.place(this.robot, frame, "truth", joints);
     if (!truth) this.place(this.robot, frame, "state", joints);

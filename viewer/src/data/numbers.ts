@@ -1,0 +1,38 @@
+const minus = (text: string): string => text.replace("-", "−");
+
+/** In plain decimals with this many digits that count. */
+export function rounded(value: number, count: number): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const short = Number(value.toPrecision(count));
+  const decimals = Math.max(0, count - 1 - Math.floor(Math.log10(Math.abs(short))));
+  return minus(short.toFixed(decimals));
+}
+
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+function withPower(value: number): string {
+  const [factor = "", power = ""] = value.toExponential(1).split("e");
+  const raised = power.replace("+", "").replace("-", "⁻").replace(/\d/g, (digit) => RAISED[Number(digit)] ?? "");
+  return `${minus(factor)}·10${raised}`;
+}
+
+/** A number with two to four digits that count; only the tiniest and the greatest as powers of ten. */
+export function digits(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size === 0) return "0";
+  if (size < 1e-6 || size >= 1e7) return withPower(value);
+  if (size < 1e-3) return rounded(value, 2);
+  const decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+  return minus(value.toFixed(decimals));
+}
+
+export function quantity(value: number, unit: string): string {
+  return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
+}
+
+/** "1 row", "2 rows". */
+export function counted(count: number, what: string): string {
+  return `${count} ${what}${count === 1 ? "" : "s"}`;
+}

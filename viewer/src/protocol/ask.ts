@@ -1,0 +1,38 @@
+/** There is no server at the other end, or it went away meanwhile. */
+export class NoAnswer extends Error {
+  constructor() {
+    super("the program does not answer");
+  }
+}
+
+export type Fetch = (url: string) => Promise<Response>;
+
+/** What the server gives; an error says in its words why not, and is a `NoAnswer` where there is no server. */
+export async function ask(url: string, fetchFrom: Fetch = fetch): Promise<ArrayBuffer> {
+  let answer: Response;
+  let bytes: ArrayBuffer;
+  try {
+    answer = await fetchFrom(url);
+    bytes = await answer.arrayBuffer();
+  } catch {
+    throw new NoAnswer();
+  }
+  if (!answer.ok) throw new Error(textOf(bytes).trim() || `the server answered ${answer.status}`);
+  return bytes;
+}
+
+/** The same, but waits for a server that went away. */
+export async function askUntilAnswered(url: string, wait: () => Promise<void>, fetchFrom: Fetch = fetch): Promise<ArrayBuffer> {
+  for (;;) {
+    try {
+      return await ask(url, fetchFrom);
+    } catch (error) {
+      if (!(error instanceof NoAnswer)) throw error;
+      await wait();
+    }
+  }
+}
+
+export function textOf(bytes: ArrayBuffer): string {
+  return new TextDecoder().decode(bytes);
+}
