@@ -184,11 +184,11 @@ def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
     with Viewer(*WALK) as first:
         show(browser, first.link)
         port = first.port
-    browser.wait("document.querySelector('#link-state').textContent === 'connection lost'")
+    browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
     assert "tries again by itself" in browser.run("document.querySelector('#notes').textContent")
     browser.screenshot(SCREENSHOTS / "lost.png")
     with Viewer(*WALK, port=port):
-        browser.wait("document.querySelector('#link-state').textContent === 'connected'", 40)
+        browser.wait("document.querySelector('#link-state')?.textContent === 'connected'", 40)
         browser.wait("window.surefoot !== undefined && surefoot.tick > 0 && surefoot.following", 40)
         assert "lost" not in browser.run("document.querySelector('#notes').textContent")
 
@@ -197,7 +197,7 @@ def test_a_page_that_finds_another_run_loads_itself_anew(browser):
     with Viewer(*WALK) as first:
         show(browser, first.link)
         port = first.port
-    browser.wait("document.querySelector('#link-state').textContent === 'connection lost'")
+    browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
     browser.run("window.before = true")
     other = ["run", "step_down", "--view", "--set", "duration=600"]
     with Viewer(*other, port=port):
