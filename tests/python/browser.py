@@ -80,7 +80,7 @@ class Browser:
         try:
             return self.run(script)
         except AssertionError as error:
-            if "navigated" in str(error) or "context" in str(error) or "undefined" in str(error):
+            if any(word in str(error) for word in ("navigated", "context", "undefined", "of null")):
                 return None
             raise
 
