@@ -24,7 +24,7 @@ struct SwingTareOptions {
 ///     r_j ≈ θ_jᵀ (1, τ_j, q̇_j, q̈_j)
 ///
 /// with θ_j from least squares over the last swings, older samples weighted e^(−age / memory), and
-/// pulled to 0 until it is known better. Does not allocate.
+/// pulled to 0 until it is known better; fitted anew at each touchdown. Does not allocate.
 class SwingTare {
  public:
   SwingTare(const SwingTareOptions& options, double period);

@@ -19,12 +19,18 @@ using Eigen::VectorXd;
 
 VectorXd number(double b) { return VectorXd::Constant(1, b); }
 
+/// Three random levels, and a last one that leaves no choice.
+HierarchyData levels_with_one_optimum(RandomMatrices& random) {
+  HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 3});
+  levels.push_back(close_to(random.vector(6)));
+  return levels;
+}
+
 TEST(Certificate, AcceptsTheOptimumAndRefusesWhatIsBesideIt) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 3});
-    levels.push_back(close_to(random.vector(6)));
+    const HierarchyData levels = levels_with_one_optimum(random);
     const VectorXd x = solve(6, levels).x;
     ASSERT_LE(optimality_error(6, levels, x), 1e-10);
     ASSERT_GE(optimality_error(6, levels, x + 1e-3 * random.vector(6)), 1e-6);
@@ -70,8 +76,7 @@ TEST(Certificate, DoesNotDependOnTheUnitsOfLevels) {
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
-    HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 3});
-    levels.push_back(close_to(random.vector(6)));
+    const HierarchyData levels = levels_with_one_optimum(random);
     const VectorXd x = solve(6, levels).x;
     const HierarchyData scaled = in_other_units(levels, random);
     const VectorXd beside = x + 1e-3 * random.vector(6);
