@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/config_tree.hpp"
+#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/logging/json_text.hpp"
 
 #include <algorithm>
@@ -50,8 +51,9 @@ LogSummary::LogSummary(const std::string& path, const LogHeader& header)
       event_(offset_of(frames_.channels(), "plan.event")),
       mode_(offset_of(frames_.channels(), "command.mode")),
       cause_(offset_of(frames_.channels(), "command.cause")) {
-  for (const std::string_view leg : kLegNames) {
-    phases_.push_back(offset_of(frames_.channels(), "plan.feet." + std::string(leg) + ".phase"));
+  for (const Leg leg : kLegs) {
+    const std::string name(kLegNames[index(leg)]);
+    phases_[index(leg)] = offset_of(frames_.channels(), "plan.feet." + name + ".phase");
   }
   if (frames_.num_lost() > 0) {
     damage_.push_back(std::to_string(frames_.num_lost()) +
@@ -124,18 +126,24 @@ void LogSummary::coarsen() {
   stretch_ *= 2;
 }
 
+PerLeg<LegPhase> LogSummary::phases(const std::vector<float>& floats) const {
+  PerLeg<LegPhase> phases{};
+  for (std::size_t k = 0; k < phases_.size(); ++k)
+    phases[k] = static_cast<LegPhase>(std::max(floats[phases_[k]], 0.0F));
+  return phases;
+}
+
 void LogSummary::add_events(const ViewFrame& frame) {
   const std::vector<float>& now = frame.floats;
   const bool has_last = last_.size() == now.size();
   if (now[event_] != 0.0F) {
-    std::string_view leg;
-    for (std::size_t k = 0; has_last && k < phases_.size(); ++k) {
-      if (now[phases_[k]] != last_[phases_[k]]) leg = kLegNames[k];
-    }
+    const auto event = static_cast<PlanEvent>(now[event_]);
+    const std::optional<Leg> leg =
+        has_last ? leg_of(event, phases(last_), phases(now)) : std::nullopt;
     std::string& text = events_.emplace_back();
     JsonText json(text);
-    json.array().value(frame.time).value(static_cast<int>(now[event_]));
-    leg.empty() ? json.null() : json.value(leg);
+    json.array().value(frame.time).value(static_cast<int>(event));
+    leg ? json.value(kLegNames[index(*leg)]) : json.null();
     json.end_array();
   }
   if (has_last && now[mode_] != last_[mode_]) {

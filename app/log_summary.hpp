@@ -47,6 +47,7 @@ class LogSummary {
 
   void run();
   void add(const ViewFrame& frame);
+  [[nodiscard]] PerLeg<LegPhase> phases(const std::vector<float>& floats) const;
   void add_events(const ViewFrame& frame);
   void add(const LogChunk& chunk);
   void add(const logged::Change& change);
@@ -56,7 +57,7 @@ class LogSummary {
 
   LogFrames frames_;
   std::size_t event_ = 0, mode_ = 0, cause_ = 0;  // offsets of channels
-  std::vector<std::size_t> phases_;
+  PerLeg<std::size_t> phases_{};
   std::vector<float> last_;  // floats of the frame before
 
   std::mutex mutex_;  // of what follows

@@ -2,6 +2,7 @@
 
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
@@ -22,15 +23,6 @@ std::string number(double value, const char* format = "%.2g") {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
-}
-
-std::string legs_that_changed(const MotionPlan& before, const MotionPlan& now) {
-  std::string legs;
-  for (const Leg leg : kLegs) {
-    if (before.feet[index(leg)].phase == now.feet[index(leg)].phase) continue;
-    legs += (legs.empty() ? "" : " ") + std::string(kLegNames[index(leg)]);
-  }
-  return legs;
 }
 
 /// Reads a log up to a little behind a time.
@@ -73,9 +65,11 @@ class Search {
     const auto event = static_cast<std::size_t>(tick_.plan.event);
     const auto& names = log_.header().event_names;
     if (event == 0) return;
+    const std::optional<Leg> leg =
+        leg_of(static_cast<PlanEvent>(event), phases_of(before), phases_of(tick_.plan));
     found_.events.push_back({tick_.reading.time,
                              event < names.size() ? names[event] : "event " + std::to_string(event),
-                             legs_that_changed(before, tick_.plan)});
+                             leg ? std::string(kLegNames[index(*leg)]) : ""});
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
@@ -94,7 +88,7 @@ class Search {
     }
     const std::string problem = whole.problem().empty() ? "" : "; " + whole.problem();
     if (std::isnan(first)) throw Error(path_ + ": the log holds no tick" + problem);
-    throw Error("--at is " + number(time_, "%.6g") + " s; the log goes from " +
+    throw Error(path_ + ": --at is " + number(time_, "%.6g") + " s; the log goes from " +
                 number(first, "%.6g") + " s to " + number(last, "%.6g") + " s" + problem);
   }
 
@@ -144,13 +138,14 @@ std::string clause(const LevelThatGaveWay& level, bool is_known) {
   if (level.to.empty())
     return text + (is_known ? " to nothing above: its own rows can't all be had"
                             : "; to what is not known");
+  const bool has_cost = level.to.front().cost > kResidualRounding;  // the dearest stands first
   std::vector<std::string> rows;
   for (const CostlyRow& row : level.to)
-    if (row.cost > kResidualRounding) rows.push_back(named(row) + " (" + number(row.cost) + ")");
-  if (rows.empty())
-    return text + " to " + named(level.to.front()) +
-           " and others, none of which costs anything alone";
-  return text + " to " + joined(rows);
+    rows.push_back(named(row) + (has_cost ? " (" + number(row.cost) + ")" : ""));
+  text += " to " + joined(rows);
+  if (has_cost) return text;
+  return text + (rows.size() == 1 ? ", which costs nothing alone"
+                                  : ", none of which costs anything alone");
 }
 
 std::string nothing_gave_way(const std::vector<LevelThatGaveWay>& restless) {

@@ -16,7 +16,7 @@ namespace surefoot {
 struct NearbyEvent {
   double time = 0.0;  ///< [s]
   std::string text;
-  std::string legs;  ///< whose phase changed with it: "RF"; empty: none
+  std::string leg;  ///< that it happened to: "RF"; empty: none
 };
 
 /// One tick of a log, with what is needed to say why it came out so.

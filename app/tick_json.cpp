@@ -96,7 +96,9 @@ Json limits_json(const TickExplanation& explanation) {
 Json events_json(const TickExplanation& explanation) {
   Json list = Json::array();
   for (const NearbyEvent& event : explanation.events)
-    list.push_back({{"time", event.time}, {"text", event.text}, {"legs", event.legs}});
+    list.push_back({{"time", event.time},
+                    {"text", event.text},
+                    {"leg", event.leg.empty() ? Json() : Json(event.leg)}});
   return list;
 }
 

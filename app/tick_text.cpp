@@ -171,7 +171,7 @@ std::string events(const TickExplanation& explanation) {
   for (const NearbyEvent& event : explanation.events) {
     out += text("  %9.4f s  %+.4f s  ", event.time,
                 rounded(event.time - explanation.tick.reading.time, 1e-6)) +
-           (event.legs.empty() ? "" : event.legs + ": ") + event.text + "\n";
+           (event.leg.empty() ? "" : event.leg + ": ") + event.text + "\n";
   }
   return out;
 }

@@ -24,7 +24,7 @@ void add_blockers(const LevelBlockers& blockers, const Hierarchy& hierarchy, std
                   HierarchyReport& report) {
   for (std::size_t i = 0; i < std::min(blockers.count, kMostBlockers); ++i) {
     const Blocker& blocker = blockers.dearest[i];
-    if (i > 0 && blocker.cost <= kSmallestShare * blockers.dearest[0].cost) return;
+    if (i > 0 && blocker.cost < kSmallestShare * blockers.dearest[0].cost) return;
     if (report.num_blocking == static_cast<std::int32_t>(kMaxReportedBlockers)) return;
     report.blocking[static_cast<std::size_t>(report.num_blocking++)] = {
         static_cast<std::int16_t>(level), static_cast<std::int16_t>(blocker.at.level),

@@ -15,7 +15,8 @@ void summarise(const Solution& solution, const Hierarchy& hierarchy,
                HierarchyReport& report) noexcept;
 
 /// Adds the dearest rows that hold each level back, at most three a level: the dearest, and those
-/// that cost at least a tenth of it. After `summarise`; empty `blockers`: nothing is known.
+/// that cost at least a tenth of it; of rows that hold the same, and cost nothing alone, three too.
+/// After `summarise`; empty `blockers`: nothing is known.
 void summarise_blockers(std::span<const LevelBlockers> blockers, const Hierarchy& hierarchy,
                         HierarchyReport& report) noexcept;
 

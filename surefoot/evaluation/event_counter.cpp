@@ -4,30 +4,47 @@
 #include <array>
 
 namespace surefoot {
-namespace {
 
-/// The plan says what happened, not to which leg: that is the one whose phase tells of it.
-std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before, const MotionPlan& plan) {
+std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
+                          const PerLeg<LegPhase>& now) {
   const auto was = [&](Leg leg) { return before[index(leg)]; };
-  const auto is = [&](Leg leg) { return plan.feet[index(leg)].phase; };
+  const auto is = [&](Leg leg) { return now[index(leg)]; };
   const auto find = [](const auto& matches) -> std::optional<Leg> {
     const auto found = std::ranges::find_if(kLegs, matches);
     return found == kLegs.end() ? std::nullopt : std::optional<Leg>(*found);
   };
-  if (event == PlanEvent::lost_contact)
-    return find([&](Leg leg) { return in_contact(was(leg)) && !in_contact(is(leg)); });
-  if (event == PlanEvent::lift_off_aborted)
-    return find([&](Leg leg) { return was(leg) == LegPhase::unloading && in_contact(is(leg)); });
-  constexpr std::array kOfALegInTheAir{PlanEvent::probe_edge, PlanEvent::late, PlanEvent::no_ground,
-                                       PlanEvent::collision, PlanEvent::caught};
-  if (std::ranges::find(kOfALegInTheAir, event) == kOfALegInTheAir.end()) return std::nullopt;
-  // Of several legs in the air the one that changed its motion.
-  const auto changed = [&](Leg leg) { return !in_contact(was(leg)) && was(leg) != is(leg); };
-  if (const std::optional<Leg> leg = find(changed)) return leg;
-  return find([&](Leg leg) { return !in_contact(is(leg)); });
+  const auto changed = [&](Leg leg) { return was(leg) != is(leg); };
+  switch (event) {
+    case PlanEvent::lift_off:
+    case PlanEvent::touchdown:
+    case PlanEvent::push_step:
+      return find(changed);
+    case PlanEvent::lost_contact:
+      return find([&](Leg leg) { return in_contact(was(leg)) && !in_contact(is(leg)); });
+    case PlanEvent::lift_off_aborted:
+    case PlanEvent::push_reloaded:
+      return find([&](Leg leg) { return was(leg) == LegPhase::unloading && in_contact(is(leg)); });
+    case PlanEvent::probe_same_ground:
+    case PlanEvent::probe_edge:
+    case PlanEvent::late:
+    case PlanEvent::no_ground:
+    case PlanEvent::collision:
+    case PlanEvent::push_foot_down:
+    case PlanEvent::caught:
+      // Of several legs in the air the one that changed its motion.
+      if (const auto leg = find([&](Leg k) { return !in_contact(was(k)) && changed(k); }))
+        return leg;
+      return find([&](Leg leg) { return !in_contact(is(leg)); });
+    default:
+      return std::nullopt;
+  }
 }
 
-}  // namespace
+PerLeg<LegPhase> phases_of(const MotionPlan& plan) {
+  PerLeg<LegPhase> phases{};
+  for (const Leg leg : kLegs) phases[index(leg)] = plan.feet[index(leg)].phase;
+  return phases;
+}
 
 bool is_notable(PlanEvent event) {
   constexpr std::array kUsual{PlanEvent::none, PlanEvent::lift_off, PlanEvent::touchdown,
@@ -38,7 +55,7 @@ bool is_notable(PlanEvent event) {
 void EventCounter::add(double time, const MotionPlan& plan) {
   const auto event = static_cast<PlanEvent>(plan.event);
   if (is_notable(event)) {
-    const std::optional<Leg> leg = leg_of(event, before_, plan);
+    const std::optional<Leg> leg = leg_of(event, before_, phases_of(plan));
     auto entry = std::ranges::find_if(
         counts_, [&](const EventCount& known) { return known.event == event && known.leg == leg; });
     if (entry == counts_.end()) {
@@ -47,7 +64,7 @@ void EventCounter::add(double time, const MotionPlan& plan) {
     }
     ++entry->count;
   }
-  for (const Leg leg : kLegs) before_[index(leg)] = plan.feet[index(leg)].phase;
+  before_ = phases_of(plan);
 }
 
 }  // namespace surefoot

@@ -16,6 +16,14 @@ struct EventCount {
   double first = 0.0;  ///< when it happened first [s]
 };
 
+/// The leg that an event happened to: the plan says what happened, and the legs' phases, before and
+/// at the event, tell to which. Empty: to none, or to none that stands out.
+[[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
+                                        const PerLeg<LegPhase>& now);
+
+/// The phases of the legs in a plan.
+[[nodiscard]] PerLeg<LegPhase> phases_of(const MotionPlan& plan);
+
 /// Is it worth telling? What every step of a walk has, lift-off and touchdown, is not.
 [[nodiscard]] bool is_notable(PlanEvent event);
 

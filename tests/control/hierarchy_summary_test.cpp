@@ -139,6 +139,17 @@ TEST(HierarchySummary, ListsOnlyTheDearestRowsThatHoldALevelBack) {
   EXPECT_FALSE(report.blocking_is_known);
 }
 
+TEST(HierarchySummary, OfRowsThatCostNothingAloneNamesAsManyAsOfDearOnes) {
+  const Example example;
+  std::vector<LevelBlockers> blockers(3);
+  blockers[2] = {.is_known = true, .count = 5, .dearest = {}};
+  for (std::size_t i = 0; i < 5; ++i) blockers[2].dearest[i] = {{1, 1}, 1.0, 0.0};
+  HierarchyReport report;
+  summarise(example.solution, example.hierarchy, report);
+  summarise_blockers(blockers, example.hierarchy, report);
+  EXPECT_EQ(report.num_blocking, 3);
+}
+
 TEST(HierarchySummary, AllocatesNothing) {
   const Example example;
   HierarchyReport report;

@@ -41,6 +41,24 @@ TEST(EventCounter, of_several_legs_in_the_air_takes_the_one_that_it_happened_to)
   EXPECT_EQ(events.counts()[2].leg, Leg::RH);
 }
 
+TEST(EventCounter, every_event_of_one_foot_names_it_and_those_of_the_robot_name_none) {
+  const PerLeg<LegPhase> stand{kStance, kStance, kStance, kStance},
+      unloads{kStance, kStance, kStance, kUnloading}, swings{kStance, kStance, kStance, kSwing},
+      searches{kStance, kStance, kStance, kSearch};
+  EXPECT_EQ(leg_of(PlanEvent::lift_off, unloads, swings), Leg::RH);
+  EXPECT_EQ(leg_of(PlanEvent::push_step, stand, swings), Leg::RH);
+  EXPECT_EQ(leg_of(PlanEvent::push_reloaded, unloads, stand), Leg::RH);
+  EXPECT_EQ(leg_of(PlanEvent::lost_contact, stand, searches), Leg::RH);
+  EXPECT_EQ(leg_of(PlanEvent::touchdown, searches, stand), Leg::RH);
+  for (const PlanEvent event :
+       {PlanEvent::probe_same_ground, PlanEvent::probe_edge, PlanEvent::late, PlanEvent::no_ground,
+        PlanEvent::collision, PlanEvent::caught, PlanEvent::push_foot_down}) {
+    EXPECT_EQ(leg_of(event, swings, swings), Leg::RH) << name(event);
+  }
+  for (const PlanEvent event : {PlanEvent::slowed, PlanEvent::slip})
+    EXPECT_EQ(leg_of(event, swings, stand), std::nullopt) << name(event);
+}
+
 TEST(EventCounter, of_an_event_of_no_leg_names_none) {
   EventCounter events;
   const auto unknown_here = static_cast<PlanEvent>(1000);
