@@ -82,7 +82,7 @@ class Controller {
   [[nodiscard]] const Hierarchy& hierarchy() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
-  /// Unit of each level's residual; empty where it has none.
+  /// Unit of each level's residual, or units, as "m/s² and rad/s²"; empty where rows have weights.
   [[nodiscard]] std::vector<std::string> level_units() const;
   /// Name of the row with this id in a level, for logs and tables.
   [[nodiscard]] std::string row_name(int level, int id) const;

@@ -75,12 +75,17 @@ void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,
 std::vector<std::string> TaskStack::units() const {
   std::vector<std::string> units;
   for (const LevelTasks& level : levels_) {
-    const std::string_view unit = task_info(level.tasks.front()->name()).unit;
-    const auto is_same = [&](const auto& task) { return task_info(task->name()).unit == unit; };
-    const bool is_weighted = std::ranges::any_of(level.weights, [](double w) { return w != 1.0; });
-    const bool is_one =
-        std::ranges::all_of(level.tasks, is_same) && !is_weighted && level.damping == 0.0;
-    units.emplace_back(is_one ? unit : "");
+    std::vector<std::string_view> of_tasks;
+    for (const auto& task : level.tasks) {
+      const std::string_view unit = task_info(task->name()).unit;
+      if (std::ranges::find(of_tasks, unit) == of_tasks.end()) of_tasks.push_back(unit);
+    }
+    std::string& text = units.emplace_back();
+    if (level.damping > 0.0 ||
+        std::ranges::any_of(level.weights, [](double w) { return w != 1.0; }))
+      continue;
+    for (const std::string_view unit : of_tasks)
+      text += (text.empty() ? "" : " and ") + std::string(unit);
   }
   return units;
 }

@@ -42,7 +42,8 @@ class TaskStack {
   [[nodiscard]] std::string row_name(int level, int id) const;
   /// All of them, by level and id.
   [[nodiscard]] std::vector<std::vector<std::string>> row_names() const;
-  /// Of the rows of each level; empty where they have several, or weights.
+  /// Of the rows of each level, "m/s² and rad/s²" where they have several; empty where they have
+  /// weights.
   [[nodiscard]] std::vector<std::string> units() const;
 
  private:

@@ -172,7 +172,8 @@ void add_bound(Entry<T>&& entry, Catalog& catalog) {
 
 void add_dynamics(Catalog& catalog) {
   Entry<EquationsOfMotion>("equations_of_motion",
-                           "accelerations and torques obey the robot's dynamics", "(15)", "")
+                           "accelerations and torques obey the robot's dynamics", "(15)",
+                           "N and N·m")
       .add_to(catalog);
   Entry<NoContactMotion>("no_contact_motion", "supporting feet stay where they are", "(16)", "m/s²")
       .number("kd", &NoContactMotion::Options::kd, "1/s", "damping of the contact point's velocity")

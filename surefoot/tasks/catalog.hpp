@@ -33,7 +33,7 @@ struct TaskInfo {
   std::string_view name;
   std::string_view summary;
   std::string_view equation;  ///< of Bellicoso 2016
-  std::string_view unit;      ///< of its rows; empty where they have several
+  std::string_view unit;      ///< of its rows; "N and N·m" where they have several
   std::vector<TaskParameter> parameters;
   std::vector<TaskChoice> choices;
 };

@@ -232,7 +232,7 @@ TEST(TaskStack, WeightsAreOnTheRowsOfTheirTaskAndDampingFollowsThem) {
   EXPECT_EQ(weighted.row_name(0, after.id(2)), plain.row_name(0, before.id(2)));
 }
 
-TEST(TaskStack, ALevelHasAUnitWhereItsRowsHaveOneAndTheSame) {
+TEST(TaskStack, ALevelHasTheUnitsOfItsRowsUnlessTheyHaveWeights) {
   const TaskSpec com{"com_xy", {}, {}}, height{"torso_height", {}, {}}, yaw{"torso_yaw", {}, {}};
   TaskSpec heavy = height;
   heavy.weight = 2.0;
@@ -240,7 +240,7 @@ TEST(TaskStack, ALevelHasAUnitWhereItsRowsHaveOneAndTheSame) {
       {{"one", {yaw}}, {"same", {com, height}}, {"two", {com, yaw}}, {"weighted", {heavy}}});
   options.levels.push_back({.name = "damped", .tasks = {yaw}, .damping = 0.1});
   EXPECT_EQ(TaskStack(options, anymal_b()).units(),
-            (std::vector<std::string>{"rad/s²", "m/s²", "", "", ""}));
+            (std::vector<std::string>{"rad/s²", "m/s²", "m/s² and rad/s²", "", ""}));
 }
 
 TEST(TaskStack, AWeightedStackHasTheSameRowsInFewerLevels) {

@@ -49,7 +49,7 @@ TEST(TaskCatalog, makes_every_task_under_its_own_name_with_its_defaults) {
     EXPECT_EQ(make_task(info.name, defaults)->name(), info.name);
     EXPECT_FALSE(info.summary.empty());
     EXPECT_FALSE(info.equation.empty());
-    EXPECT_EQ(info.unit.empty(), info.name == "equations_of_motion") << info.name;
+    EXPECT_FALSE(info.unit.empty()) << info.name;
   }
 }
 
