@@ -36,6 +36,12 @@ JsonText& JsonText::value(std::string_view text) {
   return *this;
 }
 
+JsonText& JsonText::value(std::span<const std::string> texts) {
+  array();
+  for (const std::string& text : texts) value(std::string_view(text));
+  return end_array();
+}
+
 JsonText& JsonText::open(char bracket) {
   separate();
   out_ += bracket;

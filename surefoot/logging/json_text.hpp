@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,8 @@ class JsonText {
   JsonText& value(Integer number) {
     return plain(std::to_string(number));
   }
+  /// A list of texts.
+  JsonText& value(std::span<const std::string> texts);
   JsonText& null() { return plain("null"); }
   /// Text that is JSON already.
   JsonText& raw(std::string_view json) { return plain(json); }

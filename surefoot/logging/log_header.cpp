@@ -8,17 +8,9 @@
 namespace surefoot {
 namespace {
 
-template <typename Texts>
-void list(JsonText& json, std::string_view name, const Texts& texts) {
-  json.key(name).array();
-  for (const std::string& text : texts) json.value(std::string_view(text));
-  json.end_array();
-}
-
 void robot_member(JsonText& json, const LogRobot& robot) {
   json.key("robot").object().member("name", std::string_view(robot.name));
-  list(json, "joint_names", robot.joint_names);
-  json.key("torque_limit").array();
+  json.member("joint_names", robot.joint_names).key("torque_limit").array();
   for (const double limit : robot.torque_limit) json.value(limit);
   json.end_array();
   json.member("mass", robot.mass).member("foot_radius", robot.foot_radius).end_object();
@@ -77,11 +69,10 @@ std::string to_json(const LogHeader& header) {
       .member("seed", header.seed)
       .member("control_period", header.control_period);
   drawn_member(json, header.drawn);
-  list(json, "level_names", header.level_names);
-  list(json, "level_units", header.level_units);
+  json.member("level_names", header.level_names).member("level_units", header.level_units);
   const std::vector<double> visible = visible_residuals(header);
   numbers(json, "level_visible", visible.data(), visible.size());
-  list(json, "event_names", header.event_names);
+  json.member("event_names", header.event_names);
   robot_member(json, header.robot);
   json.key("limb")
       .object()
@@ -89,7 +80,7 @@ std::string to_json(const LogHeader& header) {
       .member("form", std::string_view(header.limb.form));
   json.member("min", header.limb.min).member("max", header.limb.max).end_object();
   terrain_member(json, header.terrain);
-  list(json, "notes", header.notes);
+  json.member("notes", header.notes);
   json.key("options");
   if (header.options.empty()) {
     json.null();

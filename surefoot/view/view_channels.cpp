@@ -25,13 +25,6 @@ std::string without_unit(std::string_view about) {
   return text + std::string(about.substr(end + 1));
 }
 
-void list(JsonText& json, std::string_view name, const std::vector<std::string>& texts) {
-  if (texts.empty()) return;
-  json.key(name).array();
-  for (const std::string& text : texts) json.value(std::string_view(text));
-  json.end_array();
-}
-
 }  // namespace
 
 namespace logged {
@@ -99,8 +92,8 @@ std::string to_json(const std::vector<ViewChannel>& channels) {
         .member("about", std::string_view(channel.about))
         .member("size", channel.size)
         .member("offset", channel.offset);
-    list(json, "labels", channel.labels);
-    list(json, "values", channel.values);
+    if (!channel.labels.empty()) json.member("labels", channel.labels);
+    if (!channel.values.empty()) json.member("values", channel.values);
     json.end_object();
   }
   json.end_array();

@@ -7,12 +7,6 @@ namespace {
 
 constexpr int kProtocol = 1;
 
-void texts(JsonText& json, std::string_view name, const std::vector<std::string>& list) {
-  json.key(name).array();
-  for (const std::string& text : list) json.value(std::string_view(text));
-  json.end_array();
-}
-
 void limits_member(JsonText& json, const ViewLimits& limits) {
   json.key("limits")
       .object()
@@ -65,16 +59,10 @@ void meshes_member(JsonText& json, const std::vector<ViewMesh>& meshes) {
 
 void levels_members(JsonText& json, const ViewSession& session) {
   json.key("rows").array();
-  for (const std::vector<std::string>& level : session.rows) {
-    json.array();
-    for (const std::string& row : level) json.value(std::string_view(row));
-    json.end_array();
-  }
+  for (const std::vector<std::string>& level : session.rows) json.value(level);
   json.end_array().key("orders").array();
   for (const ViewOrder& order : session.orders) {
-    json.object().member("tick", order.tick);
-    texts(json, "levels", order.levels);
-    json.end_object();
+    json.object().member("tick", order.tick).member("levels", order.levels).end_object();
   }
   json.end_array().key("tasks").array();
   for (const ViewTask& task : session.tasks) task_member(json, task);
@@ -107,9 +95,7 @@ std::string to_json(const ViewSession& session) {
   levels_members(json, session);
   meshes_member(json, session.meshes);
   limits_member(json, session.limits);
-  texts(json, "bodies", session.bodies);
-  texts(json, "damage", session.damage);
-  json.end_object();
+  json.member("bodies", session.bodies).member("damage", session.damage).end_object();
   return out;
 }
 
