@@ -71,7 +71,8 @@ void LogFrames::find_ticks(const std::string& path) {
     }
   }
   if (ends_.empty()) {
-    throw FileError(path + ": the log holds no ticks; record the run anew");
+    throw FileError(path + ": the log " + (file_.complete() ? "" : "is cut off, and ") +
+                    "holds no ticks; record the run anew");
   }
   ticks_ = ends_.back();
 }

@@ -29,11 +29,18 @@ class PlaybackEstimator final : public StateEstimator {
   const RobotState& state_;
 };
 
+void check_attachments(const std::string& path, const LogReader& log) {
+  for (const char* name : {"resolved_stack.yaml", "robot.yaml", "robot.urdf"}) {
+    if (log.header().attachment(name) != nullptr) continue;
+    throw FileError(path + ": the log has no attachment " + name +
+                    ", so its controller can't be made again; record the run anew" +
+                    (log.problem().empty() ? "" : "; " + log.problem()));
+  }
+}
+
+/// Of those that were checked.
 const std::string& attachment(const LogHeader& header, const std::string& name) {
-  const std::string* found = header.attachment(name);
-  if (found != nullptr) return *found;
-  throw FileError("the log has no attachment " + name +
-                  ", so its controller can't be made again; record the run anew");
+  return *header.attachment(name);
 }
 
 /// The robot's file, with its URDF where this program finds it.
@@ -84,6 +91,7 @@ void keep_change(const McapMessage& message, std::vector<logged::Change>& change
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
     : log_(path, [this](const McapMessage& message) { keep_change(message, changes_); }),
       own_stack_(options.stack.empty()) {
+  check_attachments(path, log_);
   const ScratchFolder folder;
   Scenario scenario = own_stack_ ? scenario_of(log_.header(), folder)
                                  : scenario_with(options.stack, log_.header(), folder);

@@ -182,9 +182,7 @@ bool decode_signal(const McapMessage& message, TickRecord& tick) {
 LogReader::LogReader(const std::string& path, Other other)
     : path_(path), file_(path), other_(std::move(other)) {
   const auto header = file_.attachments().find(std::string(kHeaderName));
-  if (header == file_.attachments().end()) {
-    throw FileError(path + ": an MCAP file, but it does not begin with a header of surefoot");
-  }
+  if (header == file_.attachments().end()) refuse_without_header();
   try {
     const json parsed = json::parse(header->second);
     const auto version = parsed.at("log_version").get<std::string>();
@@ -201,6 +199,18 @@ LogReader::LogReader(const std::string& path, Other other)
     if (name != kHeaderName && name != kSummaryName)
       header_.attachments.push_back({name, "", data});
   }
+}
+
+void LogReader::refuse_without_header() const {
+  if (file_.damage().empty()) {
+    throw FileError(
+        path_ +
+        ": an MCAP file, but it does not begin with a header of surefoot; a log made by "
+        "surefoot would be valid");
+  }
+  throw FileError(path_ + ": " + file_.damage() +
+                  ", before its header was whole, so that nothing of the run can be read; record "
+                  "the run anew");
 }
 
 void LogReader::skip_until(double time) {

@@ -54,6 +54,7 @@ class LogReader {
   [[nodiscard]] const std::string& problem() const { return file_.problem(); }
 
  private:
+  [[noreturn]] void refuse_without_header() const;
   bool take(const McapMessage& message, TickRecord& tick);
 
   std::string path_;

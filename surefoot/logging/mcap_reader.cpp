@@ -26,12 +26,12 @@ McapReader::McapReader(const std::string& path) : path_(path), file_(path, std::
   if (size_ == 0) throw FileError(path + ": the file is empty; a log (.mcap) would be valid");
   std::string magic(mcap::kMagic.size(), '\0');
   file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-  offset_ = magic.size();
   const auto got = static_cast<std::size_t>(file_.gcount());
+  offset_ = got;
   if (magic.substr(0, got) != mcap::kMagic.substr(0, got)) {
     throw FileError(path + ": not an MCAP file; a log made by surefoot (.mcap) would be valid");
   }
-  if (got < magic.size()) stop("cut off in its first bytes");
+  if (got < magic.size()) stop("cut off");
   while (rest_.empty() && read_record()) {
   }
 }
@@ -159,8 +159,8 @@ bool McapReader::take_from_chunk(McapMessage& message) {
 void McapReader::stop(const std::string& why) {
   ended_ = true;
   rest_ = {};
-  problem_ = path_ + ": " + why + " at byte " + std::to_string(offset_) + " of " +
-             std::to_string(size_) + "; everything before it was read";
+  damage_ = why + " at byte " + std::to_string(offset_) + " of " + std::to_string(size_);
+  problem_ = path_ + ": " + damage_ + "; everything before it was read";
 }
 
 }  // namespace surefoot

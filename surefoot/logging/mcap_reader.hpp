@@ -38,6 +38,8 @@ class McapReader {
   [[nodiscard]] bool complete() const { return complete_; }
   /// After the last message: why the file could not be read further; empty if it is complete.
   [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// The same, shorter: what is wrong, and where.
+  [[nodiscard]] const std::string& damage() const { return damage_; }
   /// Bytes before the chunk, or the record outside of chunks, that the last message stood in.
   [[nodiscard]] std::uint64_t chunk_offset() const { return chunk_offset_; }
 
@@ -67,7 +69,7 @@ class McapReader {
   std::map<std::string, std::string> attachments_;
   std::map<std::string, std::map<std::string, std::string>> metadata_;
   bool complete_ = false, ended_ = false;
-  std::string problem_;
+  std::string problem_, damage_;
 };
 
 }  // namespace surefoot

@@ -167,7 +167,8 @@ RunData read_run(const std::string& log_path) {
     gave_way.add(tick.reading.time, tick.hierarchy);
   }
   if (run.ticks.empty())
-    throw FileError(log_path + ": the log holds no tick, so there is nothing to report");
+    throw FileError(log_path + ": the log holds no tick, so there is nothing to report" +
+                    (log.problem().empty() ? "" : "; " + log.problem()));
   run.timings = log.timings();
   run.active = std::move(active.times);
   gave_way.move_into(run);

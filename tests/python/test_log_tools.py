@@ -116,6 +116,7 @@ def test_what_is_no_log_is_refused_in_one_line_that_names_it(log, tmp_path, comm
     for file, words in {
         plain_text(tmp_path): "not an MCAP file",
         foreign(tmp_path): "does not begin with a header of surefoot",
+        cut(log, tmp_path, 0.0001): "before its header was whole",
         newer(log, tmp_path): "log version 3.0; this program reads 2.",
         tmp_path / "empty": "the file is empty",
         tmp_path / "missing.mcap": "no such file",
@@ -132,6 +133,13 @@ def test_no_damage_ends_a_command_otherwise_than_with_an_answer_or_one_line(log,
     result = surefoot(command, make(log, tmp_path, share), *COMMANDS[command])
     assert result.returncode in (0, 1, 2), result
     assert result.returncode != 2 or len(result.stderr.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize("command", [("explain", "--at", 0), ("replay",), ("replay", "--verify"), ("report", "--out", "page")])
+def test_of_a_log_that_is_cut_off_before_its_first_tick_that_is_said(log, tmp_path, command):
+    file = cut(log, tmp_path, 0.01)
+    line = complaint(command[0], file, *command[1:], cwd=tmp_path)
+    assert str(file) in line and "cut off" in line
 
 
 def test_verify_says_that_every_torque_is_the_same(log):
@@ -172,7 +180,8 @@ def test_wrong_arguments_of_replay_are_said(log, tmp_path):
 def test_a_log_without_ticks_has_nothing_to_explain_or_to_run_again(log, tmp_path):
     file = without_ticks(log, tmp_path)
     assert "holds no tick" in complaint("explain", file, "--at", 0)
-    assert "the log has no attachment" in complaint("replay", file, "--verify")
+    line = complaint("replay", file, "--verify")
+    assert str(file) in line and "the log has no attachment resolved_stack.yaml" in line
     assert "no tick" in answer("info", file)
 
 
