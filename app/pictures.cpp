@@ -9,6 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -93,7 +95,12 @@ std::string pictures_python() {
   return python == nullptr ? "" : python;
 }
 
-void check_can_film() {
+void check_can_film(const std::string& file) {
+  std::string ending = fs::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending != ".mp4") {
+    throw Error(file + ": films are written as MP4; a name that ends with .mp4 would be valid");
+  }
   const std::string python = pictures_python();
   if (python.empty()) throw Error(std::string("--video: ") + kNoLauncher);
   if (access(python.c_str(), X_OK) != 0)

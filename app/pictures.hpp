@@ -10,8 +10,8 @@ namespace surefoot {
 /// where the program was started without it.
 [[nodiscard]] std::string pictures_python();
 
-/// Throws Error if no film can be made, for the reason that it says.
-void check_can_film();
+/// Throws Error if no film can be made, or none of such a name, for the reason that it says.
+void check_can_film(const std::string& file);
 
 /// Makes the pictures of a log for its report. What can't be made is said in `why_none`: a report
 /// is written all the same.

@@ -50,7 +50,7 @@ void check_outputs(const RunArguments& arguments) {
   if (!arguments.report.empty()) prepare_folder(arguments.report);
   if (!arguments.record.empty()) check_writable_file(arguments.record);
   if (arguments.video.empty()) return;
-  check_can_film();
+  check_can_film(arguments.video);
   check_writable_file(arguments.video);
 }
 

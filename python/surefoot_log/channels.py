@@ -51,6 +51,7 @@ class Flattener:
     def __init__(self, topic, schema, header, example):
         """`example`: a message, decoded; it has the sizes of lists that the schema leaves open."""
         self._joints, self._levels = header["robot"]["joint_names"], header["level_names"]
+        self._units = dict(zip(self._levels, header.get("level_units", [])))
         self.channels = []
         self._root = self._object(topic.removeprefix("/"), schema, example)
 
@@ -110,9 +111,16 @@ class Flattener:
         return Node(members=list(enumerate(row_nodes)))
 
     def _level_list(self, name, schema):
-        properties = {key: part for key, part in schema["properties"].items() if key != "name"}
-        members = [(level, self._object(f"{name}.level.{level}", {"properties": properties}, None)) for level in self._levels]
+        members = [(level, self._object(f"{name}.level.{level}", {"properties": self._of_level(level, schema)}, None)) for level in self._levels]
         return Node(members=members, levels=True)
+
+    def _of_level(self, level, schema):
+        """Its fields, the residual with the unit of its rows."""
+        properties = {key: part for key, part in schema["properties"].items() if key != "name"}
+        if unit := self._units.get(level):
+            residual = properties["residual"]
+            properties["residual"] = residual | {"description": f"{residual.get('description', '')} [{unit}]"}
+        return properties
 
     def _leaf(self, name, kind, description):
         about, unit = described(description)

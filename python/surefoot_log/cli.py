@@ -77,6 +77,11 @@ def check_writable(path, log):
         raise InputError(f"{path}: can't be written: {error.strerror}") from None
 
 
+def check_is_film(path):
+    if pathlib.Path(path).suffix.lower() != ".mp4":
+        raise InputError(f"{path}: films are written as MP4; a name that ends with .mp4 would be valid")
+
+
 def tell(text):
     print(f"surefoot: {text}", file=sys.stderr)
 
@@ -113,11 +118,9 @@ def write_exports(arguments):
     topics = table.wanted_topics(arguments.topics)
     if arguments.csv or arguments.parquet:
         log = LogFile(arguments.log)
-        rows = table.read_table(log, topics, arguments.every)
+        files = [(arguments.csv, table.csv_writer), (arguments.parquet, table.parquet_writer)]
+        table.write_table(table.Table(log, topics, arguments.every), [(file, make) for file, make in files if file])
         tell_problem(log)
-        for file, write in ((arguments.csv, table.write_csv), (arguments.parquet, table.write_parquet)):
-            if file:
-                write(rows, file)
     if arguments.foxglove:
         write_foxglove(arguments, topics)
 
@@ -141,6 +144,7 @@ def video(typed):
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
     check_writable(arguments.out, arguments.log)
+    check_is_film(arguments.out)
     from surefoot_log import pictures
 
     log = LogFile(arguments.log)

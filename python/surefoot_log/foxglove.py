@@ -10,7 +10,7 @@ from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
 from surefoot_log import meshes
 from surefoot_log.foxglove_ground import ground_entity
-from surefoot_log.frames import CARRIES, LEGS, LOADED, read_frames
+from surefoot_log.frames import CARRIES, LEGS, LOADED, FrameMaker, nothing_to_show
 from surefoot_log.offscreen import mujoco
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull
 from surefoot_log.table import check_topics, written_whole
@@ -155,48 +155,68 @@ def scene_entities(frame, foot_radius, places):
 
 
 def write_scene(log, path, packages, cache=None, topics=None, every=1):
-    """Copies the log's topics, all or some, every so manieth message of each, beside the scene. Returns notes."""
-    run = read_frames(log, every=max(every, SCENE_EVERY))
-    check_topics(topics, log)
+    """Copies the log's topics, all or some, every so manieth message of each, beside the scene, all in the order of time. Returns
+    notes."""
     model = mujoco.MjModel.from_xml_string(log.text("model.xml"))
-    if len(run.frames[0].qpos) > model.nq:
-        raise InputError(f"{log.path}: its model.xml is not that of its /truth")
     robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
-    if not run.has_truth:
+    maker = FrameMaker(log.header, max(every, SCENE_EVERY))
+    with written_whole(path) as partial, SceneFile(partial) as file:
+        scene, copies = Scene(file, log, model, robot), Copies(file, log, topics, every)
+        for _, messages in log.by_time():
+            copies.write(messages)
+            frame = maker.frame(messages)
+            if frame is not None:
+                scene.write(frame)
+        check_topics(topics, log)
+        if not scene.has_begun:
+            raise nothing_to_show(log)
+        for name, data in log.attachments.items():
+            file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
+    if not maker.has_truth:
         notes.append("the log has no /truth: the robot is shown where the controller believed it")
-
-    def write(partial):
-        with SceneFile(partial) as file:
-            file.update_scene("/scene/robot", nanoseconds(run.frames[0].time), robot)
-            file.update_scene("/scene/ground", nanoseconds(run.frames[0].time), [ground_entity(run.header.get("terrain") or [], WORLD)])
-            write_frames(file, model, run)
-            copy_topics(file, log, topics, every)
-            for name, data in log.attachments.items():
-                file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
-
-    written_whole(path, write)
     return notes
 
 
-def write_frames(file, model, run):
-    data = mujoco.MjData(model)
-    radius = run.header["robot"]["foot_radius"] or 0.03
-    for frame in run.frames:
+class Scene:
+    """Writes frame by frame what they show; before the first what stays."""
+
+    def __init__(self, file, log, model, robot):
+        self._file, self._log, self._model, self._robot = file, log, model, robot
+        self._data = mujoco.MjData(model)
+        self._foot_radius = log.header["robot"]["foot_radius"] or 0.03
+        self.has_begun = False
+
+    def _begin(self, frame, time):
+        if len(frame.qpos) > self._model.nq:
+            raise InputError(f"{self._log.path}: its model.xml is not that of its /truth")
+        self._file.update_scene("/scene/robot", time, self._robot)
+        self._file.update_scene("/scene/ground", time, [ground_entity(self._log.header.get("terrain") or [], WORLD)])
+        self.has_begun = True
+
+    def write(self, frame):
         time = nanoseconds(frame.time)
-        data.qpos[: len(frame.qpos)] = frame.qpos
-        mujoco.mj_kinematics(model, data)
-        file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(model, data, time)})
-        file.update_scene("/scene/forces", time, scene_entities(frame, radius, data.xipos))
+        if not self.has_begun:
+            self._begin(frame, time)
+        self._data.qpos[: len(frame.qpos)] = frame.qpos
+        mujoco.mj_kinematics(self._model, self._data)
+        self._file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(self._model, self._data, time)})
+        self._file.update_scene("/scene/forces", time, scene_entities(frame, self._foot_radius, self._data.xipos))
         if frame.event:
-            file.write("/events", "foxglove.Log", schemas.LOG, time,
-                       {"timestamp": shapes.moment(time), "level": INFO, "message": frame.event, "name": "planner", "file": "", "line": 0})  # fmt: skip
+            self._file.write("/events", "foxglove.Log", schemas.LOG, time,
+                             {"timestamp": shapes.moment(time), "level": INFO, "message": frame.event, "name": "planner", "file": "", "line": 0})  # fmt: skip
 
 
-def copy_topics(file, log, topics, every):
-    counts = {}
-    for message in log.messages(topics):
-        counts[message.topic] = counts.get(message.topic, -1) + 1
-        if counts[message.topic] % every == 0:
-            channel = next(channel for channel in log.channels.values() if channel.topic == message.topic)
-            schema = log.schemas[channel.schema_id]
-            file.write(message.topic, schema.name, schema.data, message.time, bytes(message.data))
+class Copies:
+    """Writes the log's own messages, every so manieth of each topic."""
+
+    def __init__(self, file, log, topics, every):
+        self._file, self._log, self._topics, self._every, self._counts = file, log, topics, every, {}
+
+    def write(self, messages):
+        for topic, time, data in messages:
+            if self._topics is not None and topic not in self._topics:
+                continue
+            self._counts[topic] = self._counts.get(topic, -1) + 1
+            if self._counts[topic] % self._every == 0:
+                schema = self._log.schema_record(topic)
+                self._file.write(topic, schema.name, schema.data, time, bytes(data))

@@ -62,25 +62,39 @@ class Run:
 
 
 def read_frames(log, every=1):
-    """One frame of so many ticks; an event stands in the frame that follows it."""
-    log_frames, has_truth, tick, number, event = [], False, {}, -1, ""
-    for message in log.messages(TOPICS):
-        if message.topic == "/state":
-            if tick and number % every == 0:
-                log_frames.append(frame_of(tick, log.header, event))
-                event = ""
-            number, tick = number + 1, {}
-        if message.topic == "/plan":
-            event = event_of(message.data, log.header) or event
-        if number % every == 0:
-            tick[message.topic] = message.data
-            has_truth = has_truth or message.topic == "/truth"
-    if tick and number % every == 0:
-        log_frames.append(frame_of(tick, log.header, event))
-    frames = [frame for frame in log_frames if frame is not None]
+    """One frame of so many ticks."""
+    maker = FrameMaker(log.header, every)
+    frames = [frame for _, messages in log.by_time(TOPICS) if (frame := maker.frame(messages)) is not None]
     if not frames:
-        raise InputError(f"{log.path}: the log holds no tick, so there is nothing to show")
-    return Run(log.header, frames, has_truth)
+        raise nothing_to_show(log)
+    return Run(log.header, frames, maker.has_truth)
+
+
+def nothing_to_show(log):
+    return InputError(f"{log.path}: the log holds no tick, so there is nothing to show{'; ' + log.problem if log.problem else ''}")
+
+
+class FrameMaker:
+    """Makes frames tick by tick; an event stands in the frame that follows it."""
+
+    def __init__(self, header, every=1):
+        self._header, self._every, self._number, self._event = header, every, -1, ""
+        self.has_truth = False
+
+    def frame(self, messages):
+        """Of the messages of one time; None where that is none of the ticks that are shown."""
+        found = {message.topic: message.data for message in messages}
+        if "/plan" in found:
+            self._event = event_of(found["/plan"], self._header) or self._event
+        if "/state" not in found:
+            return None
+        self._number += 1
+        if self._number % self._every != 0:
+            return None
+        made = frame_of({topic: found[topic] for topic in TOPICS & found.keys()}, self._header, self._event)
+        if made is not None:
+            self._event, self.has_truth = "", self.has_truth or "/truth" in found
+        return made
 
 
 def event_of(data, header):

@@ -1,9 +1,14 @@
 """A log, read from front to back as far as it goes."""
 
+import heapq
 import io
 import json
 import pathlib
+import re
 import struct
+from functools import cache
+from itertools import groupby
+from operator import attrgetter
 
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
@@ -13,11 +18,19 @@ from mcap.records import Attachment, Channel, Chunk, Footer, Schema
 from surefoot_campaign.errors import InputError
 from surefoot_log import chunk
 
-LOG_VERSION = "2"  # the first number, which says whether a reader must change (docs/log.md)
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+VERSION_SOURCE = ROOT / "surefoot/logging/log_header.hpp"
 MAGIC = b"\x89MCAP0\r\n"
+APART = {"/timings"}  # topics behind all ticks (docs/log.md)
 HEADER, SUMMARY = "header.json", "summary.json"
 HEAD = struct.Struct("<BQ")
 KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.FOOTER: Footer, Opcode.SCHEMA: Schema}
+
+
+@cache
+def log_version():
+    """Of the logs that this program makes, from where it is written (docs/log.md)."""
+    return re.search(r'kLogVersion = "([\d.]+)"', VERSION_SOURCE.read_text()).group(1)
 
 
 def read_record(opcode, file, length):
@@ -40,11 +53,13 @@ class LogFile:
         self.problem, self._at = "", 0  # why it could not be read to its end, and where
         self.complete = False
         self._check_magic()
+        damage = ""  # of what stands in front of the messages
         try:
-            next(self._records(), None)
-        except chunk.Damaged:
-            pass  # `messages` comes to the same place, and says so
-        self.header = self._header()
+            if next(self._records(), None) is None and not self.complete:
+                damage = "cut off"
+        except chunk.Damaged as found:
+            damage = str(found)
+        self.header = self._header(damage)
 
     def _check_magic(self):
         valid = "a log made by surefoot (.mcap) would be valid"
@@ -58,17 +73,21 @@ class LogFile:
         if start != MAGIC[: len(start)]:
             raise InputError(f"{self.path}: not an MCAP file; {valid}")
 
-    def _header(self):
+    def _header(self, damage):
         text = self.attachments.get(HEADER)
+        if text is None and damage:
+            raise InputError(f"{self.path}: {self._place(damage)}, before its header was whole, so that nothing of the run can be read; "
+                             "record the run anew")
         if text is None:
-            raise InputError(f"{self.path}: an MCAP file, but it does not begin with a header of surefoot")
+            raise InputError(f"{self.path}: an MCAP file, but it does not begin with a header of surefoot; "
+                             "a log made by surefoot would be valid")
         try:
             header = json.loads(text)
             version = str(header["log_version"])
         except (ValueError, KeyError, TypeError) as error:
             raise InputError(f"{self.path}: its {HEADER} is not what it should be: {error}") from None
-        if version.split(".")[0] != LOG_VERSION:
-            raise InputError(f"{self.path}: log version {version}; this program reads {LOG_VERSION}.x. "
+        if version.split(".")[0] != log_version().split(".")[0]:
+            raise InputError(f"{self.path}: log version {version}; this program reads {log_version()}. "
                              "Read it with the version of surefoot that made it, or record the run anew")
         return header
 
@@ -92,9 +111,11 @@ class LogFile:
                     self._keep(record)
                 file.seek(at)
 
+    def _place(self, why):
+        return f"{why} at byte {self._at} of {self.path.stat().st_size}"
+
     def _stop(self, why):
-        size = self.path.stat().st_size
-        self.problem = f"{self.path}: {why} at byte {self._at} of {size}; everything before it was read"
+        self.problem = f"{self.path}: {self._place(why)}; everything before it was read"
 
     def _keep(self, record):
         if isinstance(record, Attachment):
@@ -117,12 +138,23 @@ class LogFile:
         if not self.complete and not self.problem:
             self._stop("cut off")
 
+    def by_time(self, topics=None):
+        """The messages of all or some topics, time by time: each time [ns] with its messages. What stands apart behind all
+        ticks is read beside them, so that nothing waits in memory."""
+        beside = LogFile(self.path)
+        beside.channels, beside.schemas = self.channels, self.schemas
+        apart = beside.messages(APART if topics is None else APART & topics)
+        others = (message for message in self.messages(topics) if message.topic not in APART)
+        for time, group in groupby(heapq.merge(others, apart, key=attrgetter("time")), key=attrgetter("time")):
+            yield time, list(group)
+
+    def schema_record(self, topic):
+        """Of a topic whose messages came."""
+        return next(self.schemas[channel.schema_id] for channel in self.channels.values() if channel.topic == topic)
+
     def schema_of(self, topic):
-        """The JSON schema of a topic's messages; None before its first message came."""
-        for channel in self.channels.values():
-            if channel.topic == topic:
-                return json.loads(self.schemas[channel.schema_id].data)
-        return None
+        """The JSON schema of a topic's messages."""
+        return json.loads(self.schema_record(topic).data)
 
     def text(self, name):
         """An attachment. Throws InputError if the log has none of that name."""

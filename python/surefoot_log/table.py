@@ -1,7 +1,9 @@
-"""A log as one table: a row a tick, a column a channel."""
+"""A log as one table: a row a tick, a column a channel. It goes from the log into the files in parts, whatever its length."""
 
 import json
 import os
+from contextlib import ExitStack, contextmanager
+from itertools import islice
 
 import pyarrow as pa
 import pyarrow.csv
@@ -12,6 +14,8 @@ from surefoot_log.channels import Flattener
 
 TYPES = {"number": pa.float64(), "integer": pa.int64(), "boolean": pa.bool_(), "text": pa.string()}
 TICK = "/state"  # the topic whose messages say which ticks there are
+PART = 256  # ticks that are decoded at once
+GROUP = 4096  # ticks of a row group in Parquet: columns are compressed in it, and all of it is in memory
 
 
 def wanted_topics(names):
@@ -28,64 +32,86 @@ def check_topics(wanted, log):
             raise InputError(f'unknown topic "{topic}"; {valid_names(topic, known)}')
 
 
-def read_messages(log, topics, every):
-    """The times of every so manieth tick [ns], and of each topic its messages at these times. The timings stand behind all
-    ticks; what comes before its tick's state waits for it."""
-    ticks, found, waiting, number = set(), {}, [], -1
-    for message in log.messages(None if topics is None else topics | {TICK}):
-        if waiting and waiting[0].time < message.time:
-            waiting.clear()
-        if message.topic == TICK:
-            number += 1
-            if number % every == 0:
-                ticks.add(message.time)
-                keep(found, waiting)
-            waiting.clear()
-        if topics is not None and message.topic not in topics:
-            continue
-        if message.time in ticks:
-            keep(found, [message])
-        else:
-            waiting.append(message)
-    return sorted(ticks), found
-
-
-def keep(found, messages):
-    for message in messages:
-        found.setdefault(message.topic, {})[message.time] = bytes(message.data)
-
-
-def topic_arrays(log, topic, rows, times):
-    """The columns of a topic, one value a time; null where it has no message."""
-    decoded = [json.loads(rows[time]) if time in rows else None for time in times]
-    example = next((message for message in decoded if message is not None), None)
-    if example is None:
-        return []
-    flattener = Flattener(topic, log.schema_of(topic), log.header, example)
-    columns = list(zip(*(flattener.values(message) for message in decoded)))
-    return [(channel, pa.array(values, TYPES[channel.kind])) for channel, values in zip(flattener.channels, columns)]
-
-
-def read_table(log, topics=None, every=1):
-    """Throws InputError on unknown topics, and where the log holds no tick."""
-    times, by_topic = read_messages(log, topics, every)
-    if not times:
+def first_messages(log, topics):
+    """Reads the log once: of each topic its first message, which has the sizes of lists. Throws InputError on unknown topics,
+    and where the log holds no tick."""
+    first = {}
+    for message in log.messages():
+        if message.topic not in first:
+            first[message.topic] = json.loads(bytes(message.data))
+    if TICK not in first:
         raise InputError(f"{log.path}: the log holds no tick, so there is nothing to export{'; ' + log.problem if log.problem else ''}")
     check_topics(topics, log)
-    fields = [pa.field("time", pa.float64(), metadata={"unit": "s", "about": "since the start of the run"})]
-    arrays = [pa.array([1e-9 * time for time in times], pa.float64())]
-    for topic, rows in by_topic.items():
-        for channel, array in topic_arrays(log, topic, rows, times):
-            fields.append(pa.field(channel.name, array.type, metadata={"unit": channel.unit, "about": channel.about}))
-            arrays.append(array)
-    return pa.Table.from_arrays(arrays, schema=pa.schema(fields, metadata={"surefoot": json.dumps(log.header)}))
+    return {topic: message for topic, message in first.items() if topics is None or topic in topics}
 
 
-def written_whole(path, write):
-    """Under another name first, so that nothing partial ever has its name."""
+class Table:
+    """The columns of a log, and its rows in parts; null where a tick has no message on a topic."""
+
+    def __init__(self, log, topics=None, every=1):
+        self._log, self._topics, self._every = log, topics, every
+        first = first_messages(log, topics)
+        self._flatteners = {topic: Flattener(topic, log.schema_of(topic), log.header, message) for topic, message in first.items()}
+        fields = [pa.field("time", pa.float64(), metadata={"unit": "s", "about": "since the start of the run"})]
+        for flattener in self._flatteners.values():
+            fields += [pa.field(channel.name, TYPES[channel.kind], metadata={"unit": channel.unit, "about": channel.about})
+                       for channel in flattener.channels]  # fmt: skip
+        self.schema = pa.schema(fields, metadata={"surefoot": json.dumps(log.header)})
+
+    def _ticks(self):
+        """Every so manieth tick."""
+        number = -1
+        for time, messages in self._log.by_time(None if self._topics is None else self._topics | {TICK}):
+            found = {message.topic: message.data for message in messages}
+            number += TICK in found
+            if TICK in found and number % self._every == 0:
+                yield time, found
+
+    def parts(self):
+        all_ticks = self._ticks()
+        while ticks := list(islice(all_ticks, PART)):
+            arrays = [pa.array([1e-9 * time for time, _ in ticks], pa.float64())]
+            for topic, flattener in self._flatteners.items():
+                rows = [flattener.values(json.loads(bytes(found[topic])) if topic in found else None) for _, found in ticks]
+                arrays += [pa.array(values, TYPES[channel.kind]) for channel, values in zip(flattener.channels, zip(*rows))]
+            yield pa.RecordBatch.from_arrays(arrays, schema=self.schema)
+
+
+class Grouped:
+    """Collects parts to groups of rows, as a Parquet file should have them."""
+
+    def __init__(self, writer):
+        self._writer, self._parts = writer, []
+
+    def write_batch(self, part):
+        self._parts.append(part)
+        if sum(part.num_rows for part in self._parts) >= GROUP:
+            self._flush()
+
+    def _flush(self):
+        if self._parts:
+            self._writer.write_table(pa.Table.from_batches(self._parts).combine_chunks(), row_group_size=GROUP)
+        self._parts = []
+
+    def close(self):
+        self._flush()
+        self._writer.close()
+
+
+def csv_writer(path, schema):
+    return pyarrow.csv.CSVWriter(path, schema, write_options=pyarrow.csv.WriteOptions(quoting_style="needed"))
+
+
+def parquet_writer(path, schema):
+    return Grouped(pyarrow.parquet.ParquetWriter(path, schema, compression="zstd"))
+
+
+@contextmanager
+def written_whole(path):
+    """Gives another name to write to, so that nothing partial ever has the file's."""
     partial = f"{path}.partial"
     try:
-        write(partial)
+        yield partial
         os.replace(partial, path)
     except OSError as error:
         raise InputError(f"{path}: can't be written: {error.strerror or error}") from None
@@ -94,9 +120,15 @@ def written_whole(path, write):
             os.remove(partial)
 
 
-def write_csv(table, path):
-    written_whole(path, lambda partial: pyarrow.csv.write_csv(table, partial, pyarrow.csv.WriteOptions(quoting_style="needed")))
-
-
-def write_parquet(table, path):
-    written_whole(path, lambda partial: pyarrow.parquet.write_table(table, partial, compression="zstd"))
+def write_table(table, files):
+    """`files`: each path with what makes its writer, of those above."""
+    with ExitStack() as stack:
+        writers = []
+        for path, make in files:
+            partial = stack.enter_context(written_whole(path))
+            writers.append(make(partial, table.schema))
+        for part in table.parts():
+            for writer in writers:
+                writer.write_batch(part)
+        for writer in writers:
+            writer.close()

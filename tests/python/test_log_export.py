@@ -9,9 +9,10 @@ import numpy as np
 import pyarrow.parquet
 import pytest
 from damaged_logs import cut, damaged, foreign, newer, plain_text, without_ticks
-from log_file import messages
+from foxglove_fields import FIELDS, bare, differences, schema_of
+from log_file import attachment, messages
 from log_tools import complaint_of, log_command
-from mcap.reader import make_reader
+from mcap.reader import NonSeekingReader, make_reader
 
 TICKS = 800
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
@@ -82,6 +83,18 @@ def test_columns_say_their_unit_and_what_they_are(table):
     assert json.loads(table.schema.metadata[b"surefoot"])["scenario"] == "walk_flat_ideal"
 
 
+def test_a_levels_residual_has_the_unit_of_its_rows(log, table):
+    header = json.loads(table.schema.metadata[b"surefoot"])
+    units = dict(zip(header["level_names"], header["level_units"]))
+    assert units["equations_of_motion"] == "N and N·m" and all(units.values())
+    for level, unit in units.items():
+        assert table.schema.field(f"hierarchy.level.{level}.residual").metadata[b"unit"] == unit.encode()
+
+
+def test_timings_which_stand_behind_all_ticks_are_in_their_rows(log, table):
+    assert table["timings.total"].to_pylist() == [timing["total"] for timing in messages(log, "/timings")]
+
+
 def test_csv_reads_back_to_the_same_numbers(log, table, tmp_path):
     exported(log, "--csv", tmp_path / "run.csv", "--topics", "state", "/command", "--every", 7)
     with open(tmp_path / "run.csv", newline="") as file:
@@ -116,7 +129,8 @@ def test_what_is_no_log_is_refused_by_name(log, tmp_path):
     for file, words in {
         plain_text(tmp_path): "not an MCAP file",
         foreign(tmp_path): "does not begin with a header of surefoot",
-        newer(log, tmp_path): "log version 3.0; this program reads 2",
+        cut(log, tmp_path, 0.0001): "before its header was whole",
+        newer(log, tmp_path): f"log version 3.0; this program reads {json.loads(attachment(log, 'header.json'))['log_version']}.",
         without_ticks(log, tmp_path): "holds no tick",
         tmp_path / "empty": "the file is empty",
         tmp_path / "missing.mcap": "No such file",
@@ -137,13 +151,23 @@ def test_wrong_arguments_are_said_with_what_would_be_valid(log, tmp_path):
     assert 'did you mean "--topics"?' in complaint_of("export", log, "--topic", "plan")
 
 
+def in_file_order(path):
+    with open(path, "rb") as file:
+        yield from NonSeekingReader(file).iter_messages(log_time_order=False)
+
+
 @pytest.fixture(scope="module")
-def scene(log, tmp_path_factory):
-    """Messages of the scene by topic: time [ns] and content; and the schemas' names."""
+def scene_file(log, tmp_path_factory):
     file = tmp_path_factory.mktemp("export") / "scene.mcap"
-    exported(log, "--foxglove", file, "--topics", "command", "--every", 20)
+    exported(log, "--foxglove", file, "--topics", "command", "timings", "--every", 20)
+    return file
+
+
+@pytest.fixture(scope="module")
+def scene(scene_file):
+    """Messages of the scene by topic: time [ns] and content; and the schemas' names."""
     found, names = {}, {}
-    with open(file, "rb") as stream:
+    with open(scene_file, "rb") as stream:
         for schema, channel, message in make_reader(stream, validate_crcs=True).iter_messages():
             found.setdefault(channel.topic, []).append((message.log_time, json.loads(message.data)))
             names[channel.topic] = (schema.name, schema.encoding, channel.message_encoding)
@@ -157,6 +181,47 @@ def test_the_scene_has_the_well_known_schemas(scene):
         assert names[topic] == ("foxglove.SceneUpdate", "jsonschema", "json")
     assert len(found["/tf"]) == len(found["/scene/forces"]) == len(found["/command"]) == TICKS // 20
     assert len(found["/scene/robot"]) == len(found["/scene/ground"]) == 1
+
+
+def test_messages_and_schemas_have_the_fields_of_the_published_schemas(scene_file):
+    seen = set()
+    for schema, channel, message in in_file_order(scene_file):
+        if schema.name not in FIELDS:
+            continue
+        seen.add(schema.name)
+        assert bare(json.loads(schema.data)) == schema_of(FIELDS[schema.name])
+        assert differences(json.loads(message.data), FIELDS[schema.name], channel.topic) == []
+    assert seen == set(FIELDS)
+
+
+def test_time_never_goes_back_in_the_scenes_file(scene_file):
+    times = [message.log_time for *_, message in in_file_order(scene_file)]
+    assert times == sorted(times) and times[-1] > 1.9e9
+
+
+def test_what_messages_say_of_their_time_is_their_time(scene):
+    for topic, transforms in (("/tf", "transforms"), ("/scene/forces", "entities")):
+        for time, message in scene[0][topic]:
+            assert {(part["timestamp"]["sec"], part["timestamp"]["nsec"]) for part in message[transforms]} == {divmod(time, 10**9)}
+
+
+def test_every_frame_hangs_on_the_world(scene):
+    parents = {transform["child_frame_id"]: transform["parent_frame_id"] for transform in scene[0]["/tf"][0][1]["transforms"]}
+    used = {part["frame_id"] for topic in scene[0] if topic.startswith("/scene/") for _, message in scene[0][topic] for part in message["entities"]}
+    assert used - {"world"} <= parents.keys()
+    for frame in parents:
+        chain = [frame]
+        while chain[-1] in parents:
+            chain.append(parents[chain[-1]])
+            assert len(chain) <= len(parents) + 1
+        assert chain[-1] == "world"
+
+
+def test_what_vanishes_is_replaced_by_nothing(scene):
+    """An entity stays until one of its name comes, so each message names all of them."""
+    for _, message in scene[0]["/scene/forces"]:
+        assert [part["id"] for part in message["entities"]] == ["forces", "pushes", "support polygon", "centre of mass"]
+        assert all(part["lifetime"] == {"sec": 0, "nsec": 0} for part in message["entities"])
 
 
 def matrix(transform):

@@ -285,6 +285,8 @@ def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
     assert "--from 7; the log goes from 0 s to 1.98" in complaint_of("video", log, "--out", out, "--from", "7")
     assert "no tick lies in --from 1 --to 0.5" in complaint_of("video", log, "--out", out, "--from", "1", "--to", "0.5")
     assert "127x96" in complaint_of("video", log, "--out", out, "--size", "127x96")
+    for name in ("a.avi", "a.webm", "a"):
+        assert "a name that ends with .mp4 would be valid" in complaint_of("video", log, "--out", tmp_path / name)
     assert "there is no folder" in complaint_of("video", log, "--out", tmp_path / "no/a.mp4")
     assert "holds no tick" in complaint_of("video", without_ticks(log, tmp_path), "--out", out)
     assert "--out" in complaint_of("video", log)
@@ -365,6 +367,8 @@ def test_a_film_that_can_not_be_made_is_told_before_the_run(tmp_path):
     assert (done.returncode, done.stdout) == (2, "") and "started without its launcher" in done.stderr
     done = program(*SHORT, "--video", tmp_path / "no/run.mp4", python=sys.executable)
     assert done.returncode == 2 and "there is no folder" in done.stderr
+    done = program(*SHORT, "--video", tmp_path / "run.avi", python=sys.executable)
+    assert done.returncode == 2 and "run.avi: films are written as MP4" in done.stderr and not list(tmp_path.iterdir())
 
 
 def test_seeds_have_a_film_each(tmp_path, fake_python):
