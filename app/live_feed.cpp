@@ -183,8 +183,10 @@ std::vector<SharedBlock> LiveFeed::blocks() {
       blocks.push_back({.frames = 0, .generation = tick->generation, .lost = 0, .bytes = bytes});
     }
     HierarchyNamer namer(packing_now->names);
+    if (tick->number < tick_) start_.reset();
+    if (!start_) start_ = start_alignment(tick->truth, tick->record.state);
     to_frame({tick->number, tick->record, namer.name(tick->record.hierarchy), &tick->truth,
-              &tick->timing},
+              &tick->timing, start_ ? &*start_ : nullptr},
              *packing_now->channels, frame_);
     pack(frame_, *bytes);
     ++blocks.back().frames;
@@ -262,12 +264,15 @@ std::string LiveFeed::status(std::size_t clients) {
   json.key("ended");
   ended_.empty() ? json.null() : json.value(std::string_view(ended_));
   json.key("push");
+  const bool is_held = std::isnan(push_.until);
   if (push_.until < time_ || push_.force.isZero()) {
     json.null();
   } else {
     json.object()
         .member("body", std::string_view(push_.body))
-        .member("until", std::isnan(push_.until) ? time_ + kPullLasts : push_.until);
+        .member("until", is_held ? time_ + kPullLasts : push_.until)
+        .member("impulse",
+                push_.impulse + (is_held ? (time_ - push_.since) * push_.force.norm() : 0.0));
     vector_member(json, "force", push_.force);
     json.end_object();
   }

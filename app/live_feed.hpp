@@ -30,7 +30,9 @@ struct ViewTick {
 struct ShownPush {
   Vec3 force = Vec3::Zero();  ///< in W [N]
   std::string body;
-  double until = -1.0;  ///< [s]; NaN: for as long as it is held
+  double until = -1.0;   ///< [s]; NaN: for as long as it is held
+  double impulse = 0.0;  ///< of a push as a whole, of a pull up to `since` [N·s]
+  double since = 0.0;    ///< [s]
 };
 
 /// What the pages of a live run are told. The run's thread puts ticks into a queue without locks;
@@ -93,6 +95,7 @@ class LiveFeed final : public WebContent {
   // Of the server's thread.
   std::deque<SharedBlock> recent_;  // the last second or two, for pages that come
   ViewFrame frame_;
+  std::optional<StartAlignment> start_;
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
   UserCommand user_;

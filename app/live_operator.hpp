@@ -17,7 +17,7 @@
 namespace surefoot {
 
 /// That a pull goes on without being renewed [s].
-inline constexpr double kPullLasts = 0.3;
+inline constexpr double kPullLasts = 0.6;
 
 /// What the operator wants of the controller.
 struct WantedControl {

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -45,6 +46,7 @@ void LiveView::begin(const RunParts& parts) {
   walk_.reset();
   steps_ = 0;
   pulled_ = Pull();
+  pulled_until_ = 0.0;
   reset_ = is_pending_ = false;
   pull_kept_ = -kPullInterval;
   tick_ = 0;
@@ -96,7 +98,10 @@ void LiveView::push(const Push& wanted, double time) {
   Push push = wanted;
   push.time = time;
   parts_->plant.push(push);
-  feed_.show_push({.force = push.force, .body = push.body, .until = time + push.duration});
+  feed_.show_push({.force = push.force,
+                   .body = push.body,
+                   .until = time + push.duration,
+                   .impulse = push.force.norm() * push.duration});
   keep({.time = time,
         .kind = "push",
         .text = text_of("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body +
@@ -161,6 +166,7 @@ void LiveView::take_walk(double time) {
 }
 
 void LiveView::take_pull(double time) {
+  pull_impulse_ += (time - std::exchange(pulled_until_, time)) * pulled_.force;
   const bool wanted =
       wishes_.pull && Clock::now() < wishes_.pull_ends && !wishes_.pull->force.isZero();
   if (!wanted && pulled_.force.isZero()) return;
@@ -170,15 +176,20 @@ void LiveView::take_pull(double time) {
     return;
   }
   const bool goes_on = wanted && !pulled_.force.isZero() && pull.body == pulled_.body;
+  if (wanted && !goes_on) pull_impulse_.setZero();
   pulled_ = pull;
   parts_->plant.pull(pull);
-  feed_.show_push({.force = pull.force, .body = pull.body, .until = wanted ? kNaN : time});
+  feed_.show_push({.force = pull.force,
+                   .body = pull.body,
+                   .until = wanted ? kNaN : time,
+                   .impulse = pull_impulse_.norm(),
+                   .since = time});
   if (goes_on && time < pull_kept_ + kPullInterval) return;  // what follows the mouse is too much
   pull_kept_ = time;
   keep({.time = time,
         .kind = "pull",
         .text = wanted ? "pull at " + pull.body + ", force " + vector_text(pull.force) + " N"
-                       : "the pull ends",
+                       : text_of("the pull ends after %.3g N·s", pull_impulse_.norm()),
         .stack = {},
         .body = pull.body,
         .point = pull.point,

@@ -48,7 +48,9 @@ class LiveView final : public RunSteering {
   RunPace pace_;
   int steps_ = 0;
   Pull pulled_;
-  double pull_kept_ = 0.0;  // when the log last got it [s]
+  Vec3 pull_impulse_ = Vec3::Zero();  // of the pull that goes on [N·s]
+  double pulled_until_ = 0.0;         // [s]
+  double pull_kept_ = 0.0;            // when the log last got it [s]
   bool reset_ = false, was_paused_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
   double speed_ = 1.0;

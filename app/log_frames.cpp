@@ -97,6 +97,7 @@ void LogFrames::learn_channels(const std::string& path) {
     throw FileError(path + ": the log holds no whole tick; record the run anew" + problem);
   }
   channels_ = tick_channels(channels_.level_names, truth);
+  find_start();
   for (std::size_t i = ends_.size(); i > 0; --i) {  // the last may be cut off
     const auto last = chunk(i - 1);
     if (last->frames.empty()) continue;
@@ -104,6 +105,20 @@ void LogFrames::learn_channels(const std::string& path) {
     return;
   }
   throw FileError(path + ": no tick of the log can be read; record the run anew" + problem);
+}
+
+// Of the first tick that can be read.
+void LogFrames::find_start() {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    Decoded decoded;
+    LogChunk unused;
+    read_ticks(i, decoded, unused);
+    for (const auto& [time, tick] : decoded.ticks) {
+      if (!tick.is_whole || tick.is_damaged) continue;
+      if (tick.has_truth) start_ = start_alignment(tick.truth, tick.record.state);
+      return;
+    }
+  }
 }
 
 std::size_t LogFrames::chunk_of(std::uint32_t tick) const {
@@ -127,7 +142,8 @@ LogChunk LogFrames::decode(std::size_t number) {
               .record = tick.record,
               .hierarchy = tick.hierarchy,
               .truth = tick.has_truth ? &tick.truth : nullptr,
-              .timing = timing == decoded.timings.end() ? nullptr : &timing->second},
+              .timing = timing == decoded.timings.end() ? nullptr : &timing->second,
+              .start = start_ ? &*start_ : nullptr},
              channels_, chunk.frames.emplace_back());
   }
   return chunk;

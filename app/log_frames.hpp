@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,7 @@ class LogFrames {
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
   void find_ticks(const std::string& path);
   void learn_channels(const std::string& path);
+  void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
   [[nodiscard]] std::string without_path(const Error& error) const;
   void read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk);
@@ -63,6 +65,7 @@ class LogFrames {
   McapChunks file_;
   double period_;
   ViewChannels channels_;
+  std::optional<StartAlignment> start_;
   std::vector<std::size_t> places_;   // chunks of ticks
   std::vector<std::uint32_t> ends_;   // of each of them: one past its last tick
   std::vector<std::size_t> timings_;  // chunks of timings

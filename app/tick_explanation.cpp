@@ -25,6 +25,20 @@ std::string number(double value, const char* format = "%.2g") {
   return text.data();
 }
 
+/// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
+std::optional<StartAlignment> read_start(const std::string& path) {
+  std::optional<GroundTruth> truth;
+  LogReader log(path, [&](const McapMessage& message) {
+    if (message.channel->topic == "/truth" && !truth)
+      logged::Decoder::decode(message.data, truth.emplace());
+  });
+  TickRecord first, second;
+  if (!log.next(first)) return std::nullopt;
+  (void)log.next(second);
+  if (!truth || std::abs(truth->time - first.reading.time) > 1e-9) return std::nullopt;
+  return start_alignment(*truth, first.state);
+}
+
 /// Reads a log up to a little behind a time.
 class Search {
  public:
@@ -52,6 +66,8 @@ class Search {
     found_.row_names = log_.row_names();
     found_.problem = log_.problem();
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
+    const auto start = found_.truth ? read_start(path_) : std::nullopt;
+    if (start) found_.estimate = aligned(*start, *found_.truth, found_.tick.state);
     return std::move(found_);
   }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
-#include "surefoot/simulation/ground_truth.hpp"
 
 #include <map>
 #include <optional>
@@ -25,6 +25,7 @@ struct TickExplanation {
   TickRecord tick;
   std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
   std::optional<GroundTruth> truth;  ///< of logs that have it
+  std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::vector<NearbyEvent> events;  ///< around the tick, in order
   std::string problem;              ///< why the log could not be read further; empty if it could

@@ -1,5 +1,6 @@
 #include "app/stop_text.hpp"
 #include "app/tick_text.hpp"
+#include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_codec.hpp"
 #include "surefoot/math/rotation.hpp"
@@ -129,6 +130,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"model", message(tick.model)},
                {"command", message(tick.command)}};
   if (explanation.truth) json["truth"] = message(*explanation.truth);
+  if (explanation.estimate) json["estimate"] = message(*explanation.estimate);
   if (!explanation.problem.empty()) json["problem"] = explanation.problem;
   return json;
 }

@@ -93,6 +93,10 @@ std::string facts(const TickExplanation& explanation) {
               {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
   if (explanation.truth)
     table.push_back({"in truth", pose(explanation.truth->p_WB, explanation.truth->q_WB)});
+  if (explanation.estimate)
+    table.push_back({"is off by", text("%.1f cm, %.1f° in heading, counted from the first tick",
+                                       100.0 * explanation.estimate->position_error,
+                                       std::abs(explanation.estimate->heading_error) * kDegrees)});
   table.push_back({"asked", asked(tick.user)});
   table.push_back({"command", command(explanation)});
   std::string out;

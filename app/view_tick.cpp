@@ -1,5 +1,6 @@
 #include "app/view_tick.hpp"
 
+#include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("command", tick.command);
   lister.add("timings", TickTiming());
   lister.add("truth", truth);
+  lister.add("estimate", AlignedEstimate());
   return channels;
 }
 
@@ -70,6 +72,8 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(tick.record.command);
   writer.add(tick.timing == nullptr ? kNoTiming : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
+  if (tick.truth != nullptr && tick.start != nullptr)
+    writer.add(aligned(*tick.start, *tick.truth, tick.record.state));
   add_rows(tick.hierarchy, channels, frame);
 }
 

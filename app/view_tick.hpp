@@ -1,8 +1,8 @@
 #pragma once
 
+#include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/signals/tick_record.hpp"
-#include "surefoot/simulation/ground_truth.hpp"
 #include "surefoot/view/frame_block.hpp"
 #include "surefoot/view/view_channels.hpp"
 
@@ -11,8 +11,8 @@
 
 namespace surefoot {
 
-/// The channels of a run: every field of the log, under its topic. `truth` has the sizes of
-/// MuJoCo's vectors.
+/// The channels of a run: every field of the log, under its topic, and `estimate`. `truth` has the
+/// sizes of MuJoCo's vectors.
 [[nodiscard]] ViewChannels tick_channels(const std::vector<std::string>& level_names,
                                          const GroundTruth& truth);
 
@@ -23,6 +23,7 @@ struct KnownTick {
   const logged::Hierarchy& hierarchy;  ///< of the record, with names
   const GroundTruth* truth = nullptr;
   const TickTiming* timing = nullptr;
+  const StartAlignment* start = nullptr;
 };
 
 /// The tick as the page gets it. Levels and rows are numbered as in the channels' level names,

@@ -1,7 +1,5 @@
 #include "surefoot/evaluation/estimate_judge.hpp"
 
-#include "surefoot/math/rotation.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,11 +15,9 @@ void EstimateJudge::add(const GroundTruth& truth, const RobotState& state) {
   velocity_squares_ += velocity_error.squaredNorm();
   tilt_squares_ += tilt * tilt;
   tilt_max_ = ticks_ == 0 ? tilt : std::max(tilt_max_, tilt);
-  true_end_ = {truth.p_WB, R_true};
-  believed_end_ = {state.p_WB, R};
-  if (ticks_++ > 0) return;
-  true_start_ = true_end_;
-  believed_start_ = believed_end_;
+  ++ticks_;
+  if (!start_) start_ = start_alignment(truth, state);
+  end_ = aligned(*start_, truth, state);
 }
 
 void EstimateJudge::write(Metrics& metrics) const {
@@ -30,12 +26,8 @@ void EstimateJudge::write(Metrics& metrics) const {
   metrics.velocity_error_rms_mps = std::sqrt(velocity_squares_ / n);
   metrics.tilt_error_rms_rad = std::sqrt(tilt_squares_ / n);
   metrics.tilt_error_max_rad = tilt_max_;
-  const double heading = yaw(true_start_.R) - yaw(believed_start_.R);
-  const Vec3 way = true_end_.p - true_start_.p;
-  const Vec3 believed_way = rotation_about_z(heading) * (believed_end_.p - believed_start_.p);
-  metrics.position_drift_m = (believed_way - way).norm();
-  const Mat3 turned = rotation_about_z(heading) * believed_end_.R * true_end_.R.transpose();
-  metrics.heading_drift_rad = std::abs(yaw(turned));
+  metrics.position_drift_m = end_.position_error;
+  metrics.heading_drift_rad = std::abs(end_.heading_error);
 }
 
 }  // namespace surefoot

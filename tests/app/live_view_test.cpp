@@ -1,5 +1,6 @@
 #include "app/live_view.hpp"
 
+#include "app/log_frames.hpp"
 #include "app/log_replay.hpp"
 #include "app/stack_text.hpp"
 #include "app/tick_explanation.hpp"
@@ -90,6 +91,27 @@ TEST(LiveView, the_frames_say_what_the_log_says) {
     ASSERT_EQ(static_cast<std::int32_t>(run.frames[i].blocking.size()),
               tick.hierarchy.num_blocking);
   }
+}
+
+TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=2", "estimation=sensors", "initial.x=3", "initial.yaw=0.7"});
+  const RunResult result = run.run(folder / "run.mcap");
+  const auto off = run.of("estimate.position_error"), turned = run.of("estimate.heading_error");
+  ASSERT_EQ(off.size(), 800u);
+  EXPECT_LT(off.front(), 1e-6);
+  EXPECT_LT(std::abs(turned.front()), 1e-6);
+  EXPECT_GT(std::hypot(run.of("state.p_WB")[0] - run.of("truth.p_WB")[0],
+                       run.of("state.p_WB", 1)[0] - run.of("truth.p_WB", 1)[0]),
+            1.0);
+  EXPECT_NEAR(off.back(), result.metrics.position_drift_m, 1e-6);
+  EXPECT_NEAR(std::abs(turned.back()), result.metrics.heading_drift_rad, 1e-6);
+  const TickExplanation last = read_tick(folder / "run.mcap", 1.9975);
+  EXPECT_NEAR(last.estimate->position_error, off.back(), 1e-6);
+  LogFrames log(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
+  for (const std::uint32_t tick : {0u, 400u, 799u})
+    EXPECT_EQ(log.frame(tick)->floats.back(), static_cast<float>(turned[tick]));
 }
 
 TEST(LiveView, a_push_moves_the_robot_by_its_impulse_and_stands_in_the_log) {
@@ -305,6 +327,11 @@ TEST(LiveView, a_pull_that_follows_the_mouse_is_logged_a_few_times_a_second) {
   EXPECT_GE(changes.size(), 3u);
   EXPECT_LE(changes.size(), 5u);
   EXPECT_TRUE(changes.back().force.isZero()) << "its end is one of them";
+  double impulse = 0.0;  // what was asked for before each of 200 ticks
+  for (long tick = 40; tick < 240; ++tick) impulse += kPeriod * (20 + 0.1 * double(tick));
+  const std::string end = "the pull ends after ";
+  ASSERT_TRUE(changes.back().text.starts_with(end)) << changes.back().text;
+  EXPECT_NEAR(std::stod(changes.back().text.substr(end.size())), impulse, 0.01 * impulse);
 }
 
 TEST(LiveView, torques_do_not_jump_when_a_gain_does) {

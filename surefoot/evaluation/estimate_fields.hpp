@@ -1,0 +1,22 @@
+#pragma once
+
+#include "surefoot/evaluation/start_alignment.hpp"
+#include "surefoot/logging/message_fields.hpp"
+
+/// What the viewer and `explain` say of the estimate, once.
+namespace surefoot::logged {
+
+template <typename Archive, Is<AlignedEstimate> T>
+void fields(Archive& field, T& estimate) {
+  field("p_WB", estimate.p_WB,
+        "believed base position, counted from the true one at the first tick, in the true W [m]");
+  field("q_WB", estimate.q_WB,
+        "believed base orientation as quaternion w, x, y, z, with the true heading of the first "
+        "tick; takes B coordinates to the true W");
+  field("position_error", estimate.position_error,
+        "of the believed base position since the first tick [m]");
+  field("heading_error", estimate.heading_error,
+        "of the believed heading since the first tick, to the left [rad]");
+}
+
+}  // namespace surefoot::logged

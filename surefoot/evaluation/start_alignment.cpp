@@ -1,0 +1,24 @@
+#include "surefoot/evaluation/start_alignment.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const RobotState& state) {
+  const Mat3 R = state.R_WB();
+  if (!R.allFinite() || !state.p_WB.allFinite()) return std::nullopt;
+  const Mat3 turn = rotation_about_z(yaw(truth.q_WB.toRotationMatrix()) - yaw(R));
+  return StartAlignment{turn, truth.p_WB - turn * state.p_WB};
+}
+
+AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,
+                        const RobotState& state) {
+  const Vec3 p = start.R * state.p_WB + start.p;
+  const Mat3 R = start.R * state.R_WB();
+  const double turned = yaw(R) - yaw(truth.q_WB.toRotationMatrix());
+  return {p, Quat(R), (p - truth.p_WB).norm(), std::remainder(turned, 2.0 * kPi)};
+}
+
+}  // namespace surefoot
