@@ -44,12 +44,21 @@ class Browser:
             return next(page["webSocketDebuggerUrl"] for page in json.load(answer) if page["type"] == "page")
 
     def call(self, method, **params):
+        return self.answer(self.ask(method, **params))
+
+    def ask(self, method, **params):
+        """Sends a call; its number."""
         self.count += 1
         self.socket.send(json.dumps({"id": self.count, "method": method, "params": params}))
+        return self.count
+
+    def answer(self, number):
+        """What came back of a call; of those before it nothing is kept."""
         while True:
             message = json.loads(self.socket.recv(timeout=60))
-            if message.get("id") == self.count:
-                assert "error" not in message, f"{method}: {message['error']}"
+            if message.get("id", 0) in range(1, number + 1):
+                assert "error" not in message, message["error"]
+            if message.get("id") == number:
                 return message["result"]
             self.hear(message)
 
@@ -94,13 +103,28 @@ class Browser:
         self.call("Page.navigate", url=address)
 
     def click(self, selector):
-        x, y = self.run(f"(() => {{ const b = document.querySelector({selector!r}).getBoundingClientRect();"
-                        "return [b.x + b.width / 2, b.y + b.height / 2]; })()")
+        x, y = self.middle(selector)
         self.mouse("mousePressed", x, y)
         self.mouse("mouseReleased", x, y)
 
     def mouse(self, kind, x, y):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+
+    def touch(self, points):
+        """A finger goes down at the first point, moves to the others, and up."""
+        for k, (x, y) in enumerate(points):
+            self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart", touchPoints=[{"x": x, "y": y}])
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def tap(self, selector):
+        """With a finger; up is sent at once, so that a busy page makes no long press of it."""
+        x, y = self.middle(selector)
+        self.ask("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def middle(self, selector):
+        return self.run(f"(() => {{ const b = document.querySelector({selector!r}).getBoundingClientRect();"
+                        "return [b.x + b.width / 2, b.y + b.height / 2]; })()")
 
     def press(self, key, text=None):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text or (key if len(key) == 1 else ""))

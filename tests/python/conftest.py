@@ -4,6 +4,8 @@ import subprocess
 
 import pytest
 
+from browser import Browser
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -16,6 +18,13 @@ def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     # 1: the criteria of the whole walk do not hold after so short a time.
     assert run.returncode in (0, 1), run.stderr
     return path
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """Debian's chromium, with one page that the tests share."""
+    with Browser() as browser:
+        yield browser
 
 
 @pytest.fixture(scope="session")

@@ -25,10 +25,13 @@ import { ask, NoAnswer } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
+import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
 const SUMMARY_PERIOD = 700;
+/** How often it is looked whether the program that serves a log is still there [ms]. */
+const SERVER_PERIOD = 2000;
 /** Texts change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -40,6 +43,10 @@ export class App {
   readonly link: LiveLink | undefined;
   frame: Frame | undefined;
   pictures = 0;
+  /** Time from the page's beginning to the first picture with a robot [ms]. */
+  firstPicture = NaN;
+  /** Script time of each frame with a picture, until all of it is handed to the graphics [ms]. */
+  readonly costs = new Recent(2000);
   private readonly theme = new Theme();
   private readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
@@ -52,6 +59,7 @@ export class App {
   private readonly pull: Pull | undefined;
   private readonly gamepad: GamepadInput;
   private last = performance.now();
+  private drawn = performance.now();
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
@@ -112,11 +120,20 @@ export class App {
       this.notes.take("log");
     };
     void this.summarise(source, schema);
+    setInterval(() => void this.lookForServer(), SERVER_PERIOD);
     source.cache.onError = (error) => {
       if (error instanceof NoAnswer) void this.awaitServer();
       else this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
     };
     return source;
+  }
+
+  private async lookForServer(): Promise<void> {
+    try {
+      await fetch("/icon.svg", { method: "HEAD" });
+    } catch {
+      void this.awaitServer();
+    }
   }
 
   /** Says that the program which serves the log is gone, until it answers. */
@@ -295,8 +312,8 @@ export class App {
 
   private tick(now: number): void {
     requestAnimationFrame((next) => this.tick(next));
+    const begin = performance.now();
     const dt = Math.min((now - this.last) / 1000, 1);
-    if (this.world !== undefined && this.pictures > 5 && this.world.library.loading === 0) this.world.stage.quality.measure(now - this.last);
     this.last = now;
     const { player } = this;
     player.advance(dt, this.link?.rate ?? 0);
@@ -305,22 +322,37 @@ export class App {
     const moved = player.time !== this.shownTime;
     this.frame = frame;
     this.gamepad.update(dt);
-    this.world?.draw(frame, player.source, dt, () => this.pull?.update(dt));
+    const drawn = this.draw(begin, frame);
     if (frame !== undefined) {
-      ++this.pictures;
+      if (drawn && this.pictures++ === 0) this.firstPicture = performance.now();
       this.shownTime = player.time;
     }
     this.hierarchy.paused = this.link?.status?.paused ?? false;
     this.transport.update(this.link?.status);
     this.plots.update(dt, moved, frame);
     this.texts(dt, frame);
+    if (drawn) this.costs.add(performance.now() - begin);
+  }
+
+  /** Draws where something has changed and the machine can follow; without WebGL there is nothing to draw. */
+  private draw(now: number, frame: Frame | undefined): boolean {
+    const { world, player } = this;
+    if (world === undefined) return true;
+    const { quality } = world.stage;
+    if (!quality.pace.begin(now)) return false;
+    const dt = Math.min((now - this.drawn) / 1000, 1);
+    if (!world.draw(frame, player.source, dt, () => this.pull?.draw(this.link?.status?.push?.impulse ?? 0))) return false;
+    this.drawn = now;
+    quality.pace.drew(now);
+    if (this.pictures > 5 && world.library.loading === 0) quality.measure();
+    return true;
   }
 
   private texts(dt: number, frame: Frame | undefined): void {
     this.sinceText += dt;
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
-    this.link?.showRates(this.world?.stage.quality);
+    say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
     if (frame === undefined) return;
     this.hierarchy.show(frame);
     this.state.show(frame);

@@ -6,7 +6,6 @@ import { part, say } from "./panels/dom.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
-import type { Quality } from "./scene/quality.ts";
 
 /** Blocks that wait while the session is read again. */
 const MOST_WAITING = 200;
@@ -117,7 +116,7 @@ export class LiveLink {
         break;
       case "change":
         tune.addChange(message.time, message.text);
-        if (message.kind !== "pull") app.notes.say(message.text);
+        if (!message.text.startsWith("pull")) app.notes.say(message.text);
         this.source.marks.push({ time: message.time, text: message.text, leg: "", kind: "change" });
         break;
       case "reply":
@@ -174,14 +173,13 @@ export class LiveLink {
     this.app?.notes.say("Connected again.");
   }
 
-  /** Speed against the wall clock, pictures a second, lost ticks. */
-  showRates(quality: Quality | undefined): void {
-    const parts: string[] = [];
-    if (this.status !== undefined && this.rate > 0) parts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
-    if (quality !== undefined && quality.frameTime > 0) parts.push(`${(1000 / quality.frameTime).toFixed(0)} fps`);
+  /** Speed against the wall clock, lost ticks, why the run has ended. */
+  get facts(): string[] {
+    const facts: string[] = [];
+    if (this.status !== undefined && this.rate > 0) facts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
     const lost = this.dropped + this.skipped;
-    if (lost > 0) parts.push(`${lost} ticks lost on the way`);
-    if (this.status?.ended != null) parts.push(`ended: ${this.status.ended}`);
-    say(part("rates"), parts.join(" · "));
+    if (lost > 0) facts.push(`${lost} ticks lost on the way`);
+    if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
+    return facts;
   }
 }

@@ -2,27 +2,43 @@ import type { App } from "./app.ts";
 import type { Status } from "./protocol/connection.ts";
 import { levelStates, type LevelState } from "./data/hierarchy.ts";
 
-/** What tests may look at: the state of the page, read-only. */
+/** What tests and measurements may look at: the state of the page. */
 export interface SurefootWindow {
   readonly time: number;
   readonly tick: number;
   /** Times of the first and last frame there is [s]. */
   readonly first: number;
   readonly last: number;
+  /** Time of the frame that is drawn [s]. */
+  readonly drawn: number;
   readonly status: Status | undefined;
+  /** Of the session that the page has read. */
+  readonly generation: number;
   readonly playing: boolean;
   readonly following: boolean;
   readonly pictures: number;
+  /** Time from the page's beginning to the first picture with a robot [ms]. */
+  readonly firstPicture: number;
+  /** Script times of the frames since this was read last [ms]. */
+  readonly costs: number[];
   readonly connection: string;
   readonly meshesMissing: string[];
   readonly meshesLoading: number;
   readonly triangles: number;
   readonly frameTime: number;
   readonly quality: number;
+  /** Where the camera is, in W [m]. */
+  readonly camera: number[];
+  /** Place of a point of W in the page [pixels]. */
+  place(p_W: [number, number, number]): number[] | undefined;
+  /** Height of the ground as it is drawn [m]. */
+  ground(x: number, y: number): number | undefined;
   /** Place of a link's frame in W, as it is drawn [m]. */
   position(link: string): number[] | undefined;
   channel(name: string): number[] | undefined;
   levels(): LevelState[];
+  /** Draws all overlays as often as for this many robots. */
+  repeatOverlays(robots: number): void;
   /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
   pixel(p_W: [number, number, number]): number[] | undefined;
 }
@@ -41,6 +57,12 @@ export function expose(app: App): void {
     get last() {
       return app.player.source.last;
     },
+    get drawn() {
+      return app.world?.drawn ?? NaN;
+    },
+    get generation() {
+      return app.session.generation;
+    },
     get status() {
       return app.link?.status;
     },
@@ -52,6 +74,14 @@ export function expose(app: App): void {
     },
     get pictures() {
       return app.pictures;
+    },
+    get firstPicture() {
+      return app.firstPicture;
+    },
+    get costs() {
+      const costs = app.costs.values;
+      app.costs.clear();
+      return costs;
     },
     get connection() {
       return app.link?.connection.state ?? "none";
@@ -71,12 +101,18 @@ export function expose(app: App): void {
     get quality() {
       return app.world?.stage.quality.step ?? -1;
     },
+    get camera() {
+      return app.world?.stage.camera.position.toArray() ?? [];
+    },
+    place: (p_W) => app.world?.place(p_W),
+    ground: (x, y) => app.world?.groundAt(x, y),
     position: (link) => app.world?.positionOf(link),
     channel(name) {
       const info = app.frame?.schema.channel(name);
       return info && [...(app.frame?.values.subarray(info.offset, info.offset + info.size) ?? [])];
     },
     levels: () => (app.frame === undefined ? [] : levelStates(app.frame)),
+    repeatOverlays: (robots) => app.world?.repeatOverlays(robots),
     pixel: (p_W) => app.world?.pixel(p_W),
   };
   Object.defineProperty(window, "surefoot", { value: Object.freeze(view) });

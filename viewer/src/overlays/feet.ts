@@ -7,6 +7,8 @@ import { TRAIL_SECONDS } from "./com.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { Trail, trailMaterial } from "./trail.ts";
 
+const X = new THREE.Vector3(1, 0, 0);
+
 /** Ways of the feet: the references (thin) with the planned way ahead as far as it is known, and where they really went. */
 export class SwingCurves implements Overlay {
   readonly space = "belief";
@@ -143,17 +145,32 @@ export class LimbLimits implements Overlay {
   }
 }
 
-type Shell = THREE.Mesh<THREE.SphereGeometry, THREE.MeshBasicMaterial>;
+type Shell = THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
+
+/** A sphere of radius 1 as circles: through the poles, and around the axis z. */
+const GLOBE = globe(4, 5, 36);
+
+function globe(meridians: number, parallels: number, sides: number): THREE.BufferGeometry {
+  const points: number[] = [];
+  const circle = (at: (angle: number) => THREE.Vector3): void => {
+    for (let i = 0; i < sides; ++i) for (const k of [i, i + 1]) points.push(...at((2 * Math.PI * k) / sides).toArray());
+  };
+  for (let i = 0; i < meridians; ++i)
+    circle((angle) => new THREE.Vector3().setFromSphericalCoords(1, angle, (Math.PI * i) / meridians).applyAxisAngle(X, Math.PI / 2));
+  for (let i = 1; i <= parallels; ++i) {
+    const latitude = Math.PI * (i / (parallels + 1) - 0.5);
+    circle((angle) => new THREE.Vector3(Math.cos(latitude) * Math.cos(angle), Math.cos(latitude) * Math.sin(angle), Math.sin(latitude)));
+  }
+  return new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
+}
 
 function shell(): Shell {
-  const material = paint(0.1);
-  material.wireframe = true;
-  return new THREE.Mesh(new THREE.SphereGeometry(1, 22, 14).rotateX(Math.PI / 2), material);
+  return new THREE.LineSegments(GLOBE, trailMaterial(0.1));
 }
 
 function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: number): void {
   shell.position.copy(hip);
   shell.scale.setScalar(radius);
   shell.material.color.set(colour);
-  shell.material.opacity = 0.04 + 0.2 * Math.max(0, 1 - Math.max(0, room) / 0.1);
+  shell.material.opacity = 0.1 + 0.4 * Math.max(0, 1 - Math.max(0, room) / 0.1);
 }

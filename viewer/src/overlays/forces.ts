@@ -87,13 +87,13 @@ export class OutsideForce implements Overlay {
     this.believedMaterial.color.set(palette.push);
   }
 
-  update({ frame, labels, newton, beliefToWorld }: Picture): void {
+  update({ frame, labels, newton, beliefToWorld, held }: Picture): void {
     this.arrow.hide();
     this.believed.hide();
     if (!vector(frame, "truth.p_WCom", this.com)) return;
     if (this.total(frame)) {
       const newtons = this.force.length();
-      if (this.arrow.set(this.com, this.force.multiplyScalar(newton)))
+      if (this.arrow.set(this.com, this.force.multiplyScalar(newton)) && !held)
         labels.put(this.arrow.tip, `push ${newtons.toFixed(0)} N`, "push");
     }
     if (!vector(frame, "state.external_force", this.force)) return;

@@ -16,6 +16,8 @@ export interface Picture {
   newton: number;
   /** Takes what was planned and believed to where the robot really is. */
   beliefToWorld: THREE.Matrix4;
+  /** The pointer holds the robot, and what it says stands there. */
+  held: boolean;
   /** Trails are drawn anew in this picture. */
   trails: boolean;
 }

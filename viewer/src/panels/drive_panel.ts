@@ -51,7 +51,7 @@ export class DrivePanel {
     this.showDirection();
     root.append(
       h("h2", {}, "Push"),
-      h("p", { class: "soft" }, `Drag the robot with the mouse, or push its base; at most ${limits.push_newtons} N and ${limits.push_newton_seconds} N·s.`),
+      h("p", { class: "soft" }, `Pull the robot with the mouse, at most ${limits.push_newtons} N, or push its base, at most ${limits.push_newton_seconds} N·s.`),
       this.field("Impulse", this.impulse, "N·s"), this.field("Duration", this.duration, "s"),
       h("label", { class: "field" }, "Direction in W", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),

@@ -104,7 +104,7 @@ class LevelCard {
     this.root = h("li", { class: "level", "data-level": name },
       h("div", { class: "level-head" },
         this.sign,
-        h("span", { class: "level-name" }, `${index + 1} ${plain(name)}`),
+        h("span", { class: "level-name", title: plain(name) }, `${index + 1} ${plain(name)}`),
         h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
         this.residual,
       ),

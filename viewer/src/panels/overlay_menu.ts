@@ -23,7 +23,7 @@ export class OverlayMenu {
       menu.append(this.line(box, name, about, KEYS[k] ?? ""));
     });
     this.ghost = h("input", { type: "checkbox", "data-overlay": "ghost", onchange: () => (world.ghostShown = this.ghost.checked) });
-    menu.append(this.line(this.ghost, "Estimator's ghost", "where the controller believes to be", "o"));
+    menu.append(this.line(this.ghost, "Estimator's ghost", "where the controller believes to be, counted from the start", "o"));
     this.legend();
   }
 

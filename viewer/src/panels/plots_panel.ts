@@ -119,7 +119,8 @@ export class PlotsPanel {
     const span = this.span === 0 ? Math.max(last - first, 0.1) : this.span;
     if (following) {
       this.from = NaN;
-      return this.span === 0 ? [first, first + span] : [time - span, time];
+      const from = this.span === 0 ? first : Math.max(first, time - span);
+      return [from, from + span];
     }
     if (Number.isNaN(this.from)) this.from = Math.max(first, Math.min(time - 0.5 * span, last - span));
     if (time < this.from || time > this.from + span) this.from = Math.max(first, Math.min(time - 0.1 * span, last - span));

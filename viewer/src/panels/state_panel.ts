@@ -1,7 +1,7 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates } from "../data/hierarchy.ts";
 import { LEGS } from "../data/schema.ts";
-import { wrap, yawOf } from "../math/geometry.ts";
+import { yawOf } from "../math/geometry.ts";
 import { digits } from "../data/numbers.ts";
 import { h, say } from "./dom.ts";
 
@@ -16,13 +16,11 @@ function whereabouts(frame: Frame, topic: string): string {
   return `x ${x} m, y ${y} m, z ${z} m, heading ${digits((yawOf(q) * 180) / Math.PI)}°`;
 }
 
-/** How far the estimate is from the truth, in words. */
+/** How far the estimate has drifted since the run's first tick, in words. */
 export function estimateError(frame: Frame): string {
-  const [p, p_true, q, q_true] = [[0, 0, 0], [0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]];
-  const known = read(frame, "truth.p_WB", p_true) && read(frame, "truth.q_WB", q_true) && read(frame, "state.p_WB", p) && read(frame, "state.q_WB", q);
-  if (!known) return "";
-  const distance = Math.hypot(...p.map((one, i) => one - (p_true[i] as number)));
-  return `${digits(100 * distance)} cm and ${digits((Math.abs(wrap(yawOf(q) - yawOf(q_true))) * 180) / Math.PI)}° in heading`;
+  const [distance, heading] = [scalar(frame, "estimate.position_error"), scalar(frame, "estimate.heading_error")];
+  if (Number.isNaN(distance + heading)) return "";
+  return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
 /** The state in sentences: what a picture shows to those who see it. */
@@ -37,7 +35,7 @@ export function sentences(frame: Frame): [string, string][] {
     ["Time", `${frame.time.toFixed(4)} s, tick ${frame.tick}`],
     ["Feet", legs.join(", ")],
     ["Base", whereabouts(frame, "truth") || whereabouts(frame, "state")],
-    ["Estimate is off by", estimateError(frame)],
+    ["Estimate drifted by", estimateError(frame)],
     ["Velocity", `${digits(Math.hypot(...speed))} m/s`],
     ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
     ["Hierarchy", accountOf(levelStates(frame))],

@@ -1,6 +1,7 @@
 import type { Commands } from "../protocol/commands.ts";
 import type { Session, TaskInfo, TaskNumber } from "../protocol/session.ts";
-import { h, plain } from "./dom.ts";
+import { Wish } from "../data/wish.ts";
+import { h, plain, say } from "./dom.ts";
 import { takeNumber } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
@@ -9,6 +10,7 @@ export type Report = (text: string, kind?: "error" | "plain") => void;
 export class TunePanel {
   onUndo: () => void = () => {};
   private readonly tables = h("div", { class: "gains" });
+  private readonly tasks = new Map<string, TaskTable>();
   private readonly undoButton: HTMLButtonElement;
   private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
   private readonly none = h("p", { class: "soft" }, "No change so far.");
@@ -35,11 +37,12 @@ export class TunePanel {
 
   undo(): void {
     this.onUndo();
+    for (const task of this.tasks.values()) task.dropWishes();
     this.send("undo", {});
   }
 
-  private send(type: string, fields: object, failed: () => void = () => {}, done: () => void = () => {}): void {
-    this.commands.send(type, fields).then(done, (error: Error) => {
+  private send(type: string, fields: object, failed: () => void = () => {}): void {
+    this.commands.send(type, fields).catch((error: Error) => {
       this.report(error.message, "error");
       failed();
     });
@@ -48,9 +51,11 @@ export class TunePanel {
   show(session: Session): void {
     this.friction.min = String(session.limits.friction_min);
     this.friction.max = String(session.limits.friction_max);
-    this.tables.replaceChildren(...session.tasks.map((task) => this.table(task)));
-    if (session.tasks.length === 0) this.tables.append(h("p", { class: "soft" }, "The numbers of a log's tasks stand in its options."));
-    for (const input of this.tables.querySelectorAll("input")) input.disabled = !this.commands.allowed;
+    const order = session.orders.at(-1)?.levels ?? session.header.level_names;
+    const tables = session.tasks.filter(({ numbers }) => numbers.length > 0).map((task) => this.table(task, order.indexOf(task.level_name) + 1));
+    tables.sort((a, b) => a.place - b.place);
+    // Elements that are put in again lose the focus.
+    if (tables.some(({ root }, k) => this.tables.children[k] !== root)) this.tables.replaceChildren(...tables.map(({ root }) => root));
     this.friction.disabled = !this.commands.allowed;
     this.undoButton.disabled = !this.commands.allowed;
   }
@@ -67,32 +72,88 @@ export class TunePanel {
     this.undoButton.disabled = !this.commands.allowed || steps === 0;
   }
 
-  private table(task: TaskInfo): HTMLElement {
-    const rows = task.numbers.map((number) => this.row(task, number));
-    return h("section", { class: "task" }, h("h3", {}, `${task.level + 1} ${plain(task.level_name)}`,
-      task.task === task.level_name ? "" : h("span", { class: "soft" }, ` ${plain(task.task)}`)), ...rows);
-  }
-
-  private row(task: TaskInfo, number: TaskNumber): HTMLElement {
-    const input = h("input", {
-      type: "number", value: number.value, min: number.min, max: number.max, step: "any",
-      "data-gain": `${task.level_name}.${task.task}.${number.name}`,
-      title: `${number.min} to ${number.max} ${number.unit}`,
-      onchange: () => ask(),
-    });
-    let kept = number.value;
-    const ask = (): void => {
-      const value = takeNumber(input, kept);
-      if (value === undefined) return;
-      const gain = { level: task.level_name, task: task.task, name: number.name, value };
-      this.send("gain", gain, () => (input.value = String(kept)), () => (kept = value));
-    };
-    return h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, input, h("span", { class: "unit" }, number.unit)));
+  private table(task: TaskInfo, place: number): TaskTable {
+    const key = `${task.level_name}.${task.task}`;
+    const known = this.tasks.get(key);
+    const table = known ?? new TaskTable(task, this.commands.allowed, (gain, failed) => this.send("gain", gain, failed));
+    this.tasks.set(key, table);
+    table.show(task, place);
+    return table;
   }
 
   addChange(time: number, text: string): void {
     this.none.hidden = true;
     this.list.prepend(h("li", {}, h("span", { class: "soft" }, `${time.toFixed(2)} s `), text));
     while (this.list.children.length > 200) this.list.lastElementChild?.remove();
+  }
+}
+
+type SendGain = (gain: object, failed: () => void) => void;
+
+/** The numbers of a task. */
+class TaskTable {
+  readonly root: HTMLElement;
+  place = 0;
+  private readonly title = h("span", {});
+  private readonly gains: GainField[];
+
+  constructor(task: TaskInfo, allowed: boolean, send: SendGain) {
+    const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
+    this.gains = task.numbers.map((number) => new GainField(task, number, allowed, send));
+    this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...this.gains.map(({ root }) => root));
+  }
+
+  /** `place`: of its level in the order, from 1. */
+  show(task: TaskInfo, place: number): void {
+    this.place = place;
+    say(this.title, `${place} ${plain(task.level_name)}`);
+    this.gains.forEach((gain, k) => gain.show(task.numbers[k]?.value ?? NaN));
+  }
+
+  dropWishes(): void {
+    for (const gain of this.gains) gain.wish.drop();
+  }
+}
+
+/** A number in a field. What is being typed stays there, whatever changes meanwhile. */
+class GainField {
+  readonly root: HTMLElement;
+  readonly wish = new Wish<number>();
+  private readonly input: HTMLInputElement;
+  private now: number;
+  /** What the field said before somebody typed. */
+  private said = "";
+
+  constructor(task: TaskInfo, number: TaskNumber, allowed: boolean, send: SendGain) {
+    this.now = number.value;
+    this.input = h("input", {
+      type: "number", min: number.min, max: number.max, step: "any", disabled: !allowed,
+      "data-gain": `${task.level_name}.${task.task}.${number.name}`,
+      title: `${number.min} to ${number.max} ${number.unit}`,
+      onchange: () => {
+        const value = takeNumber(this.input, this.now);
+        this.said = this.input.value;
+        if (value === undefined) return;
+        this.wish.ask(value);
+        send({ level: task.level_name, task: task.task, name: number.name, value }, () => this.refuse());
+      },
+    });
+    this.root = h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, number.unit)));
+  }
+
+  show(value: number): void {
+    this.now = value;
+    const typing = document.activeElement === this.input && this.input.value !== this.said;
+    if (!typing) this.say(this.wish.or(value));
+  }
+
+  private refuse(): void {
+    this.wish.drop();
+    this.say(this.now);
+  }
+
+  private say(value: number): void {
+    this.said = String(value);
+    if (this.input.value !== this.said) this.input.value = this.said;
   }
 }

@@ -13,7 +13,7 @@ export interface Status {
   generation: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
   undo: number;
-  push: { force: number[]; body: string; until: number } | null;
+  push: { force: number[]; body: string; until: number; impulse: number } | null;
 }
 
 export interface Change {

@@ -1,6 +1,9 @@
 import type * as THREE from "three";
+import { Pace } from "./pace.ts";
 
 interface Step {
+  /** What people may wonder at; "": nothing. */
+  words: string;
   /** Most pixels of the picture for one of the page. */
   ratio: number;
   shadows: boolean;
@@ -11,11 +14,11 @@ interface Step {
 
 /** From the finest picture to the quickest. */
 export const STEPS: readonly Step[] = [
-  { ratio: 2, shadows: true, fine: true, meshes: true },
-  { ratio: 1, shadows: true, fine: true, meshes: true },
-  { ratio: 1, shadows: false, fine: false, meshes: true },
-  { ratio: 0.75, shadows: false, fine: false, meshes: true },
-  { ratio: 0.6, shadows: false, fine: false, meshes: false },
+  { words: "", ratio: 2, shadows: true, fine: true, meshes: true },
+  { words: "", ratio: 1, shadows: true, fine: true, meshes: true },
+  { words: "no shadows", ratio: 1, shadows: false, fine: false, meshes: true },
+  { words: "coarse picture", ratio: 0.75, shadows: false, fine: false, meshes: true },
+  { words: "coarse picture, simple bodies", ratio: 0.6, shadows: false, fine: false, meshes: false },
 ];
 
 /** Whether the processor draws, without a graphics card. */
@@ -27,26 +30,32 @@ export function drawsInSoftware(): boolean {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-/** A picture that takes longer than this is too slow [ms]. */
+/** A picture that takes longer than this is too slow, one that takes less than that quick enough for a finer one [ms]. */
 const TOO_SLOW = 110;
-/** Slow pictures in a row before the next step. */
-const PATIENCE = 12;
+const QUICK = 30;
+/** Time that pictures are too slow, in all, before the next step; quick ones, before the step back [ms]. */
+const PATIENCE = 1500;
+const TRUST = 20000;
 
-/** Takes the picture down a step where the machine can't follow. */
+/** Takes the picture down a step where the machine can't follow, and back once it can. */
 export class Quality {
   step = 0;
-  /** Mean time of a picture [ms]. */
+  /** Mean time from a picture to the next [ms]. */
   frameTime = NaN;
+  readonly pace = new Pace();
   onStep: () => void = () => {};
   private slow = 0;
+  private quick = 0;
+  private readonly finest: number;
 
   constructor(
     renderer: THREE.WebGLRenderer,
     private readonly resize: () => void,
-    software: boolean,
+    private readonly software: boolean,
   ) {
     if (software) this.step = 2;
     else if (window.devicePixelRatio <= 1) this.step = 1;
+    this.finest = this.step;
     renderer.shadowMap.enabled = this.shadows;
     this.apply = () => (renderer.shadowMap.enabled = this.shadows);
   }
@@ -69,17 +78,28 @@ export class Quality {
     return this.current.meshes;
   }
 
-  /** `dt`: since the picture before [ms]. Long pauses are a tab that slept, not a slow machine. */
-  measure(dt: number): void {
-    if (dt > 3000) return;
-    this.frameTime = Number.isNaN(this.frameTime) ? dt : this.frameTime + 0.1 * (dt - this.frameTime);
-    this.slow = dt > TOO_SLOW ? this.slow + 1 : Math.max(0, this.slow - 2);
-    if (this.slow >= PATIENCE && this.step + 1 < STEPS.length) this.use(this.step + 1);
+  /** Pictures a second; what is left out of them, and why. */
+  get facts(): string[] {
+    const rate = 1000 / this.frameTime;
+    const { words } = this.current;
+    const facts = rate > 0 ? [`${rate.toFixed(rate < 9.5 ? 1 : 0)} fps`] : [];
+    return words === "" ? facts : [...facts, `${words}: ${this.software ? "the processor draws" : "drawing is slow here"}`];
   }
 
-  use(step: number): void {
+  /** After each picture. */
+  measure(): void {
+    const { took, period } = this.pace;
+    if (Number.isNaN(took)) return;
+    this.frameTime = Number.isNaN(this.frameTime) ? period : this.frameTime + 0.1 * (period - this.frameTime);
+    this.slow = took > TOO_SLOW ? this.slow + took : Math.max(0, this.slow - 2 * TOO_SLOW);
+    this.quick = took < QUICK ? this.quick + period : 0;
+    if (this.slow >= PATIENCE && this.step + 1 < STEPS.length) this.use(this.step + 1);
+    else if (this.quick >= TRUST && this.step > this.finest) this.use(this.step - 1);
+  }
+
+  private use(step: number): void {
     this.step = step;
-    this.slow = 0;
+    this.slow = this.quick = 0;
     this.apply();
     this.resize();
     this.onStep();

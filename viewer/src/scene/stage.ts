@@ -13,6 +13,7 @@ export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   readonly quality: Quality;
   onResize: () => void = () => {};
+  private fits = false;
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.4);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0xb8bec4, 1.5);
 
@@ -33,7 +34,7 @@ export class Stage {
     shadow.far = 12;
     this.scene.add(this.sky, this.sun, this.sun.target);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
-    this.resize();
+    this.fit();
   }
 
   wear(palette: Palette): void {
@@ -50,7 +51,16 @@ export class Stage {
     this.sun.position.set(target.x - 1.6, target.y + 2.2, target.z + 4.5);
   }
 
-  resize(): void {
+  /** A picture that gets another size is empty: it gets it when the next is drawn. */
+  private resize(): void {
+    this.fits = false;
+    this.onResize();
+  }
+
+  /** Before each picture. */
+  fit(): void {
+    if (this.fits) return;
+    this.fits = true;
     const box = (this.canvas.parentElement as HTMLElement).getBoundingClientRect();
     const width = Math.max(1, Math.floor(box.width));
     const height = Math.max(1, Math.floor(box.height));
@@ -58,7 +68,6 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.onResize();
   }
 
   render(): void {

@@ -29,6 +29,8 @@ export class World {
   readonly labels: Labels;
   readonly newton: number;
   palette: Palette = paletteOf(false);
+  /** The pointer holds the robot. */
+  held = false;
   private readonly terrain: Terrain;
   private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
   private sinceTrails = Infinity;
@@ -37,6 +39,7 @@ export class World {
   private wantsGhost = false;
   /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
   private settling = SETTLING;
+  private copies: OverlaySet[] = [];
   private readonly view = new THREE.Matrix4();
   private onFirstPicture: () => void = () => {};
   private readonly p = [0, 0, 0];
@@ -114,11 +117,12 @@ export class World {
     return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
   }
 
-  /** Draws the frame; `dt`: since the last picture [s]; `extras` may move what it has added. */
-  draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): void {
-    if (!this.changed(frame)) return;
+  /** Draws the frame where the picture would be another one; `dt`: since the last picture [s]; `extras` may move what it has added. */
+  draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): boolean {
+    if (!this.changed(frame)) return false;
     this.settling = frame?.time !== this.shown ? SETTLING : this.settling - dt;
     this.dirty = false;
+    this.stage.fit();
     this.labels.begin();
     if (frame !== undefined) this.show(frame, source, dt);
     extras();
@@ -126,14 +130,15 @@ export class World {
     this.stage.render();
     if (frame !== undefined) this.onFirstPicture();
     this.labels.end();
+    return true;
   }
 
   private show(frame: Frame, source: FrameSource, dt: number): void {
     this.setVisible(true);
     const joints = this.session.header.robot.joint_names;
-    const truth = this.place(this.robot, frame, "truth", joints);
-    if (!truth) this.place(this.robot, frame, "state", joints);
-    if (this.ghostShown) this.place(this.ghost, frame, "state", joints);
+    const truth = this.pose(this.robot, frame, "truth", "truth", joints);
+    if (!truth) this.pose(this.robot, frame, "state", "state", joints);
+    if (this.ghostShown && !this.pose(this.ghost, frame, "estimate", "state", joints)) this.pose(this.ghost, frame, "state", "state", joints);
     this.target.copy(this.robot.root.position);
     this.camera.update(this.target, dt);
     this.stage.lightAt(this.target);
@@ -144,12 +149,26 @@ export class World {
     this.shown = frame.time;
     const { header, tasks } = this.session;
     const { labels, newton } = this;
-    this.overlays.update({ frame, source, header, tasks, labels, newton, trails, beliefToWorld: this.overlays.beliefToWorld });
+    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, tasks, labels, newton, trails, held: this.held, beliefToWorld: set.beliefToWorld });
   }
 
-  private place(robot: Robot, frame: Frame, topic: string, joints: string[]): boolean {
-    if (!read(frame, `${topic}.p_WB`, this.p) || !read(frame, `${topic}.q_WB`, this.q)) return false;
-    if (!read(frame, `${topic}.q`, this.joints)) return false;
+  /** Draws all overlays as often as for this many robots, side by side. */
+  repeatOverlays(robots: number): void {
+    for (const { root } of this.copies) root.removeFromParent();
+    this.copies = Array.from({ length: robots - 1 }, (_, k) => {
+      const copy = new OverlaySet();
+      copy.wear(this.palette);
+      copy.root.position.y = k + 1;
+      for (const set of [this.overlays, copy]) for (const { id, on } of set.switches) if (!on) set.toggle(id);
+      this.stage.scene.add(copy.root);
+      return copy;
+    });
+  }
+
+  /** `base` and `legs`: topics that say where they are. */
+  private pose(robot: Robot, frame: Frame, base: string, legs: string, joints: string[]): boolean {
+    if (!read(frame, `${base}.p_WB`, this.p) || !read(frame, `${base}.q_WB`, this.q)) return false;
+    if (!read(frame, `${legs}.q`, this.joints)) return false;
     robot.pose(this.p, this.q, joints, this.joints);
     return true;
   }
@@ -158,6 +177,24 @@ export class World {
   positionOf(link: string): number[] | undefined {
     const found = this.robot.urdf.links[link];
     return found === undefined ? undefined : found.getWorldPosition(new THREE.Vector3()).toArray();
+  }
+
+  /** Time of the frame in the picture [s]. */
+  get drawn(): number {
+    return this.shown;
+  }
+
+  /** Place of a point of W in the page [pixels]. */
+  place(p_W: [number, number, number]): [number, number] {
+    const at = new THREE.Vector3(...p_W).project(this.stage.camera);
+    const box = this.stage.renderer.domElement.getBoundingClientRect();
+    return [box.left + 0.5 * (1 + at.x) * box.width, box.top + 0.5 * (1 - at.y) * box.height];
+  }
+
+  /** Height of the ground as it is drawn [m]. */
+  groundAt(x: number, y: number): number | undefined {
+    const ray = new THREE.Raycaster(new THREE.Vector3(x, y, 50), new THREE.Vector3(0, 0, -1));
+    return ray.intersectObject(this.terrain.root, true).find(({ face }) => face)?.point.z;
   }
 
   /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */

@@ -1,0 +1,104 @@
+"""How soon and how fast the viewer's page draws, in Debian's chromium without a screen.
+
+    python benchmarks/viewer_page.py [--loads 10] [--seconds 10]
+
+Prints the time from opening the page of a live run to its first picture with a robot, over several loads; then, with all
+overlays on, for one robot and with the overlays of four: the script time of a picture by the clock (median and 99 %), what all script
+had of the processor for each (with what comes between pictures), pictures a second, how far the picture is behind the run, and the
+run's speed. On a machine that is busy otherwise the clock counts that, too. Here the processor draws: what a graphics card needs for a picture is not measured, but what the page's script needs is the same with one.
+Exits with 1 where the slowest first picture takes over 2 s or 99 % of the frames' script over 16 ms.
+"""
+
+import argparse
+import pathlib
+import statistics
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests/python"))
+
+from browser import Browser  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+RUN = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
+FIRST_PICTURE, SCRIPT = 2000, 16  # [ms]
+
+# The pixel is read back from the picture: it is there only when all was drawn.
+DRAWN = """new Promise(done => {
+  const look = () => {
+    if (!(window.surefoot?.pictures > 0)) return setTimeout(look, 5);
+    const p = surefoot.channel('truth.p_WB'), [robot, sky] = [0.05, 1.2].map(z => surefoot.pixel([p[0], p[1], p[2] + z]));
+    done([surefoot.firstPicture, performance.now(), Math.max(...robot.map((one, i) => Math.abs(one - sky[i])))]);
+  };
+  look();
+})"""
+BEHIND = """(async () => {
+  const ticks = (await (await fetch('/api/session')).json());
+  return ticks.period * (ticks.ticks - 1 - surefoot.tick);
+})()"""
+
+
+def quantile(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
+
+
+def load(browser, link):
+    """Times to the first picture's commands, and to its pixels [ms]."""
+    browser.open("about:blank")
+    browser.open(link)
+    while (drawn := browser.value(DRAWN)) is None:
+        pass
+    commands, pixels, contrast = drawn
+    assert contrast > 25, "the first picture has no robot"
+    return commands, pixels
+
+
+def busy(browser):
+    """What the page's script has had of the processor, and the clock [s]."""
+    metrics = {one["name"]: one["value"] for one in browser.call("Performance.getMetrics")["metrics"]}
+    return metrics["ScriptDuration"], metrics["Timestamp"]
+
+
+def watch(browser, seconds):
+    browser.run("surefoot.costs")
+    script, begin = busy(browser)
+    pictures, behind = browser.run("surefoot.pictures"), []
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        time.sleep(0.5)
+        behind.append(browser.run(BEHIND))
+    script, passed = (now - before for now, before in zip(busy(browser), (script, begin)))
+    pictures = browser.run("surefoot.pictures") - pictures
+    costs = browser.run("surefoot.costs")
+    return {
+        "median": statistics.median(costs), "p99": quantile(costs, 0.99), "rate": pictures / passed,
+        "processor": 1e3 * script / pictures, "behind": statistics.median(behind), "furthest": max(behind),
+        "real": browser.run("surefoot.status.real_factor"), "quality": browser.run("surefoot.quality"),
+    }
+
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("--loads", type=int, default=10)
+parser.add_argument("--seconds", type=float, default=10.0)
+arguments = parser.parse_args()
+with Viewer(*RUN) as run, Browser() as browser:
+    loads = [load(browser, run.link) for _ in range(arguments.loads)]
+    for name, times in zip(("drawn by the script", "in the pixels"), zip(*loads)):
+        print(f"first picture {name}: median {statistics.median(times):.0f} ms, worst {max(times):.0f} ms of {len(times)} loads", flush=True)
+    slowest = max(pixels for _, pixels in loads)
+    browser.wait("surefoot.meshesLoading === 0", 120)
+    print(f"all meshes: {browser.run('performance.now()'):.0f} ms, {browser.run('surefoot.triangles')} triangles")
+    browser.call("Performance.enable", timeDomain="threadTicks")
+    costliest = 0.0
+    for name, robots in (("one robot, as it opens", 0), ("one robot, all overlays", 1), ("overlays of four robots", 4)):
+        if robots > 0:
+            browser.run(f"surefoot.repeatOverlays({robots})")
+        time.sleep(3)
+        found = watch(browser, arguments.seconds)
+        costliest = max(costliest, found["p99"])
+        print(
+            "{name}: script {median:.1f} ms a picture, p99 {p99:.1f} ms, of the processor {processor:.1f} ms; {rate:.1f} pictures/s; "
+            "behind the run by {behind:.2f} s, at most {furthest:.2f} s; run at {real:.0%} of real time; picture's step {quality}".format(name=name, **found),
+            flush=True,
+        )
+sys.exit(slowest > FIRST_PICTURE or costliest > SCRIPT)

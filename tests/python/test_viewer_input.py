@@ -1,0 +1,226 @@
+"""What a user does in the viewer's page with mouse, keys, fingers and gamepad: the run does it, and nothing else."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import sysconfig
+import time
+
+import pytest
+
+from browser import wait_for
+from log_file import messages
+from viewer import Viewer
+from viewer_page import SCREENSHOTS, WALK, pause, show
+
+# Keeps all that the page sends.
+SPY = """(() => {
+  window.sent = [];
+  const send = WebSocket.prototype.send;
+  WebSocket.prototype.send = function (text) { sent.push(JSON.parse(text)); return send.call(this, text); };
+})()"""
+
+
+@pytest.fixture(scope="module")
+def played(tmp_path_factory):
+    """A run that goes on, and its log."""
+    log = tmp_path_factory.mktemp("played") / "run.mcap"
+    with Viewer(*WALK, "--record", log) as viewer:
+        viewer.log = log
+        yield viewer
+
+
+def sent(browser, type):
+    return [one for one in browser.run("sent") if one["type"] == type]
+
+
+def set_field(browser, field, value):
+    browser.run(f"(() => {{ const field = {field}; field.value = '{value}'; field.dispatchEvent(new Event('change')); }})()")
+
+
+def test_a_paused_run_that_begins_again_shows_its_first_tick(browser, played):
+    show(browser, played.link)
+    pause(browser)
+    assert browser.run("surefoot.tick") > 0
+    browser.press("r")
+    browser.wait("surefoot.tick === 0 && surefoot.drawn === 0 && surefoot.status.paused", 60)
+    browser.press(" ")
+    browser.wait("surefoot.tick > 20", 60)
+
+
+def test_three_presses_make_it_eight_times_as_fast(browser, played):
+    show(browser, played.link)
+    for keys, speed in (("]]]", 8), ("[[[", 1)):
+        for key in keys:
+            browser.press(key)
+        assert browser.run("Number(document.querySelector('#speed').value)") == speed
+        browser.wait(f"surefoot.status.speed === {speed}")
+
+
+def test_a_field_asks_for_what_was_typed_once_whatever_changes_meanwhile(browser, played):
+    show(browser, played.link)
+    browser.run(SPY)
+    browser.click("#tab-tune")
+    field = "document.querySelector('[data-gain=\"com_xy.com_xy.kp\"]')"
+    before = browser.run(f"{field}.value")
+    set_field(browser, field, "")
+    assert browser.run(f"{field}.value") == before
+    browser.run(f"{field}.focus(); {field}.select()")
+    browser.call("Input.insertText", text="45")
+    generation = browser.run("surefoot.generation")
+    set_field(browser, "document.querySelector('#friction')", 0.45)
+    browser.wait(f"surefoot.generation > {generation}")
+    browser.call("Input.insertText", text="0")
+    assert browser.run(f"{field}.value") == "450" and sent(browser, "gain") == []
+    browser.run(f"{field}.blur()")
+    browser.wait("document.querySelector('.changes').textContent.includes('kp 500 → 450')")
+    assert [(one["name"], one["value"]) for one in sent(browser, "gain")] == [("kp", 450)]
+    browser.press("u")
+    browser.wait(f"{field}.value === '500'")
+
+
+def test_two_moves_of_a_level_add_up(browser, played):
+    show(browser, played.link)
+    browser.run(SPY)
+    names = "surefoot.levels().map(one => one.name)"
+    order = browser.run(names)
+    tilt = order[-2]
+    expected = [*order[:-4], tilt, *order[-4:-2], order[-1]]
+    browser.run(f"""(() => {{ const up = document.querySelector('.level[data-level={tilt}] .movers button'); up.click(); up.click(); }})()""")
+    browser.wait(f"JSON.stringify({names}) === {json.dumps(json.dumps(expected, separators=(',', ':')))}", 60)
+    assert sent(browser, "order")[-1]["levels"] == expected
+    cards = "[...document.querySelectorAll('.level')].map(one => one.dataset.level)"
+    wait_for(lambda: browser.run(cards) == expected, "the panel's order")
+
+
+def test_a_gamepad_walks_stands_and_gives_back(browser, played):
+    show(browser, played.link)
+    browser.run("""(() => { window.pad = { connected: true, axes: [0, -0.3, 0.2, 0], buttons: [{ pressed: false }, { pressed: false }] };
+      navigator.getGamepads = () => [null, pad]; })()""")
+    command = "surefoot.status.command"
+    browser.wait(f"{command}.by === 'operator' && {command}.walk && {command}.velocity[0] > 0.05 && {command}.yaw_rate < -0.02")
+    browser.run("pad.axes = [0, 0, 0, 0]")
+    browser.wait(f"{command}.velocity[0] === 0 && {command}.yaw_rate === 0")
+    browser.run("pad.buttons[0].pressed = true")
+    browser.wait(f"{command}.by === 'operator' && !{command}.walk")
+    browser.run("pad.buttons = [{ pressed: false }, { pressed: true }]")
+    browser.wait(f"{command}.by === 'scenario'")
+
+
+def test_dragging_the_torso_pulls_it_and_says_by_how_many_newton_seconds(browser, played):
+    show(browser, played.link)
+    pause(browser)
+    x, y = browser.run("surefoot.place(surefoot.position('base'))")
+    browser.mouse("mousePressed", x, y)
+    for step in range(1, 6):
+        browser.mouse("mouseMoved", x + 2 * step, y)
+    browser.press(" ")  # now it gives way
+    shown = "[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /pull \\d+ N, [1-9]\\d*\\.\\d N·s so far/.test(one.textContent))"
+    browser.wait(shown, 30)
+    browser.screenshot(SCREENSHOTS / "pull.png")
+    browser.mouse("mouseReleased", x + 10, y)
+    browser.wait("/the pull ends after [\\d.]+ N·s/.test(document.querySelector('.changes').textContent)")
+    browser.wait(f"!{shown}")
+
+
+def test_a_program_that_stands_still_is_told(browser, played):
+    show(browser, played.link)
+    browser.wait("document.querySelector('#link-state').textContent === 'connected'")
+    played.process.send_signal(signal.SIGSTOP)
+    try:
+        browser.wait("/^no answer for \\d+ s$/.test(document.querySelector('#link-state').textContent)")
+        assert browser.run("document.querySelector('#link-state').dataset.state") == "lost"
+    finally:
+        played.process.send_signal(signal.SIGCONT)
+    browser.wait("document.querySelector('#link-state').textContent === 'connected'")
+
+
+def tap_until(browser, selector, condition):
+    """A browser that is busy loses taps which come close behind a drag; a user taps again."""
+    def tapped():
+        browser.tap(selector)
+        time.sleep(0.5)
+        return browser.run(condition)
+    wait_for(tapped, condition)
+
+
+def test_a_phone_turns_the_view_and_commands_by_touch(browser, played):
+    browser.resize(390, 844, scale=2, mobile=True)
+    browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    try:
+        show(browser, played.link)
+        for tab in ("hierarchy", "state", "drive", "tune"):
+            browser.tap(f"#tab-{tab}")
+            browser.wait(f"!document.querySelector('#panel-{tab}').hidden")
+            browser.screenshot(SCREENSHOTS / f"phone_{tab}.png")
+            assert browser.run("[document.documentElement, document.querySelector('#main')].map(one => one.scrollWidth - one.clientWidth)") == [0, 0]
+        browser.tap("#play")
+        browser.wait("surefoot.status.paused")
+        camera, (x, y) = browser.run("surefoot.camera"), browser.middle("#canvas")
+        browser.touch([(x + 12 * step, y) for step in range(6)])
+        wait_for(lambda: max(abs(a - b) for a, b in zip(camera, browser.run("surefoot.camera"))) > 0.1, "the camera to turn")
+        tap_until(browser, "#tab-drive", "!document.querySelector('#panel-drive').hidden")
+        browser.run("document.querySelector('#stand').scrollIntoView({ block: 'center' })")
+        tap_until(browser, "#stand", "surefoot.status.command.by === 'operator'")
+        browser.press(" ")
+        browser.wait("!surefoot.status.paused")
+    finally:
+        browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+        browser.resize(1280, 720)
+
+
+def test_all_that_was_changed_stands_in_the_log(played):
+    played.process.send_signal(signal.SIGINT)
+    played.process.wait(timeout=60)
+    kinds = {change["kind"]: change["text"] for change in messages(next(played.log.parent.glob("run.mcap*")), "/changes")}
+    assert kinds.keys() >= {"stack", "friction", "pull", "walk"}
+    assert "the pull ends after" in kinds["pull"]
+
+
+def test_lines_of_a_plot_have_colours_of_their_own(browser, log):
+    with Viewer("replay", log) as viewer:
+        show(browser, viewer.link)
+        browser.run("""(() => { const field = document.querySelector('#channel-search'); field.value = 'state.qd';
+          field.dispatchEvent(new Event('input')); document.querySelector('.found button').click(); })()""")
+        for theme in ("light", "dark"):
+            browser.prefer(theme)
+            browser.wait(f"document.documentElement.dataset.theme === '{theme}'")
+            plots = browser.run("[...document.querySelectorAll('.plot')].map(plot => [...plot.querySelectorAll('.legend i')].map(one => getComputedStyle(one).backgroundColor))")
+            assert max(map(len, plots)) == 6
+            assert all(len(set(colours)) == len(colours) for colours in plots), plots
+    browser.prefer("light")
+
+
+def test_a_server_of_a_log_that_is_gone_is_told_and_found_again(browser, log):
+    with Viewer("replay", log) as first:
+        show(browser, first.link)
+        first.process.kill()
+    browser.wait("document.querySelector('#notes').textContent.includes('start `surefoot replay` again')")
+    assert browser.run("document.querySelector('#link-state').dataset.state") == "lost"
+    browser.run("window.before = true")
+    with Viewer("replay", log, port=first.port):
+        browser.wait("window.before === undefined && window.surefoot?.pictures > 0", 60)
+        assert browser.run("document.querySelector('#notes').textContent") == ""
+
+
+def test_rough_ground_is_drawn_as_it_is_and_a_missing_mesh_is_told(browser, tmp_path, monkeypatch):
+    robot = "example-robot-data/robots/anymal_b_simple_description"
+    packages = pathlib.Path(os.environ.get("SUREFOOT_ROBOT_PACKAGES") or pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share")
+    shutil.copytree(packages / robot, tmp_path / robot, ignore=shutil.ignore_patterns("anymal_thigh.dae"))
+    monkeypatch.setenv("SUREFOOT_ROBOT_PACKAGES", str(tmp_path))
+    with Viewer("run", "rough_field", "--view") as viewer:
+        show(browser, viewer.link)
+        browser.wait("surefoot.meshesLoading === 0", 60)
+        pause(browser)
+        field = next(one for one in viewer.json("api/session")["header"]["terrain"] if one["columns"] > 1)
+        step = [size / (count - 1) for size, count in zip(field["size"], (field["columns"], field["rows"]))]
+        for i, j in ((field["columns"] // 2, field["rows"] // 2), (field["columns"] // 3, field["rows"] // 4)):
+            x, y = (position + (k - (count - 1) / 2) * one for position, k, count, one in
+                    zip(field["position"], (i, j), (field["columns"], field["rows"]), step))
+            height = field["position"][2] + field["heights"][j * field["columns"] + i]
+            assert abs(browser.run(f"surefoot.ground({x + 1e-7}, {y + 1e-7})") - height) < 1e-4
+        assert "anymal_thigh.dae" in browser.run("document.querySelector('[data-note=meshes]').textContent")
+        assert [uri.rsplit("/", 1)[1] for uri in browser.run("surefoot.meshesMissing")] == ["anymal_thigh.dae"]
+        browser.screenshot(SCREENSHOTS / "rough_field_without_thigh.png")
