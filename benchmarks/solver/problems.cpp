@@ -32,15 +32,16 @@ Hierarchy with_rows(const Hierarchy& source, std::size_t first_level, Index unkn
   return result;
 }
 
-/// The rows that a controller has solved in every tick of a scenario, a part of it.
-ProblemSet record(const std::string& scenario_name, int first, int count) {
-  const Scenario scenario = load_scenario({scenario_name, 0, {}});
+/// The rows that a controller with this stack has solved in every tick of a scenario, a part of it.
+ProblemSet record(const std::string& scenario_name, const std::string& stack, int first,
+                  int count) {
+  const Scenario scenario = load_scenario({scenario_name, 0, {"stack=" + stack}});
   Plant plant(scenario.robot, scenario.plant);
   Controller controller(
       scenario.robot, scenario.controller,
       make_estimator(scenario.estimation,
                      {scenario.robot, scenario.controller.period, plant, scenario.estimator}));
-  ProblemSet set{scenario_name, true, {}};
+  ProblemSet set{scenario_name + ", " + stack, true, {}};
   for (int tick = 0; tick < first + count; ++tick) {
     const SensorReading& reading = plant.read();
     plant.write(controller.step(reading, scenario.user(reading.time)));
@@ -147,16 +148,25 @@ ProblemSet read_problems(const std::string& file, bool is_sequence) {
 
 std::vector<Family> families() {
   std::vector<Family> result;
+  constexpr const char* kStrict = "terrain_adaptation";
   const auto walk = [](const Amount& amount) {
-    return record("walk_flat_sea", 1000, amount.ticks);
+    return record("walk_flat_sea", kStrict, 1000, amount.ticks);
   };
-  const auto step = [](const Amount& amount) { return record("step_down", 4000, amount.ticks); };
-  result.push_back({"walk", "consecutive ticks of walk_flat_sea", walk});
+  const auto step = [](const Amount& amount) {
+    return record("step_down", kStrict, 4000, amount.ticks);
+  };
+  const auto weighted = [](const Amount& amount) {
+    return record("walk_flat_sea", "walk", 1000, amount.ticks);
+  };
+  result.push_back({"walk", "consecutive ticks of walk_flat_sea, all levels strict", walk});
   result.push_back({"step_down", "consecutive ticks of step_down, over the edge", step});
-  result.push_back({"walk_reduced", "the same, levels 1 and 2 eliminated: 12 unknowns",
+  result.push_back({"walk_weighted", "walk_flat_sea, its stack's motion in one level", weighted});
+  result.push_back({"walk_reduced", "the same as walk, levels 1 and 2 eliminated: 12 unknowns",
                     [=](const Amount& amount) { return without_physics(walk(amount)); }});
-  result.push_back({"step_down_reduced", "the same, levels 1 and 2 eliminated",
+  result.push_back({"step_down_reduced", "the same as step_down, levels 1 and 2 eliminated",
                     [=](const Amount& amount) { return without_physics(step(amount)); }});
+  result.push_back({"walk_weighted_reduced", "the same as walk_weighted",
+                    [=](const Amount& amount) { return without_physics(weighted(amount)); }});
   add_generated(result);
   result.push_back({"random_matrices", "the shape of Table I, filled with random numbers",
                     [](const Amount& amount) {
