@@ -57,3 +57,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/base/build_info.cpp P
 SUREFOOT_SOURCE_DATA=\"${PROJECT_SOURCE_DIR}\";\
 SUREFOOT_INSTALLED_DATA=\"${CMAKE_INSTALL_FULL_DATADIR}/surefoot\";\
 SUREFOOT_ROBOT_PACKAGES=\"${SUREFOOT_ROBOT_PACKAGES}\"")
+
+# Roots without errno, and no calls of memset for a few packs of zeros.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/surefoot/solver/sweep_kernels.cpp PROPERTIES
+  COMPILE_OPTIONS "-fno-math-errno;$<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-distribute-patterns>")

@@ -37,7 +37,10 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
   }
   has_judged_norm_ = !undecided_.empty();
   if (has_judged_norm_) judge_norm(s, kernels);
-  find_violated(s, first);
+  violated_.clear();
+  if (kernels.has_violated(s, s.level_begin[first], tolerance::kSatisfied * size_)) {
+    find_violated(s, first);
+  }
   return wrong_.empty() && violated_.empty();
 }
 
@@ -120,7 +123,6 @@ bool ActiveSetSearch::is_frozen(const Sweep& s, int level) const {
 }
 
 void ActiveSetSearch::find_violated(const Sweep& s, int first) {
-  violated_.clear();
   for (int k = first; k < s.num_levels; ++k) {
     if (is_frozen(s, k)) break;  // nothing moves these rows
     for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {

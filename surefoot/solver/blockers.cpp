@@ -93,7 +93,9 @@ void BlockerSearch::turn_missed_rows() {
         std::abs(violation(s, row)) <= tolerance::kViolated * s.scale[row] * size_) {
       continue;
     }
-    if (s.base_value[row] == std::numeric_limits<double>::infinity()) kernels_->project(s, row);
+    if (s.is_identity() || s.base_value[row] == std::numeric_limits<double>::infinity()) {
+      kernels_->project(s, &row, 1);
+    }
     double* to = s.rows + static_cast<std::ptrdiff_t>(row) * s.stride;
     std::copy_n(s.base + static_cast<std::ptrdiff_t>(row) * s.stride, s.stride, to);
     turn(to);

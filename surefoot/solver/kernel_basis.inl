@@ -1,5 +1,36 @@
 // Between the space of x and that of y: x = basis · (y, 1).
 
+/// Element i: Σ a[i][j] b[j], or with the row itself where there is no b. Vectors of any length.
+template <bool kWithItself>
+SUREFOOT_INLINE Pack products(const double* const* a, const double* b, int size) {
+  Pack total[kPack] = {};
+  if (size < kPack) {
+    for (int i = 0; i < kPack; ++i) {
+      for (int j = 0; j < size; ++j) total[i][0] += a[i][j] * (kWithItself ? a[i][j] : b[j]);
+    }
+    return sums(total);
+  }
+  int j = 0;
+  for (; j + kPack <= size; j += kPack) {
+    const Pack other = kWithItself ? Pack{} : loose(b + j);
+#pragma GCC unroll 8
+    for (int i = 0; i < kPack; ++i) {
+      const Pack here = loose(a[i] + j);
+      total[i] += here * (kWithItself ? here : other);
+    }
+  }
+  if (j == size) return sums(total);
+  // The rest again ends where the vectors end; what has been counted is left out.
+  const int last = size - kPack;
+  const Pack other = kWithItself ? Pack{} : loose(b + last);
+#pragma GCC unroll 8
+  for (int i = 0; i < kPack; ++i) {
+    const Pack here = loose(a[i] + last);
+    total[i] += from(here * (kWithItself ? here : other), j - last);
+  }
+  return sums(total);
+}
+
 void measure(Sweep& s) {
   for (int i = 0; i < s.num_rows; ++i) {
     s.scale[i] = __builtin_sqrt(loose_dot(s.a[i], s.a[i], s.unknowns));
@@ -10,50 +41,67 @@ void evaluate(Sweep& s, int first, int end) {
   for (int i = first; i < end; ++i) s.value[i] = loose_dot(s.a[i], s.x, s.unknowns);
 }
 
-/// Σ aᵢ basis(i, :) over [first, end), for N packs from `from` on. Two rows in turn, so that sums
-/// don't wait for each other.
+/// One reflection of N packs of the basis.
 template <int N>
-SUREFOOT_INLINE void sum_rows(const double* a, const double* basis, int stride, int first, int end,
-                              Pack* result) {
-  constexpr int kChains = N > 2 ? 2 : 4;
-  Pack chain[kChains][N] = {};
-  int i = first;
-  for (; i + kChains <= end; i += kChains) {
-    const double* row = basis + (long)i * stride;
+SUREFOOT_INLINE void reflect_basis(const Sweep& s, double* basis, int stride, int j) {
+  const double* v = s.reflectors + (long)j * s.stride;
+  Pack along[N] = {};
+  for (int i = j; i < s.unknowns; ++i) {
 #pragma GCC unroll 4
-    for (int c = 0; c < kChains; ++c) {
-#pragma GCC unroll 4
-      for (int k = 0; k < N; ++k) chain[c][k] += a[i + c] * at(row + c * stride + k * kPack);
-    }
+    for (int k = 0; k < N; ++k) along[k] += v[i] * at(basis + (long)i * stride + k * kPack);
   }
-  for (; i < end; ++i) {
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) along[k] *= s.beta[j];
+  for (int i = j; i < s.unknowns; ++i) {
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) at(basis + (long)i * stride + k * kPack) -= v[i] * along[k];
+  }
+}
+
+/// The reflection j and then the one before it, in one pass over the basis:
+///
+///     H₋ H = I − v₋ β₋ (v₋ᵀ − (v₋ᵀ v) β vᵀ) − v β vᵀ
+template <int N>
+SUREFOOT_INLINE void reflect_basis_twice(const Sweep& s, double* basis, int stride, int j) {
+  const double* v = s.reflectors + (long)j * s.stride;
+  const double* u = v - s.stride;
+  const double cross = loose_dot(u + j, v + j, s.unknowns - j);
+  double* top = basis + (long)(j - 1) * stride;
+  Pack along_v[N] = {}, along_u[N];
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) along_u[k] = u[j - 1] * at(top + k * kPack);
+  const double* row = top + stride;
+  for (int i = j; i < s.unknowns; ++i, row += stride) {
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) {
-      chain[0][k] += a[i] * at(basis + (long)i * stride + k * kPack);
+      const Pack here = at(row + k * kPack);
+      along_v[k] += v[i] * here;
+      along_u[k] += u[i] * here;
     }
   }
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) {
-    result[k] = chain[0][k] + chain[1][k];
-    if constexpr (kChains == 4) result[k] += chain[2][k] + chain[3][k];
+    along_v[k] *= s.beta[j];
+    along_u[k] = (along_u[k] - cross * along_v[k]) * s.beta[j - 1];
+    at(top + k * kPack) -= u[j - 1] * along_u[k];
+  }
+  double* to = top + stride;
+  for (int i = j; i < s.unknowns; ++i, to += stride) {
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) {
+      at(to + k * kPack) -= v[i] * along_v[k] + u[i] * along_u[k];
+    }
   }
 }
 
-/// rows of `basis` from `first` on ← (I − β v vᵀ) rows, for rows of N packs; N = 0: of any number.
 template <int N>
-static void reflect_basis(Sweep& s, int stride, const double* v, double beta, int first) {
-  constexpr int kWidth = N > 0 ? N : 1;
-  const int packs = N > 0 ? N : stride / kPack;
-  for (int p = 0; p < packs; p += kWidth) {
-    double* basis = s.basis + p * kPack;
-    Pack along[kWidth];
-    sum_rows<kWidth>(v, basis, stride, first, s.unknowns, along);
-#pragma GCC unroll 4
-    for (int k = 0; k < kWidth; ++k) along[k] *= beta;
-    for (int i = first; i < s.unknowns; ++i) {
-      double* row = basis + (long)i * stride;
-#pragma GCC unroll 4
-      for (int k = 0; k < kWidth; ++k) at(row + k * kPack) -= v[i] * along[k];
+static void reflect_basis_back(const Sweep& s, double* basis, int stride) {
+  for (int j = s.fixed - 1; j >= 0; --j) {
+    if (s.beta[j] == 0.0) continue;
+    if (j > 0 && s.beta[j - 1] != 0.0) {
+      reflect_basis_twice<N>(s, basis, stride, j--);
+    } else {
+      reflect_basis<N>(s, basis, stride, j);
     }
   }
 }
@@ -68,67 +116,116 @@ void reduce(Sweep& s) {
     if (i < fixed) row[columns] = s.q[i];
     if (i >= fixed) row[i - fixed] = 1.0;
   }
-  for (int j = fixed - 1; j >= 0; --j) {
-    const double* v = s.reflectors + (long)j * s.stride;
-    switch (stride / kPack) {
-      case 1:
-        reflect_basis<1>(s, stride, v, s.beta[j], j);
-        break;
-      case 2:
-        reflect_basis<2>(s, stride, v, s.beta[j], j);
-        break;
-      case 4:
-        reflect_basis<4>(s, stride, v, s.beta[j], j);
-        break;
-      default:
-        reflect_basis<0>(s, stride, v, s.beta[j], j);
-    }
-  }
+  int j = 0;  // a few packs of all rows stay in the cache
+  for (; j + 4 * kPack <= stride; j += 4 * kPack) reflect_basis_back<4>(s, s.basis + j, stride);
+  for (; j + 2 * kPack <= stride; j += 2 * kPack) reflect_basis_back<2>(s, s.basis + j, stride);
+  if (j < stride) reflect_basis_back<1>(s, s.basis + j, stride);
   s.columns = columns;
   s.stride = stride;
   s.fixed = 0;
 }
 
-/// to ← Σ aᵢ basis(i, :), for rows of N packs; N = 0: of any number.
+/// Rows that are projected together.
+constexpr int kTogether = 4;
+
+/// to[r] ← Σ a[r][i] basis(i, :) over [first, end), for rows of N packs from `from` on.
 template <int N>
-static void combine(const Sweep& s, const double* a, int first, int end, double* to) {
-  constexpr int kWidth = N > 0 ? N : 1;
-  const int packs = N > 0 ? N : s.stride / kPack;
-  for (int p = 0; p < packs; p += kWidth) {
-    Pack total[kWidth];
-    sum_rows<kWidth>(a, s.basis + p * kPack, s.stride, first, end, total);
+SUREFOOT_INLINE void combine(const Sweep& s, const double* const* a, int first, int end, int from,
+                             double* const* to) {
+  Pack total[kTogether][N] = {};
+  const double* row = s.basis + (long)first * s.stride + from;
+  for (int i = first; i < end; ++i, row += s.stride) {
 #pragma GCC unroll 4
-    for (int k = 0; k < kWidth; ++k) at(to + (p + k) * kPack) = total[k];
+    for (int r = 0; r < kTogether; ++r) {
+#pragma GCC unroll 4
+      for (int k = 0; k < N; ++k) total[r][k] += a[r][i] * at(row + k * kPack);
+    }
+  }
+#pragma GCC unroll 4
+  for (int r = 0; r < kTogether; ++r) {
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) at(to[r] + from + k * kPack) = total[r][k];
   }
 }
 
-void project(Sweep& s, int row) {
-  const double* a = s.a[row];
+static void project_together(Sweep& s, const int* rows) {
+  const double* a[kTogether];
+  double* to[kTogether];
+  for (int r = 0; r < kTogether; ++r) {
+    a[r] = s.a[rows[r]];
+    to[r] = s.base + (long)rows[r] * s.stride;
+  }
+  const auto is_zero = [&](int i) {
+    return a[0][i] == 0.0 && a[1][i] == 0.0 && a[2][i] == 0.0 && a[3][i] == 0.0;
+  };
+  int first = 0, end = s.unknowns;
+  while (end > 0 && is_zero(end - 1)) --end;
+  while (first < end && is_zero(first)) ++first;
+  int j = 0;
+  for (; j + 2 * kPack <= s.stride; j += 2 * kPack) combine<2>(s, a, first, end, j, to);
+  if (j < s.stride) combine<1>(s, a, first, end, j, to);
+  for (int r = 0; r < kTogether; ++r) {
+    s.base_value[rows[r]] = to[r][s.columns];
+  }
+  for (int r = 0; r < kTogether; ++r) to[r][s.columns] = 0.0;
+}
+
+static void project_identity(Sweep& s, int row) {
   double* to = s.base + (long)row * s.stride;
   s.base_value[row] = 0.0;
+  for (int j = 0; j < s.columns; ++j) to[j] = s.a[row][j];
+  for (int j = s.columns; j < s.stride; ++j) to[j] = 0.0;
+}
+
+void project(Sweep& s, const int* rows, int count) {
   if (s.columns == s.unknowns) {  // the basis is the identity
-    for (int j = 0; j < s.columns; ++j) to[j] = a[j];
-    for (int j = s.columns; j < s.stride; ++j) to[j] = 0.0;
+    for (int i = 0; i < count; ++i) project_identity(s, rows[i]);
     return;
   }
-  int first = 0, end = s.unknowns;
-  while (end > 0 && a[end - 1] == 0.0) --end;
-  while (first < end && a[first] == 0.0) ++first;
-  switch (s.stride / kPack) {
-    case 2:
-      combine<2>(s, a, first, end, to);
-      break;
-    case 4:
-      combine<4>(s, a, first, end, to);
-      break;
-    default:
-      combine<0>(s, a, first, end, to);
+  int i = 0;
+  for (; i + kTogether <= count; i += kTogether) project_together(s, rows + i);
+  if (i == count) return;
+  int rest[kTogether];
+  for (int r = 0; r < kTogether; ++r) rest[r] = rows[i + r < count ? i + r : count - 1];
+  project_together(s, rest);
+}
+
+/// y of N packs stays in registers.
+template <int N>
+static void turn_back_packs(Sweep& s, int first) {
+  Pack y[N];
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) y[k] = at(s.q + k * kPack);
+  for (int j = s.fixed - 1; j >= first; --j) {
+    if (s.beta[j] == 0.0) continue;
+    const double* v = s.reflectors + (long)j * s.stride;
+    Pack along = Pack{};
+    const int skipped = j / kPack;  // packs in which v isn't defined
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) {
+      if (k >= skipped) along += y[k] * at(v + k * kPack);
+    }
+    along = sum(along) * s.beta[j];
+#pragma GCC unroll 4
+    for (int k = 0; k < N; ++k) {
+      if (k >= skipped) y[k] -= along * at(v + k * kPack);
+    }
   }
-  s.base_value[row] = to[s.columns];
-  to[s.columns] = 0.0;
+#pragma GCC unroll 4
+  for (int k = 0; k < N; ++k) at(s.y + k * kPack) = y[k];
 }
 
 void turn_back(Sweep& s, int first) {
+  switch (s.stride / kPack) {
+    case 1:
+      return turn_back_packs<1>(s, first);
+    case 2:
+      return turn_back_packs<2>(s, first);
+    case 4:
+      return turn_back_packs<4>(s, first);
+    default:
+      break;
+  }
   for (int j = 0; j < s.stride; j += kPack) at(s.y + j) = at(s.q + j);
   const int self = 0;
   for (int j = s.fixed - 1; j >= first; --j) {
@@ -144,7 +241,12 @@ void recover(Sweep& s) {
     return;
   }
   s.y[s.columns] = 1.0;
-  for (int i = 0; i < s.unknowns; ++i) {
-    s.x[i] = dot(s.basis + (long)i * s.stride, s.y, s.stride);
+  const double* list[kPack];
+  for (int i = 0; i < s.unknowns; i += kPack) {
+#pragma GCC unroll 8
+    for (int k = 0; k < kPack; ++k) {
+      list[k] = s.basis + (long)(i + k < s.unknowns ? i + k : s.unknowns - 1) * s.stride;
+    }
+    at(s.x + i) = products<false>(list, s.y, s.stride);
   }
 }

@@ -14,7 +14,7 @@ static double eliminate_packs(Sweep& s, int position, int column, double square)
   double* v = s.reflectors + (long)column * s.stride + skip;
   const int place = column - skip;
   const int* after = s.order + position + 1;
-  const int count = s.num_taking_part - position - 1;
+  const int count = s.turned_end - position - 1;
   const bool has_next = count > 0 && s.fixed < s.columns;
   double* next = has_next ? s.rows + (long)*after * s.stride + skip : row;
 
@@ -130,8 +130,9 @@ SUREFOOT_INLINE double bound(const Sweep& s, int row) {
 static void update_residuals(Sweep& s, int begin, int end) {
   for (int i = begin; i < end; ++i) {
     const int row = s.order[i];
+    const double at_zero = s.base_value[row] - bound(s, row);
     s.residual[row] =
-        dot(s.rows + (long)row * s.stride, s.q, s.stride) + s.base_value[row] - bound(s, row);
+        s.fixed == 0 ? at_zero : at_zero + dot(s.rows + (long)row * s.stride, s.q, s.stride);
   }
 }
 
@@ -165,6 +166,27 @@ static void lower_rank_tolerance(Sweep& s) {
   s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, tolerance::kMostRounding));
 }
 
+/// Elements of rows that are turned by each reflection as soon as it is there: the others wait
+/// until their level begins, so that what is turned stays in the nearest cache.
+constexpr int kNearElements = 3072;
+
+/// The levels from `level` on that are solved next are turned by the reflections so far.
+static void turn_next_levels(Sweep& s, int level, int end_level) {
+  const int begin = s.turned_end;
+  if (s.order_begin[level + 1] <= begin) return;
+  int end = s.order_begin[level + 1];
+  for (int k = level + 1;
+       k < end_level && (s.order_begin[k + 1] - begin) * s.stride <= kNearElements; ++k) {
+    end = s.order_begin[k + 1];
+  }
+  for (int column = s.first_reflection; column < s.fixed; ++column) {
+    if (s.beta[column] == 0.0) continue;
+    reflect(s.rows, s.stride, s.order + begin, end - begin, s.reflectors + (long)column * s.stride,
+            s.beta[column], column);
+  }
+  s.turned_end = end;
+}
+
 static void run_level(Sweep& s, int begin, int end) {
   update_residuals(s, begin, end);
   if (begin == end || s.fixed == s.columns) return;
@@ -187,6 +209,23 @@ static void run_level(Sweep& s, int begin, int end) {
   lower_rank_tolerance(s);
 }
 
+/// A row as it is, where the basis is the identity.
+SUREFOOT_INLINE void copy_row(Sweep& s, int row) {
+  const int whole = s.unknowns / kPack * kPack;
+  const double* a = s.a[row];
+  double* to = s.rows + (long)row * s.stride;
+  for (int j = 0; j < whole; j += kPack) at(to + j) = loose(a + j);
+  if (whole == s.stride) return;
+  if (whole == 0) {
+    at(to) = Pack{};
+    for (int j = 0; j < s.unknowns; ++j) to[j] = a[j];
+    return;
+  }
+  const int last = s.unknowns - kPack;  // the rest again ends where the row ends
+  at(to + whole) = Pack{};
+  loosely(to + last) = loose(a + last);
+}
+
 void start(Sweep& s, int first, int end) {
   s.num_taking_part = 0;
   for (int k = first; k < end; ++k) {
@@ -196,11 +235,16 @@ void start(Sweep& s, int first, int end) {
     }
   }
   s.order_begin[end] = s.num_taking_part;
-  s.fixed = 0;
+  s.fixed = s.first_reflection = s.turned_end = 0;
   for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
   for (int i = 0; i < s.num_taking_part; ++i) {
-    const double* from_row = s.base + (long)s.order[i] * s.stride;
-    double* to_row = s.rows + (long)s.order[i] * s.stride;
+    const int row = s.order[i];
+    if (s.is_identity()) {
+      copy_row(s, row);
+      continue;
+    }
+    const double* from_row = s.base + (long)row * s.stride;
+    double* to_row = s.rows + (long)row * s.stride;
     for (int j = 0; j < s.stride; j += kPack) at(to_row + j) = at(from_row + j);
   }
 }
@@ -208,17 +252,12 @@ void start(Sweep& s, int first, int end) {
 void start_leading(Sweep& s, int end) {
   s.num_taking_part = s.level_begin[end];
   for (int k = 0; k <= end; ++k) s.order_begin[k] = s.level_begin[k];
-  s.fixed = 0;
+  s.fixed = s.first_reflection = s.turned_end = 0;
   for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
-  const int whole = s.unknowns / kPack * kPack;
   for (int row = 0; row < s.num_taking_part; ++row) {
     s.order[row] = row;
     s.base_value[row] = 0.0;
-    double* to = s.rows + (long)row * s.stride;
-    for (int j = 0; j < whole; j += kPack) at(to + j) = loose(s.a[row] + j);
-    if (whole == s.stride) continue;
-    at(to + whole) = Pack{};
-    for (int j = whole; j < s.unknowns; ++j) to[j] = s.a[row][j];
+    copy_row(s, row);
   }
 }
 
@@ -230,6 +269,7 @@ void fix(Sweep& s, int begin, int end) {
 void run(Sweep& s, int first, int end) {
   for (int k = first; k < end; ++k) {
     s.first_column[k] = s.fixed;
+    turn_next_levels(s, k, end);
     run_level(s, s.order_begin[k], s.order_begin[k + 1]);
   }
   s.first_column[end] = s.fixed;

@@ -12,6 +12,7 @@ using Bits = long long __attribute__((vector_size(8 * kPack), may_alias));
 SUREFOOT_INLINE Pack& at(double* p) { return *reinterpret_cast<Pack*>(p); }
 SUREFOOT_INLINE const Pack& at(const double* p) { return *reinterpret_cast<const Pack*>(p); }
 SUREFOOT_INLINE Pack loose(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
+SUREFOOT_INLINE LoosePack& loosely(double* p) { return *reinterpret_cast<LoosePack*>(p); }
 SUREFOOT_INLINE double absolute(double a) { return __builtin_fabs(a); }
 SUREFOOT_INLINE double larger(double a, double b) { return a > b ? a : b; }
 SUREFOOT_INLINE double smaller(double a, double b) { return a < b ? a : b; }
@@ -20,9 +21,11 @@ SUREFOOT_INLINE int padded(int n) { return (n + kPack - 1) / kPack * kPack; }
 /// The sum of all elements, in all elements.
 SUREFOOT_INLINE Pack sum(Pack p) {
 #if SUREFOOT_PACK == 8
-  p += __builtin_shufflevector(p, p, 4, 5, 6, 7, 0, 1, 2, 3);
-  p += __builtin_shufflevector(p, p, 2, 3, 0, 1, 6, 7, 4, 5);
-  return p + __builtin_shufflevector(p, p, 1, 0, 3, 2, 5, 4, 7, 6);
+  using Half = double __attribute__((vector_size(32)));
+  Half half = __builtin_shufflevector(p, p, 0, 1, 2, 3) + __builtin_shufflevector(p, p, 4, 5, 6, 7);
+  half += __builtin_shufflevector(half, half, 2, 3, 0, 1);
+  half += __builtin_shufflevector(half, half, 1, 0, 3, 2);
+  return __builtin_shufflevector(half, half, 0, 1, 2, 3, 0, 1, 2, 3);
 #elif SUREFOOT_PACK == 4
   p += __builtin_shufflevector(p, p, 2, 3, 0, 1);
   return p + __builtin_shufflevector(p, p, 1, 0, 3, 2);
@@ -53,6 +56,39 @@ SUREFOOT_INLINE Pack with(Pack p, int place, double element) {
   const Bits position = {0, 1};
 #endif
   return position == (long long)place ? Pack{} + element : p;
+}
+
+/// Element i is the sum of p[i], for as many packs as a pack has elements.
+SUREFOOT_INLINE Pack sums(const Pack* p) {
+#if SUREFOOT_PACK == 8
+  Pack pairs[4], fours[2];
+#pragma GCC unroll 4
+  for (int i = 0; i < 4; ++i) {
+    const Pack a = p[2 * i], b = p[2 * i + 1];
+    pairs[i] = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+               __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+#pragma GCC unroll 2
+  for (int i = 0; i < 2; ++i) {
+    const Pack a = pairs[2 * i], b = pairs[2 * i + 1];
+    fours[i] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) +
+               __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+  return __builtin_shufflevector(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+#elif SUREFOOT_PACK == 4
+  Pack pairs[2];
+#pragma GCC unroll 2
+  for (int i = 0; i < 2; ++i) {
+    const Pack a = p[2 * i], b = p[2 * i + 1];
+    pairs[i] =
+        __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  }
+  return __builtin_shufflevector(pairs[0], pairs[1], 0, 1, 4, 5) +
+         __builtin_shufflevector(pairs[0], pairs[1], 2, 3, 6, 7);
+#else
+  return __builtin_shufflevector(p[0], p[1], 0, 2) + __builtin_shufflevector(p[0], p[1], 1, 3);
+#endif
 }
 
 SUREFOOT_INLINE double dot(const double* a, const double* b, int size) {
@@ -98,7 +134,26 @@ static void reflect_packs(double* rows, int stride, const int* list, int count, 
       for (int k = 0; k < N; ++k) at(row + k * kPack) = here[k] - along * held[k];
     }
   } else {
-    for (int i = 0; i < count; ++i) {
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {  // four rows share what is read of v
+      double* row[4];
+      Pack chain[4] = {};
+#pragma GCC unroll 4
+      for (int r = 0; r < 4; ++r) row[r] = rows + (long)list[i + r] * stride;
+      for (int k = 0; k < packs * kPack; k += kPack) {
+        const Pack here = at(v + k);
+#pragma GCC unroll 4
+        for (int r = 0; r < 4; ++r) chain[r] += at(row[r] + k) * here;
+      }
+#pragma GCC unroll 4
+      for (int r = 0; r < 4; ++r) chain[r] = sum(chain[r]) * beta;
+      for (int k = 0; k < packs * kPack; k += kPack) {
+        const Pack here = at(v + k);
+#pragma GCC unroll 4
+        for (int r = 0; r < 4; ++r) at(row[r] + k) -= chain[r] * here;
+      }
+    }
+    for (; i < count; ++i) {
       double* row = rows + (long)list[i] * stride;
       Pack chain[4] = {};  // four sums, so that none waits for itself
       int k = 0;

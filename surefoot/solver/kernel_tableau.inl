@@ -47,7 +47,8 @@ void rotate(Sweep& s, int first, double cosine, double sine) {
 }
 
 void gather(Sweep& s, int first) {
-  s.fixed = first;
+  s.fixed = s.first_reflection = first;
+  s.turned_end = s.num_taking_part;
   for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
   for (int i = 0; i < s.num_taking_part; ++i) {
     const int row = s.order[i];

@@ -13,6 +13,14 @@ using Index = Eigen::Index;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+// The kernels write these numbers.
+static_assert(static_cast<int>(RowState::inactive) == 0);
+static_assert(static_cast<int>(RowState::at_upper) == 1);
+static_assert(static_cast<int>(RowState::at_lower) == -1);
+static_assert(static_cast<int>(RowState::equality) == 2);
+static_assert(static_cast<int>(RowState::above_upper) == 3);
+static_assert(static_cast<int>(RowState::below_lower) == -3);
+
 signed char side_of(RowState state) {
   const int side = static_cast<int>(state);
   if (state == RowState::equality) return 2;
@@ -58,23 +66,19 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
   Sweep& s = memory_.sweep;
   for (int i = 0; i < s.unknowns; ++i) solution_.x[i] = s.x[i];
   kernels_.evaluate(s, 0, s.level_begin[first_level_]);
-  const double tolerance = tolerance::kAtBound * solution_.x.norm();
+  kernels_.judge_rows(s, tolerance::kAtBound * solution_.x.norm());
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     LevelResult& result = solution_.levels[k];
-    result.iterations = num_sweeps_;
-    result.time = 0.0;
-    result.num_rows = hierarchy.level(k).num_rows();
+    const int begin = s.level_begin[k], rows = s.level_begin[k + 1] - begin;
     double sum = 0.0;
-    const int begin = s.level_begin[k];
-    const double *value = s.value + begin, *scale = s.scale + begin;
-    const double *lower = s.lower + begin, *upper = s.upper + begin;
-    RowState* states = result.rows.data();
-    for (Index i = 0; i < result.num_rows; ++i) {
-      const double violation = std::max(std::max(0.0, lower[i] - value[i]), value[i] - upper[i]);
-      sum += violation * violation;
-      states[i] = state_of(value[i], lower[i], upper[i], tolerance * scale[i]);
+    for (int i = 0; i < rows; ++i) {
+      sum += s.square_violation[begin + i];
+      result.rows[at(i)] = static_cast<RowState>(s.state[begin + i]);
     }
     result.residual = std::sqrt(sum);
+    result.num_rows = rows;
+    result.iterations = num_sweeps_;
+    result.time = 0.0;
   }
 }
 
@@ -82,16 +86,18 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
 void LexicographicSolver::count_freedom() {
   const Sweep& s = memory_.sweep;
   for (int k = first_level_; k < s.num_levels; ++k) {
-    solution_.levels[at(k)].degrees_of_freedom_left = s.columns;
+    solution_.levels[at(k)].degrees_of_freedom_left = 0;
   }
   for (int k = first_level_; k < s.num_levels; ++k) {
     for (int column = s.first_column[k]; column < s.first_column[k + 1]; ++column) {
       const int row = s.pivot[column];
       const int fixed_by = row >= 0 ? search_.fixed_by(row) : k;
-      for (int j = fixed_by; j < s.num_levels; ++j) {
-        --solution_.levels[at(j)].degrees_of_freedom_left;
-      }
+      if (fixed_by < s.num_levels) --solution_.levels[at(fixed_by)].degrees_of_freedom_left;
     }
+  }
+  Index left = s.columns;
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    left = solution_.levels[at(k)].degrees_of_freedom_left += left;
   }
 }
 

@@ -160,8 +160,7 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
   s.unknowns = static_cast<int>(hierarchy.unknowns());
   s.num_levels = static_cast<int>(hierarchy.num_levels());
   s.num_rows = 0;
-  first_level_ = s.num_levels;
-  bool is_sound = true;
+  bool has_room = true;
   for (int k = 0; k < s.num_levels; ++k) {
     const Level& level = hierarchy.level(at(k));
     s.level_begin[k] = s.num_rows;
@@ -170,15 +169,18 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
     } else {
       std::fill_n(s.side + s.num_rows, level.num_rows(), static_cast<signed char>(0));
     }
-    const RowKinds kinds = append_level(s, level);
-    is_sound = is_sound && kinds.are_sound && !level.has_overflowed();
-    if (kinds.has_inequality) first_level_ = std::min(first_level_, k);
+    append_level(s, level);
+    has_room = has_room && !level.has_overflowed();
   }
   s.level_begin[s.num_levels] = s.num_rows;
   kernels_.measure(s);
-  double sum = 0.0;
-  for (int i = 0; i < s.num_rows; ++i) sum += s.scale[i];
-  return is_sound && std::isfinite(sum);
+  const bool is_sound = kernels_.read_sides(s);
+  int row = 0;
+  while (row < s.num_rows && s.side[row] == 2) ++row;
+  for (first_level_ = 0; first_level_ < s.num_levels; ++first_level_) {
+    if (row < s.level_begin[first_level_ + 1]) break;
+  }
+  return is_sound && has_room;
 }
 
 void LexicographicSolver::reject(const Hierarchy& hierarchy) {
@@ -250,9 +252,8 @@ void LexicographicSolver::substitute(const Substitution& substitution) {
 
 void LexicographicSolver::forget_projections() {
   Sweep& s = memory_.sweep;
-  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
-    s.base_value[row] = kInfinity;
-  }
+  const double value = s.is_identity() ? 0.0 : kInfinity;
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) s.base_value[row] = value;
 }
 
 // Gram-Schmidt, twice: then the shortest y gives the shortest x.
@@ -272,9 +273,7 @@ void LexicographicSolver::make_basis_orthonormal() {
 
 void LexicographicSolver::sweep() {
   Sweep& s = memory_.sweep;
-  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
-    if (s.side[row] != 0) project(row);
-  }
+  project_rows(false);
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
   kernels_.start(s, first_level_, s.num_levels);
@@ -287,11 +286,20 @@ void LexicographicSolver::sweep() {
   ++num_sweeps_;
 }
 
-void LexicographicSolver::project(int row) {
+// Those that take part, or all, that aren't projected yet.
+void LexicographicSolver::project_rows(bool are_all) {
   Sweep& s = memory_.sweep;
-  if (s.base_value[row] != kInfinity) return;
-  kernels_.project(s, row);
-  budget_.spend(2.0 * s.unknowns * (s.columns + 1));
+  int count = 0;
+  if (s.is_identity() && !are_all) return;  // a sweep reads the rows themselves
+  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) {
+    if (s.is_identity()) {
+      s.list[count++] = row;
+    } else if ((are_all || s.side[row] != 0) && s.base_value[row] == kInfinity) {
+      s.list[count++] = row;
+    }
+  }
+  kernels_.project(s, s.list, count);
+  budget_.spend(2.0 * count * s.unknowns * (s.columns + 1));
 }
 
 LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
@@ -322,7 +330,7 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
 // The active rows without a guess.
 LexicographicSolver::Outcome LexicographicSolver::descend() {
   Sweep& s = memory_.sweep;
-  for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) project(row);
+  project_rows(true);
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
   ++num_descents_;

@@ -99,7 +99,7 @@ class LexicographicSolver {
   [[nodiscard]] Outcome find_active_rows(bool may_descend);
   [[nodiscard]] Outcome descend();
   void sweep();
-  void project(int row);
+  void project_rows(bool are_all);
   void keep_point();
   void take_kept_point();
   void take_from_cascade(const Hierarchy& hierarchy);

@@ -31,11 +31,13 @@ bool RowMemory::has_rows_of(const LevelMemory& memory, const Level& level) {
          std::equal(memory.id.begin(), memory.id.begin() + level.num_rows(), level.ids());
 }
 
-void RowMemory::recall(std::size_t k, const Level& level, signed char* side) const {
+void RowMemory::recall(std::size_t k, const Level& level, signed char* side) {
   const auto rows = static_cast<std::size_t>(level.num_rows());
   const LevelMemory* last = find(k, level.name_hash());
+  levels_[k].is_same = false;
   if (last != nullptr && has_rows_of(*last, level)) {
-    std::copy_n(last->side.begin(), rows, side);
+    levels_[k].is_same = last == &levels_[k];
+    for (std::size_t i = 0; i < rows; ++i) side[i] = last->side[i];
     return;
   }
   std::fill(side, side + rows, static_cast<signed char>(0));
@@ -55,12 +57,14 @@ void RowMemory::recall(std::size_t k, const Level& level, signed char* side) con
 void RowMemory::remember(std::size_t k, const Level& level, const signed char* side) {
   LevelMemory& memory = levels_[k];
   if (memory.name == level.name_hash() && level.num_rows() == 0) return;  // it may come back
-  if (memory.name != level.name_hash() || !has_rows_of(memory, level)) {
+  const bool is_same =
+      memory.is_same || (memory.name == level.name_hash() && has_rows_of(memory, level));
+  if (!is_same) {
     memory.name = level.name_hash();
     memory.num_rows = static_cast<std::size_t>(level.num_rows());
     std::copy_n(level.ids(), memory.num_rows, memory.id.begin());
   }
-  std::copy_n(side, memory.num_rows, memory.side.begin());
+  for (std::size_t i = 0; i < memory.num_rows; ++i) memory.side[i] = side[i];
 }
 
 }  // namespace surefoot

@@ -16,9 +16,9 @@ class RowMemory {
 
   /// The remembered sides of the rows of a level, 0 where there is none; `side` has as many
   /// elements as the level has rows. `k` is where the level stands now.
-  void recall(std::size_t k, const Level& level, signed char* side) const;
+  void recall(std::size_t k, const Level& level, signed char* side);
 
-  /// Takes the place of what was remembered about level `k`.
+  /// Takes the place of what was remembered about level `k`, which must have been recalled.
   void remember(std::size_t k, const Level& level, const signed char* side);
   void forget_from(std::size_t k);
 
@@ -26,6 +26,7 @@ class RowMemory {
   struct LevelMemory {
     std::size_t name = 0;  // hash
     std::size_t num_rows = 0;
+    bool is_same = false;  // the level recalled last had these rows
     std::vector<int> id;
     std::vector<signed char> side;
   };

@@ -28,17 +28,21 @@ struct Sweep {
 
   // What is known of x = basis · (y, 1): y are the columns that are swept.
   int columns = 0;               ///< size of y
-  int stride = 0;                ///< from row to row in all matrices but `reflectors_T`
+  int stride = 0;                ///< from row to row in what follows
   double* basis = nullptr;       ///< unknowns × (columns + 1)
-  double* base = nullptr;        ///< row → a · basis
+  double* base = nullptr;        ///< row → a · basis, of those that have been projected
   double* base_value = nullptr;  ///< row → its value at y = 0
+  [[nodiscard]] bool is_identity() const { return columns == unknowns; }  ///< the basis
 
   // The factorization.
   int num_taking_part = 0;
   int* order = nullptr;          ///< rows that take part; in a level, the used ones come first
   int* order_begin = nullptr;    ///< by level
+  int* list = nullptr;           ///< of rows, for whoever needs one
   int* first_column = nullptr;   ///< by level: columns that the levels before have fixed
   int fixed = 0;                 ///< columns that are fixed
+  int first_reflection = 0;      ///< columns that were fixed when the factorization began
+  int turned_end = 0;            ///< rows of `order` before it are turned by all reflections so far
   double* rows = nullptr;        ///< row → a · basis · Q
   double* reflectors = nullptr;  ///< column → v of I − β v vᵀ
   double* beta = nullptr;
@@ -55,7 +59,9 @@ struct Sweep {
   // Results.
   double* y = nullptr;
   double* x = nullptr;
-  double* value = nullptr;  ///< row → a x
+  double* value = nullptr;             ///< row → a x
+  double* square_violation = nullptr;  ///< by row
+  signed char* state = nullptr;        ///< row → RowState
 
   // The tableau of a search: the rows [first_row, end_row) turned by the columns fixed so far.
   int first_row = 0, end_row = 0;
@@ -77,6 +83,14 @@ struct SweepKernels {
   int pack;  ///< strides are multiples of it
   /// scale[i] ← ‖aᵢ‖; NaN or ∞ where an element is.
   void (*measure)(Sweep&);
+  /// side ← 2 for equalities, 0 where there is no such bound. False if bounds or rows make no
+  /// sense.
+  bool (*read_sides)(Sweep&);
+  /// Whether a row from `first` on that takes no part is beyond a bound by more than `rounding`
+  /// ‖a‖.
+  bool (*has_violated)(const Sweep&, int first, double rounding);
+  /// state, square_violation ← of all rows; those within `tolerance` ‖a‖ of a bound are at it.
+  void (*judge_rows)(Sweep&, double tolerance);
   /// Starts a factorization of the rows whose side isn't 0, in the levels [first, end).
   void (*start)(Sweep&, int first, int end);
   /// The same with all rows of the levels [0, end), in the space of x.
@@ -101,8 +115,8 @@ struct SweepKernels {
   void (*advance)(Sweep&, double length);
   /// basis ← Q of the columns that are still free, and what the fixed ones say; 0 columns fixed.
   void (*reduce)(Sweep&);
-  /// base[row] ← a · basis.
-  void (*project)(Sweep&, int row);
+  /// base[row] ← a · basis, for these rows.
+  void (*project)(Sweep&, const int* rows, int count);
   /// y ← Q q, with the reflections from column `first` on.
   void (*turn_back)(Sweep&, int first);
   /// x ← basis · (y, 1).

@@ -5,11 +5,15 @@
 //
 #include "surefoot/solver/kernel_basis.inl"
 #include "surefoot/solver/kernel_factorization.inl"
+#include "surefoot/solver/kernel_rows.inl"
 #include "surefoot/solver/kernel_tableau.inl"
 
 constexpr SweepKernels kKernels{.name = SUREFOOT_ISA_NAME,
                                 .pack = kPack,
                                 .measure = measure,
+                                .read_sides = read_sides,
+                                .has_violated = has_violated,
+                                .judge_rows = judge_rows,
                                 .start = start,
                                 .start_leading = start_leading,
                                 .run = run,

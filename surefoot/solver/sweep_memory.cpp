@@ -1,10 +1,7 @@
 #include "surefoot/solver/sweep_memory.hpp"
 
-#include "surefoot/solver/row_states.hpp"
-
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 namespace surefoot {
 namespace {
@@ -32,8 +29,9 @@ class Pieces {
 std::size_t assign(Sweep& s, double* begin, std::size_t n, std::size_t rows) {
   const std::size_t stride = padded(n + 1);
   Pieces pieces(begin);
-  for (double** by_row : {&s.lower, &s.upper, &s.scale, &s.base_value, &s.residual, &s.force,
-                          &s.value, &s.motion, &s.limit_lower, &s.limit_upper}) {
+  for (double** by_row :
+       {&s.lower, &s.upper, &s.scale, &s.base_value, &s.residual, &s.force, &s.value,
+        &s.square_violation, &s.motion, &s.limit_lower, &s.limit_upper}) {
     *by_row = pieces.take(rows);
   }
   for (double** by_column : {&s.beta, &s.inverse_pivot, &s.q, &s.y, &s.x}) {
@@ -63,7 +61,7 @@ SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
   const auto misplaced = reinterpret_cast<std::uintptr_t>(doubles_.data()) / sizeof(double);
   assign(sweep, doubles_.data() + (kAlignment - misplaced % kAlignment) % kAlignment, n, rows);
 
-  ints_.assign(rows + 3 * (levels + 1) + n + 2 * (n + 1), 0);
+  ints_.assign(2 * rows + 3 * (levels + 1) + n + 2 * (n + 1), 0);
   int* next = ints_.data();
   const auto take = [&next](std::size_t size) {
     int* piece = next;
@@ -71,40 +69,30 @@ SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
     return piece;
   };
   sweep.order = take(rows);
+  sweep.list = take(rows);
   sweep.level_begin = take(levels + 1);
   sweep.order_begin = take(levels + 1);
   sweep.first_column = take(levels + 1);
   sweep.pivot = take(n);
   sweep.tall_order = take(2 * (n + 1));
-  sides_.assign(rows + 1, 0);
+  const auto num_sides = static_cast<std::size_t>(padded(static_cast<int>(rows) + 1));
+  sides_.assign(2 * num_sides, 0);
   sweep.side = sides_.data();
+  sweep.state = sides_.data() + num_sides;
   pointers_.assign(rows + 1, nullptr);
   sweep.a = pointers_.data();
 }
 
-RowKinds append_level(Sweep& s, const Level& level) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  RowKinds kinds;
+void append_level(Sweep& s, const Level& level) {
   const int rows = static_cast<int>(level.num_rows());
-  const Eigen::Index unknowns = s.unknowns;
-  const double* a = level.A().data();
   const double* lower = level.lower().data();
   const double* upper = level.upper().data();
-  const double** pointer = s.a + s.num_rows;
-  signed char* side = s.side + s.num_rows;
-  std::copy_n(lower, rows, s.lower + s.num_rows);
-  std::copy_n(upper, rows, s.upper + s.num_rows);
-  for (int i = 0; i < rows; ++i, a += unknowns) {
-    pointer[i] = a;
-    kinds.are_sound = kinds.are_sound && are_sound(lower[i], upper[i]);
-    const bool is_equality = lower[i] == upper[i];
-    kinds.has_inequality = kinds.has_inequality || !is_equality;
-    const bool has_bound = side[i] < 0 ? lower[i] > -kInfinity : upper[i] < kInfinity;
-    const signed char guess = side[i] != 2 && has_bound ? side[i] : static_cast<signed char>(0);
-    side[i] = is_equality ? static_cast<signed char>(2) : guess;
+  const double* a = level.A().data();
+  for (int i = 0; i < rows; ++i) {
+    s.lower[s.num_rows] = lower[i];
+    s.upper[s.num_rows] = upper[i];
+    s.a[s.num_rows++] = a + i * static_cast<Eigen::Index>(s.unknowns);
   }
-  s.num_rows += rows;
-  return kinds;
 }
 
 }  // namespace surefoot

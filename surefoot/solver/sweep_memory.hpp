@@ -34,12 +34,7 @@ class SweepMemory {
   std::vector<const double*> pointers_;
 };
 
-/// What the rows of a level are.
-struct RowKinds {
-  bool are_sound = true, has_inequality = false;
-};
-
-/// Appends the rows of a level. Their sides are the guess: kept where an inequality has the bound.
-[[nodiscard]] RowKinds append_level(Sweep& sweep, const Level& level);
+/// Appends the rows of a level, without looking at them.
+void append_level(Sweep& sweep, const Level& level);
 
 }  // namespace surefoot

@@ -157,7 +157,8 @@ TYPED_TEST(Choices, WithHeavyWeightsTheWeightedStackComesCloseToTheStrictOne) {
       const Hierarchy& merged = weighted.update(strict);
       const Solution solution = solve<TypeParam>(merged);
       ASSERT_EQ(merged.num_levels(), 2u);
-      ASSERT_LE(worst_stationarity(certify(merged, solution.x)), 1e-9);
+      // The rounding of the heavy rows hides the light ones: docs/solver.md, "Scale of rows".
+      ASSERT_LE(worst_stationarity(certify(merged, solution.x)), 1e-9 + 1e-14 * weight * weight);
       const double distance = (solution.x - x).norm();
       ASSERT_LE(distance, last + 1e-12);
       last = distance;

@@ -1,0 +1,78 @@
+// What can be said of each row by itself; a pack holds several rows.
+
+using Sides = signed char __attribute__((vector_size(kPack), aligned(1), may_alias));
+
+SUREFOOT_INLINE Bits sides_at(const signed char* p) {
+  return __builtin_convertvector(*reinterpret_cast<const Sides*>(p), Bits);
+}
+SUREFOOT_INLINE void write_sides(signed char* p, Bits sides) {
+  *reinterpret_cast<Sides*>(p) = __builtin_convertvector(sides, Sides);
+}
+
+/// All ones for the rows from `row` on that there are.
+SUREFOOT_INLINE Bits are_rows(int row, int end) {
+#if SUREFOOT_PACK == 8
+  const Bits position = {0, 1, 2, 3, 4, 5, 6, 7};
+#elif SUREFOOT_PACK == 4
+  const Bits position = {0, 1, 2, 3};
+#else
+  const Bits position = {0, 1};
+#endif
+  return (Bits)(position < (long long)(end - row));
+}
+
+SUREFOOT_INLINE bool any(Bits bits) {
+  long long all = 0;
+#pragma GCC unroll 8
+  for (int i = 0; i < kPack; ++i) all |= bits[i];
+  return all != 0;
+}
+
+bool read_sides(Sweep& s) {
+  const Pack infinity = Pack{} + __builtin_inf();
+  Bits wrong = Bits{};
+  for (int i = 0; i < s.num_rows; i += kPack) {
+    const Pack lower = at(s.lower + i), upper = at(s.upper + i), scale = at(s.scale + i);
+    const Bits is_sound = (Bits)(lower <= upper) & (Bits)(lower < infinity) &
+                          (Bits)(upper > -infinity) & (Bits)(scale < infinity);
+    wrong |= ~is_sound & are_rows(i, s.num_rows);
+    const Bits guess = sides_at(s.side + i);
+    const Bits below = (Bits)(guess < 0);
+    const Bits has_bound =
+        (below & (Bits)(lower > -infinity)) | (~below & (Bits)(upper < infinity));
+    const Bits is_equality = (Bits)(lower == upper);
+    const Bits kept = guess & has_bound & (Bits)(guess != 2);
+    write_sides(s.side + i, (is_equality & 2) | (~is_equality & kept));
+  }
+  return !any(wrong);
+}
+
+bool has_violated(const Sweep& s, int first, double rounding) {
+  Bits found = Bits{};
+  for (int i = first / kPack * kPack; i < s.num_rows; i += kPack) {
+    const Pack above = at(s.value + i) - at(s.upper + i), below = at(s.lower + i) - at(s.value + i);
+    const Pack limit = rounding * at(s.scale + i);
+    const Bits is_beyond = (Bits)(above > limit) | (Bits)(below > limit);
+    found |= is_beyond & (Bits)(sides_at(s.side + i) == 0) & are_rows(i, s.num_rows);
+  }
+  return any(found);
+}
+
+/// The larger one, as numbers: a bound of infinity has no violation.
+SUREFOOT_INLINE Pack larger_of(Pack a, Pack b) { return a > b ? a : b; }
+
+void judge_rows(Sweep& s, double tolerance) {
+  for (int i = 0; i < s.num_rows; i += kPack) {
+    const Pack value = at(s.value + i), lower = at(s.lower + i), upper = at(s.upper + i);
+    const Pack above = value - upper, below = lower - value;
+    const Pack violation = larger_of(larger_of(Pack{}, below), above);
+    at(s.square_violation + i) = violation * violation;
+    const Pack limit = tolerance * at(s.scale + i);
+    const Bits is_equality = (Bits)(lower == upper);
+    const Bits touches_upper = (Bits)(above >= -limit), touches_lower = (Bits)(below >= -limit);
+    const Bits at_upper = (Bits{} + 1) | ((Bits)(above > limit) & 2);
+    const Bits at_lower = -((Bits{} + 1) | ((Bits)(below > limit) & 2));
+    const Bits touching = (touches_upper & at_upper) | (~touches_upper & touches_lower & at_lower);
+    write_sides(s.state + i, (is_equality & 2) | (~is_equality & touching));
+  }
+}
