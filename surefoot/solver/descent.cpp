@@ -149,7 +149,7 @@ Descent::Move Descent::descend() {
   if (is_negligible()) return Move::negligible;
 
   int row = -1;
-  const double limit = kernels_->longest_step(*sweep_, row);
+  const double limit = kernels_->longest_step(*sweep_, level_begin_, row);
   const double length = rows_.minimum_along(row_values(), limit);
   kernels_->advance(*sweep_, length);
   x_size_ += length * size_;

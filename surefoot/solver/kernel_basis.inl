@@ -32,8 +32,9 @@ SUREFOOT_INLINE Pack products(const double* const* a, const double* b, int size)
 }
 
 void measure(Sweep& s) {
-  for (int i = 0; i < s.num_rows; ++i) {
-    s.scale[i] = __builtin_sqrt(loose_dot(s.a[i], s.a[i], s.unknowns));
+  for (int i = 0; i < s.num_rows; ++i) s.scale[i] = loose_dot(s.a[i], s.a[i], s.unknowns);
+  for (double* scale = s.scale; scale < s.scale + s.num_rows; scale += kPack) {
+    for (int k = 0; k < kPack; ++k) scale[k] = __builtin_sqrt(scale[k]);  // at once
   }
 }
 
@@ -190,7 +191,7 @@ void project(Sweep& s, const int* rows, int count) {
   project_together(s, rest);
 }
 
-/// y of N packs stays in registers.
+/// y of N packs stays in registers; two reflections at a time, as in `reflect_basis_twice`.
 template <int N>
 static void turn_back_packs(Sweep& s, int first) {
   Pack y[N];
@@ -198,18 +199,31 @@ static void turn_back_packs(Sweep& s, int first) {
   for (int k = 0; k < N; ++k) y[k] = at(s.q + k * kPack);
   for (int j = s.fixed - 1; j >= first; --j) {
     if (s.beta[j] == 0.0) continue;
+    const bool is_pair = j > first && s.beta[j - 1] != 0.0;
     const double* v = s.reflectors + (long)j * s.stride;
-    Pack along = Pack{};
-    const int skipped = j / kPack;  // packs in which v isn't defined
+    const double* u = is_pair ? v - s.stride : v;
+    const int begin_v = j / kPack, begin_u = (is_pair ? j - 1 : j) / kPack;  // packs before: unset
+    Pack v_y = Pack{}, u_y = Pack{}, u_v = Pack{};
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) {
-      if (k >= skipped) along += y[k] * at(v + k * kPack);
+      if (k < begin_u) continue;
+      const Pack there = at(u + k * kPack);
+      u_y += there * y[k];
+      if (k < begin_v) continue;
+      const Pack here = at(v + k * kPack);
+      v_y += here * y[k];
+      u_v += here * there;
     }
-    along = sum(along) * s.beta[j];
+    const Pack along_v = sum(v_y) * s.beta[j];
+    const Pack cross = sum(u_v);
+    const Pack along_u = is_pair ? (sum(u_y) - cross * along_v) * s.beta[j - 1] : Pack{};
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) {
-      if (k >= skipped) y[k] -= along * at(v + k * kPack);
+      if (k < begin_u) continue;
+      y[k] -= along_u * at(u + k * kPack);
+      if (k >= begin_v) y[k] -= along_v * at(v + k * kPack);
     }
+    if (is_pair) --j;
   }
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) at(s.y + k * kPack) = y[k];

@@ -76,10 +76,10 @@ void move(Sweep& s, int first, double rounding) {
   }
 }
 
-double longest_step(Sweep& s, int& row) {
+double longest_step(Sweep& s, int end, int& row) {
   const Pack infinity = Pack{} + __builtin_inf();
   Pack least = infinity;
-  for (int i = first_pack(s); i < s.end_row; i += kPack) {
+  for (int i = first_pack(s); i < end; i += kPack) {
     const Pack rate = at(s.motion + i);
     const Pack limit = rate > Pack{} ? at(s.limit_upper + i) : at(s.limit_lower + i);
     const Pack way = limit - at(s.base_value + i);
@@ -93,12 +93,15 @@ double longest_step(Sweep& s, int& row) {
   row = -1;
   if (length == __builtin_inf()) return length;
   double best_rate = 0.0;
-  for (int i = s.first_row; i < s.end_row; ++i) {  // of equal steps that of the fastest row
-    if (s.value[i] > length) continue;
-    const double relative_rate = absolute(s.motion[i]) / s.scale[i];
-    if (relative_rate > best_rate) {
-      best_rate = relative_rate;
-      row = i;
+  for (int pack = first_pack(s); pack < end; pack += kPack) {
+    if (!any((Bits)(at(s.value + pack) <= length))) continue;
+    for (int i = pack; i < pack + kPack; ++i) {  // of equal steps that of the fastest row
+      if (s.value[i] > length) continue;
+      const double relative_rate = absolute(s.motion[i]) / s.scale[i];
+      if (relative_rate > best_rate) {
+        best_rate = relative_rate;
+        row = i;
+      }
     }
   }
   return length;

@@ -109,8 +109,9 @@ struct SweepKernels {
   void (*gather)(Sweep&, int first);
   /// motion ← tableau · q from column `first` on; 0 where it is at most `rounding` ‖a‖.
   void (*move)(Sweep&, int first, double rounding);
-  /// Longest step along the motion within the limits, and the row that ends it, −1 for none.
-  double (*longest_step)(Sweep&, int& row);
+  /// Longest step along the motion within the limits of the rows before `end`, those after it in a
+  /// pack have none, and the row that ends it, −1 for none.
+  double (*longest_step)(Sweep&, int end, int& row);
   /// base_value ← base_value + length · motion.
   void (*advance)(Sweep&, double length);
   /// basis ← Q of the columns that are still free, and what the fixed ones say; 0 columns fixed.
