@@ -140,7 +140,8 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
 
 void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics) {
   LegMotion& next = leg(next_leg());
-  if (!all_down()) {  // a lost foot is still searching: the gait waits
+  if (!all_down() || recovering_) {  // a lost foot is still searching, or the robot has just been
+                                     // caught: the gait waits
     lift_time_ = std::max(lift_time_, time_ + support_duration());
     return;
   }
@@ -219,6 +220,10 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
     phase.heights[index(k)] = feet[index(k)].z() - ground;
     phase.down[index(k)] = leg(k).down();
     phase.loaded_for[index(k)] = leg(k).down() ? leg(k).since(time_) : 0.0;
+    phase.hips[index(k)] = dynamics.hip[index(k)].p.head<2>() - com;
+    const double rise = dynamics.hip[index(k)].p.z() - feet[index(k)].z();
+    phase.reach[index(k)] =
+        std::sqrt(std::max(0.0, options_.swing.reach_max * options_.swing.reach_max - rise * rise));
   }
   const auto add = [&](double duration, bool must_rest) {
     phase.duration = duration;
@@ -240,7 +245,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   com_planner_.stand_on(mean_friction());
   balance_.planned(time_);
   com_planner_.clear();
-  if (mode_ == Mode::stand || !user.walk) {
+  if (mode_ == Mode::stand || !user.walk || recovering_) {
     if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);
     for (const Leg k : kLegs) {
       const bool swings = mode_ == Mode::swing && k == next_leg();

@@ -14,10 +14,16 @@ struct SwingTarget {
   double duration = 0.5;        ///< [s]
   double apex = 0.08;           ///< over the higher of start and goal [m]
   double back = 0.0;            ///< away from the goal first, as the foot rises [m]
+  /// A foot in the air that goes straight to its goal begins with this velocity [m/s] and
+  /// acceleration [m/s²]; apex and back are not used then.
+  bool straight = false;
+  Vec3 velocity = Vec3::Zero();
+  Vec3 acceleration = Vec3::Zero();
 };
 
-/// A swing foot's path: quintic splines along and across the terrain normal, then a straight search
-/// at constant speed from the expected foothold on downward.
+/// A swing foot's path: quintic splines along and across the terrain normal, or a single one from a
+/// foot in motion straight to the goal; then a straight search at constant speed from the expected
+/// foothold on downward.
 class SwingCurve {
  public:
   SwingCurve() = default;
@@ -26,9 +32,12 @@ class SwingCurve {
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
   [[nodiscard]] double duration() const { return target_.duration; }
+  /// The greatest acceleration on the way [m/s²].
+  [[nodiscard]] double peak_acceleration() const;
   [[nodiscard]] const SwingTarget& target() const { return target_; }
 
  private:
+  [[nodiscard]] Motion<Vec3> straight_motion(double t) const;
   [[nodiscard]] Motion<double> normal_motion(double t) const;
   [[nodiscard]] Motion<double> horizontal_share(double t) const;
   [[nodiscard]] Motion<double> retreat(double t) const;
