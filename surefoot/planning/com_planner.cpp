@@ -126,10 +126,11 @@ Vec2 ComPlanner::load_shift(double height) const noexcept {
 void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
   const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
   const int samples = samples_of(support);
+  const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
-    write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, Point::zmp);
+    write_inside_rows(hierarchy.level(0), phase, t, region, zmp_margin, Point::zmp);
     if (load_.force.norm() > 0.0) {
       write_friction_rows(hierarchy.level(0), phase, t);
       write_reach_rows(hierarchy.level(0), phase, t);

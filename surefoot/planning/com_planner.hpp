@@ -8,6 +8,7 @@
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct SupportPhase {
   PerLeg<Vec2> hips{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
                     Vec2::Zero()};  ///< from the COM, x and y in W [m]
   PerLeg<double> reach{};           ///< of a foot on its foothold from its hip, horizontally [m]
-  bool must_rest = false;           ///< the capture point stays inside: the phase may have to wait
+  double zmp_margin_max = std::numeric_limits<double>::infinity();  ///< takes the place of a
+                                                                    ///< greater zmp_margin [m]
+  bool must_rest = false;  ///< the capture point stays inside: the phase may have to wait
 };
 
 /// What acts on the robot beside its weight and the ground: it moves the ZMP by

@@ -16,11 +16,13 @@ constexpr double kFastDescent = 0.25;  // too fast for its velocity to be told f
 constexpr double kJolt = 0.01;         // an impact changes a velocity within this [s]
 constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
 constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
-constexpr double kReboundsWithin = 0.1;  // … so soon after that [s]
-constexpr double kUsual = 0.05;          // memory of the force on a foot in the air [s]
-constexpr double kAstray = 0.04;  // beside its reference by more, a foot could not follow [m]
-constexpr double kGoes = 0.05;    // a foot that is asked to go faster than this can be caught [m/s]
-constexpr double kLag = 0.04;     // weak or delayed drives let a foot be as late as this [s]
+constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
+constexpr double kAway = 0.02;         // … so far from there [m] …
+constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
+constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
+constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
+constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -75,14 +77,15 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
 }
 
 // The estimated force lags an impact and says little of what follows it; the foot's way says more.
-bool LegMotion::rebounds(double time, const LegObservation& seen) const {
-  const bool rises = seen.normal.dot(seen.foot.v) > kRebound;
-  return since(time) < kReboundsWithin && rises &&
-         seen.normal.dot(seen.foot.p - landed_) > kOffGround;
+bool LegMotion::flies(double time, const LegObservation& seen) const {
+  if (since(time) > kFliesWithin) return false;
+  const Vec3 moved = seen.foot.p - landed_;
+  const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
+  return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
-  if (rebounds(time, seen)) return LegEvent::lost;
+  if (flies(time, seen)) return LegEvent::lost;
   light_for_ = normal_force_ < touchdown_.lost_force ? light_for_ + period_ : 0.0;
   const bool expected_to_carry = phase_ == LegPhase::stance;
   return expected_to_carry && light_for_ > touchdown_.lost_duration ? LegEvent::lost

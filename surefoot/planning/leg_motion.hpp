@@ -54,8 +54,8 @@ class LegMotion {
 
  private:
   [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
-  /// Has a foot that has just come down hit the ground so hard that it is in the air again?
-  [[nodiscard]] bool rebounds(double time, const LegObservation& seen) const;
+  /// Is a foot that has just come down in the air: it rebounded, or there was no ground?
+  [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
   [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
   /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
   [[nodiscard]] double doubt() const;

@@ -86,6 +86,11 @@ class Planner {
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void begin_swing();
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  /// A foothold, not further from the hip than the leg reaches when the foot lands.
+  [[nodiscard]] Vec2 within_reach(Leg leg, const Vec3& goal, double duration,
+                                  const Dynamics& dynamics) const;
+  /// How far a leg reaches along the ground with its hip at a height over it [m].
+  [[nodiscard]] double horizontal_reach(double height) const;
   void expect_touchdown(double duration);
   /// Of the feet where they are.
   [[nodiscard]] SupportRegion region(const PerLeg<double>& share, const Dynamics& dynamics) const;

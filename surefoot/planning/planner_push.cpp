@@ -57,7 +57,7 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
 bool Planner::is_calm(const Dynamics& dynamics) const {
   const double margin = region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
   return all_down() && balance_.is_steady() && dynamics.com.v.head<2>().norm() < kAtRest &&
-         margin > options_.push.capture_margin;
+         margin > options_.push.calm_margin;
 }
 
 bool Planner::tips_before_landing(const Dynamics& dynamics) const {
@@ -100,17 +100,14 @@ void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dyna
 
 CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynamics) const {
   const SupportRegion others = region_without(k, dynamics);
-  const double height = options_.stance.height;
-  const double reach = options_.swing.reach_max;
   CaptureProblem problem;
   for (const Leg other : kLegs)
     problem.feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
   if (!leg(k).down())
     problem.feet[index(k)] += 0.5 * duration * plan_.feet[index(k)].v_WF.head<2>();
   problem.capture_point = balance_.capture_point_after(others, duration);
-  problem.out = balance_.excess(others);
   problem.hip = (dynamics.hip[index(k)].p + duration * dynamics.com.v).head<2>();
-  problem.reach = std::sqrt(std::max(0.0, reach * reach - height * height));
+  problem.reach = horizontal_reach(options_.stance.height);
   return find_capture_step(problem, k, options_.push);
 }
 
