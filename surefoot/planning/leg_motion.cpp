@@ -76,9 +76,10 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   return observe_stance(time, seen);
 }
 
-// The estimated force lags an impact and says little of what follows it; the foot's way says more.
+// After a hard landing the estimated force lags and says little; the foot's way says more. (A foot
+// that comes down in its own time and then moves has slid off an edge, and its force says enough.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
-  if (since(time) > kFliesWithin) return false;
+  if (!curve_.target().straight || since(time) > kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
   const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
   return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);

@@ -196,12 +196,13 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
 }
 
 // Of the hip as it will be then: nearly straight, a leg neither feels the ground nor stands on it.
+// Above lower ground the hip comes down with the torso.
 Vec2 Planner::within_reach(Leg k, const Vec3& goal, double duration,
                            const Dynamics& dynamics) const {
   const Vec2 shift = com_planner_.at(time_ + duration).p - dynamics.com.p.head<2>();
   const Vec3& hip = dynamics.hip[index(k)].p;
   const Vec2 from_hip = goal.head<2>() - hip.head<2>() - shift;
-  const double reach = horizontal_reach(hip.z() - goal.z());
+  const double reach = horizontal_reach(std::min(hip.z() - goal.z(), options_.stance.height));
   return from_hip.norm() > reach
              ? Vec2(goal.head<2>() - (from_hip.norm() - reach) * from_hip.normalized())
              : Vec2(goal.head<2>());
