@@ -135,7 +135,7 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
       write_friction_rows(hierarchy.level(0), phase, t);
       write_reach_rows(hierarchy.level(0), phase, t);
     }
-    if (support.must_rest) {
+    if (support.must_rest || load_.force.norm() > 0.0) {
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
                         Point::capture_point);
     }

@@ -46,7 +46,8 @@ struct ComLoad {
 ///      the height over the edge in question: what tips the robot is the moment about that line;
 ///      d is what the load moves it by; against a load also the force along the ground within what
 ///      friction gives, and the hips where the legs reach them
-///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin
+///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin; against a
+///      load always
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
 /// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,

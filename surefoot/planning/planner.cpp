@@ -234,7 +234,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   PerLeg<Vec3> feet = footholds();
   SupportPhase phase;
   phase.lifts_in.fill(kInfinity);
-  if (recovering_) phase.zmp_margin_max = options_.push.zmp_margin;
+  if (recovering_ || balance_.is_pushed()) phase.zmp_margin_max = options_.push.zmp_margin;
   for (const Leg k : kLegs) {
     phase.feet[index(k)] = feet[index(k)].head<2>();
     phase.heights[index(k)] = feet[index(k)].z() - ground;

@@ -80,6 +80,8 @@ class Planner {
   [[nodiscard]] CaptureStep capture_step(Leg leg, double duration, const Dynamics& dynamics) const;
   /// Will the balance be lost before the swinging foot lands by itself?
   [[nodiscard]] bool tips_before_landing(const Dynamics& dynamics) const;
+  /// Can the drives move a foot like that?
+  [[nodiscard]] bool is_agile(const SwingTarget& target) const;
   /// Has a robot that was pushed come to rest, well inside its feet, under a force that stays?
   [[nodiscard]] bool is_calm(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);

@@ -15,15 +15,8 @@ constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can u
 constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
 constexpr double kAgility = 45.0;       // that drives give a foot in the air [m/s²]
 constexpr double kAtRest = 0.06;        // a COM that is slower has been caught [m/s]
+constexpr double kLonger = 1.1;         // times, until the drives can do it …
 constexpr double kLongest = 2.0;        // times the duration of a hasty swing that asks for more
-
-/// The target in as much more time as the drives need for it.
-SwingTarget within_agility(SwingTarget target, const SwingOptions& options) {
-  const double longest = kLongest * target.duration;
-  while (target.duration < longest && SwingCurve(target, options).peak_acceleration() > kAgility)
-    target.duration *= 1.1;
-  return target;
-}
 
 }  // namespace
 
@@ -52,6 +45,10 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
   const bool off = (dynamics.com.p.head<2>() - plan_.com.p).norm() > kOffPlan;
   const bool wants_plan = balance_.wants_plan(time_) || (off && balance_.may_plan(time_));
   if (wants_plan && until_switch() > kShortestPlan) replan_com(user, dynamics);
+}
+
+bool Planner::is_agile(const SwingTarget& target) const {
+  return SwingCurve(target, options_.swing).peak_acceleration() < kAgility;
 }
 
 bool Planner::is_calm(const Dynamics& dynamics) const {
@@ -91,11 +88,15 @@ void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dyna
                      .normal = plane_.normal,
                      .duration = options_.push.foot_down_duration,
                      .straight = true,
-                     .velocity = now.v_WF,
-                     .acceleration = now.a_WF};
-  target.goal.head<2>() = capture_step(k, target.duration, dynamics).goal;
-  target.goal.z() = plane_.height(target.goal.head<2>());
-  swing_again(k, within_agility(target, options_.swing), user, dynamics);
+                     .velocity = now.v_WF};
+  const double longest = kLongest * target.duration;
+  while (true) {
+    target.goal.head<2>() = capture_step(k, target.duration, dynamics).goal;
+    target.goal.z() = plane_.height(target.goal.head<2>());
+    if (is_agile(target) || target.duration > longest) break;
+    target.duration *= kLonger;
+  }
+  swing_again(k, target, user, dynamics);
 }
 
 CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynamics) const {
@@ -135,9 +136,11 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
   const Vec3& p_WF = dynamics.foot[index(best)].p;
   Vec3 goal;
   goal << step.goal, plane_.height(step.goal);
-  const SwingTarget target{p_WF, goal, plane_.normal, options_.push.step_duration,
-                           options_.push.step_apex};
-  swing_again(best, within_agility(target, options_.swing), user, dynamics);
+  SwingTarget target{p_WF, goal, plane_.normal, options_.push.step_duration,
+                     options_.push.step_apex};
+  const double longest = kLongest * target.duration;
+  while (!is_agile(target) && target.duration < longest) target.duration *= kLonger;
+  swing_again(best, target, user, dynamics);
 }
 
 SupportRegion Planner::region_without(Leg k, const Dynamics& dynamics) const {

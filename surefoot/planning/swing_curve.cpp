@@ -52,7 +52,7 @@ Motion<Vec3> SwingCurve::straight_motion(double t) const {
   const double T = target_.duration;
   const Vec3 down = -touchdown_speed_ * target_.normal;
   if (t > T) return {target_.goal + (t - T) * down, down, Vec3::Zero()};
-  return hermite<Vec3>({target_.start, target_.velocity, target_.acceleration},
+  return hermite<Vec3>({target_.start, target_.velocity, Vec3::Zero()},
                        {target_.goal, down, Vec3::Zero()}, t, T);
 }
 

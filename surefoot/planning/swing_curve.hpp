@@ -8,17 +8,14 @@ namespace surefoot {
 
 /// Where a swing begins and should end.
 struct SwingTarget {
-  Vec3 start = Vec3::Zero();    ///< foot at lift-off, in W [m]
-  Vec3 goal = Vec3::Zero();     ///< expected foothold, in W [m]
-  Vec3 normal = Vec3::UnitZ();  ///< of the terrain: the foot rises and searches along it
-  double duration = 0.5;        ///< [s]
-  double apex = 0.08;           ///< over the higher of start and goal [m]
-  double back = 0.0;            ///< away from the goal first, as the foot rises [m]
-  /// A foot in the air that goes straight to its goal begins with this velocity [m/s] and
-  /// acceleration [m/s²]; apex and back are not used then.
-  bool straight = false;
-  Vec3 velocity = Vec3::Zero();
-  Vec3 acceleration = Vec3::Zero();
+  Vec3 start = Vec3::Zero();     ///< foot at lift-off, in W [m]
+  Vec3 goal = Vec3::Zero();      ///< expected foothold, in W [m]
+  Vec3 normal = Vec3::UnitZ();   ///< of the terrain: the foot rises and searches along it
+  double duration = 0.5;         ///< [s]
+  double apex = 0.08;            ///< over the higher of start and goal [m]
+  double back = 0.0;             ///< away from the goal first, as the foot rises [m]
+  bool straight = false;         ///< of a foot in the air: no apex, no way back …
+  Vec3 velocity = Vec3::Zero();  ///< … and it begins with this velocity [m/s]
 };
 
 /// A swing foot's path: quintic splines along and across the terrain normal, or a single one from a
