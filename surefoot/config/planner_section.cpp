@@ -165,6 +165,8 @@ void read_push(Section& section, PushOptions& push) {
   section.number("step_apex", push.step_apex, kPositive);
   section.number("step_max", push.step_max, kNotNegative);
   section.number("capture_margin", push.capture_margin);
+  section.number("calm_margin", push.calm_margin);
+  section.number("zmp_margin", push.zmp_margin, kNotNegative);
 }
 
 /// A leg is loaded after its touchdown before the next one is unloaded.

@@ -22,7 +22,7 @@ ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options,
       period_(period),
       force_observer_(2.0 * kPi * options.bandwidth_hz, period),
       velocity_observer_(force_observer_),
-      tare_(options.tare, period) {}
+      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period) {}
 
 // Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {

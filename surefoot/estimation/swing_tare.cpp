@@ -22,10 +22,11 @@ void fit(Joint& joint) {
 
 }  // namespace
 
-SwingTare::SwingTare(const SwingTareOptions& options, double period)
+SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double period)
     : options_(options),
       period_(period),
       forgetting_(std::exp(-period / options.memory)),
+      follows_(1.0 - std::exp(-bandwidth * period)),
       wait_(
           std::min(kMostWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {}
 
@@ -34,6 +35,9 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
                        const JointVector& acceleration) noexcept {
   tare_.setZero();
   if (!options_.enabled) return;
+  Signals now;
+  now << torque, velocity, acceleration;
+  const Signals& signals = lagged(now);
   for (const Leg k : kLegs) {
     LegTare& leg = legs_[index(k)];
     const int first = first_joint(k);
@@ -49,7 +53,7 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
     sample.missing = missing.segment<3>(first);
     for (int j = 0; j < kJointsPerLeg; ++j) {
       const int i = first + j;
-      sample.features[static_cast<std::size_t>(j)] << 1.0, torque[i], velocity[i], acceleration[i];
+      sample.features[static_cast<std::size_t>(j)] << 1.0, signals.row(i).transpose();
       tare_[i] = leg.joints[static_cast<std::size_t>(j)].theta.dot(
           sample.features[static_cast<std::size_t>(j)]);
     }
@@ -57,6 +61,17 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
       weigh(leg, sample);
     }
   }
+}
+
+const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
+  if (is_first_ || !stages_.back().allFinite()) stages_.fill(now);
+  is_first_ = false;
+  const Signals* input = &now;
+  for (Signals& stage : stages_) {
+    stage += follows_ * (*input - stage);
+    input = &stage;
+  }
+  return stages_.back();
 }
 
 // What was seen `wait` ago was in the air: no touchdown was believed since.

@@ -24,10 +24,12 @@ struct SwingTareOptions {
 ///     r_j ≈ θ_jᵀ (1, τ_j, q̇_j, q̈_j)
 ///
 /// with θ_j from least squares over the last swings, older samples weighted e^(−age / memory), and
-/// pulled to 0 until it is known better; fitted anew at each touchdown. Does not allocate.
+/// pulled to 0 until it is known better; fitted anew at each touchdown. r comes from an observer
+/// with three poles at ω: τ, q̇ and q̈ are lagged like it, by three low-passes. Does not allocate.
 class SwingTare {
  public:
-  SwingTare(const SwingTareOptions& options, double period);
+  /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s].
+  SwingTare(const SwingTareOptions& options, double bandwidth, double period);
 
   /// A tick: the joint torques r [N·m] that the model lacks, with the measured torques [N·m], the
   /// velocities [rad/s] and accelerations [rad/s²]. `stands` says which feet are believed to carry.
@@ -59,12 +61,20 @@ class SwingTare {
     std::array<Joint, kJointsPerLeg> joints;
   };
 
+  using Signals = Eigen::Matrix<double, kNumJoints, kNumFeatures - 1>;
+  static constexpr int kNumPoles = 3;
+
+  /// τ, q̇, q̈ of all joints as the observer has them.
+  const Signals& lagged(const Signals& now) noexcept;
   void weigh(LegTare& leg, const Sample& sample);
   void learn(LegTare& leg, const Sample& sample) const;
 
   SwingTareOptions options_;
   double period_;
   double forgetting_;
+  double follows_;  // a low-pass's share of what is new, in a tick
+  std::array<Signals, kNumPoles> stages_;
+  bool is_first_ = true;
   std::size_t wait_;  // [ticks]
   PerLeg<LegTare> legs_{};
   JointVector tare_ = JointVector::Zero();

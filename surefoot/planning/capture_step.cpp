@@ -2,11 +2,14 @@
 
 #include "surefoot/math/types.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace surefoot {
 namespace {
 
-constexpr int kTried = 8;           // steps on the way
-constexpr double kFootRoom = 0.12;  // between two feet [m]
+constexpr int kLengths = 4, kDirections = 12;  // of the steps that are tried
+constexpr double kFootRoom = 0.12;             // between two feet [m]
 
 Vec2 within(const Vec2& p, const Vec2& centre, double radius) {
   const Vec2 from = p - centre;
@@ -24,20 +27,19 @@ bool has_room(const PerLeg<Vec2>& feet, Leg leg) {
 
 CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const PushOptions& options) {
   const PerLeg<double> all{1.0, 1.0, 1.0, 1.0};
-  const Vec2& from = problem.feet[index(leg)];
-  const double out = problem.out.norm();
-  const Vec2 direction = out > 0.0 ? Vec2(problem.out / out) : Vec2::Zero();
-  const Vec2 behind = problem.capture_point + options.capture_margin * direction;
+  const Vec2 from = problem.feet[index(leg)];
   CaptureStep best{.goal = from};
   PerLeg<Vec2> feet = problem.feet;
-  for (int i = 0; i <= kTried; ++i) {
-    const double share = static_cast<double>(i) / kTried;
-    const Vec2 asked = within(from + share * (behind - from), from, options.step_max);
-    feet[index(leg)] = within(asked, problem.hip, problem.reach);
-    const double margin = SupportRegion(feet, all).margin(problem.capture_point);
-    if (!has_room(feet, leg) || margin <= best.margin) continue;
-    best = {feet[index(leg)], margin};
-    if (margin >= options.capture_margin) break;
+  for (int i = 0; i <= kLengths; ++i) {
+    const double length = options.step_max * i / kLengths;
+    for (int j = 0; j < (i == 0 ? 1 : kDirections); ++j) {
+      const double angle = 2.0 * std::numbers::pi * j / kDirections;
+      const Vec2 asked = from + length * Vec2(std::cos(angle), std::sin(angle));
+      feet[index(leg)] = within(asked, problem.hip, problem.reach);
+      const double margin = SupportRegion(feet, all).margin(problem.capture_point);
+      if (has_room(feet, leg) && margin > best.margin) best = {feet[index(leg)], margin};
+    }
+    if (best.margin >= options.capture_margin) break;
   }
   return best;
 }

@@ -15,14 +15,13 @@ struct CaptureStep {
 struct CaptureProblem {
   PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
   Vec2 capture_point{0.0, 0.0};  ///< when the foot lands
-  Vec2 out{0.0, 0.0};            ///< how far it is out of the other feet's triangle; zero inside
   Vec2 hip{0.0, 0.0};            ///< of the leg, when the foot lands
   double reach = 0.0;            ///< of the foot from the hip, horizontally
 };
 
-/// The shortest of some steps from where the foot is straight behind the capture point that has it
-/// `capture_margin` inside the region of all feet; where none has, the one with the most. Steps are
-/// within reach, at most `step_max` long, and keep off the other feet.
+/// The shortest of some steps in all directions that has the capture point `capture_margin` inside
+/// the region of all feet; of equally short ones, and where none has, the one with the most. Steps
+/// are within reach, at most `step_max` long, and keep off the other feet.
 [[nodiscard]] CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg,
                                             const PushOptions& options);
 

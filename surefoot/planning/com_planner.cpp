@@ -20,6 +20,7 @@ constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kFrictionRows = 4;         // of a sample
+constexpr double kNearReach = 0.5;       // of a leg's reach: nearer hips need no row
 constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
 constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
 constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
@@ -43,7 +44,8 @@ Hierarchy ComPlanner::make_hierarchy(int phases) {
   Hierarchy hierarchy(kUnknownsPerKnot * phases);
   const int region_rows = phases * kMaxSamples * SupportRegion::kMaxEdges;
   const int friction_rows = phases * kMaxSamples * kFrictionRows;
-  hierarchy.add_level("zmp in the support region", region_rows + friction_rows);
+  const int reach_rows = phases * kMaxSamples * static_cast<int>(kNumLegs);
+  hierarchy.add_level("zmp in the support region", region_rows + friction_rows + reach_rows);
   hierarchy.add_level("capture point in the swing's triangle", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
@@ -124,12 +126,16 @@ Vec2 ComPlanner::load_shift(double height) const noexcept {
 void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
   const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
   const int samples = samples_of(support);
+  const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
-    write_inside_rows(hierarchy.level(0), phase, t, region, options_.zmp_margin, Point::zmp);
-    if (load_.force.norm() > 0.0) write_friction_rows(hierarchy.level(0), phase, t);
-    if (support.must_rest) {
+    write_inside_rows(hierarchy.level(0), phase, t, region, zmp_margin, Point::zmp);
+    if (load_.force.norm() > 0.0) {
+      write_friction_rows(hierarchy.level(0), phase, t);
+      write_reach_rows(hierarchy.level(0), phase, t);
+    }
+    if (support.must_rest || load_.force.norm() > 0.0) {
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
                         Point::capture_point);
     }
@@ -166,6 +172,23 @@ void ComPlanner::write_friction_rows(Level& level, int phase, double t) const no
       rows.lower[0] = -kInfinity;
       rows.upper[0] = most - known + sign * height_ * load_.force[axis];
     }
+  }
+}
+
+void ComPlanner::write_reach_rows(Level& level, int phase, double t) const noexcept {
+  const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
+  const HermiteWeights w = hermite_position(t, support.duration);
+  const Vec2 com = evaluate(phase, t).p;
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    const Vec2 from_foot = com + support.hips[leg] - support.feet[leg];
+    if (!support.down[leg] || from_foot.norm() < kNearReach * support.reach[leg]) continue;
+    const Vec2 direction = from_foot.normalized();
+    Rows rows = level.add(1, 0);
+    double known = direction.dot(support.hips[leg] - support.feet[leg]);
+    for (int axis = 0; axis < 2; ++axis)
+      known += add_terms(rows, 0, phase, axis, w, direction[axis]);
+    rows.lower[0] = -kInfinity;
+    rows.upper[0] = support.reach[leg] - known;
   }
 }
 

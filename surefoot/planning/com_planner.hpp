@@ -8,6 +8,7 @@
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -22,7 +23,12 @@ struct SupportPhase {
   PerLeg<bool> down{};              ///< carries force for (part of) this phase
   PerLeg<double> loaded_for{};  ///< time since touchdown at the phase's begin; ramps f_max up [s]
   PerLeg<double> lifts_in{};  ///< time to lift-off at the phase's begin; ramps down; ∞ if none [s]
-  bool must_rest = false;     ///< the capture point stays inside: the phase may have to wait
+  PerLeg<Vec2> hips{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
+                    Vec2::Zero()};  ///< from the COM, x and y in W [m]
+  PerLeg<double> reach{};           ///< of a foot on its foothold from its hip, horizontally [m]
+  double zmp_margin_max = std::numeric_limits<double>::infinity();  ///< takes the place of a
+                                                                    ///< greater zmp_margin [m]
+  bool must_rest = false;  ///< the capture point stays inside: the phase may have to wait
 };
 
 /// What acts on the robot beside its weight and the ground: it moves the ZMP by
@@ -39,8 +45,9 @@ struct ComLoad {
 ///   is
 ///      the height over the edge in question: what tips the robot is the moment about that line;
 ///      d is what the load moves it by; against a load also the force along the ground within what
-///      friction gives
-///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin
+///      friction gives, and the hips where the legs reach them
+///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin; against a
+///      load always
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
 /// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,
@@ -103,6 +110,9 @@ class ComPlanner {
                          double margin, Point point) const noexcept;
   /// Rows  ±(h/g p̈ − h f) ≤ share μ h  on both axes: what the feet push along the ground.
   void write_friction_rows(Level& level, int phase, double t) const noexcept;
+  /// Rows  e·(p + hip − foot) ≤ reach  for every foot that is down, with the direction e from foot
+  /// to hip at the guess.
+  void write_reach_rows(Level& level, int phase, double t) const noexcept;
   void write_smoothness_rows(Level& level, int phase) const noexcept;
   void write_terminal_rows(Level& level, const Vec2& end_velocity, double weight) const noexcept;
   /// Adds scale · (w · boundary values of a phase) on one axis to row i; returns their value at the

@@ -14,6 +14,11 @@ constexpr int kFirmTicks = 2;          // debounce of a touchdown
 constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
 constexpr double kFastDescent = 0.25;  // too fast for its velocity to be told from a bounce [m/s]
 constexpr double kJolt = 0.01;         // an impact changes a velocity within this [s]
+constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
+constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
+constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
+constexpr double kAway = 0.02;         // … so far from there [m] …
+constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
 constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
 constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
 constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
@@ -30,7 +35,7 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   phase_ = LegPhase::stance;
   begin_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = std::numeric_limits<double>::infinity();
-  foothold_ = p_WF;
+  foothold_ = landed_ = p_WF;
   light_for_ = 0.0;
 }
 
@@ -68,10 +73,20 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   force_per_torque_ = seen.force_per_torque;
   if (!down()) return observe_swing(time, seen);
   foothold_ = seen.foot.p;  // the sphere rolls with its shank: the foothold wanders by a centimetre
-  return observe_stance();
+  return observe_stance(time, seen);
 }
 
-LegEvent LegMotion::observe_stance() {
+// After a hard landing the estimated force lags and says little; the foot's way says more. (A foot
+// that comes down in its own time and then moves has slid off an edge, and its force says enough.)
+bool LegMotion::flies(double time, const LegObservation& seen) const {
+  if (!curve_.target().straight || since(time) > kFliesWithin) return false;
+  const Vec3 moved = seen.foot.p - landed_;
+  const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
+  return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);
+}
+
+LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
+  if (flies(time, seen)) return LegEvent::lost;
   light_for_ = normal_force_ < touchdown_.lost_force ? light_for_ + period_ : 0.0;
   const bool expected_to_carry = phase_ == LegPhase::stance;
   return expected_to_carry && light_for_ > touchdown_.lost_duration ? LegEvent::lost

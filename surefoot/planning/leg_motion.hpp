@@ -53,7 +53,9 @@ class LegMotion {
   [[nodiscard]] bool unloaded() const { return normal_force_ < touchdown_.lift_off_force; }
 
  private:
-  [[nodiscard]] LegEvent observe_stance();
+  [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
+  /// Is a foot that was put down at once in the air again: it rebounded, or there was no ground?
+  [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
   [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
   /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
   [[nodiscard]] double doubt() const;
@@ -78,6 +80,7 @@ class LegMotion {
   double begin_ = 0.0;
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
+  Vec3 landed_ = Vec3::Zero();  // where the foot was at its touchdown
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;

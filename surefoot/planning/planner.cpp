@@ -14,6 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
+constexpr double kRecovery = 0.6;      // in which the COM of a pushed robot comes to rest [s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
@@ -70,8 +71,7 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 
 UserCommand Planner::within_strides(const UserCommand& user) {
   const double height = options_.stance.height + user.height;
-  const double square = options_.swing.reach_max * options_.swing.reach_max - height * height;
-  const StrideLimits limits{.reach = std::sqrt(std::max(0.0, square)),
+  const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
   const double share =
       user.walk ? foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration())
@@ -140,7 +140,8 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
 
 void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics) {
   LegMotion& next = leg(next_leg());
-  if (!all_down()) {  // a lost foot is still searching: the gait waits
+  if (!all_down() || recovering_) {  // a lost foot is still searching, or the robot has just been
+                                     // caught: the gait waits
     lift_time_ = std::max(lift_time_, time_ + support_duration());
     return;
   }
@@ -185,12 +186,31 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     goal.head<2>() += options_.probe.ahead * probe_direction_;
     goal.z() = plane_.height(goal.head<2>());
   }
-  const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
   const double duration = pace() * options_.gait.swing_duration;
+  goal.head<2>() = within_reach(k, goal, duration, dynamics);
+  const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
   expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
+}
+
+// Of the hip as it will be then: nearly straight, a leg neither feels the ground nor stands on it.
+// Above lower ground the hip comes down with the torso.
+Vec2 Planner::within_reach(Leg k, const Vec3& goal, double duration,
+                           const Dynamics& dynamics) const {
+  const Vec2 shift = com_planner_.at(time_ + duration).p - dynamics.com.p.head<2>();
+  const Vec3& hip = dynamics.hip[index(k)].p;
+  const Vec2 from_hip = goal.head<2>() - hip.head<2>() - shift;
+  const double reach = horizontal_reach(std::min(hip.z() - goal.z(), options_.stance.height));
+  return from_hip.norm() > reach
+             ? Vec2(goal.head<2>() - (from_hip.norm() - reach) * from_hip.normalized())
+             : Vec2(goal.head<2>());
+}
+
+double Planner::horizontal_reach(double height) const {
+  const double reach = options_.swing.reach_max;
+  return std::sqrt(std::max(0.0, reach * reach - height * height));
 }
 
 void Planner::expect_touchdown(double duration) {
@@ -214,11 +234,14 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   PerLeg<Vec3> feet = footholds();
   SupportPhase phase;
   phase.lifts_in.fill(kInfinity);
+  if (recovering_ || balance_.is_pushed()) phase.zmp_margin_max = options_.push.zmp_margin;
   for (const Leg k : kLegs) {
     phase.feet[index(k)] = feet[index(k)].head<2>();
     phase.heights[index(k)] = feet[index(k)].z() - ground;
     phase.down[index(k)] = leg(k).down();
     phase.loaded_for[index(k)] = leg(k).down() ? leg(k).since(time_) : 0.0;
+    phase.hips[index(k)] = dynamics.hip[index(k)].p.head<2>() - com;
+    phase.reach[index(k)] = horizontal_reach(dynamics.hip[index(k)].p.z() - feet[index(k)].z());
   }
   const auto add = [&](double duration, bool must_rest) {
     phase.duration = duration;
@@ -240,13 +263,13 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   com_planner_.stand_on(mean_friction());
   balance_.planned(time_);
   com_planner_.clear();
-  if (mode_ == Mode::stand || !user.walk) {
+  if (mode_ == Mode::stand || !user.walk || recovering_) {
     if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);
     for (const Leg k : kLegs) {
       const bool swings = mode_ == Mode::swing && k == next_leg();
       if (!phase.down[index(k)]) land(k, swings ? leg(k).target().goal : dynamics.foot[index(k)].p);
     }
-    add(kStandDuration, false);
+    add(recovering_ ? kRecovery : kStandDuration, recovering_);
     com_planner_.plan(time_, begin, height, Vec2::Zero(), true);
     return;
   }

@@ -80,10 +80,19 @@ class Planner {
   [[nodiscard]] CaptureStep capture_step(Leg leg, double duration, const Dynamics& dynamics) const;
   /// Will the balance be lost before the swinging foot lands by itself?
   [[nodiscard]] bool tips_before_landing(const Dynamics& dynamics) const;
+  /// Can the drives move a foot like that?
+  [[nodiscard]] bool is_agile(const SwingTarget& target) const;
+  /// Has a robot that was pushed come to rest, well inside its feet, under a force that stays?
+  [[nodiscard]] bool is_calm(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void begin_swing();
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  /// A foothold, not further from the hip than the leg reaches when the foot lands.
+  [[nodiscard]] Vec2 within_reach(Leg leg, const Vec3& goal, double duration,
+                                  const Dynamics& dynamics) const;
+  /// How far a leg reaches along the ground with its hip at a height over it [m].
+  [[nodiscard]] double horizontal_reach(double height) const;
   void expect_touchdown(double duration);
   /// Of the feet where they are.
   [[nodiscard]] SupportRegion region(const PerLeg<double>& share, const Dynamics& dynamics) const;
@@ -138,6 +147,7 @@ class Planner {
   double late_time_ = 0.0;    // when a missing touchdown is told [s]
   bool probing_ = false;      // the swinging foot makes its first touch
   bool emergency_ = false;    // it is to stand wherever it touches
+  bool recovering_ = false;   // after a push: the gait waits until the robot is balanced
   int caught_ = 0;            // times that this swing was caught on its way
   Vec2 caught_at_{0.0, 0.0};  // where it was first
   int collisions_ = 0;        // of this swing with something above the ground that it knows

@@ -159,7 +159,9 @@ struct PushOptions {
   double step_duration = 0.2;  ///< of that swing [s]
   double step_apex = 0.04;     ///< [m]
   double step_max = 0.25;      ///< how far a foot goes to catch the robot [m]
-  double capture_margin = 0.06;  ///< … the capture point then inside the new region by this [m]
+  double capture_margin = 0.09;  ///< … the capture point then inside the new region by this [m]
+  double calm_margin = 0.06;  ///< the walk goes on when it is inside all feet's region by this [m]
+  double zmp_margin = 0.02;   ///< … and until then the ZMP may come as near to its edges [m]
 };
 
 struct PlannerOptions {

@@ -13,6 +13,10 @@ namespace {
 constexpr double kOffPlan = 0.01;       // the COM from its plan: that one can't be followed [m]
 constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can use [s]
 constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
+constexpr double kAgility = 45.0;       // that drives give a foot in the air [m/s²]
+constexpr double kAtRest = 0.06;        // a COM that is slower has been caught [m/s]
+constexpr double kLonger = 1.1;         // times, until the drives can do it …
+constexpr double kLongest = 2.0;        // times the duration of a hasty swing that asks for more
 
 }  // namespace
 
@@ -29,6 +33,12 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
     event_ = PlanEvent::push_reloaded;
     leg(next).reload(time_);
     begin_support(user, options_.gait.switch_duration);
+    recovering_ = true;
+    replan_com(user, dynamics);
+  }
+  if (recovering_ && mode_ != Mode::swing && is_calm(dynamics)) {
+    recovering_ = false;
+    if (mode_ == Mode::support) begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
   if (mode_ != Mode::swing) step_to_recover(user, dynamics);
@@ -37,7 +47,18 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
   if (wants_plan && until_switch() > kShortestPlan) replan_com(user, dynamics);
 }
 
+bool Planner::is_agile(const SwingTarget& target) const {
+  return SwingCurve(target, options_.swing).peak_acceleration() < kAgility;
+}
+
+bool Planner::is_calm(const Dynamics& dynamics) const {
+  const double margin = region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
+  return all_down() && balance_.is_steady() && dynamics.com.v.head<2>().norm() < kAtRest &&
+         margin > options_.push.calm_margin;
+}
+
 bool Planner::tips_before_landing(const Dynamics& dynamics) const {
+  if (leg(next_leg()).target().straight) return false;  // it is on its way down
   const double left = deadline_ - time_;
   if (left < options_.push.foot_down_duration) return false;  // it lands as soon as it can
   const Vec2 out = balance_.excess(region_without(next_leg(), dynamics));
@@ -61,26 +82,33 @@ PerLeg<Vec2> Planner::leaning_hips() const {
 void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::push_foot_down;
   probing_ = false;
-  emergency_ = true;
-  const double duration = options_.push.foot_down_duration;
-  const Vec3& p_WF = dynamics.foot[index(k)].p;
-  Vec3 goal;
-  goal.head<2>() = capture_step(k, duration, dynamics).goal;
-  goal.z() = plane_.height(goal.head<2>());
-  swing_again(k, {p_WF, goal, plane_.normal, duration, kLevel}, user, dynamics);
+  emergency_ = recovering_ = true;
+  const FootPlan& now = plan_.feet[index(k)];  // goes on from here: the foot has its speed
+  SwingTarget target{.start = now.p_WF + period_ * now.v_WF,
+                     .normal = plane_.normal,
+                     .duration = options_.push.foot_down_duration,
+                     .straight = true,
+                     .velocity = now.v_WF};
+  const double longest = kLongest * target.duration;
+  while (true) {
+    target.goal.head<2>() = capture_step(k, target.duration, dynamics).goal;
+    target.goal.z() = plane_.height(target.goal.head<2>());
+    if (is_agile(target) || target.duration > longest) break;
+    target.duration *= kLonger;
+  }
+  swing_again(k, target, user, dynamics);
 }
 
 CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynamics) const {
   const SupportRegion others = region_without(k, dynamics);
-  const double height = options_.stance.height;
-  const double reach = options_.swing.reach_max;
   CaptureProblem problem;
   for (const Leg other : kLegs)
     problem.feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
+  if (!leg(k).down())
+    problem.feet[index(k)] += 0.5 * duration * plan_.feet[index(k)].v_WF.head<2>();
   problem.capture_point = balance_.capture_point_after(others, duration);
-  problem.out = balance_.excess(others);
   problem.hip = (dynamics.hip[index(k)].p + duration * dynamics.com.v).head<2>();
-  problem.reach = std::sqrt(std::max(0.0, reach * reach - height * height));
+  problem.reach = horizontal_reach(options_.stance.height);
   return find_capture_step(problem, k, options_.push);
 }
 
@@ -100,7 +128,7 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
   if (step.margin < without + kWorthAStep) return;
   event_ = PlanEvent::push_step;
   begin_swing();
-  emergency_ = true;
+  emergency_ = recovering_ = true;
   for (const Leg k : kLegs) {
     if (k != best && leg(k).phase() == LegPhase::unloading) leg(k).reload(time_);
   }
@@ -108,9 +136,11 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
   const Vec3& p_WF = dynamics.foot[index(best)].p;
   Vec3 goal;
   goal << step.goal, plane_.height(step.goal);
-  swing_again(best,
-              {p_WF, goal, plane_.normal, options_.push.step_duration, options_.push.step_apex},
-              user, dynamics);
+  SwingTarget target{p_WF, goal, plane_.normal, options_.push.step_duration,
+                     options_.push.step_apex};
+  const double longest = kLongest * target.duration;
+  while (!is_agile(target) && target.duration < longest) target.duration *= kLonger;
+  swing_again(best, target, user, dynamics);
 }
 
 SupportRegion Planner::region_without(Leg k, const Dynamics& dynamics) const {

@@ -13,6 +13,7 @@ constexpr double kNoWay = 1e-6;          // a way shorter than this has no direc
 constexpr double kShortestWindow = 0.2;  // left of the options by these
 constexpr double kUpstairsApexShare = 0.40;
 constexpr double kApexShare = 0.45;
+constexpr int kPeakSamples = 40;
 
 }  // namespace
 
@@ -38,12 +39,28 @@ SwingCurve::SwingCurve(const SwingTarget& target, const SwingOptions& options)
 }
 
 Motion<Vec3> SwingCurve::at(double t) const {
+  if (target_.straight) return straight_motion(t);
   const Motion<double> up = normal_motion(t);
   const Motion<double> share = horizontal_share(t);
   const Motion<double> back = retreat(t);
   return {target_.start + share.p * along_ + back.p * back_ + up.p * target_.normal,
           share.v * along_ + back.v * back_ + up.v * target_.normal,
           share.a * along_ + back.a * back_ + up.a * target_.normal};
+}
+
+Motion<Vec3> SwingCurve::straight_motion(double t) const {
+  const double T = target_.duration;
+  const Vec3 down = -touchdown_speed_ * target_.normal;
+  if (t > T) return {target_.goal + (t - T) * down, down, Vec3::Zero()};
+  return hermite<Vec3>({target_.start, target_.velocity, Vec3::Zero()},
+                       {target_.goal, down, Vec3::Zero()}, t, T);
+}
+
+double SwingCurve::peak_acceleration() const {
+  double peak = 0.0;
+  for (int i = 0; i <= kPeakSamples; ++i)
+    peak = std::max(peak, at(target_.duration * i / kPeakSamples).a.norm());
+  return peak;
 }
 
 Motion<double> SwingCurve::normal_motion(double t) const {

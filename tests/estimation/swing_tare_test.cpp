@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace surefoot {
 namespace {
 
 constexpr double kPeriod = 0.0025;
+constexpr double kNoLag = 1e9;  // [rad/s]
 constexpr PerLeg<bool> kStanding{true, true, true, true};
 constexpr PerLeg<bool> kSwingLF{false, true, true, true};
 constexpr int kSwing = 160;  // ticks
@@ -25,6 +27,10 @@ struct Bench {
       torque[j] = 6.0 * std::sin(1.7 * phase) + 2.0;
     }
     lacking = JointVector::Constant(0.4) + 0.1 * torque - 0.05 * velocity + 0.01 * acceleration;
+    for (JointVector& stage : stages) {
+      stage += (1.0 - std::exp(-lag * kPeriod)) * (lacking - stage);
+      lacking = stage;
+    }
     tare.update(stands, lacking + JointVector::Constant(extra), torque, velocity, acceleration);
   }
   void swings(int count, double extra = 0.0) {
@@ -44,8 +50,10 @@ struct Bench {
     return most;
   }
 
-  SwingTare tare{SwingTareOptions{}, kPeriod};
+  SwingTare tare{SwingTareOptions{}, kNoLag, kPeriod};
   double time = 0.0;
+  double lag = kNoLag;  // of the three poles that the lacking torques come by [rad/s]
+  std::array<JointVector, 3> stages{JointVector::Zero(), JointVector::Zero(), JointVector::Zero()};
   JointVector torque, velocity, acceleration, lacking;
 };
 
@@ -55,6 +63,19 @@ TEST(SwingTare, LearnsWhatASwingingLegLacks) {
   bench.swings(4);
   EXPECT_GT(before, 1.0);
   EXPECT_LT(bench.left(), 0.1 * before);
+}
+
+// What lacks comes from an observer that lags; so must the signals that it is explained by.
+TEST(SwingTare, LearnsFromWhatAnObserverSays) {
+  constexpr double kBandwidth = 250.0;  // [rad/s]
+  const auto left_by = [&](double bandwidth_of_tare) {
+    Bench bench;
+    bench.tare = SwingTare({}, bandwidth_of_tare, kPeriod);
+    bench.lag = kBandwidth;
+    bench.swings(4);
+    return bench.left();
+  };
+  EXPECT_LT(left_by(kBandwidth), 0.4 * left_by(kNoLag));
 }
 
 TEST(SwingTare, SaysNothingFromAPartOfASwing) {
@@ -131,7 +152,7 @@ TEST(SwingTare, DoesNotAllocate) {
 
 TEST(SwingTare, SwitchedOffItSaysNothing) {
   Bench bench;
-  bench.tare = SwingTare({.enabled = false}, kPeriod);
+  bench.tare = SwingTare({.enabled = false}, kNoLag, kPeriod);
   bench.swings(3);
   bench.tick(kSwingLF);
   EXPECT_EQ(bench.tare.tare().norm(), 0.0);

@@ -16,7 +16,6 @@ CaptureProblem tipping_left(double out) {
   for (const Leg leg : kLegs) problem.feet[index(leg)] = nominal_offset({}, leg);
   const double edge = problem.feet[index(Leg::LF)].y();
   problem.capture_point = {0.0, edge + out};
-  problem.out = {0.0, out};
   problem.reach = kReach;
   return problem;
 }
@@ -53,7 +52,6 @@ TEST(CaptureStep, IsWithinReachShortEnoughAndOffTheOtherFeet) {
     const Leg leg = kLegs[static_cast<std::size_t>(random.integer(0, 3))];
     const Vec2 from = problem.feet[index(leg)];
     problem.capture_point += 0.2 * Vec2(random.vector(2));
-    problem.out = 0.2 * Vec2(random.vector(2));
     problem.hip = from + 0.1 * Vec2(random.vector(2)).normalized();
     const CaptureStep step = find_capture_step(problem, leg, options);
     EXPECT_LE((step.goal - problem.hip).norm(), kReach + 1e-12);
