@@ -1,5 +1,7 @@
 #include "surefoot/estimation/swing_tare.hpp"
 
+#include "surefoot/signals/sensor_reading.hpp"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -28,7 +30,9 @@ SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double p
       forgetting_(std::exp(-period / options.memory)),
       follows_(1.0 - std::exp(-bandwidth * period)),
       wait_(
-          std::min(kMostWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {}
+          std::min(kMostWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {
+  stages_.fill(Signals::Constant(kNaN));
+}
 
 void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
                        const JointVector& torque, const JointVector& velocity,
@@ -63,9 +67,9 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
   }
 }
 
+// A low-pass that has seen a NaN never says anything else: it begins anew.
 const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
-  if (is_first_ || !stages_.back().allFinite()) stages_.fill(now);
-  is_first_ = false;
+  if (!stages_.back().allFinite()) stages_.fill(now);
   const Signals* input = &now;
   for (Signals& stage : stages_) {
     stage += follows_ * (*input - stage);

@@ -72,10 +72,9 @@ class SwingTare {
   SwingTareOptions options_;
   double period_;
   double forgetting_;
-  double follows_;  // a low-pass's share of what is new, in a tick
-  std::array<Signals, kNumPoles> stages_;
-  bool is_first_ = true;
-  std::size_t wait_;  // [ticks]
+  double follows_;                         // a low-pass's share of what is new, in a tick
+  std::array<Signals, kNumPoles> stages_;  // NaN until there are signals
+  std::size_t wait_;                       // [ticks]
   PerLeg<LegTare> legs_{};
   JointVector tare_ = JointVector::Zero();
 };

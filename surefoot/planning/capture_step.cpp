@@ -1,6 +1,6 @@
 #include "surefoot/planning/capture_step.hpp"
 
-#include "surefoot/math/types.hpp"
+#include "surefoot/math/disc.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,11 +10,6 @@ namespace {
 
 constexpr int kLengths = 4, kDirections = 12;  // of the steps that are tried
 constexpr double kFootRoom = 0.12;             // between two feet [m]
-
-Vec2 within(const Vec2& p, const Vec2& centre, double radius) {
-  const Vec2 from = p - centre;
-  return from.norm() > radius ? Vec2(centre + radius / from.norm() * from) : p;
-}
 
 bool has_room(const PerLeg<Vec2>& feet, Leg leg) {
   for (const Leg other : kLegs) {
@@ -35,7 +30,7 @@ CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const Push
     for (int j = 0; j < (i == 0 ? 1 : kDirections); ++j) {
       const double angle = 2.0 * std::numbers::pi * j / kDirections;
       const Vec2 asked = from + length * Vec2(std::cos(angle), std::sin(angle));
-      feet[index(leg)] = within(asked, problem.hip, problem.reach);
+      feet[index(leg)] = nearest_within(asked, problem.hip, problem.reach);
       const double margin = SupportRegion(feet, all).margin(problem.capture_point);
       if (has_room(feet, leg) && margin > best.margin) best = {feet[index(leg)], margin};
     }

@@ -20,7 +20,7 @@ constexpr double kShortestPhase = 1e-3;  // [s]
 constexpr int kMinSamples = 3;           // of a phase: they hold a cubic acceleration
 constexpr int kMaxSamples = 8;           // of a phase
 constexpr int kFrictionRows = 4;         // of a sample
-constexpr double kNearReach = 0.5;       // of a leg's reach: nearer hips need no row
+constexpr double kNearReach = 0.5;       // of a leg's reach: a hip that is nearer needs no row
 constexpr double kFrictionShare = 0.9 / std::numbers::sqrt2;  // of μ: within the feet's pyramids
 constexpr int kUnknownsPerKnot = 6;                           // p, v, a in x and y
 constexpr int kGaussPoints = 4;                               // exact for the square of a cubic
@@ -46,7 +46,7 @@ Hierarchy ComPlanner::make_hierarchy(int phases) {
   const int friction_rows = phases * kMaxSamples * kFrictionRows;
   const int reach_rows = phases * kMaxSamples * static_cast<int>(kNumLegs);
   hierarchy.add_level("zmp in the support region", region_rows + friction_rows + reach_rows);
-  hierarchy.add_level("capture point in the swing's triangle", region_rows);
+  hierarchy.add_level("capture point in the support region", region_rows);
   hierarchy.add_level("least acceleration", phases * kGaussPoints * 2 + kUnknownsPerKnot);
   return hierarchy;
 }
@@ -127,15 +127,16 @@ void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexce
   const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
   const int samples = samples_of(support);
   const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
+  const bool loaded = load_.force.norm() > 0.0;
   for (int i = 1; i <= samples; ++i) {
     const double t = support.duration * i / samples;
     const SupportRegion region = region_at(support, t);
     write_inside_rows(hierarchy.level(0), phase, t, region, zmp_margin, Point::zmp);
-    if (load_.force.norm() > 0.0) {
+    if (loaded) {
       write_friction_rows(hierarchy.level(0), phase, t);
       write_reach_rows(hierarchy.level(0), phase, t);
     }
-    if (support.must_rest || load_.force.norm() > 0.0) {
+    if (support.must_rest || loaded) {  // a plan that stops later puts it off at each new plan
       write_inside_rows(hierarchy.level(1), phase, t, region, options_.rest_margin,
                         Point::capture_point);
     }

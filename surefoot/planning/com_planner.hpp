@@ -16,6 +16,7 @@ namespace surefoot {
 
 /// A stretch of the gait with one set of feet down.
 struct SupportPhase {
+  static constexpr double kAnyReach = std::numeric_limits<double>::infinity();
   double duration = 0.0;  ///< [s]
   PerLeg<Vec2> feet{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
                     Vec2::Zero()};  ///< footholds, x and y in W
@@ -25,7 +26,8 @@ struct SupportPhase {
   PerLeg<double> lifts_in{};  ///< time to lift-off at the phase's begin; ramps down; ∞ if none [s]
   PerLeg<Vec2> hips{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
                     Vec2::Zero()};  ///< from the COM, x and y in W [m]
-  PerLeg<double> reach{};           ///< of a foot on its foothold from its hip, horizontally [m]
+  PerLeg<double> reach{kAnyReach, kAnyReach, kAnyReach,
+                       kAnyReach};  ///< of a foot on its foothold from its hip, horizontally [m]
   double zmp_margin_max = std::numeric_limits<double>::infinity();  ///< takes the place of a
                                                                     ///< greater zmp_margin [m]
   bool must_rest = false;  ///< the capture point stays inside: the phase may have to wait
@@ -41,13 +43,12 @@ struct ComLoad {
 /// The COM trajectory of the paper's ZMP walk: one quintic Hermite spline a phase, whose knots
 /// (position, velocity, acceleration in x and y) come from one strict hierarchy:
 ///
-///   1. the ZMP  p − (h/g) p̈ + d  inside the shrinking and switching support region, by a margin; h
-///   is
-///      the height over the edge in question: what tips the robot is the moment about that line;
-///      d is what the load moves it by; against a load also the force along the ground within what
-///      friction gives, and the hips where the legs reach them
+///   1. the ZMP  p − (h/g) p̈ + d  inside the shrinking and switching support region, by a margin:
+///      h is the height over the edge in question, for what tips the robot is the moment about that
+///      line; d is what the load moves it by. Against a load also the force along the ground within
+///      what friction gives, and the hips where the legs reach them
 ///   2. the capture point  p + √(h/g) ṗ + d  inside the triangle of a swing, by a margin; against a
-///      load always
+///      load inside the region of every phase
 ///   3. ∫ ‖p̈‖² dt least (Gauss quadrature), end of the horizon drawn to the centre of its feet
 ///
 /// Levels 1 and 2 are inequalities: when they can't be met they are violated as little as possible,

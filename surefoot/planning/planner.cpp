@@ -1,5 +1,6 @@
 #include "surefoot/planning/planner.hpp"
 
+#include "surefoot/math/disc.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/leg_jacobian.hpp"
 
@@ -140,8 +141,7 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
 
 void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics) {
   LegMotion& next = leg(next_leg());
-  if (!all_down() || recovering_) {  // a lost foot is still searching, or the robot has just been
-                                     // caught: the gait waits
+  if (!all_down() || recovering_) {  // for a lost foot that searches, or for a pushed robot's rest
     lift_time_ = std::max(lift_time_, time_ + support_duration());
     return;
   }
@@ -201,11 +201,8 @@ Vec2 Planner::within_reach(Leg k, const Vec3& goal, double duration,
                            const Dynamics& dynamics) const {
   const Vec2 shift = com_planner_.at(time_ + duration).p - dynamics.com.p.head<2>();
   const Vec3& hip = dynamics.hip[index(k)].p;
-  const Vec2 from_hip = goal.head<2>() - hip.head<2>() - shift;
-  const double reach = horizontal_reach(std::min(hip.z() - goal.z(), options_.stance.height));
-  return from_hip.norm() > reach
-             ? Vec2(goal.head<2>() - (from_hip.norm() - reach) * from_hip.normalized())
-             : Vec2(goal.head<2>());
+  const double height = std::min(hip.z() - goal.z(), options_.stance.height);
+  return nearest_within(goal.head<2>(), hip.head<2>() + shift, horizontal_reach(height));
 }
 
 double Planner::horizontal_reach(double height) const {

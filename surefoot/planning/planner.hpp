@@ -97,6 +97,8 @@ class Planner {
   /// Of the feet where they are.
   [[nodiscard]] SupportRegion region(const PerLeg<double>& share, const Dynamics& dynamics) const;
   [[nodiscard]] SupportRegion region_without(Leg leg, const Dynamics& dynamics) const;
+  /// Of the capture point in the region of all feet, as if all of them stood [m].
+  [[nodiscard]] double balance_margin(const Dynamics& dynamics) const;
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
   void begin_support(const UserCommand& user, double duration);
   void replan_com(const UserCommand& user, const Dynamics& dynamics);

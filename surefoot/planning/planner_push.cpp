@@ -15,8 +15,8 @@ constexpr double kShortestPlan = 0.08;  // left of a phase that a new plan can u
 constexpr double kWorthAStep = 0.01;    // better balanced with it than without by [m]
 constexpr double kAgility = 45.0;       // that drives give a foot in the air [m/s²]
 constexpr double kAtRest = 0.06;        // a COM that is slower has been caught [m/s]
-constexpr double kLonger = 1.1;         // times, until the drives can do it …
-constexpr double kLongest = 2.0;        // times the duration of a hasty swing that asks for more
+constexpr double kLonger = 1.1;         // a hasty swing takes so many times as long …
+constexpr double kLongest = 2.0;        // … and again, up to about so many times, for its drives
 
 }  // namespace
 
@@ -52,9 +52,8 @@ bool Planner::is_agile(const SwingTarget& target) const {
 }
 
 bool Planner::is_calm(const Dynamics& dynamics) const {
-  const double margin = region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
   return all_down() && balance_.is_steady() && dynamics.com.v.head<2>().norm() < kAtRest &&
-         margin > options_.push.calm_margin;
+         balance_margin(dynamics) > options_.push.calm_margin;
 }
 
 bool Planner::tips_before_landing(const Dynamics& dynamics) const {
@@ -89,13 +88,12 @@ void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dyna
                      .duration = options_.push.foot_down_duration,
                      .straight = true,
                      .velocity = now.v_WF};
-  const double longest = kLongest * target.duration;
-  while (true) {
+  const auto aim = [&] {
     target.goal.head<2>() = capture_step(k, target.duration, dynamics).goal;
     target.goal.z() = plane_.height(target.goal.head<2>());
-    if (is_agile(target) || target.duration > longest) break;
-    target.duration *= kLonger;
-  }
+  };
+  const double longest = kLongest * target.duration;
+  for (aim(); !is_agile(target) && target.duration < longest; aim()) target.duration *= kLonger;
   swing_again(k, target, user, dynamics);
 }
 
@@ -104,7 +102,7 @@ CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynami
   CaptureProblem problem;
   for (const Leg other : kLegs)
     problem.feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
-  if (!leg(k).down())
+  if (!leg(k).down())  // its speed takes it on: the least turn is from where it would come to rest
     problem.feet[index(k)] += 0.5 * duration * plan_.feet[index(k)].v_WF.head<2>();
   problem.capture_point = balance_.capture_point_after(others, duration);
   problem.hip = (dynamics.hip[index(k)].p + duration * dynamics.com.v).head<2>();
@@ -114,7 +112,7 @@ CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynami
 
 void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics) {
   if (!options_.push.steps || !balance_.is_pushed() || !all_down()) return;
-  const double margin = region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
+  const double margin = balance_margin(dynamics);
   if (margin > options_.push.step_margin) return;
   Leg best = Leg::LF;
   CaptureStep step;
@@ -153,6 +151,10 @@ SupportRegion Planner::region(const PerLeg<double>& share, const Dynamics& dynam
   PerLeg<Vec2> feet;
   for (const Leg k : kLegs) feet[index(k)] = dynamics.foot[index(k)].p.head<2>();
   return SupportRegion(feet, share);
+}
+
+double Planner::balance_margin(const Dynamics& dynamics) const {
+  return region({1.0, 1.0, 1.0, 1.0}, dynamics).margin(balance_.capture_point());
 }
 
 bool Planner::balanced_without(Leg k, const Dynamics& dynamics) const {

@@ -142,6 +142,19 @@ TEST(SwingTare, ANotANumberIsNotLearnt) {
   EXPECT_LT(bench.left(), 0.5);
 }
 
+TEST(SwingTare, ANotANumberAmongTheSignalsIsForgottenAtOnce) {
+  Bench bench;
+  bench.swings(3);
+  const JointVector none = JointVector::Constant(std::nan(""));
+  bench.tare.update(kSwingLF, bench.lacking, none, none, none);
+  for (int t = 0; t < 10; ++t) {
+    bench.tick(kSwingLF);
+    EXPECT_TRUE(bench.tare.tare().allFinite()) << t;
+  }
+  bench.tick(kStanding);
+  EXPECT_LT(bench.left(), 0.5);
+}
+
 TEST(SwingTare, DoesNotAllocate) {
   Bench bench;
   bench.tick(kSwingLF);

@@ -43,6 +43,43 @@ TEST(CaptureStep, AFootOnTheOtherSideDoesNotHelp) {
   EXPECT_LE(find_capture_step(problem, Leg::RF, {}).margin, 0.0);
 }
 
+TEST(CaptureStep, GoesInEveryDirectionThatTheRobotTipsTo) {
+  const CaptureProblem standing = tipping_left(0.0);
+  for (const Leg leg : kLegs) {
+    const Vec2 corner = standing.feet[index(leg)];
+    const Vec2 outward = corner.cwiseSign();  // backward and left, for the left hind leg
+    CaptureProblem problem = standing;
+    problem.capture_point = corner + 0.02 * outward;
+    problem.hip = corner;
+    ASSERT_LT(SupportRegion(problem.feet, {1.0, 1.0, 1.0, 1.0}).margin(problem.capture_point), 0.0);
+    const CaptureStep step = find_capture_step(problem, leg, {});
+    EXPECT_GT(outward.x() * (step.goal - corner).x(), 0.05) << kLegNames[index(leg)];
+    EXPECT_GT(outward.y() * (step.goal - corner).y(), 0.05) << kLegNames[index(leg)];
+    EXPECT_GT(step.margin, 0.0) << kLegNames[index(leg)];
+  }
+}
+
+TEST(CaptureStep, GoesNoFurtherThanTheMarginAsksFor) {
+  const PushOptions options;
+  double last = 0.0;
+  int shorter_ones = 0;
+  for (int i = 0; i <= 60; ++i) {
+    CaptureProblem problem = tipping_left(-0.12 + 0.005 * i);
+    problem.capture_point.x() = 0.15;
+    const Vec2 from = problem.feet[index(Leg::LF)];
+    problem.hip = from;
+    const CaptureStep step = find_capture_step(problem, Leg::LF, options);
+    const double length = (step.goal - from).norm();
+    EXPECT_GE(length, last - 1e-12) << "a robot that tips further needs no shorter step";
+    last = length;
+    if (length > 0.9 * options.step_max) continue;
+    ++shorter_ones;
+    EXPECT_GE(step.margin, options.capture_margin);
+  }
+  EXPECT_GT(shorter_ones, 20);
+  EXPECT_NEAR(last, options.step_max, 1e-12);
+}
+
 TEST(CaptureStep, IsWithinReachShortEnoughAndOffTheOtherFeet) {
   test::RandomMatrices random(3);
   const PushOptions options;

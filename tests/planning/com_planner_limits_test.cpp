@@ -3,6 +3,8 @@
 #include "tests/planning/com_plans.hpp"
 #include "tests/support/malloc_counter.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -50,6 +52,103 @@ TEST(ComPlanner, AgainstALoadAsksForNoMoreAlongTheGroundThanFrictionGives) {
     const Vec2 along = planner.at(t).a / kGravity - force;
     EXPECT_LT(along.lpNorm<Eigen::Infinity>(), kFriction / std::numbers::sqrt2) << t;
   });
+}
+
+/// Standing for a second on legs that reach no further than `reach`, hips over their feet.
+Phases on_short_legs(double reach) {
+  SupportPhase phase = standing(1.0, nominal_feet());
+  phase.hips = phase.feet;
+  phase.reach.fill(reach);
+  return {phase};
+}
+
+double furthest_hip(const ComPlanner& planner, const Phases& phases) {
+  double furthest = 0.0;
+  over(phases, 0.0, [&](const SupportPhase& phase, double, double t) {
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      const Vec2 from_foot = planner.at(t).p + phase.hips[k] - phase.feet[k];
+      furthest = std::max(furthest, from_foot.norm());
+    }
+  });
+  return furthest;
+}
+
+TEST(ComPlanner, AgainstALoadKeepsEveryHipWhereItsLegReachesIt) {
+  constexpr double kReach = 0.05;
+  for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
+    ComPlanner planner = make_planner({.terminal_weight = 100.0});
+    planner.bear({.force = 0.2 * Vec2(std::cos(angle), std::sin(angle))});
+    planner.stand_on(1.0);
+    // The rows are tangents where the plan before was, so that of a first plan is not bounded yet.
+    for (int i = 0; i < 5; ++i) plan(planner, on_short_legs(kReach), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+    EXPECT_LT(furthest_hip(planner, on_short_legs(kReach)), 1.05 * kReach) << angle;
+    EXPECT_EQ(planner.zmp_slack(), 0.0);
+    for (int i = 0; i < 5; ++i) plan(planner, on_short_legs(1.0), 0.0, {{0, 0}, {0, 0}, {0, 0}});
+    EXPECT_GT(furthest_hip(planner, on_short_legs(1.0)), 1.5 * kReach) << "longer legs lean more";
+  }
+}
+
+TEST(ComPlanner, WithoutALoadHipsAndReachChangeNothing) {
+  RandomMatrices random(14);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Phases phases = random_walk(random);
+    Phases reaching = phases;
+    for (SupportPhase& phase : reaching) {
+      for (Vec2& hip : phase.hips) hip = 0.5 * Vec2(random.vector(2));
+      phase.reach.fill(random.uniform(0.0, 0.2));
+    }
+    const Motion<Vec2> start = random_start(random);
+    ComPlanner without = make_planner(), with = make_planner();
+    for (int again = 0; again < 2; ++again) {
+      plan(without, phases, 0.0, start);
+      plan(with, reaching, 0.0, start);
+    }
+    for (double t = 0.0; t < without.end_time(); t += 0.0513) {
+      ASSERT_EQ(with.at(t).p, without.at(t).p) << trial;
+      ASSERT_EQ(with.at(t).a, without.at(t).a) << trial;
+    }
+  }
+}
+
+/// Least margin of the capture point in the regions of a plan that bears a load.
+double least_rest_margin(const ComPlanner& planner, const Phases& phases, const Vec2& shift) {
+  double least = kInfinity;
+  over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
+    const ComPlan com = planner.at(at);
+    const Vec2 capture_point = com.p + std::sqrt(kHeight / kGravity) * com.v + shift;
+    least = std::min(least, region(planner, phase, t).margin(capture_point));
+  });
+  return least;
+}
+
+TEST(ComPlanner, AgainstALoadTheCapturePointStaysInsideThoughThePhaseNeedNotRest) {
+  const ComPlannerOptions options;
+  const Phases phases{standing(2.0, nominal_feet())};  // time enough to stop late
+  const Vec2 force(0.0, 0.1);
+  ComPlanner planner = make_planner(options);
+  planner.bear({.force = force});
+  planner.stand_on(1.0);
+  plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}});
+  EXPECT_GT(least_rest_margin(planner, phases, kHeight * force), 0.9 * options.rest_margin);
+}
+
+TEST(ComPlanner, APhaseCanLetTheZmpComeNearerToTheEdgesThanUsual) {
+  constexpr double kUsual = 0.06, kNear = 0.01;
+  const Motion<Vec2> start{{0.0, 0.1}, {0.0, 0.25}, {0, 0}};
+  const auto margin_with = [&](double zmp_margin_max) {
+    Phases phases{standing(1.0, nominal_feet())};
+    phases.front().zmp_margin_max = zmp_margin_max;
+    ComPlanner planner = make_planner({.zmp_margin = kUsual, .terminal_weight = 100.0});
+    plan(planner, phases, 0.0, start);
+    double least = kInfinity;
+    over(phases, 0.0, [&](const SupportPhase& phase, double t, double at) {
+      if (t > 0.2) least = std::min(least, region(planner, phase, t).margin(planner.at(at).zmp));
+    });
+    return least;
+  };
+  EXPECT_GT(margin_with(kInfinity), 0.5 * kUsual);
+  EXPECT_LT(margin_with(kNear), margin_with(kInfinity) - 0.5 * (kUsual - kNear));
+  EXPECT_EQ(margin_with(kInfinity), margin_with(2.0 * kUsual)) << "never further off than usual";
 }
 
 TEST(ComPlanner, LetsNoLegCarryMoreThanItsShare) {

@@ -317,6 +317,54 @@ TEST(LegMotion, ALostFootSearchesStraightDownFromWhereItIs) {
   EXPECT_EQ(bench.follow(kPeriod, 50.0), LegEvent::touchdown);
 }
 
+/// A foot that has just come down: put down at once, or from an ordinary swing.
+Bench landed(bool at_once) {
+  Bench bench = swinging();
+  EXPECT_EQ(bench.follow(0.3, 0.0), LegEvent::none);
+  const FootPlan now = bench.leg.plan(bench.time);
+  const Vec3 goal = bench.p - Vec3(0.0, 0.0, bench.p.z() - 0.03);
+  bench.leg.lift(bench.time, {.start = now.p_WF,
+                              .goal = goal,
+                              .normal = kUp,
+                              .duration = at_once ? 0.15 : 0.3,
+                              .apex = 0.05,
+                              .straight = at_once,
+                              .velocity = now.v_WF});
+  EXPECT_EQ(bench.follow(0.4, 0.0), LegEvent::none);
+  EXPECT_EQ(bench.follow(kPeriod, 50.0), LegEvent::touchdown);
+  bench.leg.plant(bench.time, bench.p);
+  EXPECT_EQ(bench.rest(0.02, 50.0), LegEvent::none);
+  return bench;
+}
+
+/// What a foot that stands is taken for that has moved `way` and goes with `velocity`, whatever
+/// the estimated force.
+LegEvent moves(Bench bench, const Vec3& way, const Vec3& velocity) {
+  bench.p += way;
+  bench.foot_velocity = velocity;
+  return bench.rest(kPeriod, 50.0);
+}
+
+TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrFliesOffIsLostAtOnce) {
+  const Bench bench = landed(true);
+  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.3 * kUp), LegEvent::lost);
+  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.2 * kUp), LegEvent::none) << "its ground gives way";
+  EXPECT_EQ(moves(bench, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
+  EXPECT_EQ(moves(bench, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
+  const Vec3 aside = Vec3::UnitX();
+  EXPECT_EQ(moves(bench, 0.021 * aside, 0.7 * aside), LegEvent::lost);
+  EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::lost) << "there was no ground";
+  EXPECT_EQ(moves(bench, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
+  EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
+}
+
+TEST(LegMotion, OnlyAFootThatWasPutDownAtOnceAndShortlyAgoFlies) {
+  EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+  Bench bench = landed(true);
+  EXPECT_EQ(bench.rest(0.1, 50.0), LegEvent::none);
+  EXPECT_EQ(moves(bench, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+}
+
 /// Ticks on, and holds every plan against the one before.
 struct RampWatch {
   explicit RampWatch(Bench& watched) : bench(watched), last(bench.leg.plan(bench.time)) {}

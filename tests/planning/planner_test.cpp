@@ -75,6 +75,52 @@ TEST(Planner, WalksBackwardWithForeAndHindExchanged) {
   }
 }
 
+/// The longest way from a leg's hip to its foothold at the landing, in a walk as fast as it goes. A
+/// puppet's hips are over their feet; in a swing they go with the centre of mass.
+double longest_reach(const PlannerOptions& options) {
+  Puppet puppet(options);
+  puppet.user = walking(5.0);
+  double longest = 0.0;
+  PerLeg<bool> swung{};
+  PerLeg<Vec2> stood{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  puppet.run(25.0, [&] {
+    for (const Leg k : kLegs) {
+      const std::size_t i = index(k);
+      const bool stands = puppet.plan().contact(k);
+      const Vec2 from_com = puppet.foot(k).head<2>() - puppet.com();
+      if (stands && swung[i]) longest = std::max(longest, (from_com - stood[i]).norm());
+      if (stands) stood[i] = from_com;
+      swung[i] = !stands;
+    }
+  });
+  return longest;
+}
+
+/// Along the ground, with the hip at a height over it.
+double reach_along(const PlannerOptions& options, double height) {
+  return std::sqrt(std::pow(options.swing.reach_max, 2) - height * height);
+}
+
+TEST(Planner, NoFootholdIsFurtherFromItsHipThanItsLegReaches) {
+  PlannerOptions options;
+  options.stance.height = 0.29;
+  options.swing.reach_max = 0.34;
+  const double reach = reach_along(options, options.stance.height);
+  const double longest = longest_reach(options);
+  EXPECT_LT(longest, reach + 0.01) << "where the hip is then is known to some millimetres";
+  EXPECT_GT(longest, reach - 0.01);
+}
+
+// A puppet's hips are at 0.3 m: too high, as over ground that is lower.
+TEST(Planner, AHipThatWillComeDownShortensNoFoothold) {
+  PlannerOptions options;
+  options.stance.height = 0.25;
+  options.swing.reach_max = 0.33;
+  const double longest = longest_reach(options);
+  EXPECT_GT(longest, reach_along(options, 0.3) + 0.04);
+  EXPECT_LT(longest, reach_along(options, options.stance.height) + 0.01);
+}
+
 TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
   Puppet puppet = walker();
   puppet.user = walking(5.0);

@@ -1,8 +1,11 @@
+#include "surefoot/signals/sensor_reading.hpp"
 #include "tests/planning/puppet.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace surefoot {
 namespace {
@@ -12,15 +15,17 @@ using test::Puppet;
 constexpr double kStrong = 110.0;     // [N]
 constexpr double kTooStrong = 240.0;  // to be borne by a lean alone [N]
 
-/// Walks until this leg has been in the air for a tenth of a second.
-void walk_into_swing(Puppet& puppet, Leg leg) {
+const Vec3 kPush(0.5 * kStrong, kStrong, 0.0);  // tips it over a left foot in the air
+
+/// Walks until this leg has been in the air for so many ticks.
+void walk_into_swing(Puppet& puppet, Leg leg, int most = 40) {
   puppet.user = {.walk = true, .velocity = {0.05, 0.0}};
   int ticks = 0;
-  while (ticks < 40 && puppet.time() < 20.0) {
+  while (ticks < most && puppet.time() < 20.0) {
     puppet.tick();
     ticks = puppet.plan().contact(leg) ? 0 : ticks + 1;
   }
-  ASSERT_EQ(ticks, 40);
+  ASSERT_EQ(ticks, most);
 }
 
 TEST(PushReaction, StandingLeansAgainstAPush) {
@@ -49,11 +54,68 @@ TEST(PushReaction, AFootInTheAirComesDownAtOnceWhenTheRobotTipsOverIt) {
   Puppet puppet(options);
   walk_into_swing(puppet, Leg::LF);
   const double pushed_at = puppet.time();
-  puppet.push = {0.5 * kStrong, kStrong, 0.0};
+  puppet.push = kPush;
   puppet.run(options.push.foot_down_duration + 0.05);
   ASSERT_GE(puppet.happenings(PlanEvent::push_foot_down).size(), 1u);
   EXPECT_LT(puppet.happenings(PlanEvent::push_foot_down).front().time, pushed_at + 0.02);
   EXPECT_TRUE(puppet.plan().contact(Leg::LF));
+}
+
+TEST(PushReaction, AFootThatIsPutDownGoesOnWithItsSpeedAndLandsSoon) {
+  const double duration = PushOptions{}.foot_down_duration;
+  for (const int ticks : {20, 40, 70, 100, 120}) {  // of the swing, when it is pushed
+    SCOPED_TRACE(std::to_string(ticks) + " ticks");
+    Puppet puppet;
+    walk_into_swing(puppet, Leg::LF, ticks);
+    puppet.push = kPush;
+    FootPlan before = puppet.plan().feet[index(Leg::LF)];
+    while (puppet.happenings(PlanEvent::push_foot_down).empty() && puppet.time() < 30.0) {
+      before = puppet.plan().feet[index(Leg::LF)];
+      puppet.tick();
+    }
+    const double put_down_at = puppet.time();
+    ASSERT_GT(before.v_WF.norm(), 0.1) << "it is in motion";
+    const FootPlan now = puppet.plan().feet[index(Leg::LF)];
+    EXPECT_LT((now.p_WF - before.p_WF - Puppet::kPeriod * before.v_WF).norm(), 1e-9);
+    EXPECT_LT((now.v_WF - before.v_WF).norm(), 1e-9);
+    double hardest = 0.0;  // [m/s²]
+    while (!puppet.plan().contact(Leg::LF) && puppet.time() < put_down_at + 1.0) {
+      hardest = std::max(hardest, puppet.plan().feet[index(Leg::LF)].a_WF.norm());
+      puppet.tick();
+    }
+    EXPECT_LT(hardest, 45.0) << "of what drives give a foot";
+    EXPECT_LT(puppet.time() - put_down_at, 2.0 * duration);
+  }
+}
+
+TEST(PushReaction, TheGaitWaitsUntilARobotThatWasPushedIsCalmAndThenGoesOn) {
+  constexpr double kCalm = 0.06;  // [m/s]
+  Puppet puppet;
+  walk_into_swing(puppet, Leg::LH);  // after it a leg of the same side would be due soon
+  puppet.push = 0.8 * Vec3(-0.5 * kStrong, kStrong, 0.0);
+  puppet.run(0.6);
+  ASSERT_EQ(puppet.happenings(PlanEvent::push_foot_down).size(), 1u);
+  ASSERT_EQ(puppet.plan().num_contacts(), 4);
+  puppet.push.setZero();
+  puppet.run(0.1);  // the robot is on its way back
+  const double freed_at = puppet.time();
+  const std::size_t steps = puppet.happenings(PlanEvent::lift_off).size();
+  const auto lifted = [&] { return puppet.happenings(PlanEvent::lift_off).size() > steps; };
+  double calm_at = kNaN;
+  bool unloaded_early = false;
+  while (!lifted() && puppet.time() < freed_at + 5.0) {
+    const Vec2 before = puppet.com();
+    puppet.tick();
+    const double speed = (puppet.com() - before).norm() / Puppet::kPeriod;
+    if (std::isnan(calm_at) && speed < kCalm) calm_at = puppet.time();
+    for (const FootPlan& foot : puppet.plan().feet)
+      unloaded_early |= std::isnan(calm_at) && foot.phase == LegPhase::unloading;
+  }
+  EXPECT_GT(calm_at, freed_at + Puppet::kPeriod) << "it was not calm from the beginning";
+  EXPECT_FALSE(unloaded_early);
+  EXPECT_GE(puppet.time(), calm_at + GaitOptions{}.switch_duration - Puppet::kPeriod);
+  puppet.run(10.0);
+  EXPECT_GT(puppet.happenings(PlanEvent::lift_off).size(), steps + 8) << "it walks on";
 }
 
 TEST(PushReaction, ASmallPushLetsASwingGoOn) {
@@ -131,7 +193,7 @@ TEST(PushReaction, DoesNothingWhenItIsSwitchedOff) {
   options.push.enabled = false;
   Puppet puppet(options);
   walk_into_swing(puppet, Leg::LF);
-  puppet.push = {0.5 * kStrong, kStrong, 0.0};
+  puppet.push = kPush;
   puppet.run(0.3);
   EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
 }

@@ -143,6 +143,65 @@ TEST(SwingCurve, SearchesStraightDownAtConstantSpeedFromItsGoal) {
       });
 }
 
+/// A foot in the air, in motion, that goes straight to its goal.
+SwingTarget random_straight_target(Random& random) {
+  SwingTarget target = random_target(random, random.uniform(-0.3, 0.0));
+  target.straight = true;
+  target.velocity = random.vector(2.0);
+  target.duration = random.uniform(0.1, 0.4);
+  return target;
+}
+
+TEST(SwingCurve, AStraightOneGoesOnWithTheVelocityOfItsFootAndSearchesFromItsGoal) {
+  Random random(12);
+  const double speed = SwingOptions{}.touchdown_speed;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const SwingTarget target = random_straight_target(random);
+    const SwingCurve curve(target, SwingOptions{});
+    const Motion<Vec3> begin = curve.at(0.0), end = curve.at(target.duration);
+    EXPECT_LT((begin.p - target.start).norm(), 1e-12);
+    EXPECT_LT((begin.v - target.velocity).norm(), 1e-12);
+    EXPECT_LT(begin.a.norm(), 1e-12);
+    EXPECT_LT((end.p - target.goal).norm(), 1e-9);
+    EXPECT_LT((end.v + speed * target.normal).norm(), 1e-9);
+    EXPECT_LT(end.a.norm(), 1e-6);
+    const double beyond = random.uniform(0.001, 3.0);
+    const Motion<Vec3> search = curve.at(target.duration + beyond);
+    EXPECT_LT((search.p - (target.goal - speed * beyond * target.normal)).norm(), 1e-9);
+    EXPECT_LT((search.v + speed * target.normal).norm(), 1e-9);
+    EXPECT_EQ(search.a.norm(), 0.0);
+  }
+}
+
+TEST(SwingCurve, AStraightOneHasRatesOnItsWay) {
+  Random random(13);
+  constexpr double kStep = 1e-6;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const SwingTarget target = random_straight_target(random);
+    const SwingCurve curve(target, SwingOptions{});
+    const double t = random.uniform(0.01, 1.5) * target.duration;
+    const Motion<Vec3> before = curve.at(t - kStep), now = curve.at(t), after = curve.at(t + kStep);
+    EXPECT_LT(((after.p - before.p) / (2.0 * kStep) - now.v).norm(), 1e-4);
+    EXPECT_LT(((after.v - before.v) / (2.0 * kStep) - now.a).norm(), 1e-2);
+  }
+}
+
+TEST(SwingCurve, KnowsItsGreatestAcceleration) {
+  Random random(14);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const SwingTarget target =
+        trial % 2 == 0 ? random_straight_target(random) : random_target(random, 0.1);
+    const SwingCurve curve(target, SwingOptions{});
+    double greatest = 0.0;
+    for (int i = 0; i <= 5000; ++i)
+      greatest = std::max(greatest, curve.at(target.duration * i / 5000.0).a.norm());
+    EXPECT_NEAR(curve.peak_acceleration(), greatest, 0.02 * greatest);
+  }
+}
+
 TEST(SwingCurve, TurnsAndMovesWithTheWorld) {
   on_random_targets(10, -0.3, 0.3,
                     [](const SwingCurve& curve, const SwingTarget& target, Random& random) {
