@@ -228,7 +228,8 @@ export class App {
       w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
       PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
-      x: () => drive.stand(), g: () => drive.giveBack(), p: () => drive.push(), u: () => this.tune.undo(),
+      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(),
+      p: (event) => { if (!event.repeat) drive.push(); },  // a key that is held pushes once
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
     });
   }
