@@ -19,7 +19,7 @@ WITHOUT_PICTURE = ["--disable-gpu", "--disable-3d-apis"]
 
 
 class Browser:
-    """One page in a browser of its own; all that its console says is kept."""
+    """One page in a browser of its own; what its console says and what it asks for is kept until it is forgotten."""
 
     def __init__(self, width=1280, height=720, flags=WITH_PICTURE):
         assert CHROMIUM, "chromium is missing: dependencies/debian_tests.txt lists it"
@@ -98,6 +98,11 @@ class Browser:
 
     def prefer(self, theme):
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+
+    def forget(self):
+        """Begins anew to keep what the page says and asks for: what another page did is not its own."""
+        self.console.clear()
+        self.requests.clear()
 
     def open(self, address):
         self.call("Page.navigate", url=address)

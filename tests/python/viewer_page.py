@@ -12,8 +12,8 @@ WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "s
 
 def show(browser, link):
     """Opens the page anew and waits for its first picture."""
-    browser.console.clear()
     browser.open("about:blank")
+    browser.forget()
     browser.open(link)
     browser.wait("window.surefoot !== undefined && surefoot.pictures > 1", 60)
     return browser
