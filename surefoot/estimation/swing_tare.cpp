@@ -10,17 +10,8 @@
 namespace surefoot {
 namespace {
 
-constexpr double kNoise = 0.5;  // of a sample, beside what is learnt [N·m]
-
 /// How far θ is from 0 on robots: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
 const Eigen::Vector4d kUsual(0.5, 0.1, 0.2, 0.02);
-
-template <class Joint>
-void fit(Joint& joint) {
-  auto pulled = joint.moments;
-  pulled.diagonal() += (kNoise / kUsual.array()).square().matrix();
-  joint.theta = pulled.llt().solve(joint.products);
-}
 
 }  // namespace
 
@@ -47,7 +38,8 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
     const int first = first_joint(k);
     if (stands[index(k)]) {
       // Not before: from part of a swing nothing follows for the rest of it.
-      if (leg.num_seen > 0) std::ranges::for_each(leg.joints, fit<Joint>);
+      if (leg.num_seen > 0)
+        for (Joint& joint : leg.joints) fit(joint);
       leg.num_seen = 0;
       leg.in_the_air = 0.0;
       continue;
@@ -76,6 +68,12 @@ const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
     input = &stage;
   }
   return stages_.back();
+}
+
+void SwingTare::fit(Joint& joint) const {
+  Moments pulled = joint.moments;
+  pulled.diagonal() += (options_.noise / kUsual.array()).square().matrix();
+  joint.theta = pulled.llt().solve(joint.products);
 }
 
 // What was seen `wait` ago was in the air: no touchdown was believed since.

@@ -16,6 +16,9 @@ struct SwingTareOptions {
   double wait = 0.06;   ///< what was seen counts if no touchdown is believed for so long [s]
   double most = 6.0;    ///< more than this is no error of a model, something holds the leg [N·m]
   double memory = 3.0;  ///< of the time in the air [s]
+  /// Of a sample, beside what is learnt [N·m]. What the features don't explain, 0.5 N·m, is alike
+  /// over a swing: its 125 samples say no more than one would, so each is √125 times as noisy.
+  double noise = 5.6;
 };
 
 /// What the joint torques of a leg that swings freely lack to explain its motion: links heavier
@@ -66,6 +69,7 @@ class SwingTare {
 
   /// τ, q̇, q̈ of all joints as the observer has them.
   const Signals& lagged(const Signals& now) noexcept;
+  void fit(Joint& joint) const;
   void weigh(LegTare& leg, const Sample& sample);
   void learn(LegTare& leg, const Sample& sample) const;
 

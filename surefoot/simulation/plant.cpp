@@ -8,6 +8,7 @@
 #include "surefoot/simulation/robot_parts.hpp"
 #include "surefoot/simulation/sensor_link.hpp"
 #include "surefoot/simulation/sensors.hpp"
+#include "surefoot/simulation/stand_up.hpp"
 #include "surefoot/simulation/terrain.hpp"
 #include "surefoot/simulation/text.hpp"
 #include "surefoot/simulation/truth.hpp"
@@ -30,9 +31,6 @@ using simulation::text;
 
 namespace {
 
-constexpr double kHoldStiffness =
-    1500.0;                            // of the springs that hold the joints before a run [N·m/rad]
-constexpr double kHoldDamping = 25.0;  // [N·m·s/rad]
 constexpr std::size_t kMaxNotes = 100;  // a fault that stays must not fill the memory
 
 }  // namespace
@@ -114,21 +112,10 @@ void Plant::Implementation::place(const RobotDescription& description) {
 }
 
 void Plant::Implementation::settle(const JointVector& torque_limit) {
-  if (options.initial.settle <= 0.0) return;
-  JointVector torque = JointVector::Zero();
-  const auto steps_left = std::lround(options.initial.settle / options.timestep);
-  for (long step = 0; step < steps_left; ++step) {
-    const JointVector q = simulation::joint_positions(data, parts);
-    const JointVector qd = simulation::joint_velocities(data, parts);
-    torque = kHoldStiffness * (options.initial.q - q) - kHoldDamping * qd;
-    torque = torque.cwiseMin(torque_limit).cwiseMax(-torque_limit);
-    for (std::size_t i = 0; i < kNumJoints; ++i) {
-      data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
-    }
-    mj_step2(&model, &data);
-    mj_step1(&model, &data);
-  }
-  data.time = 0.0;
+  const InitialState& initial = options.initial;
+  if (initial.settle <= 0.0) return;
+  const JointVector torque = simulation::stand_up(
+      model, data, parts, {initial.q, torque_limit, initial.settle, options.timestep});
   actuators.rest_at(simulation::joint_positions(data, parts), torque);
 }
 

@@ -211,8 +211,9 @@ struct InitialState {
   Vec3 position = Vec3(0.0, 0.0, kNaN0);  ///< base; z NaN: feet on the terrain's z = 0
   double yaw = 0.0;                       ///< [rad]
   JointVector q = JointVector::Zero();    ///< joint angles [rad]
-  /// Before the run the joints are held by stiff springs for this long, so that it begins at rest,
-  /// with loaded feet; 0: the run begins with feet that touch and carry nothing [s].
+  /// Before the run the joints are held by stiff springs for at least this long, feet in the air
+  /// are let down, and nothing moves any more: it begins at rest, with loaded feet; 0: it begins
+  /// with the foot that touches first, and carries nothing [s].
   double settle = 0.0;
 
   static constexpr double kNaN0 = std::numeric_limits<double>::quiet_NaN();

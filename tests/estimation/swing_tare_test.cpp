@@ -15,6 +15,8 @@ constexpr double kNoLag = 1e9;  // [rad/s]
 constexpr PerLeg<bool> kStanding{true, true, true, true};
 constexpr PerLeg<bool> kSwingLF{false, true, true, true};
 constexpr int kSwing = 160;  // ticks
+/// What the bench's leg lacks is explained without a rest.
+constexpr SwingTareOptions kClear{.noise = 0.5};  // [N·m]
 
 /// A robot whose swinging leg LF lacks bias + gain τ + friction q̇ + inertia q̈ in its joints.
 struct Bench {
@@ -50,7 +52,7 @@ struct Bench {
     return most;
   }
 
-  SwingTare tare{SwingTareOptions{}, kNoLag, kPeriod};
+  SwingTare tare{kClear, kNoLag, kPeriod};
   double time = 0.0;
   double lag = kNoLag;  // of the three poles that the lacking torques come by [rad/s]
   std::array<JointVector, 3> stages{JointVector::Zero(), JointVector::Zero(), JointVector::Zero()};
@@ -70,12 +72,28 @@ TEST(SwingTare, LearnsFromWhatAnObserverSays) {
   constexpr double kBandwidth = 250.0;  // [rad/s]
   const auto left_by = [&](double bandwidth_of_tare) {
     Bench bench;
-    bench.tare = SwingTare({}, bandwidth_of_tare, kPeriod);
+    bench.tare = SwingTare(kClear, bandwidth_of_tare, kPeriod);
     bench.lag = kBandwidth;
     bench.swings(4);
     return bench.left();
   };
   EXPECT_LT(left_by(kBandwidth), 0.4 * left_by(kNoLag));
+}
+
+// As it is used: a few swings say little, or what is no error of a model would be learnt.
+TEST(SwingTare, BelievesMoreSwingsMore) {
+  Bench bench;
+  const double before = bench.left();
+  bench.tare = SwingTare({}, kNoLag, kPeriod);
+  double last = before;
+  for (const int swings : {1, 2, 4, 8}) {
+    bench.swings(swings);
+    const double left = bench.left();
+    EXPECT_LT(left, last) << swings;
+    last = left;
+  }
+  EXPECT_GT(last, 0.1 * before);
+  EXPECT_LT(last, 0.2 * before);
 }
 
 TEST(SwingTare, SaysNothingFromAPartOfASwing) {

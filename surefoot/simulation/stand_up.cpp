@@ -1,0 +1,90 @@
+#include "surefoot/simulation/stand_up.hpp"
+
+#include "surefoot/model/leg_jacobian.hpp"
+#include "surefoot/simulation/truth.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <vector>
+
+namespace surefoot::simulation {
+namespace {
+
+constexpr double kStiffness = 1500.0;  // of the springs [N·m/rad]
+constexpr double kDamping = 25.0;      // [N·m·s/rad]
+constexpr double kInTheAir = 0.03;     // a foot that touches nothing for so long is let down [s] …
+constexpr double kLowering = 0.1;      // … at [m/s] …
+constexpr double kDeepest = 0.15;      // … to at most [m]
+constexpr double kLongest = 5.0;       // [s]
+constexpr double kRestSpeed = 0.005;   // of the base [m/s]
+constexpr double kRestRate = 0.02;     // of the joints [rad/s]
+
+struct Foot {
+  double in_the_air = 0.0;  // [s]
+  double lowered = 0.0;     // [m]
+};
+
+bool touches(const mjData& data, int geom) {
+  for (int id = 0; id < data.ncon; ++id) {
+    const mjContact& contact = data.contact[id];
+    if (contact.dist < 0.0 && (contact.geom[0] == geom || contact.geom[1] == geom)) return true;
+  }
+  return false;
+}
+
+bool at_rest(const mjData& data, const RobotParts& parts) {
+  return base_velocity(data, parts).norm() < kRestSpeed &&
+         joint_velocities(data, parts).cwiseAbs().maxCoeff() < kRestRate;
+}
+
+/// J of the foot with respect to its own joints, in W.
+Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& parts, Leg leg) {
+  std::vector<mjtNum> jacobian(static_cast<std::size_t>(3 * model.nv));
+  const auto nv = static_cast<std::size_t>(model.nv);
+  mj_jac(&model, &data, jacobian.data(), nullptr, data.geom_xpos + 3 * parts.foot_geom[index(leg)],
+         parts.foot_body[index(leg)]);
+  Mat3 J;
+  for (int j = 0; j < kJointsPerLeg; ++j) {
+    const auto dof =
+        static_cast<std::size_t>(parts.dof[static_cast<std::size_t>(first_joint(leg) + j)]);
+    for (std::size_t row = 0; row < 3; ++row) {
+      J(static_cast<Eigen::Index>(row), j) = jacobian[row * nv + dof];
+    }
+  }
+  return J;
+}
+
+}  // namespace
+
+JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
+                     const StandUpOptions& options) {
+  JointVector held = options.q, torque = JointVector::Zero();
+  PerLeg<Foot> feet{};
+  const auto least = std::lround(options.at_least / options.timestep);
+  const auto most = std::lround(kLongest / options.timestep);
+  for (long step = 0; step < least || (step < most && !at_rest(data, parts)); ++step) {
+    for (const Leg leg : kLegs) {
+      Foot& foot = feet[index(leg)];
+      foot.in_the_air =
+          touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;
+      if (foot.in_the_air < kInTheAir || foot.lowered > kDeepest) continue;
+      const double down = kLowering * options.timestep;
+      foot.lowered += down;
+      held.segment<3>(first_joint(leg)) +=
+          damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);
+    }
+    torque = kStiffness * (held - joint_positions(data, parts)) -
+             kDamping * joint_velocities(data, parts);
+    torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
+    for (std::size_t i = 0; i < kNumJoints; ++i) {
+      data.ctrl[parts.actuator[i]] = torque[static_cast<Eigen::Index>(i)];
+    }
+    mj_step2(&model, &data);
+    mj_step1(&model, &data);
+  }
+  data.time = 0.0;
+  return torque;
+}
+
+}  // namespace surefoot::simulation
