@@ -33,6 +33,19 @@ void vector_member(JsonText& json, std::string_view name, const auto& vector) {
   json.end_array();
 }
 
+void force_member(JsonText& json, std::string_view name, const OutsideForce& force,
+                  const std::vector<std::string>& bodies) {
+  json.key(name);
+  if (force.body < 0) {
+    json.null();
+    return;
+  }
+  const std::string& body = bodies.at(static_cast<std::size_t>(force.body));
+  json.object().member("body", std::string_view(body)).member("given", force.given);
+  vector_member(json, "force", force.force);
+  json.end_object();
+}
+
 }  // namespace
 
 LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
@@ -71,12 +84,11 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
   packings_[generation_] =
       std::make_shared<Packing>(Packing{std::move(channels), {parts.header.level_names, {}}});
   ended_.clear();
-  push_ = ShownPush();
   is_news_ = true;
 }
 
 void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
-                   const TickTiming& timing) {
+                   const TickTiming& timing, const OutsideForces& forces) {
   ViewTick* place = ring_->next_to_write();
   if (place == nullptr) {
     ++lost_;
@@ -88,6 +100,7 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
+  place->forces = forces;
   ring_->written();
 }
 
@@ -129,11 +142,6 @@ void LiveFeed::show(const logged::Change& change) {
   const std::lock_guard lock(mutex_);
   outbox_.push_back(std::move(text));
   is_news_ = true;
-}
-
-void LiveFeed::show_push(const ShownPush& push) {
-  const std::lock_guard lock(mutex_);
-  push_ = push;
 }
 
 void LiveFeed::tell(const std::string& notice) {
@@ -195,6 +203,7 @@ std::vector<SharedBlock> LiveFeed::blocks() {
     tick_ = tick->number + 1;
     time_ = tick->record.reading.time;
     user_ = tick->record.user;
+    forces_ = tick->forces;
     ring_->read();
   }
   recent_.insert(recent_.end(), blocks.begin(), blocks.end());
@@ -263,19 +272,9 @@ std::string LiveFeed::status(std::size_t clients) {
   const std::lock_guard lock(mutex_);
   json.key("ended");
   ended_.empty() ? json.null() : json.value(std::string_view(ended_));
-  json.key("push");
-  const bool is_held = std::isnan(push_.until);
-  if (push_.until < time_ || push_.force.isZero()) {
-    json.null();
-  } else {
-    json.object()
-        .member("body", std::string_view(push_.body))
-        .member("until", is_held ? time_ + kPullLasts : push_.until)
-        .member("impulse",
-                push_.impulse + (is_held ? (time_ - push_.since) * push_.force.norm() : 0.0));
-    vector_member(json, "force", push_.force);
-    json.end_object();
-  }
+  force_member(json, "push", forces_.push, session_.bodies);
+  force_member(json, "pull", forces_.pull, session_.bodies);
+  json.member("pull_is_weaker", forces_.is_weaker).member("newton_seconds_left", forces_.store);
   json.end_object();
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/live_operator.hpp"
+#include "app/operator_forces.hpp"
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
 #include "app/view_tick.hpp"
@@ -24,15 +25,7 @@ struct ViewTick {
   TickRecord record;
   GroundTruth truth;
   TickTiming timing;
-};
-
-/// A push or pull that goes on.
-struct ShownPush {
-  Vec3 force = Vec3::Zero();  ///< in W [N]
-  std::string body;
-  double until = -1.0;   ///< [s]; NaN: for as long as it is held
-  double impulse = 0.0;  ///< of a push as a whole, of a pull up to `since` [N·s]
-  double since = 0.0;    ///< [s]
+  OutsideForces forces;
 };
 
 /// What the pages of a live run are told. The run's thread puts ticks into a queue without locks;
@@ -44,12 +37,11 @@ class LiveFeed final : public WebContent {
   // Of the run's thread. The server may only begin after the first `begin`.
   void begin(const RunParts& parts, const StackOptions& stack, double friction);
   void put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
-           const TickTiming& timing);
+           const TickTiming& timing, const OutsideForces& forces);
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
   void show(const logged::Change& change);
-  void show_push(const ShownPush& push);
   /// A line that every page shows.
   void tell(const std::string& notice);
 
@@ -86,7 +78,6 @@ class LiveFeed final : public WebContent {
   std::map<std::uint32_t, std::shared_ptr<const Packing>> packings_;
   std::vector<std::string> outbox_;
   std::string ended_;
-  ShownPush push_;
 
   std::atomic<bool> paused_{false}, is_news_{true};
   std::atomic<double> speed_{1.0};
@@ -99,6 +90,7 @@ class LiveFeed final : public WebContent {
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
   UserCommand user_;
+  OutsideForces forces_;
   Clock::time_point next_status_{}, measured_{};
   double measured_time_ = 0.0, real_factor_ = 0.0;
 };

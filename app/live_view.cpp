@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds kNap{4};       // while it is paused
 constexpr std::chrono::milliseconds kLongest{20};  // sleep before the operator is asked again
 constexpr int kMostSteps = 4000;                   // that wait while it is paused
-constexpr double kPullInterval = 0.25;             // between a pull's changes in the log [s]
+constexpr double kPullInterval = 0.05;             // that a pull stays as it is, at least [s]
 constexpr double kFade = 0.3;                      // from a stack to the next [s]
 
 std::string text_of(const char* format, auto... values) {
@@ -45,10 +45,9 @@ void LiveView::begin(const RunParts& parts) {
   present_ = wishes_.control;
   walk_.reset();
   steps_ = 0;
+  forces_.emplace(operator_.limits(), parts.plant.bodies());
   pulled_ = Pull();
-  pulled_until_ = 0.0;
   reset_ = is_pending_ = false;
-  pull_kept_ = -kPullInterval;
   tick_ = 0;
   pace_.begin(0.0, wishes_.speed, Clock::now());
   feed_.begin(parts, present_.stack, present_.friction);
@@ -58,6 +57,7 @@ void LiveView::begin(const RunParts& parts) {
 RunOrder LiveView::before_tick(double time) {
   while (true) {
     if (interrupted_()) return RunOrder::stop;
+    forces_->advance(time);
     take(time);
     if (reset_) return RunOrder::reset;
     const Clock::time_point now = Clock::now();
@@ -97,11 +97,8 @@ void LiveView::take(double time) {
 void LiveView::push(const Push& wanted, double time) {
   Push push = wanted;
   push.time = time;
+  if (const std::string problem = forces_->push(push); !problem.empty()) return feed_.tell(problem);
   parts_->plant.push(push);
-  feed_.show_push({.force = push.force,
-                   .body = push.body,
-                   .until = time + push.duration,
-                   .impulse = push.force.norm() * push.duration});
   keep({.time = time,
         .kind = "push",
         .text = text_of("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body +
@@ -166,34 +163,55 @@ void LiveView::take_walk(double time) {
 }
 
 void LiveView::take_pull(double time) {
-  pull_impulse_ += (time - std::exchange(pulled_until_, time)) * pulled_.force;
-  const bool wanted =
-      wishes_.pull && Clock::now() < wishes_.pull_ends && !wishes_.pull->force.isZero();
-  if (!wanted && pulled_.force.isZero()) return;
-  Pull pull = wanted ? *wishes_.pull : pulled_;
-  if (!wanted) pull.force.setZero();
-  if (pull.body == pulled_.body && pull.point == pulled_.point && pull.force == pulled_.force) {
+  const bool goes_on = !pulled_.force.isZero();
+  if (!wishes_.pull || Clock::now() >= wishes_.pull_ends || wishes_.pull->force.isZero()) {
+    if (goes_on) end_pull(time);
     return;
   }
-  const bool goes_on = wanted && !pulled_.force.isZero() && pull.body == pulled_.body;
-  if (wanted && !goes_on) pull_impulse_.setZero();
-  pulled_ = pull;
-  parts_->plant.pull(pull);
-  feed_.show_push({.force = pull.force,
-                   .body = pull.body,
-                   .until = wanted ? kNaN : time,
-                   .impulse = pull_impulse_.norm(),
-                   .since = time});
-  if (goes_on && time < pull_kept_ + kPullInterval) return;  // what follows the mouse is too much
-  pull_kept_ = time;
+  const double left = pull_taken_ + kPullInterval - time;
+  const bool is_same_body = goes_on && wishes_.pull->body == pulled_.body;
+  if (is_same_body && left > 0.0 && !forces_->is_too_much(left)) return;
+  if (goes_on && !is_same_body) end_pull(time);
+  Pull wanted = *wishes_.pull;
+  wanted.force = forces_->bounded(wanted.force);
+  const bool is_weaker = wanted.force != wishes_.pull->force;
+  if (wanted.force.isZero()) return end_pull(time);
+  if (wanted.body == pulled_.body && wanted.point == pulled_.point &&
+      wanted.force == pulled_.force) {
+    return;
+  }
+  pull(wanted, is_weaker, time);
+}
+
+void LiveView::pull(const Pull& wanted, bool is_weaker, double time) {
+  const bool begins = pulled_.force.isZero();
+  pulled_ = wanted;
+  pull_taken_ = time;
+  parts_->plant.pull(wanted);
+  forces_->pull(wanted, is_weaker);
+  const logged::Change change{
+      .time = time,
+      .kind = "pull",
+      .text = "pull at " + wanted.body + ", force " + vector_text(wanted.force) + " N",
+      .stack = {},
+      .body = wanted.body,
+      .point = wanted.point,
+      .force = wanted.force};
+  begins ? keep(change) : parts_->log_change(change);  // what follows the mouse is too much to tell
+}
+
+void LiveView::end_pull(double time) {
+  if (pulled_.force.isZero()) return;
+  pulled_.force.setZero();
+  parts_->plant.pull(pulled_);
   keep({.time = time,
         .kind = "pull",
-        .text = wanted ? "pull at " + pull.body + ", force " + vector_text(pull.force) + " N"
-                       : text_of("the pull ends after %.3g N·s", pull_impulse_.norm()),
+        .text = text_of("the pull ends after %.3g N·s", forces_->now().pull.given),
         .stack = {},
-        .body = pull.body,
-        .point = pull.point,
-        .force = pull.force});
+        .body = pulled_.body,
+        .point = pulled_.point,
+        .force = pulled_.force});
+  forces_->pull(pulled_, false);
 }
 
 void LiveView::keep(logged::Change change) {
@@ -205,7 +223,7 @@ UserCommand LiveView::user(const UserCommand& planned) { return walk_.value_or(p
 
 void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
                           const TickTiming& timing) {
-  feed_.put(tick_++, tick, truth, timing);
+  feed_.put(tick_++, tick, truth, timing, forces_->now());
 }
 
 bool LiveView::wait_for_reset(const std::string& reason) {

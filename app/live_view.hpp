@@ -2,6 +2,7 @@
 
 #include "app/live_feed.hpp"
 #include "app/live_operator.hpp"
+#include "app/operator_forces.hpp"
 #include "app/run_pace.hpp"
 #include "app/run_steering.hpp"
 
@@ -35,6 +36,8 @@ class LiveView final : public RunSteering {
   void take_walk(double time);
   void take_pull(double time);
   void push(const Push& push, double time);
+  void pull(const Pull& pull, bool is_weaker, double time);
+  void end_pull(double time);
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
 
@@ -47,10 +50,9 @@ class LiveView final : public RunSteering {
   std::optional<UserCommand> walk_;
   RunPace pace_;
   int steps_ = 0;
+  std::optional<OperatorForces> forces_;  // from the first begin on
   Pull pulled_;
-  Vec3 pull_impulse_ = Vec3::Zero();  // of the pull that goes on [N·s]
-  double pulled_until_ = 0.0;         // [s]
-  double pull_kept_ = 0.0;            // when the log last got it [s]
+  double pull_taken_ = 0.0;  // when the pull was last another one [s]
   bool reset_ = false, was_paused_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
   double speed_ = 1.0;

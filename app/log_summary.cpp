@@ -157,7 +157,10 @@ void LogSummary::add_events(const ViewFrame& frame) {
 }
 
 void LogSummary::add(const logged::Change& change) {
-  events_.push_back(text_event(change.time, "change", change.text));
+  const bool is_pull = change.kind == "pull", pulls = is_pull && !change.force.isZero();
+  const bool goes_on = pulls && is_pulled_;
+  if (is_pull) is_pulled_ = pulls;
+  if (!goes_on) events_.push_back(text_event(change.time, "change", change.text));
   if (change.stack.empty()) return;
   try {
     add_order(change);

@@ -59,6 +59,7 @@ class LogSummary {
   std::size_t event_ = 0, mode_ = 0, cause_ = 0;  // offsets of channels
   PerLeg<std::size_t> phases_{};
   std::vector<float> last_;  // floats of the frame before
+  bool is_pulled_ = false;   // by the operator
 
   std::mutex mutex_;  // of what follows
   std::vector<Range> ranges_;

@@ -11,6 +11,7 @@ void limits_member(JsonText& json, const ViewLimits& limits) {
   json.key("limits")
       .object()
       .member("push_newton_seconds", limits.push_impulse)
+      .member("push_newton_seconds_each_second", limits.push_refill)
       .member("push_newtons", limits.push_force)
       .member("push_seconds", limits.push_duration)
       .member("walk_velocity", limits.walk_velocity)

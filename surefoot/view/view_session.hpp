@@ -12,8 +12,9 @@ namespace surefoot {
 
 /// What may be done to the robot from the page.
 struct ViewLimits {
-  double push_impulse = 60.0;  ///< [N·s]
-  double push_force = 300.0;   ///< also of a pull [N]
+  double push_impulse = 60.0;  ///< that pushes and pulls may give at once [N·s]
+  double push_refill = 60.0;   ///< of it, each second [N·s/s]
+  double push_force = 300.0;   ///< of all pushes and pulls at one time [N]
   double push_duration = 1.0;  ///< [s]
   double slowest = 0.03125;    ///< of real time
   double fastest = 8.0;

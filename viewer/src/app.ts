@@ -342,7 +342,7 @@ export class App {
     const { quality } = world.stage;
     if (!quality.pace.begin(now)) return false;
     const dt = Math.min((now - this.drawn) / 1000, 1);
-    if (!world.draw(frame, player.source, dt, () => this.pull?.draw(this.link?.status?.push?.impulse ?? 0))) return false;
+    if (!world.draw(frame, player.source, dt, () => this.pull?.draw(this.link?.status))) return false;
     this.drawn = now;
     quality.pace.drew(now);
     if (this.pictures > 5 && world.library.loading === 0) quality.measure();

@@ -123,7 +123,7 @@ export class LiveLink {
         commands.reply(message);
         break;
       case "notice":
-        app.notes.say(message.text);
+        app.notes.say(message.text, "error");
     }
   }
 

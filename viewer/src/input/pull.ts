@@ -1,18 +1,33 @@
 import * as THREE from "three";
 import type { Commands } from "../protocol/commands.ts";
+import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
 import { Arrow, paint } from "../overlays/arrow.ts";
 import type { World } from "../scene/world.ts";
+import { Grip } from "./grip.ts";
 
 /** The force grows to its limit over this way of the mouse [m]. */
 const FULL_REACH = 0.5;
-/** A pull is renewed this often [ms]; the server ends one that is older than 0.6 s. */
-const RENEWAL = 60;
+
+/** What the pointer holds: a body, and where, in its frame. */
+interface Held {
+  body: string;
+  link: THREE.Object3D;
+  point: THREE.Vector3;
+}
 
 /** Force of a spring from `p` to `q` that reaches `most` at `FULL_REACH` and grows no further [N]. */
 export function springForce(p: THREE.Vector3, q: THREE.Vector3, most: number, out: THREE.Vector3): THREE.Vector3 {
   out.copy(q).sub(p).multiplyScalar(most / FULL_REACH);
   return out.clampLength(0, most);
+}
+
+/** What stands beside a pull: the force that is asked for, and what the program says of the one that acts. */
+export function pullText(asked: number, most: number, status: Pick<Status, "pull" | "pull_is_weaker"> | undefined): string {
+  const pull = status?.pull ?? null;
+  const newtons = pull !== null && status?.pull_is_weaker ? Math.hypot(...pull.force) : asked;
+  const limit = status?.pull_is_weaker || asked > 0.999 * most ? ", the most now" : "";
+  return `pull ${newtons.toFixed(0)} N, ${(pull?.given ?? 0).toFixed(1)} N·s so far${limit}`;
 }
 
 /** Dragging a body of the robot pulls it like a spring. */
@@ -27,8 +42,8 @@ export class Pull {
   private readonly from = new THREE.Vector3();
   private readonly to = new THREE.Vector3();
   private readonly force = new THREE.Vector3();
-  private held: { body: string; link: THREE.Object3D; point: THREE.Vector3 } | undefined;
-  private timer = 0;
+  private held: Held | undefined;
+  private grip: Grip | undefined;
 
   constructor(
     private readonly world: World,
@@ -56,36 +71,37 @@ export class Pull {
     const hit = this.ray.intersectObject(this.world.robot.root, true).find(({ object }) => isShown(object));
     const body = hit === undefined ? undefined : this.world.robot.bodyOf(hit.object);
     if (hit === undefined || body === undefined) return;
-    this.held = { body: body.name, link: body.link, point: body.link.worldToLocal(hit.point.clone()) };
+    const held = { body: body.name, link: body.link, point: body.link.worldToLocal(hit.point.clone()) };
+    this.held = held;
     this.world.held = true;
     this.world.camera.controls.enabled = false;
-    this.timer = window.setInterval(() => this.renew(), RENEWAL);
+    this.grip?.drop();
+    this.stretch(held);
+    this.grip = new Grip(() => this.stretch(held), (force) => this.send(held.body, held.point, force), this.mayPull, () => this.end());
     this.canvas.setPointerCapture(event.pointerId);
   }
 
   private move(event: PointerEvent): void {
-    if (this.held !== undefined) this.aim(event);
+    if (this.held === undefined) return;
+    this.aim(event);
+    this.grip?.moved();
   }
 
   private end(): void {
     if (this.held === undefined) return;
-    this.send(this.held.body, this.held.point, [0, 0, 0]);
+    this.grip?.end();
     this.held = undefined;
     this.world.held = false;
-    clearInterval(this.timer);
     this.arrow.hide();
     this.world.camera.controls.enabled = true;
   }
 
-  /** Renews the pull, whether a picture is drawn or not. */
-  private renew(): void {
-    if (this.held === undefined) return;
+  /** The force of the spring as it is now, whether a picture is drawn or not. */
+  private stretch({ link, point }: Held): number[] {
     this.world.invalidate();
-    const { body, link, point } = this.held;
     link.localToWorld(this.from.copy(point));
     this.follow();
-    springForce(this.from, this.to, this.limits.push_newtons, this.force);
-    this.send(body, point, this.force.toArray());
+    return springForce(this.from, this.to, this.limits.push_newtons, this.force).toArray();
   }
 
   /** The spring ends under the pointer, as far from the camera as the point that is held, wherever both go. */
@@ -96,14 +112,12 @@ export class Pull {
     this.ray.ray.intersectPlane(this.plane, this.to);
   }
 
-  /** Draws the spring; `given`: by the pull so far, as the program says [N·s]. */
-  draw(given: number): void {
+  /** Draws the spring; what it has given so far is as the program says. */
+  draw(status: Status | undefined): void {
     if (this.held === undefined) return;
     this.material.color.set(this.world.palette.push);
-    const newtons = this.force.length();
-    const most = newtons > 0.999 * this.limits.push_newtons ? " (most)" : "";
     if (this.arrow.set(this.from, this.to.clone().sub(this.from)))
-      this.world.labels.put(this.arrow.tip, `pull ${newtons.toFixed(0)} N${most}, ${given.toFixed(1)} N·s so far`, "push");
+      this.world.labels.put(this.arrow.tip, pullText(this.force.length(), this.limits.push_newtons, status), "push");
   }
 
   private send(body: string, point: THREE.Vector3, force: number[]): void {

@@ -29,12 +29,19 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
   return next;
 }
 
+/** What acts on the robot, and what more of it may. */
+export function givenText({ push, pull, newton_seconds_left }: Status): string {
+  const of = (what: string, one: typeof push): string => (one === null ? "" : `${what} ${one.given.toFixed(1)} N·s so far. `);
+  return `${of("Pushed", push)}${of("Pulled", pull)}Up to ${Math.max(0, newton_seconds_left).toFixed(0)} N·s now.`;
+}
+
 /** Pushes by a button, and what the robot is asked to walk. */
 export class DrivePanel {
   walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
   readonly most: Record<Axis, number>;
   private readonly wish = new Wish<Walk>();
   private readonly asked = h("p", { id: "asked", class: "asked" });
+  private readonly given = h("p", { id: "given", class: "asked" });
   private readonly values = new Map<Axis, HTMLElement>();
   private readonly impulse: HTMLInputElement;
   private readonly direction: HTMLInputElement;
@@ -51,7 +58,8 @@ export class DrivePanel {
     this.showDirection();
     root.append(
       h("h2", {}, "Push"),
-      h("p", { class: "soft" }, `Pull the robot with the mouse, at most ${limits.push_newtons} N, or push its base, at most ${limits.push_newton_seconds} N·s.`),
+      h("p", { class: "soft" }, `Pull the robot with the mouse, or push its base: together at most ${limits.push_newtons} N at one time, ${limits.push_newton_seconds} N·s at once and ${limits.push_newton_seconds_each_second} N·s more each second of the run.`),
+      this.given,
       this.field("Impulse", this.impulse, "N·s"), this.field("Duration", this.duration, "s"),
       h("label", { class: "field" }, "Direction in W", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
@@ -124,7 +132,9 @@ export class DrivePanel {
     });
   }
 
-  show({ command }: Status): void {
+  show(status: Status): void {
+    const { command } = status;
+    say(this.given, givenText(status));
     const [forward = 0, left = 0] = command.velocity;
     this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
     const who = command.by === "operator" ? "You command" : "The scenario commands";

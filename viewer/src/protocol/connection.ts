@@ -13,7 +13,19 @@ export interface Status {
   generation: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
   undo: number;
-  push: { force: number[]; body: string; until: number; impulse: number } | null;
+  push: OutsideForce | null;
+  pull: OutsideForce | null;
+  /** The pull is held at less than was asked for. */
+  pull_is_weaker: boolean;
+  /** That pushes and pulls may give at once now. */
+  newton_seconds_left: number;
+}
+
+/** What the operator does to the robot, and what that has given since it began [N·s]. */
+export interface OutsideForce {
+  force: number[];
+  body: string;
+  given: number;
 }
 
 export interface Change {

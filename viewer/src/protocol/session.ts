@@ -78,6 +78,7 @@ export interface Header {
 
 export interface Limits {
   push_newton_seconds: number;
+  push_newton_seconds_each_second: number;
   push_newtons: number;
   push_seconds: number;
   speeds: number[];
