@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import type * as THREE from "three";
 import { Pace } from "../src/scene/pace.ts";
+import { Quality } from "../src/scene/quality.ts";
 
 /** Draws whenever it may for a while; a picture takes `cost`, a frame without one 16 ms. Share of the time spent drawing, and pictures. */
 function play(pace: Pace, cost: number, duration: number): [share: number, pictures: number] {
@@ -37,4 +39,38 @@ test("a tab that slept is no slow picture", () => {
   pace.drew(1000);
   assert.ok(pace.begin(61000));
   assert.equal(pace.took, 20);
+});
+
+/** Draws a picture in each of some frames, which come every 16 ms; the time after them. */
+function draw(quality: Quality, from: number, frames: number): number {
+  let now = from;
+  for (let i = 0; i < frames; ++i, now += 16) {
+    assert.ok(quality.pace.begin(now), `${now} ms`);
+    quality.pace.drew(now);
+    quality.measure();
+  }
+  return now;
+}
+
+test("a page that was hidden for two seconds goes on at once, and as fine as before", () => {
+  const page = new EventTarget();
+  Object.assign(globalThis, { document: page, window: { devicePixelRatio: 1 } });
+  const quality = new Quality({ shadowMap: {} } as unknown as THREE.WebGLRenderer, () => {}, false);
+  let now = 0;
+  for (let spell = 0; spell < 10; ++spell) {
+    now = draw(quality, now, 20);
+    page.dispatchEvent(new Event("visibilitychange"));
+    now += 2000;
+    page.dispatchEvent(new Event("visibilitychange"));
+  }
+  draw(quality, now, 20);
+  assert.equal(quality.step, 1);
+  assert.equal(quality.pace.took, 16);
+});
+
+test("no rest is longer than a second", () => {
+  const pace = new Pace();
+  pace.drew(0);
+  assert.ok(!pace.begin(2800));
+  assert.ok(pace.begin(3801));
 });

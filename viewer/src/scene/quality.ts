@@ -42,7 +42,7 @@ export class Quality {
   step = 0;
   /** Mean time from a picture to the next [ms]. */
   frameTime = NaN;
-  readonly pace = new Pace();
+  readonly pace = new Pace(globalThis.document);
   onStep: () => void = () => {};
   private slow = 0;
   private quick = 0;
