@@ -1,15 +1,25 @@
 import { h, part } from "./dom.ts";
 
+/** More short messages than this push the oldest of them out. */
+const MOST_SHORT = 5;
+
 /** Short messages in a corner of the picture. Those with a key stay until they are taken away. */
 export class Notes {
   private readonly root = part("notes");
   private readonly kept = new Map<string, HTMLElement>();
+  private short: HTMLElement[] = [];
 
   say(text: string, kind: "error" | "plain" = "plain"): void {
     const note = h("p", { class: `note ${kind}` }, text);
     this.root.append(note);
-    setTimeout(() => note.remove(), kind === "error" ? 8000 : 4000);
-    while (this.root.children.length > 5) this.root.firstElementChild?.remove();
+    this.short.push(note);
+    setTimeout(() => this.drop(note), kind === "error" ? 8000 : 4000);
+    if (this.short.length > MOST_SHORT) this.drop(this.short[0] as HTMLElement);
+  }
+
+  private drop(note: HTMLElement): void {
+    note.remove();
+    this.short = this.short.filter((one) => one !== note);
   }
 
   keep(key: string, text: string, kind: "error" | "plain" = "plain"): void {
