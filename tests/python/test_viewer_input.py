@@ -205,6 +205,21 @@ def test_a_server_of_a_log_that_is_gone_is_told_and_found_again(browser, log):
         assert browser.run("document.querySelector('#notes').textContent") == ""
 
 
+def test_a_server_of_a_log_that_stands_still_is_told_and_is_not_asked_by_ever_more_requests(browser, log):
+    with Viewer("replay", log) as viewer:
+        show(browser, viewer.link)
+        viewer.process.send_signal(signal.SIGSTOP)
+        try:
+            browser.wait("document.querySelector('#notes').textContent.includes('does not answer')", 30)
+            assert browser.run("document.querySelector('#link-state').dataset.state") == "lost"
+            asked = len(browser.requests)
+            time.sleep(8)
+            assert len(browser.requests) - asked <= 2
+        finally:
+            viewer.process.send_signal(signal.SIGCONT)
+        browser.wait("document.querySelector('#notes').textContent === '' && document.querySelector('#link-state').textContent === ''", 30)
+
+
 def test_rough_ground_is_drawn_as_it_is_and_a_missing_mesh_is_told(browser, tmp_path, monkeypatch):
     robot = "example-robot-data/robots/anymal_b_simple_description"
     packages = pathlib.Path(os.environ.get("SUREFOOT_ROBOT_PACKAGES") or pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share")
@@ -224,3 +239,7 @@ def test_rough_ground_is_drawn_as_it_is_and_a_missing_mesh_is_told(browser, tmp_
         assert "anymal_thigh.dae" in browser.run("document.querySelector('[data-note=meshes]').textContent")
         assert [uri.rsplit("/", 1)[1] for uri in browser.run("surefoot.meshesMissing")] == ["anymal_thigh.dae"]
         browser.screenshot(SCREENSHOTS / "rough_field_without_thigh.png")
+        for _ in range(8):
+            browser.press("u")
+        browser.wait("[...document.querySelectorAll('.note.error')].filter(one => one.textContent.includes('nothing to undo')).length === 5")
+        assert "anymal_thigh.dae" in browser.run("document.querySelector('[data-note=meshes]').textContent"), "what must stay stays"

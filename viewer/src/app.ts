@@ -21,7 +21,7 @@ import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
-import { ask, NoAnswer } from "./protocol/ask.ts";
+import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
@@ -32,6 +32,8 @@ import { Wish } from "./data/wish.ts";
 const SUMMARY_PERIOD = 700;
 /** How often it is looked whether the program that serves a log is still there [ms]. */
 const SERVER_PERIOD = 2000;
+/** After which it does not answer [ms]. */
+const SERVER_SILENCE = 3000;
 /** Texts change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -63,7 +65,8 @@ export class App {
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
-  private awaiting = false;
+  /** While the program does not answer: until it does. */
+  private awaited: Promise<void> | undefined;
   private readonly pauseWish = new Wish<boolean>();
 
   constructor(
@@ -113,14 +116,14 @@ export class App {
 
   private openLog(schema: Schema): ReplaySource {
     const { period, first_tick, ticks } = this.session;
-    const source = new ReplaySource(schema, period, first_tick, ticks, (url) => ask(url));
+    const source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url));
     source.cache.onTile = () => {
       this.plots?.refresh();
       this.shownTime = NaN;
       this.notes.take("log");
     };
     void this.summarise(source, schema);
-    setInterval(() => void this.lookForServer(), SERVER_PERIOD);
+    void this.lookForServer();
     source.cache.onError = (error) => {
       if (error instanceof NoAnswer) void this.awaitServer();
       else this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
@@ -128,19 +131,28 @@ export class App {
     return source;
   }
 
+  /** Asks for nothing while the program does not answer. */
+  private async askForFrames(url: string): Promise<ArrayBuffer> {
+    await this.awaited;
+    return ask(url);
+  }
+
   private async lookForServer(): Promise<void> {
     try {
-      await fetch("/icon.svg", { method: "HEAD" });
+      await fetch("/icon.svg", { method: "HEAD", signal: AbortSignal.timeout(SERVER_SILENCE) });
     } catch {
-      void this.awaitServer();
+      await this.awaitServer();
     }
+    setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
   }
 
   /** Says that the program which serves the log is gone, until it answers. */
-  private async awaitServer(): Promise<void> {
-    if (this.awaiting) return;
-    this.awaiting = true;
-    this.notes.keep("server", "The program that serves this log does not answer; start `surefoot replay` again. The page tries again by itself.", "error");
+  private awaitServer(): Promise<void> {
+    return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
+  }
+
+  private async findServer(): Promise<void> {
+    this.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
     const badge = part("link-state");
     badge.dataset["state"] = "lost";
     say(badge, "no answer");
@@ -149,7 +161,6 @@ export class App {
     if (session.start !== this.session.start) return location.reload();
     say(badge, "");
     this.notes.take("server");
-    this.awaiting = false;
     this.plots.refresh();
     this.shownTime = NaN;
   }
@@ -162,8 +173,7 @@ export class App {
       schema.orders = orders;
       if (damage.length > 0) this.notes.keep("damage", damageText(damage), "error");
       try {
-        const answer = await fetch("/api/events");
-        if (answer.ok) source.marks = marksOf((await answer.json()) as Parameters<typeof marksOf>[0], schema.events);
+        source.marks = marksOf(JSON.parse(textOf(await ask("/api/events"))) as Parameters<typeof marksOf>[0], schema.events);
       } catch {
         continue; // asked for again with the next session
       }

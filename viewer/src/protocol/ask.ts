@@ -7,8 +7,13 @@ export class NoAnswer extends Error {
 
 export type Fetch = (url: string) => Promise<Response>;
 
+/** A whole answer that takes longer than this does not come [ms]. */
+const LONGEST = 20000;
+
+const fetchInTime: Fetch = (url) => fetch(url, { signal: AbortSignal.timeout(LONGEST) });
+
 /** What the server gives; an error says in its words why not, and is a `NoAnswer` where there is no server. */
-export async function ask(url: string, fetchFrom: Fetch = fetch): Promise<ArrayBuffer> {
+export async function ask(url: string, fetchFrom = fetchInTime): Promise<ArrayBuffer> {
   let answer: Response;
   let bytes: ArrayBuffer;
   try {
