@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace surefoot {
@@ -46,6 +47,12 @@ void force_member(JsonText& json, std::string_view name, const OutsideForce& for
   json.end_object();
 }
 
+std::string events_message(const std::vector<std::string>& events) {
+  std::string text = R"({"type":"events","events":[)";
+  for (const std::string& event : events) text += (&event == events.data() ? "" : ",") + event;
+  return text + "]}";
+}
+
 }  // namespace
 
 LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
@@ -64,27 +71,40 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
 }
 
 void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double friction) {
-  auto channels =
-      std::make_shared<ViewChannels>(tick_channels(parts.header.level_names, parts.plant.truth()));
-  if (!ring_) {  // nobody serves yet
-    ViewTick example;
-    example.truth = parts.plant.truth();
-    ring_.emplace(kRingTicks, example);
-  }
-  const std::lock_guard lock(mutex_);
-  if (!packings_.empty()) ++generation_;
-  session_.header = to_json(parts.header);
-  session_.channels = *channels;
-  session_.rows = parts.controller.row_names();
-  session_.bodies = parts.plant.bodies();
-  session_.orders = {{0, parts.header.level_names}};
-  session_.tasks = view_tasks(stack, parts.header.level_names);
-  session_.friction = friction;
-  session_.generation = generation_;
-  packings_[generation_] =
-      std::make_shared<Packing>(Packing{std::move(channels), {parts.header.level_names, {}}});
+  ViewSession begun;
+  begun.header = to_json(parts.header);
+  begun.channels = tick_channels(parts.header.level_names, parts.plant.truth());
+  begun.rows = parts.controller.row_names();
+  begun.bodies = parts.plant.bodies();
+  begun.orders = {{0, parts.header.level_names}};
+  begun.tasks = view_tasks(stack, parts.header.level_names);
+  begun.friction = friction;
+  if (ring_) return hand_over([this, begun] { begin_again(begun); });
+  ViewTick example;  // nobody serves yet
+  example.truth = parts.plant.truth();
+  ring_.emplace(kRingTicks, example);
+  begin_again(std::move(begun));
+  begun_ = session_.generation = 0;
+}
+
+void LiveFeed::begin_again(ViewSession begun) {
+  session_.header = std::move(begun.header);
+  session_.channels = std::move(begun.channels);
+  session_.rows = std::move(begun.rows);
+  session_.bodies = std::move(begun.bodies);
+  session_.orders = std::move(begun.orders);
+  session_.tasks = std::move(begun.tasks);
+  session_.friction = begun.friction;
+  begun_ = ++session_.generation;
+  names_ = {session_.channels.level_names, {}};
+  finder_.emplace(session_.channels);
+  events_.clear();
+  recent_.clear();
+  start_.reset();
   ended_.clear();
-  is_news_ = true;
+  tick_ = 0;
+  time_ = 0.0;
+  forces_ = OutsideForces();
 }
 
 void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,
@@ -95,8 +115,8 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
     return;
   }
   place->number = number;
-  place->generation = generation_.load(std::memory_order_relaxed);
   place->lost = std::exchange(lost_, 0);
+  place->news = told_;
   place->record = tick;
   place->truth = truth;
   place->timing = timing;
@@ -105,17 +125,15 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
 }
 
 void LiveFeed::set_control(const StackOptions& stack, double friction, std::uint32_t tick) {
-  const std::lock_guard lock(mutex_);
-  const Packing& before = *packings_.rbegin()->second;
-  auto next = std::make_shared<Packing>(Packing{before.channels, {level_names(stack), {}}});
-  session_.tasks = view_tasks(stack, session_.channels.level_names);
-  session_.friction = friction;
-  if (session_.orders.back().levels != next->names.levels) {
-    session_.orders.push_back({tick, next->names.levels});
-  }
-  session_.generation = ++generation_;
-  packings_[generation_] = std::move(next);
-  is_news_ = true;
+  hand_over([this, stack, friction, tick] {
+    session_.tasks = view_tasks(stack, session_.channels.level_names);
+    session_.friction = friction;
+    names_ = {level_names(stack), {}};
+    if (session_.orders.back().levels != names_.levels) {
+      session_.orders.push_back({tick, names_.levels});
+    }
+    ++session_.generation;
+  });
 }
 
 void LiveFeed::set_pace(bool paused, double speed) {
@@ -125,88 +143,81 @@ void LiveFeed::set_pace(bool paused, double speed) {
 }
 
 void LiveFeed::set_ended(const std::string& reason) {
-  const std::lock_guard lock(mutex_);
-  ended_ = reason;
-  is_news_ = true;
+  hand_over([this, reason] { ended_ = reason; });
 }
 
 void LiveFeed::show(const logged::Change& change) {
-  std::string text;
-  JsonText(text)
-      .object()
-      .member("type", "change")
-      .member("time", change.time)
-      .member("kind", std::string_view(change.kind))
-      .member("text", std::string_view(change.text))
-      .end_object();
-  const std::lock_guard lock(mutex_);
-  outbox_.push_back(std::move(text));
-  is_news_ = true;
+  hand_over([this, time = change.time, kind = change.kind, words = change.text] {
+    JsonText(outbox_.emplace_back())
+        .object()
+        .member("type", "change")
+        .member("time", time)
+        .member("kind", std::string_view(kind))
+        .member("text", std::string_view(words))
+        .end_object();
+  });
 }
 
 void LiveFeed::tell(const std::string& notice) {
-  std::string text;
-  JsonText(text)
-      .object()
-      .member("type", "notice")
-      .member("text", std::string_view(notice))
-      .end_object();
-  const std::lock_guard lock(mutex_);
-  outbox_.push_back(std::move(text));
+  hand_over([this, notice] {
+    JsonText(outbox_.emplace_back())
+        .object()
+        .member("type", "notice")
+        .member("text", std::string_view(notice))
+        .end_object();
+  });
+}
+
+void LiveFeed::hand_over(std::function<void()> take) { mailbox_.put({++told_, std::move(take)}); }
+
+void LiveFeed::fetch_news() {
+  for (News& news : mailbox_.take()) news_.push_back(std::move(news));
+}
+
+void LiveFeed::take_news() {
+  news_.front().take();
+  heard_ = news_.front().number;
+  news_.pop_front();
+  is_news_ = true;
+}
+
+void LiveFeed::take_news_before(const ViewTick& tick) {
+  if (heard_ < tick.news) fetch_news();
+  while (heard_ < tick.news) take_news();
 }
 
 WebAnswer LiveFeed::get(std::string_view path, const Query&) {
-  if (path == "/api/session") return {200, "application/json", session()};
+  if (path == "/api/session") {
+    session_.ticks = tick_;
+    return {200, "application/json", to_json(session_)};
+  }
   if (path == "/api/frames" || path == "/api/events") {
     return refusal(404, "only a log has these; a live run sends its frames to /api/live");
   }
   return robot_.get(path);
 }
 
-std::string LiveFeed::session() {
-  ViewSession copy;
-  {
-    const std::lock_guard lock(mutex_);
-    copy = session_;
-  }
-  copy.ticks = tick_;
-  return to_json(copy);
-}
-
-std::shared_ptr<const LiveFeed::Packing> LiveFeed::packing(std::uint32_t generation) {
-  const std::lock_guard lock(mutex_);
-  packings_.erase(packings_.begin(), packings_.lower_bound(generation));
-  return packings_.begin()->second;
-}
-
+// What was new before a tick is taken before it. News that were fetched stand behind all ticks
+// that are older, so that after the last of these the rest of them is taken.
 std::vector<SharedBlock> LiveFeed::blocks() {
   std::vector<SharedBlock> blocks;
   std::shared_ptr<std::string> bytes;
-  std::shared_ptr<const Packing> packing_now;
+  fetch_news();
   for (const ViewTick* tick = ring_->next_to_read(); tick != nullptr;
        tick = ring_->next_to_read()) {
-    if (blocks.empty() || blocks.back().generation != tick->generation) {
-      packing_now = packing(tick->generation);
+    take_news_before(*tick);
+    if (blocks.empty() || blocks.back().generation != session_.generation) {
       bytes = std::make_shared<std::string>();
-      blocks.push_back({.frames = 0, .generation = tick->generation, .lost = 0, .bytes = bytes});
+      blocks.push_back({.frames = 0, .generation = session_.generation, .lost = 0, .bytes = bytes});
     }
-    HierarchyNamer namer(packing_now->names);
-    if (tick->number < tick_) start_.reset();
-    if (!start_) start_ = start_alignment(tick->truth, tick->record.state);
-    to_frame({tick->number, tick->record, namer.name(tick->record.hierarchy), &tick->truth,
-              &tick->timing, start_ ? &*start_ : nullptr},
-             *packing_now->channels, frame_);
-    pack(frame_, *bytes);
+    take(*tick, *bytes);
     ++blocks.back().frames;
     blocks.back().lost += tick->lost;
-    if (tick->number == 0) recent_.clear();
-    tick_ = tick->number + 1;
-    time_ = tick->record.reading.time;
-    user_ = tick->record.user;
-    forces_ = tick->forces;
     ring_->read();
   }
-  recent_.insert(recent_.end(), blocks.begin(), blocks.end());
+  while (!news_.empty()) take_news();
+  std::ranges::copy_if(blocks, std::back_inserter(recent_),
+                       [&](const SharedBlock& block) { return block.generation >= begun_; });
   std::size_t frames = 0;
   for (const SharedBlock& block : recent_) frames += block.frames;
   while (!recent_.empty() && frames - recent_.front().frames >= kRecentFrames) {
@@ -214,6 +225,20 @@ std::vector<SharedBlock> LiveFeed::blocks() {
     recent_.pop_front();
   }
   return blocks;
+}
+
+void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
+  if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
+  HierarchyNamer namer(names_);
+  to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), &tick.truth, &tick.timing,
+            start_ ? &*start_ : nullptr},
+           session_.channels, frame_);
+  finder_->see(frame_, events_);
+  pack(frame_, bytes);
+  tick_ = tick.number + 1;
+  time_ = tick.record.reading.time;
+  user_ = tick.record.user;
+  forces_ = tick.forces;
 }
 
 std::vector<SharedBlock> LiveFeed::welcome() {
@@ -234,15 +259,15 @@ void LiveFeed::measure() {
 std::vector<std::string> LiveFeed::messages(std::size_t clients) {
   measure();
   std::vector<std::string> messages;
-  {
-    const std::lock_guard lock(mutex_);
-    messages.swap(outbox_);
-  }
   const Clock::time_point now = Clock::now();
   if (is_news_.exchange(false) || now >= next_status_) {
     messages.push_back(status(clients));
     next_status_ = now + kStatusInterval;
   }
+  // After the status, which says whether they are those of a run that has begun again.
+  std::ranges::move(outbox_, std::back_inserter(messages));
+  outbox_.clear();
+  if (!events_.empty()) messages.push_back(events_message(std::exchange(events_, {})));
   return messages;
 }
 
@@ -259,7 +284,7 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("clients", clients)
       .member("can_command", true)
       .member("recording", std::string_view(recording_))
-      .member("generation", generation_.load())
+      .member("generation", session_.generation)
       .member("undo", operator_.undo_count());
   const std::optional<UserCommand> wanted = operator_.walk_wanted();
   const UserCommand& walk = wanted.value_or(user_);
@@ -269,7 +294,6 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("height", walk.height)
       .member("by", wanted ? "operator" : "scenario")
       .end_object();
-  const std::lock_guard lock(mutex_);
   json.key("ended");
   ended_.empty() ? json.null() : json.value(std::string_view(ended_));
   force_member(json, "push", forces_.push, session_.bodies);

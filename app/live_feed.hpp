@@ -1,18 +1,19 @@
 #pragma once
 
+#include "app/event_finder.hpp"
 #include "app/live_operator.hpp"
 #include "app/operator_forces.hpp"
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
 #include "app/view_tick.hpp"
+#include "surefoot/view/mailbox.hpp"
 #include "surefoot/view/tick_ring.hpp"
 #include "surefoot/view/web_server.hpp"
 
 #include <atomic>
 #include <deque>
-#include <map>
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,15 +22,16 @@ namespace surefoot {
 
 /// A tick on its way from the run to the server.
 struct ViewTick {
-  std::uint32_t number = 0, generation = 0, lost = 0;
+  std::uint32_t number = 0, lost = 0;
+  std::uint64_t news = 0;  ///< of the run, that come before it
   TickRecord record;
   GroundTruth truth;
   TickTiming timing;
   OutsideForces forces;
 };
 
-/// What the pages of a live run are told. The run's thread puts ticks into a queue without locks;
-/// the server's thread packs and sends them.
+/// What the pages of a live run are told. The run's thread hands ticks, and what else is new, over
+/// without locks, and never waits; the server's thread packs and sends them, in that order.
 class LiveFeed final : public WebContent {
  public:
   LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording);
@@ -57,33 +59,39 @@ class LiveFeed final : public WebContent {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Of a generation: what its ticks are packed with.
-  struct Packing {
-    std::shared_ptr<const ViewChannels> channels;
-    LevelNames names;
+  /// What the server's thread is to do with something that is new of the run.
+  struct News {
+    std::uint64_t number = 0;
+    std::function<void()> take;
   };
 
-  [[nodiscard]] std::string session();
-  [[nodiscard]] std::shared_ptr<const Packing> packing(std::uint32_t generation);
+  void hand_over(std::function<void()> take);
+  void begin_again(ViewSession session);
+  void fetch_news();
+  void take_news();
+  void take_news_before(const ViewTick& tick);
+  void take(const ViewTick& tick, std::string& bytes);
   void measure();
 
   LiveOperator& operator_;
   const ViewRobot robot_;
   const std::string recording_;
   std::optional<TickRing<ViewTick>> ring_;  // from the first begin on
+  Mailbox<News> mailbox_;
   std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
-
-  std::mutex mutex_;  // of what follows, up to the next blank line; held for short
-  ViewSession session_;
-  std::map<std::uint32_t, std::shared_ptr<const Packing>> packings_;
-  std::vector<std::string> outbox_;
-  std::string ended_;
-
+  std::uint64_t told_ = 0;  // of the run's thread: news so far
   std::atomic<bool> paused_{false}, is_news_{true};
   std::atomic<double> speed_{1.0};
-  std::atomic<std::uint32_t> generation_{0};
 
   // Of the server's thread.
+  ViewSession session_;
+  std::deque<News> news_;    // that came and are still to be taken
+  std::uint64_t heard_ = 0;  // the last that was taken
+  std::uint32_t begun_ = 0;  // generation with which the present run began
+  LevelNames names_;         // with which ticks are packed
+  std::optional<EventFinder> finder_;
+  std::vector<std::string> events_, outbox_;
+  std::string ended_;
   std::deque<SharedBlock> recent_;  // the last second or two, for pages that come
   ViewFrame frame_;
   std::optional<StartAlignment> start_;

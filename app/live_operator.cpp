@@ -256,6 +256,7 @@ bool LiveOperator::take(OperatorWishes& wishes) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return false;
   taken_ = changes_.load(std::memory_order_acquire);
+  if (given_up_) wishes_.control = *std::exchange(given_up_, std::nullopt);
   wishes = wishes_;
   wishes_.halt = false;
   wishes_.steps = 0;
@@ -280,6 +281,7 @@ void LiveOperator::begin(std::vector<std::string> bodies) {
   undo_.clear();
   undo_count_ = 0;
   ended_.clear();
+  given_up_.reset();
   bodies_ = std::move(bodies);
   changes_.fetch_add(1, std::memory_order_release);
 }
@@ -290,8 +292,7 @@ void LiveOperator::set_ended(std::string reason) {
 }
 
 void LiveOperator::give_up(const WantedControl& present) {
-  const std::lock_guard lock(mutex_);
-  wishes_.control = present;
+  given_up_ = present;
   changes_.fetch_add(1, std::memory_order_release);
 }
 

@@ -54,12 +54,16 @@ class LiveOperator {
   /// be had without waiting. What is to be done once is handed over.
   [[nodiscard]] bool take(OperatorWishes& wishes);
 
+  // These two, at a run's begin and end, may wait for a command that is being taken: no tick is
+  // due.
+
   /// On the run's thread: it begins, again. Everything is as the scenario says; pause and speed
   /// stay.
   void begin(std::vector<std::string> bodies);
   /// On the run's thread: the run has ended, or goes on.
   void set_ended(std::string reason);
-  /// On the run's thread: what was wanted can't be; the present control is wanted again.
+  /// On the run's thread: what was wanted can't be; the present control is wanted again, as soon as
+  /// `take` gets through.
   void give_up(const WantedControl& present);
 
   /// What the operator asks to walk; none: as the scenario says.
@@ -94,7 +98,8 @@ class LiveOperator {
   std::string ended_;
   std::atomic<int> undo_count_{0};
   std::atomic<std::uint64_t> changes_{0};
-  std::uint64_t taken_ = 0;  // of the run's thread
+  std::uint64_t taken_ = 0;                // of the run's thread
+  std::optional<WantedControl> given_up_;  // of the run's thread: what is to be wanted again
 };
 
 }  // namespace surefoot

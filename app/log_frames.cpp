@@ -107,18 +107,14 @@ void LogFrames::learn_channels(const std::string& path) {
   throw FileError(path + ": no tick of the log can be read; record the run anew" + problem);
 }
 
-// Of the first tick that can be read.
 void LogFrames::find_start() {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    Decoded decoded;
-    LogChunk unused;
-    read_ticks(i, decoded, unused);
-    for (const auto& [time, tick] : decoded.ticks) {
-      if (!tick.is_whole || tick.is_damaged) continue;
-      if (tick.has_truth) start_ = start_alignment(tick.truth, tick.record.state);
-      return;
-    }
-  }
+  Decoded decoded;
+  LogChunk unused;
+  read_ticks(0, decoded, unused);
+  if (decoded.ticks.empty()) return;
+  const GrowingTick& first = decoded.ticks.begin()->second;
+  if (first.is_whole && !first.is_damaged && first.has_truth)
+    start_ = start_alignment(first.truth, first.record.state);
 }
 
 std::size_t LogFrames::chunk_of(std::uint32_t tick) const {

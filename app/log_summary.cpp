@@ -2,8 +2,6 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/config_tree.hpp"
-#include "surefoot/evaluation/event_counter.hpp"
-#include "surefoot/logging/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,38 +21,10 @@ void widen(const std::vector<float>& values, std::vector<float>& bound, auto&& w
 float less(float a, float b) { return std::fmin(a, b); }
 float more(float a, float b) { return std::fmax(a, b); }
 
-std::size_t offset_of(const ViewChannels& channels, std::string_view name) {
-  const auto found = std::ranges::find(channels.channels, name, &ViewChannel::name);
-  return found == channels.channels.end() ? 0 : found->offset;
-}
-
-std::string text_event(double time, std::string_view kind, std::string_view text) {
-  std::string out;
-  JsonText(out)
-      .object()
-      .member("time", time)
-      .member("kind", kind)
-      .member("text", text)
-      .end_object();
-  return out;
-}
-
-std::string_view name_in(const auto& names, float number) {
-  const auto index = static_cast<std::size_t>(std::max(number, 0.0F));
-  return index < names.size() ? names[index] : std::string_view("unknown");
-}
-
 }  // namespace
 
 LogSummary::LogSummary(const std::string& path, const LogHeader& header)
-    : frames_(path, header),
-      event_(offset_of(frames_.channels(), "plan.event")),
-      mode_(offset_of(frames_.channels(), "command.mode")),
-      cause_(offset_of(frames_.channels(), "command.cause")) {
-  for (const Leg leg : kLegs) {
-    const std::string name(kLegNames[index(leg)]);
-    phases_[index(leg)] = offset_of(frames_.channels(), "plan.feet." + name + ".phase");
-  }
+    : frames_(path, header), finder_(frames_.channels()) {
   if (frames_.num_lost() > 0) {
     damage_.push_back(std::to_string(frames_.num_lost()) +
                       " chunks can't be read, nor from when they are");
@@ -80,7 +50,7 @@ void LogSummary::add(const LogChunk& chunk) {
   add_damage(chunk);
   for (const logged::Change& change : chunk.changes) add(change);
   for (const ViewFrame& frame : chunk.frames) {
-    add_events(frame);
+    finder_.see(frame, events_);
     add(frame);
   }
   if (!chunk.frames.empty()) known_ = chunk.frames.back().tick + 1;
@@ -124,36 +94,6 @@ void LogSummary::coarsen() {
   }
   ranges_.resize((ranges_.size() + 1) / 2);
   stretch_ *= 2;
-}
-
-PerLeg<LegPhase> LogSummary::phases(const std::vector<float>& floats) const {
-  PerLeg<LegPhase> phases{};
-  for (std::size_t k = 0; k < phases_.size(); ++k)
-    phases[k] = static_cast<LegPhase>(std::max(floats[phases_[k]], 0.0F));
-  return phases;
-}
-
-void LogSummary::add_events(const ViewFrame& frame) {
-  const std::vector<float>& now = frame.floats;
-  const bool has_last = last_.size() == now.size();
-  if (now[event_] != 0.0F) {
-    const auto event = static_cast<PlanEvent>(now[event_]);
-    const std::optional<Leg> leg =
-        has_last ? leg_of(event, phases(last_), phases(now)) : std::nullopt;
-    std::string& text = events_.emplace_back();
-    JsonText json(text);
-    json.array().value(frame.time).value(static_cast<int>(event));
-    leg ? json.value(kLegNames[index(*leg)]) : json.null();
-    json.end_array();
-  }
-  if (has_last && now[mode_] != last_[mode_]) {
-    std::string text = "command mode: " + std::string(name_in(logged::kModeNames, now[mode_]));
-    if (now[cause_] != 0.0F) {
-      text += ", cause: " + std::string(name_in(logged::kCauseNames, now[cause_]));
-    }
-    events_.push_back(text_event(frame.time, "mode", text));
-  }
-  last_ = now;
 }
 
 void LogSummary::add(const logged::Change& change) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/event_finder.hpp"
 #include "app/log_frames.hpp"
 #include "surefoot/view/view_session.hpp"
 
@@ -47,8 +48,6 @@ class LogSummary {
 
   void run();
   void add(const ViewFrame& frame);
-  [[nodiscard]] PerLeg<LegPhase> phases(const std::vector<float>& floats) const;
-  void add_events(const ViewFrame& frame);
   void add(const LogChunk& chunk);
   void add(const logged::Change& change);
   void add_order(const logged::Change& change);
@@ -56,10 +55,8 @@ class LogSummary {
   void coarsen();
 
   LogFrames frames_;
-  std::size_t event_ = 0, mode_ = 0, cause_ = 0;  // offsets of channels
-  PerLeg<std::size_t> phases_{};
-  std::vector<float> last_;  // floats of the frame before
-  bool is_pulled_ = false;   // by the operator
+  EventFinder finder_;
+  bool is_pulled_ = false;  // by the operator
 
   std::mutex mutex_;  // of what follows
   std::vector<Range> ranges_;

@@ -17,7 +17,7 @@ void EstimateJudge::add(const GroundTruth& truth, const RobotState& state) {
   tilt_max_ = ticks_ == 0 ? tilt : std::max(tilt_max_, tilt);
   ++ticks_;
   if (!start_) start_ = start_alignment(truth, state);
-  end_ = aligned(*start_, truth, state);
+  if (start_) end_ = aligned(*start_, truth, state);
 }
 
 void EstimateJudge::write(Metrics& metrics) const {

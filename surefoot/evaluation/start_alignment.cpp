@@ -5,8 +5,14 @@
 #include <cmath>
 
 namespace surefoot {
+namespace {
+
+constexpr double kSameTime = 1e-9;  // [s]
+
+}  // namespace
 
 std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const RobotState& state) {
+  if (std::abs(truth.time) > kSameTime) return std::nullopt;
   const Mat3 R = state.R_WB();
   if (!R.allFinite() || !state.p_WB.allFinite()) return std::nullopt;
   const Mat3 turn = rotation_about_z(yaw(truth.q_WB.toRotationMatrix()) - yaw(R));

@@ -16,7 +16,8 @@ struct StartAlignment {
   Vec3 p = Vec3::Zero();
 };
 
-/// None where the state is not known.
+/// None at another tick than the run's first, whose time is 0, and where the state is not known:
+/// what is counted from the start is then not known at all.
 [[nodiscard]] std::optional<StartAlignment> start_alignment(const GroundTruth& truth,
                                                             const RobotState& state);
 

@@ -112,5 +112,54 @@ TEST(LiveFeed, a_server_that_is_busy_makes_no_tick_allocate_or_wait_for_a_lock) 
   EXPECT_GT(frames, 0u);
 }
 
+TEST(LiveFeed, a_run_that_is_steered_before_a_busy_server_waits_for_no_lock) {
+  WatchedRun watched;
+  std::atomic<bool> ends{false};
+  int taken = 0;
+  std::thread server;
+  watched.run([&] {
+    server = std::thread([&] {
+      for (int i = 0; !ends; ++i) {
+        const double friction = 0.3 + 0.01 * (i % 10);
+        const ViewCommand friction_now{.type = ViewCommandType::friction, .value = friction};
+        const ViewCommand pull{
+            .type = ViewCommandType::pull, .body = "base", .force = Vec3(0.0, i % 20, 0.0)};
+        const ViewCommand push{.type = ViewCommandType::push,
+                               .body = "base",
+                               .impulse = Vec3(0.0, 0.1, 0.0),
+                               .duration = 0.01};
+        const ViewCommand undo{.type = ViewCommandType::undo};
+        for (const ViewCommand& command : {friction_now, pull, push, undo})
+          taken += watched.feed.command(command).empty() ? 1 : 0;
+        (void)watched.feed.blocks();
+        (void)watched.feed.get("/api/session", {});
+        (void)watched.feed.status(8);
+        (void)watched.feed.messages(50);
+      }
+    });
+  });
+  ends = true;
+  server.join();
+  EXPECT_GT(taken, 10);
+  EXPECT_GT(watched.counted.allocations, 0u) << "what is steered came to effect";
+  EXPECT_EQ(watched.counted.locks, 0u);
+}
+
+TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_mixes_two_runs) {
+  WatchedRun watched;
+  ClosedLoopOptions options;
+  options.steering = &watched.counted;
+  (void)watched.wishes.command({.type = ViewCommandType::speed, .factor = 8.0});
+  (void)run_closed_loop(watched.scenario, options);
+  (void)run_closed_loop(watched.scenario, options);  // begun again; nobody has read yet
+  const std::vector<SharedBlock> blocks = watched.feed.blocks();
+  ASSERT_EQ(blocks.size(), 1u) << "what found room is of the first run";
+  EXPECT_EQ(blocks.front().generation, 0u);
+  EXPECT_TRUE(watched.feed.welcome().empty()) << "a page that comes now gets nothing of it";
+  const std::string status = watched.feed.status(0);
+  EXPECT_NE(status.find(R"("tick":0,)"), std::string::npos) << status;
+  EXPECT_NE(status.find(R"("generation":1,)"), std::string::npos) << status;
+}
+
 }  // namespace
 }  // namespace surefoot

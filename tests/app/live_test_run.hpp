@@ -59,7 +59,8 @@ class LiveTestRun {
   ViewChannels channels;
   std::vector<ViewFrame> frames;           // of all that the pages got
   std::vector<std::uint32_t> generations;  // of each frame
-  std::vector<std::string> messages;       // without status
+  std::vector<std::string> events;         // messages of these
+  std::vector<std::string> messages;       // without status and events
   std::vector<std::string> errors;         // of the commands
 
  private:
@@ -89,7 +90,9 @@ class LiveTestRun {
       generations.insert(generations.end(), read.frames.size(), block.generation);
     }
     for (std::string& message : feed.messages(1)) {
-      if (!message.starts_with(R"({"type":"status")")) messages.push_back(std::move(message));
+      if (message.starts_with(R"({"type":"status")")) continue;
+      const bool is_events = message.starts_with(R"({"type":"events")");
+      (is_events ? events : messages).push_back(std::move(message));
     }
   }
 

@@ -2,11 +2,13 @@
 
 #include "app/log_frames.hpp"
 #include "app/log_replay.hpp"
+#include "app/log_summary.hpp"
 #include "app/stack_text.hpp"
 #include "app/tick_explanation.hpp"
 #include "app/tick_text.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/recorder.hpp"
 #include "tests/app/live_test_run.hpp"
@@ -14,13 +16,17 @@
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace surefoot {
 namespace {
 
+using nlohmann::json;
 using test::LiveTestRun;
 using Type = ViewCommandType;
 
@@ -113,6 +119,40 @@ TEST(LiveView, the_estimate_is_counted_from_the_first_tick) {
   ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
   for (const std::uint32_t tick : {0u, 400u, 799u})
     EXPECT_EQ(log.frame(tick)->floats.back(), static_cast<float>(turned[tick]));
+}
+
+TEST(LiveView, what_is_counted_from_the_start_is_not_known_where_the_first_tick_is_not) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=3", "estimation=sensors"});
+  run.run(folder / "run.mcap");
+  const McapChunk first = McapChunks(folder / "run.mcap").chunks().at(0);
+  std::string bytes = test::contents(folder / "run.mcap");
+  bytes.at(first.offset + first.size / 2) ^= '\xFF';
+  test::write_file(folder / "run.mcap", bytes);
+  LogFrames log(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  const ViewFrame* frame = log.frame(1199);
+  ASSERT_NE(frame, nullptr);
+  ASSERT_EQ(log.channels().channels.back().name, "estimate.heading_error");
+  EXPECT_TRUE(std::isnan(frame->floats.back()));
+}
+
+TEST(LiveView, pages_of_a_run_and_of_its_log_are_told_of_the_same_events) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=6"});
+  run.run(folder / "run.mcap");
+  std::vector<json> live;
+  for (const std::string& message : run.events) {
+    const json events = json::parse(message).at("events");
+    live.insert(live.end(), events.begin(), events.end());
+  }
+  LogSummary summary(folder / "run.mcap", LogReader(folder / "run.mcap").header());
+  while (summary.ticks() < 2400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const json logged = json::parse(summary.events_json());
+  EXPECT_EQ(json(live), logged);
+  const auto has_leg = [](const json& event) {
+    return event.is_array() && event.at(2).is_string();
+  };
+  EXPECT_GT(std::ranges::count_if(live, has_leg), 3) << "a walk lifts its feet";
 }
 
 TEST(LiveView, a_push_moves_the_robot_by_its_impulse_and_stands_in_the_log) {

@@ -1,6 +1,7 @@
 import type { App } from "./app.ts";
 import { Generations } from "./data/generations.ts";
 import type { LiveSource } from "./data/live_source.ts";
+import { marksOf } from "./data/marks.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
@@ -117,7 +118,10 @@ export class LiveLink {
       case "change":
         tune.addChange(message.time, message.text);
         if (!message.text.startsWith("pull")) app.notes.say(message.text);
-        this.source.marks.push({ time: message.time, text: message.text, leg: "", kind: "change" });
+        this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change" });
+        break;
+      case "events":
+        this.source.mark(...marksOf(message.events, this.source.schema.events));
         break;
       case "reply":
         commands.reply(message);

@@ -1,13 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { MarkFinder, marksOf } from "../src/data/marks.ts";
+import { marksOf } from "../src/data/marks.ts";
 import { beyondDeadZone } from "../src/input/gamepad.ts";
 import { nudged } from "../src/panels/drive_panel.ts";
 import { speedText } from "../src/panels/transport.ts";
 import { Commands } from "../src/protocol/commands.ts";
 import { backoff, type Connection } from "../src/protocol/connection.ts";
-import { FrameTable } from "../src/data/table.ts";
-import { schemaOf } from "./make.ts";
 
 function connectionOf(open = true): { connection: Connection; sent: Record<string, unknown>[] } {
   const sent: Record<string, unknown>[] = [];
@@ -68,24 +66,7 @@ test("speeds are told as fractions", () => {
   assert.deepEqual([1 / 32, 0.5, 1, 8].map(speedText), ["1/32×", "1/2×", "1×", "8×"]);
 });
 
-test("marks of a live run are the planner's events with their leg, and changes of the command's mode", () => {
-  const schema = schemaOf({ "plan.event": 1, "command.mode": 1, "plan.feet.LF.phase": 1, "plan.feet.RF.phase": 1, "plan.feet.LH.phase": 1, "plan.feet.RH.phase": 1 });
-  for (const channel of schema.channels) if (!channel.name.includes("event")) channel.values = ["stance", "swing"];
-  const finder = new MarkFinder();
-  const table = new FrameTable(schema, 3);
-  [[0, 0, 0, 0, 0, 0], [1, 0, 0, 1, 0, 0], [0, 1, 0, 1, 0, 0]].forEach((values, tick) => {
-    table.append(tick, tick, Float32Array.from(values), undefined);
-    finder.see(table.frame(tick));
-  });
-  assert.deepEqual(finder.marks, [
-    { time: 1, text: "lift-off", leg: "RF", kind: "event" },
-    { time: 2, text: "command: swing", leg: "", kind: "mode" },
-  ]);
-  finder.dropBefore(1.5);
-  assert.equal(finder.marks.length, 1);
-});
-
 test("marks of a log come with names for numbers", () => {
-  const raw = [[1, 1, 0], [2, "touchdown", null], { time: 3, text: "hold" }] as Parameters<typeof marksOf>[0];
-  assert.deepEqual(marksOf(raw, ["none", "lift-off"]).map(({ time, text, leg }) => [time, text, leg]), [[1, "lift-off", "LF"], [2, "touchdown", ""], [3, "hold", ""]]);
+  const raw = [[1, 1, "LF"], [2, 7, null], { time: 3, text: "hold" }] as Parameters<typeof marksOf>[0];
+  assert.deepEqual(marksOf(raw, ["none", "lift-off"]).map(({ time, text, leg }) => [time, text, leg]), [[1, "lift-off", "LF"], [2, "event 7", ""], [3, "hold", ""]]);
 });

@@ -35,6 +35,12 @@ test("a level with a residual that counts gives way, and it is said to what", ()
   assert.equal(accountOf(states), "second gives way to first (b), 0.50 m/s² short.");
 });
 
+test("all rows that hold a level back are named", () => {
+  const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
+  const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
+  assert.equal(accountOf(states), "second gives way to first (b) and first (a), 0.50 m/s² short.");
+});
+
 test("what is less than people should see is not told, also beyond a bound", () => {
   assert.equal(levelStates(frameOf([0.2, 0], { active: [[0, 3, 0]] }))[0]?.status, "at limit");
 });

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { marksOf } from "../src/data/marks.ts";
 import { LiveSource } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
 import { Generations } from "../src/data/generations.ts";
@@ -36,6 +37,17 @@ test("after a reset nothing is shown until the first tick, and then that, althou
   source.append(0, 0, Float32Array.of(7), undefined);
   player.advance(0.016, 0);
   assert.equal(source.at(player.time)?.tick, 0);
+});
+
+test("marks are what the program says happened, for as long as there are frames, and those of this run", () => {
+  const source = new LiveSource(schemaOf({ x: 1 }));
+  const mark = (time: number): void => source.mark(...marksOf([[time, 1, "LH"], { time, kind: "mode", text: "command mode: hold" }], source.schema.events));
+  for (const time of [5, 200]) source.append(time * 400, time, Float32Array.of(0), undefined);
+  mark(1);
+  mark(199);
+  assert.deepEqual(source.marks, [{ time: 199, text: "lift-off", leg: "LH", kind: "event" }, { time: 199, text: "command mode: hold", leg: "", kind: "mode" }]);
+  source.append(0, 0, Float32Array.of(0), undefined);
+  assert.deepEqual(source.marks, []);
 });
 
 test("a reset that this page asked for is done when the generation rises; what was before is then old", () => {

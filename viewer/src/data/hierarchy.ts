@@ -67,12 +67,16 @@ export function accountOf(states: LevelState[]): string {
   if (yielding.length === 0) return "Every level gets what it asks for.";
   return yielding
     .map((state) => {
-      const why = state.blocked[0];
-      const because = why === undefined ? "" : ` to ${nameOf(states, why.by)} (${why.row})`;
+      const rows = state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`);
+      const because = rows.length === 0 ? "" : ` to ${listed(rows)}`;
       const residual = `${rounded(state.residual, 2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
       return `${state.name.replaceAll("_", " ")} gives way${because}, ${residual} short.`;
     })
     .join(" ");
+}
+
+function listed(parts: string[]): string {
+  return parts.length < 2 ? parts.join() : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
 }
 
 /** A level by its number, as people read it. */

@@ -1,10 +1,9 @@
 import { Envelope } from "./envelope.ts";
 import type { Frame } from "./frame.ts";
-import { MarkFinder } from "./marks.ts";
 import { FrameRing } from "./ring.ts";
 import type { Schema } from "./schema.ts";
 import type { FrameSource, Mark, Series } from "./source.ts";
-import { FrameTable } from "./table.ts";
+import type { FrameTable } from "./table.ts";
 
 /** How far back a live run can be looked at [s]. */
 export const LIVE_SECONDS = 120;
@@ -13,29 +12,26 @@ export const LIVE_SECONDS = 120;
 export class LiveSource implements FrameSource {
   /** Called when frames begin again from an earlier time. */
   onRestart: () => void = () => {};
+  marks: Mark[] = [];
   private readonly ring = new FrameRing(LIVE_SECONDS);
-  private readonly finder = new MarkFinder();
-  private latest: FrameTable;
 
-  constructor(public schema: Schema) {
-    this.latest = new FrameTable(schema, 1);
-  }
+  constructor(public schema: Schema) {}
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
     const restarts = time < this.ring.last;
-    if (restarts) this.finder.clear();
+    if (restarts) this.marks = [];
     this.ring.append(this.schema, tick, time, values, rows);
-    if (this.latest.schema !== this.schema) this.latest = new FrameTable(this.schema, 1);
-    this.latest.reuse(this.schema);
-    this.latest.append(tick, time, values, undefined);
-    this.finder.see(this.latest.frame(0));
-    this.finder.dropBefore(this.ring.first);
     if (restarts) this.onRestart();
   }
 
   clear(): void {
     this.ring.clear();
-    this.finder.clear();
+    this.marks = [];
+  }
+
+  /** Something happened; what is from before the frames is forgotten. */
+  mark(...marks: Mark[]): void {
+    this.marks = [...this.marks, ...marks].filter(({ time }) => !(time < this.ring.first));
   }
 
   get first(): number {
@@ -43,9 +39,6 @@ export class LiveSource implements FrameSource {
   }
   get last(): number {
     return this.ring.last;
-  }
-  get marks(): Mark[] {
-    return this.finder.marks;
   }
 
   at(time: number): Frame | undefined {

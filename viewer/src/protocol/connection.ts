@@ -1,3 +1,5 @@
+import type { RawEvent } from "../data/marks.ts";
+
 /** What the server says in text messages. */
 export interface Status {
   type: "status";
@@ -47,7 +49,13 @@ export interface Notice {
   text: string;
 }
 
-export type ServerMessage = Status | Change | Reply | Notice;
+/** What happened, as `/api/events` of a log has it. */
+export interface Events {
+  type: "events";
+  events: RawEvent[];
+}
+
+export type ServerMessage = Status | Change | Events | Reply | Notice;
 
 export type ConnectionState = "connecting" | "open" | "lost";
 
