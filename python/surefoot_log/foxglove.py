@@ -157,6 +157,7 @@ def scene_entities(frame, foot_radius, places):
 def write_scene(log, path, packages, cache=None, topics=None, every=1):
     """Copies the log's topics, all or some, every so manieth message of each, beside the scene, all in the order of time. Returns
     notes."""
+    check_topics(topics, log.topics())
     model = mujoco.MjModel.from_xml_string(log.text("model.xml"))
     robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
     maker = FrameMaker(log.header, max(every, SCENE_EVERY))
@@ -167,7 +168,7 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
             frame = maker.frame(messages)
             if frame is not None:
                 scene.write(frame)
-        check_topics(topics, log)
+        check_topics(topics, {channel.topic for channel in log.channels.values()})
         if not scene.has_begun:
             raise nothing_to_show(log)
         for name, data in log.attachments.items():

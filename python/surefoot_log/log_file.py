@@ -13,6 +13,7 @@ from operator import attrgetter
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
+from mcap.reader import make_reader
 from mcap.records import Attachment, Channel, Chunk, Footer, Schema
 
 from surefoot_campaign.errors import InputError
@@ -42,6 +43,19 @@ def read_record(opcode, file, length):
         return KINDS[opcode].read(stream)
     except (McapError, EOFError, ValueError) as error:
         raise chunk.Damaged(str(error) or "a record is shorter than it says") from None
+
+
+class BehindTicks:
+    """Which chunks stand behind all ticks: those from the first on whose time goes back."""
+
+    def __init__(self):
+        self._latest = -1
+        self._begun = False
+
+    def __call__(self, record):
+        self._begun = self._begun or record.message_start_time <= self._latest
+        self._latest = record.message_start_time
+        return self._begun
 
 
 class LogFile:
@@ -127,11 +141,12 @@ class LogFile:
         elif isinstance(record, Footer):
             self.complete = True
 
-    def messages(self, topics=None):
-        """The messages, all or those of some topics, one after the other, to the last whole chunk."""
+    def messages(self, topics=None, wanted=lambda record: True):
+        """The messages, all or those of some topics, one after the other, to the last whole chunk; of wanted chunks only, where
+        others are not even decompressed."""
         self.complete, self.problem = False, ""
         try:
-            for record in self._records():
+            for record in filter(wanted, self._records()):
                 yield from chunk.messages(record, self.schemas, self.channels, topics)
         except chunk.Damaged as damage:
             self._stop(str(damage))
@@ -141,12 +156,49 @@ class LogFile:
     def by_time(self, topics=None):
         """The messages of all or some topics, time by time: each time [ns] with its messages. What stands apart behind all
         ticks is read beside them, so that nothing waits in memory."""
+        apart = APART if topics is None else APART & topics
+        others = (message for message in self.messages(topics) if message.topic not in APART)
+        merged = heapq.merge(others, self._beside(apart), key=attrgetter("time")) if apart else others
+        for time, group in groupby(merged, key=attrgetter("time")):
+            yield time, list(group)
+
+    def _beside(self, topics):
+        """Messages that stand apart, by a file of their own; of the ticks before them only the chunks' heads are read."""
         beside = LogFile(self.path)
         beside.channels, beside.schemas = self.channels, self.schemas
-        apart = beside.messages(APART if topics is None else APART & topics)
-        others = (message for message in self.messages(topics) if message.topic not in APART)
-        for time, group in groupby(heapq.merge(others, apart, key=attrgetter("time")), key=attrgetter("time")):
-            yield time, list(group)
+        yield from beside.messages(topics, BehindTicks())
+
+    def first_messages(self):
+        """Of each topic its first message. Of a log that was closed only the chunks that hold one are decompressed."""
+        places = self._first_chunks()
+        first = {}
+        for message in self.messages(wanted=lambda record: places is None or self._at in places):
+            first.setdefault(message.topic, message)
+        return first
+
+    def topics(self):
+        """All topics, if the log was closed, so that they stand at its end; None otherwise."""
+        summary = self._summary()
+        return summary and {channel.topic for channel in summary.channels.values()}
+
+    def _first_chunks(self):
+        """Where the chunks begin that hold the first message of a topic; None: not known."""
+        summary = self._summary()
+        if summary is None:
+            return None
+        starts = {}
+        for index in sorted(summary.chunk_indexes, key=attrgetter("chunk_start_offset")):
+            for channel in index.message_index_offsets:
+                starts.setdefault(channel, index.chunk_start_offset)
+        return set(starts.values())
+
+    def _summary(self):
+        try:
+            with open(self.path, "rb") as file:
+                summary = make_reader(file).get_summary()
+        except (McapError, EOFError, ValueError, OSError, struct.error):
+            return None
+        return summary if summary is not None and summary.chunk_indexes else None
 
     def schema_record(self, topic):
         """Of a topic whose messages came."""

@@ -25,23 +25,24 @@ def wanted_topics(names):
     return {name if name.startswith("/") else f"/{name}" for name in names}
 
 
-def check_topics(wanted, log):
-    known = sorted(channel.topic for channel in log.channels.values())
+def check_topics(wanted, known):
+    """Throws InputError on a topic that is not known; none is checked where `known` is None."""
+    if known is None:
+        return
+    known = sorted(known)
     for topic in sorted(wanted or []):
         if topic not in known:
             raise InputError(f'unknown topic "{topic}"; {valid_names(topic, known)}')
 
 
 def first_messages(log, topics):
-    """Reads the log once: of each topic its first message, which has the sizes of lists. Throws InputError on unknown topics,
-    and where the log holds no tick."""
-    first = {}
-    for message in log.messages():
-        if message.topic not in first:
-            first[message.topic] = json.loads(bytes(message.data))
+    """Of each topic its first message, which has the sizes of lists. Throws InputError on unknown topics, and where the log holds
+    no tick."""
+    check_topics(topics, log.topics())
+    first = {topic: json.loads(bytes(message.data)) for topic, message in log.first_messages().items()}
     if TICK not in first:
         raise InputError(f"{log.path}: the log holds no tick, so there is nothing to export{'; ' + log.problem if log.problem else ''}")
-    check_topics(topics, log)
+    check_topics(topics, first)
     return {topic: message for topic, message in first.items() if topics is None or topic in topics}
 
 

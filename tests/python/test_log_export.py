@@ -13,6 +13,10 @@ from foxglove_fields import FIELDS, bare, differences, schema_of
 from log_file import attachment, messages
 from log_tools import complaint_of, log_command
 from mcap.reader import NonSeekingReader, make_reader
+from surefoot_campaign.errors import InputError
+from surefoot_log import chunk
+from surefoot_log.log_file import LogFile
+from surefoot_log.table import Table
 
 TICKS = 800
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
@@ -115,6 +119,34 @@ def test_of_a_log_that_was_cut_off_the_beginning_is_exported_with_a_warning(log,
     part = pyarrow.parquet.read_table(tmp_path / "cut.parquet")
     assert 0 < part.num_rows < TICKS
     assert part.equals(table.select(part.column_names).slice(0, part.num_rows))
+
+
+@pytest.fixture
+def opened(monkeypatch):
+    """The chunks that were decompressed so far, by the time at which they begin."""
+    starts, real = [], chunk.opened
+    monkeypatch.setattr(chunk, "opened", lambda record: starts.append(record.message_start_time) or real(record))
+    return starts
+
+
+def test_an_export_begins_without_reading_the_whole_log(log, opened):
+    file = LogFile(log)
+    everything = list(file.by_time())
+    chunks = len(opened)
+    for topics, most in (({"/state"}, 1), ({"/state", "/timings"}, 2), (None, 2)):
+        opened.clear()
+        time, first = next(file.by_time(topics))
+        assert (time, len(opened)) == (0, most)
+        assert {message.topic for message in first} == (topics or {message.topic for message in everything[0][1]})
+    opened.clear()
+    assert {topic: message.time for topic, message in file.first_messages().items()} == dict.fromkeys(file.topics(), 0)
+    assert len(opened) == 2 < chunks
+
+
+def test_an_unknown_topic_is_told_before_anything_is_read(log, opened):
+    with pytest.raises(InputError, match='unknown topic "/plann"'):
+        Table(LogFile(log), {"/plann"})
+    assert opened == []
 
 
 def test_of_a_damaged_log_the_chunks_before_the_damage_are_exported(log, tmp_path):
