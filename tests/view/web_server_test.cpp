@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "tests/config/messages.hpp"
+#include "tests/support/damaged_bytes.hpp"
 #include "tests/view/raw_client.hpp"
 
 #include <gtest/gtest.h>
@@ -291,27 +292,6 @@ TEST_F(WebServerTest, a_thousand_pages_come_and_go) {
   EXPECT_TRUE(is_well());
 }
 
-/// Bytes of a good request or message, some of them changed, taken out or doubled.
-std::string damaged(std::string bytes, std::mt19937& random) {
-  for (auto changes = 1 + random() % 8; changes > 0 && !bytes.empty(); --changes) {
-    const std::size_t place = random() % bytes.size();
-    switch (random() % 4) {
-      case 0:
-        bytes[place] = static_cast<char>(random() % 256);
-        break;
-      case 1:
-        bytes.erase(place, 1 + random() % 8);
-        break;
-      case 2:
-        bytes.insert(place, bytes.substr(place, random() % 64));
-        break;
-      default:
-        bytes.resize(place);
-    }
-  }
-  return bytes;
-}
-
 TEST_F(WebServerTest, requests_that_make_no_sense_do_no_harm) {
   std::mt19937 random(11);
   const std::string good = "GET /api/frames?from=0&count=4 HTTP/1.1\r\nHost: " + host() +
@@ -319,7 +299,7 @@ TEST_F(WebServerTest, requests_that_make_no_sense_do_no_harm) {
                            "\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\r\n";
   for (int trial = 0; trial < 400; ++trial) {
     const RawClient client(server_.port());
-    client.send(damaged(good, random));
+    client.send(test::damaged(good, random));
   }
   EXPECT_TRUE(is_well());
 }
@@ -332,9 +312,9 @@ TEST_F(WebServerTest, frames_and_messages_that_make_no_sense_do_no_harm) {
     RawClient client(server_.port());
     ASSERT_EQ(client.upgrade(host(), origin()), 101) << trial;
     if (trial % 2 == 0) {
-      client.send(damaged(test::client_frame(static_cast<int>(random() % 16), push), random));
+      client.send(test::damaged(test::client_frame(static_cast<int>(random() % 16), push), random));
     } else {
-      client.say(damaged(push, random));
+      client.say(test::damaged(push, random));
     }
   }
   EXPECT_TRUE(is_well());
