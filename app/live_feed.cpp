@@ -105,6 +105,7 @@ void LiveFeed::begin_again(ViewSession begun) {
   tick_ = 0;
   time_ = 0.0;
   forces_ = OutsideForces();
+  forces_.store = session_.limits.push_impulse;
 }
 
 void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTruth& truth,

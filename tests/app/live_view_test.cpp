@@ -346,6 +346,7 @@ TEST(LiveView, the_status_tells_pause_and_the_operators_walk_before_any_tick_has
   bool told = false;
   run.at(0, [&] {
     told = test::holds(run.feed.status(1), R"("paused":true)");
+    EXPECT_TRUE(test::holds(run.feed.status(1), R"("newton_seconds_left":60)"));
     (void)run.wishes.command({.type = Type::walk, .walk = true, .yaw_rate = 0.25});
     EXPECT_TRUE(test::holds(run.feed.status(1), R"("yaw_rate":0.25)"));
     EXPECT_TRUE(test::holds(run.feed.status(1), R"("by":"operator")"));
