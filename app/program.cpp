@@ -12,6 +12,7 @@
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/config/nearest_name.hpp"
+#include "surefoot/solver/sweep.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -47,8 +48,10 @@ Examples:
 
 constexpr const char* kSolveFooter = R"(
 The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²) of each level:
-  {"x":[…],"levels":[{"residual":…},…]}
-Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows.
+  {"x":[…],"levels":[{"residual":…},…],"instructions":…}
+"instructions" is the set that the solver's kernels use on this processor; the cascade has none.
+Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows,
+and D a "lower" beside f: lower ≤ D x ≤ f, where null is no bound.
 A level without rows asks for nothing: it is named, and the line is solved.
 
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
@@ -67,8 +70,10 @@ Examples:
 )";
 
 constexpr const char* kDumpFooter = R"(
-One line for each tick, as `surefoot solve` reads it, with the names of levels and rows:
-  {"levels":[{"name":…,"A":[[…]],"b":[…],"D":[[…]],"f":[…],"A_names":[…],"D_names":[…]},…]}
+One line for each tick, as `surefoot solve` reads it, A x = b and lower ≤ D x ≤ f (null: no bound)
+with the names of levels and rows, and the numbers by which rows are known from tick to tick:
+  {"levels":[{"name":…,"A":[[…]],"b":[…],"D":[[…]],"lower":[…],"f":[…],
+              "A_names":[…],"D_names":[…],"A_ids":[…],"D_ids":[…]},…]}
 A scenario is run for it; of a log the controller is run again on the logged readings. A tick of the
 walk has about 30 kB.
 
@@ -278,7 +283,8 @@ int tell_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, ch
 
 int run_program(int argc, char** argv) {
   CLI::App app("Whole-body control of legged robots by strict task hierarchies.", "surefoot");
-  app.set_version_flag("--version", std::string(build_info().version));
+  app.set_version_flag("--version", std::string(build_info().version) +
+                                        " (solver: " + fastest_kernels().name + " instructions)");
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help on all commands");
   Command chosen;

@@ -10,6 +10,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver/sweep.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -105,9 +106,19 @@ class SolveCommand {
   }
 
  private:
+  [[nodiscard]] bool is_cascade() const { return arguments_.method == name(SolverMethod::cascade); }
+
+  /// The set that the kernels of the lexicographic solver use.
+  static std::string instructions() { return fastest_kernels().name; }
+
+  [[nodiscard]] Json with_instructions(Json line) const {
+    if (!is_cascade()) line["instructions"] = instructions();
+    return line;
+  }
+
   [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
     double (*clock)() = arguments_.explain ? seconds : nullptr;
-    if (arguments_.method == name(SolverMethod::cascade)) {
+    if (is_cascade()) {
       return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
     }
     LexicographicOptions options;
@@ -130,8 +141,8 @@ class SolveCommand {
     if (arguments_.explain) {
       explain_line(place, question, solution, certificates);
     } else {
-      out_ << with_notes(json_line(question, solution, certificates), question.hierarchy).dump()
-           << std::endl;
+      const Json answer = with_instructions(json_line(question, solution, certificates));
+      out_ << with_notes(answer, question.hierarchy).dump() << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
     if (worst_stationarity(certificates) > kProven)
@@ -142,10 +153,11 @@ class SolveCommand {
                     const Solution& solution, const std::vector<LevelCertificate>& certificates) {
     const std::vector<LevelAccount> levels = account_for(question, solution);
     if (arguments_.json) {
-      const Json line = explanation_json(levels, solution, certificates);
+      const Json line = with_instructions(explanation_json(levels, solution, certificates));
       out_ << with_notes(line, question.hierarchy).dump() << std::endl;
     } else {
-      out_ << place << "\n" << explanation_text(levels, solution, certificates) << std::endl;
+      out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
+           << explanation_text(levels, solution, certificates) << std::endl;
     }
   }
 

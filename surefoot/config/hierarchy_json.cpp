@@ -58,9 +58,14 @@ const Json& block(const Json& level, const char* key, const Place& place) {
   return *found;
 }
 
-Vector read_vector(const Json& array, const Place& place) {
+/// `missing` is what null stands for; NaN: null is no number.
+Vector read_vector(const Json& array, const Place& place, double missing = std::nan("")) {
   Vector numbers;
   for (const Json& element : array) {
+    if (element.is_null() && !std::isnan(missing)) {
+      numbers.push_back(missing);
+      continue;
+    }
     if (!element.is_number()) {
       place.fail("element " + std::to_string(numbers.size() + 1) + " is " + quoted(element) +
                  "; expected a finite number");
@@ -94,8 +99,9 @@ Matrix read_matrix(const Json& rows, std::size_t& unknowns, const Place& place) 
 /// A block of rows and its right-hand side.
 struct Block {
   Matrix rows;
-  Vector bounds;
+  Vector lower, upper;
   std::vector<std::string> names;
+  std::vector<int> ids;
 };
 
 /// "A 1", "A 2", … where the file gives no names.
@@ -119,23 +125,71 @@ std::vector<std::string> read_names(const Json& level, const std::string& matrix
   return names;
 }
 
-Block read_block(const Json& level, const char* matrix_key, const char* vector_key,
-                 std::size_t& unknowns, const Place& place) {
-  Block result;
-  result.rows = read_matrix(block(level, matrix_key, place), unknowns, place.at(matrix_key));
-  result.bounds = read_vector(block(level, vector_key, place), place.at(vector_key));
-  if (result.bounds.size() != result.rows.size()) {
-    place.fail(std::string(vector_key) + " has " + count(result.bounds.size(), "element") + ", " +
-               matrix_key + " has " + count(result.rows.size(), "row") +
-               "; expected one element for each row");
+/// 0, 1, … from `first` on where the file gives no ids.
+std::vector<int> read_ids(const Json& level, const std::string& matrix_key, std::size_t rows,
+                          std::size_t first, const Place& place) {
+  const std::string key = matrix_key + "_ids";
+  const auto found = level.find(key);
+  std::vector<int> ids;
+  if (found == level.end()) {
+    for (std::size_t i = 0; i < rows; ++i) ids.push_back(static_cast<int>(first + i));
+    return ids;
   }
-  result.names = read_names(level, matrix_key, result.rows.size(), place);
+  const auto is_id = [](const Json& id) {
+    return id.is_number_integer() && id.get<double>() == static_cast<double>(id.get<int>());
+  };
+  if (!found->is_array() || found->size() != rows || !std::ranges::all_of(*found, is_id)) {
+    place.fail(key + " is " + quoted(*found) + "; expected an array of " + count(rows, "integer") +
+               ", one for each row of " + matrix_key);
+  }
+  for (const Json& id : *found) ids.push_back(id.get<int>());
+  return ids;
+}
+
+Vector read_bounds(const Json& level, const char* key, const Block& block, const char* matrix_key,
+                   double missing, const Place& place) {
+  Vector bounds = read_vector(surefoot::block(level, key, place), place.at(key), missing);
+  if (bounds.size() != block.rows.size()) {
+    place.fail(std::string(key) + " has " + count(bounds.size(), "element") + ", " + matrix_key +
+               " has " + count(block.rows.size(), "row") + "; expected one element for each row");
+  }
+  return bounds;
+}
+
+/// A x = b.
+Block read_equalities(const Json& level, std::size_t& unknowns, const Place& place) {
+  Block result;
+  result.rows = read_matrix(block(level, "A", place), unknowns, place.at("A"));
+  result.upper = result.lower = read_bounds(level, "b", result, "A", std::nan(""), place);
+  result.names = read_names(level, "A", result.rows.size(), place);
+  result.ids = read_ids(level, "A", result.rows.size(), 0, place);
+  return result;
+}
+
+/// lower ≤ D x ≤ f; without "lower" every row has an f.
+Block read_inequalities(const Json& level, std::size_t first_id, std::size_t& unknowns,
+                        const Place& place) {
+  Block result;
+  result.rows = read_matrix(block(level, "D", place), unknowns, place.at("D"));
+  result.lower.assign(result.rows.size(), -kInfinity);
+  const bool has_lower = level.contains("lower");
+  if (has_lower) result.lower = read_bounds(level, "lower", result, "D", -kInfinity, place);
+  const double missing = has_lower ? kInfinity : std::nan("");
+  result.upper = read_bounds(level, "f", result, "D", missing, place);
+  for (std::size_t i = 0; i < result.rows.size(); ++i) {
+    const std::string row = "row " + std::to_string(i + 1) + " of D ";
+    if (result.lower[i] == -kInfinity && result.upper[i] == kInfinity)
+      place.fail(row + "has no bound; expected a number in lower, in f or in both");
+    if (result.lower[i] > result.upper[i]) place.fail(row + "has lower above f");
+  }
+  result.names = read_names(level, "D", result.rows.size(), place);
+  result.ids = read_ids(level, "D", result.rows.size(), first_id, place);
   return result;
 }
 
 struct LevelBlocks {
   std::string name, unit;
-  Block equal, at_most;
+  Block equal, between;
 };
 
 /// A text of a level; what is no text counts as missing.
@@ -154,36 +208,65 @@ std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, co
     const Place here = place.at(name);
     if (!level.is_object())
       here.fail("is " + quoted(level) + "; expected an object with A, b, D and f");
-    levels.push_back({text_or(level, "name", name), text_or(level, "unit", ""),
-                      read_block(level, "A", "b", unknowns, here),
-                      read_block(level, "D", "f", unknowns, here)});
+    Block equal = read_equalities(level, unknowns, here);
+    Block between = read_inequalities(level, equal.rows.size(), unknowns, here);
+    levels.push_back({text_or(level, "name", name), text_or(level, "unit", ""), std::move(equal),
+                      std::move(between)});
   }
   return levels;
 }
 
-void append(const Block& block, bool is_equality, Level& level) {
-  const Index first_id = level.num_rows();
-  Rows rows = level.add(static_cast<Index>(block.rows.size()), static_cast<int>(first_id));
+void append(const Block& block, Level& level) {
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
-    const auto row = static_cast<Index>(i);
-    rows.A.row(row) = Eigen::Map<const Eigen::RowVectorXd>(block.rows[i].data(), rows.A.cols());
-    rows.upper[row] = block.bounds[i];
-    rows.lower[row] = is_equality ? block.bounds[i] : -kInfinity;
+    Rows row = level.add(1, block.ids[i]);
+    row.A = Eigen::Map<const Eigen::RowVectorXd>(block.rows[i].data(), row.A.cols());
+    row.lower[0] = block.lower[i];
+    row.upper[0] = block.upper[i];
   }
 }
 
-/// The four blocks of a level while it is written.
-struct JsonBlocks {
-  Json A = Json::array(), b = Json::array(), A_names = Json::array();
-  Json D = Json::array(), f = Json::array(), D_names = Json::array();
+/// A block of a level while it is written.
+struct JsonBlock {
+  Json rows = Json::array(), lower = Json::array(), upper = Json::array();
+  Json names = Json::array(), ids = Json::array();
+  bool has_lower = false;
 
-  static void add(Json& rows, Json& bounds, const Eigen::RowVectorXd& row, double bound) {
+  void add(const Level& level, Index i, const std::string& name) {
     Json numbers = Json::array();
-    for (const double number : row) numbers.push_back(number + 0.0);  // −0 becomes 0
+    for (const double number : level.A().row(i)) numbers.push_back(number + 0.0);  // −0 becomes 0
     rows.push_back(std::move(numbers));
-    bounds.push_back(bound);
+    const double low = level.lower()[i], up = level.upper()[i];
+    has_lower = has_lower || low > -kInfinity;
+    lower.push_back(low > -kInfinity ? Json(low) : Json());
+    upper.push_back(up < kInfinity ? Json(up) : Json());
+    names.push_back(name);
+    ids.push_back(level.id(i));
   }
 };
+
+Json to_json(const Level& level, std::size_t k, const RowName& row_name, const std::string& unit) {
+  JsonBlock equal, between;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double lower = level.lower()[i], upper = level.upper()[i];
+    if (lower == -kInfinity && upper == kInfinity) continue;  // asks for nothing
+    JsonBlock& block = lower == upper ? equal : between;
+    block.add(level, i, row_name ? row_name(k, i) : "");
+  }
+  Json object = {{"name", level.name()}};
+  if (!unit.empty()) object["unit"] = unit;
+  object["A"] = std::move(equal.rows);
+  object["b"] = std::move(equal.upper);
+  object["D"] = std::move(between.rows);
+  if (between.has_lower) object["lower"] = std::move(between.lower);
+  object["f"] = std::move(between.upper);
+  if (row_name) {
+    object["A_names"] = std::move(equal.names);
+    object["D_names"] = std::move(between.names);
+  }
+  object["A_ids"] = std::move(equal.ids);
+  object["D_ids"] = std::move(between.ids);
+  return object;
+}
 
 }  // namespace
 
@@ -195,14 +278,14 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   if (unknowns == 0) place.fail("has no unknowns; expected at least one row in A or D of a level");
   NamedHierarchy result{Hierarchy(static_cast<Index>(unknowns)), {}, {}};
   for (const LevelBlocks& level : levels) {
-    const auto rows = static_cast<Index>(level.equal.rows.size() + level.at_most.rows.size());
+    const auto rows = static_cast<Index>(level.equal.rows.size() + level.between.rows.size());
     const std::size_t k = result.hierarchy.add_level(level.name, rows);
-    append(level.equal, true, result.hierarchy.level(k));
-    append(level.at_most, false, result.hierarchy.level(k));
+    append(level.equal, result.hierarchy.level(k));
+    append(level.between, result.hierarchy.level(k));
     result.units.push_back(level.unit);
     result.row_names.push_back(level.equal.names);
-    result.row_names.back().insert(result.row_names.back().end(), level.at_most.names.begin(),
-                                   level.at_most.names.end());
+    result.row_names.back().insert(result.row_names.back().end(), level.between.names.begin(),
+                                   level.between.names.end());
   }
   return result;
 }
@@ -211,38 +294,8 @@ std::string format_hierarchy(const Hierarchy& hierarchy, const RowName& row_name
                              const std::vector<std::string>& units) {
   Json levels = Json::array();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const Level& level = hierarchy.level(k);
-    JsonBlocks blocks;
-    for (Index i = 0; i < level.num_rows(); ++i) {
-      const Eigen::RowVectorXd row = level.A().row(i);
-      const std::string name = row_name ? row_name(k, i) : "";
-      const double lower = level.lower()[i];
-      const double upper = level.upper()[i];
-      if (lower == upper) {
-        JsonBlocks::add(blocks.A, blocks.b, row, upper);
-        blocks.A_names.push_back(name);
-        continue;
-      }
-      if (upper < kInfinity) {
-        JsonBlocks::add(blocks.D, blocks.f, row, upper);
-        blocks.D_names.push_back(name);
-      }
-      if (lower > -kInfinity) {
-        JsonBlocks::add(blocks.D, blocks.f, -row, -lower);
-        blocks.D_names.push_back(name);
-      }
-    }
-    Json object = {{"name", level.name()}};
-    if (k < units.size() && !units[k].empty()) object["unit"] = units[k];
-    object["A"] = std::move(blocks.A);
-    object["b"] = std::move(blocks.b);
-    object["D"] = std::move(blocks.D);
-    object["f"] = std::move(blocks.f);
-    if (row_name) {
-      object["A_names"] = std::move(blocks.A_names);
-      object["D_names"] = std::move(blocks.D_names);
-    }
-    levels.push_back(std::move(object));
+    levels.push_back(
+        to_json(hierarchy.level(k), k, row_name, k < units.size() ? units[k] : std::string()));
   }
   return Json{{"levels", std::move(levels)}}.dump();
 }

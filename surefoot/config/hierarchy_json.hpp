@@ -21,9 +21,11 @@ struct NamedHierarchy {
 ///     {"levels": [{"A": [[…]], "b": […], "D": [[…]], "f": […]}, …]}      A x = b and D x ≤ f (Eq.
 ///     8)
 ///
-/// An empty or missing block has no rows. A level may have a "name", its blocks "A_names" and
-/// "D_names", a text for each row; without them rows are called "A 1", "D 3"; and its rows a
-/// "unit". Other members are ignored. The number of unknowns is the length of the rows. `place`
+/// An empty or missing block has no rows. With "lower" beside f, lower ≤ D x ≤ f; null, in one of
+/// them, is no bound. A level may have a "name", its blocks "A_names" and "D_names", a text for
+/// each row; without them rows are called "A 1", "D 3"; "A_ids" and "D_ids", by which rows are
+/// known from line to line (Level::id), else they are counted; and its rows a "unit". Other members
+/// are ignored. The number of unknowns is the length of the rows. `place`
 /// ("file:line") starts the message of the FileError that is thrown for anything else: numbers are
 /// finite and at most 1e100.
 [[nodiscard]] NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place);
@@ -31,10 +33,10 @@ struct NamedHierarchy {
 /// What a row is called: level and row, as indices.
 using RowName = std::function<std::string(std::size_t, Eigen::Index)>;
 
-/// The line for a hierarchy, without a line break. Numbers read back to the same doubles. A row
-/// between two bounds becomes two rows of D, lower ≤ a x as −a x ≤ −lower. Beside the blocks each
-/// level has its "name", with `row_name` its rows have theirs, and with `units` its "unit" where
-/// that is not empty.
+/// The line for a hierarchy, without a line break. Numbers, names and ids read back the same; in a
+/// level equalities come first. With `row_name` rows have their names, and with `units` a level its
+/// "unit" where that is not empty. "lower" is there where a row of the level has such a bound; rows
+/// without any are left out.
 [[nodiscard]] std::string format_hierarchy(const Hierarchy& hierarchy,
                                            const RowName& row_name = nullptr,
                                            const std::vector<std::string>& units = {});

@@ -46,14 +46,15 @@ void evaluate(Sweep& s, int first, int end) {
 template <int N>
 SUREFOOT_INLINE void reflect_basis(const Sweep& s, double* basis, int stride, int j) {
   const double* v = s.reflectors + (long)j * s.stride;
+  const int end = s.reach[j];
   Pack along[N] = {};
-  for (int i = j; i < s.unknowns; ++i) {
+  for (int i = j; i < end; ++i) {
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) along[k] += v[i] * at(basis + (long)i * stride + k * kPack);
   }
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) along[k] *= s.beta[j];
-  for (int i = j; i < s.unknowns; ++i) {
+  for (int i = j; i < end; ++i) {
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) at(basis + (long)i * stride + k * kPack) -= v[i] * along[k];
   }
@@ -66,13 +67,14 @@ template <int N>
 SUREFOOT_INLINE void reflect_basis_twice(const Sweep& s, double* basis, int stride, int j) {
   const double* v = s.reflectors + (long)j * s.stride;
   const double* u = v - s.stride;
-  const double cross = loose_dot(u + j, v + j, s.unknowns - j);
+  const int end = s.reach[j], skip = j / kPack * kPack;  // v is zero before j, and u at its end
+  const double cross = dot(u + skip, v + skip, padded(end) - skip);
   double* top = basis + (long)(j - 1) * stride;
   Pack along_v[N] = {}, along_u[N];
 #pragma GCC unroll 4
   for (int k = 0; k < N; ++k) along_u[k] = u[j - 1] * at(top + k * kPack);
   const double* row = top + stride;
-  for (int i = j; i < s.unknowns; ++i, row += stride) {
+  for (int i = j; i < end; ++i, row += stride) {
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) {
       const Pack here = at(row + k * kPack);
@@ -87,7 +89,7 @@ SUREFOOT_INLINE void reflect_basis_twice(const Sweep& s, double* basis, int stri
     at(top + k * kPack) -= u[j - 1] * along_u[k];
   }
   double* to = top + stride;
-  for (int i = j; i < s.unknowns; ++i, to += stride) {
+  for (int i = j; i < end; ++i, to += stride) {
 #pragma GCC unroll 4
     for (int k = 0; k < N; ++k) {
       at(to + k * kPack) -= v[i] * along_v[k] + u[i] * along_u[k];

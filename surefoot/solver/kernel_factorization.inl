@@ -6,10 +6,11 @@ constexpr double kWellLeft = 0.25;
 /// The row at `position` takes the next column; in all rows after it the basis turns. Returns the
 /// squared length that is left of the next row. The elimination of that row waits for it: so its
 /// products with this row come first, which need no root and no division. N packs; 0: any number.
+/// All rows so far are zero from `width` on, and only what comes before it is looked at.
 template <int N>
-static double eliminate_packs(Sweep& s, int position, int column, double square) {
+static double eliminate_packs(Sweep& s, int position, int column, double square, int width) {
   const int skip = column / kPack * kPack;
-  const int packs = N > 0 ? N : (s.stride - skip) / kPack;
+  const int packs = N > 0 ? N : (width - skip) / kPack;
   double* row = s.rows + (long)s.order[position] * s.stride + skip;
   double* v = s.reflectors + (long)column * s.stride + skip;
   const int place = column - skip;
@@ -53,25 +54,25 @@ static double eliminate_packs(Sweep& s, int position, int column, double square)
   return square_from(next - skip, s.fixed, s.stride);
 }
 
-static double eliminate(Sweep& s, int position, double square, bool usable) {
+static double eliminate(Sweep& s, int position, double square, bool usable, int width) {
   const int column = s.fixed++;
   s.pivot[column] = usable ? s.order[position] : -1;
   double left = 0.0;
-  switch ((s.stride - column / kPack * kPack) / kPack) {
+  switch ((width - column / kPack * kPack) / kPack) {
     case 1:
-      left = eliminate_packs<1>(s, position, column, square);
+      left = eliminate_packs<1>(s, position, column, square, width);
       break;
     case 2:
-      left = eliminate_packs<2>(s, position, column, square);
+      left = eliminate_packs<2>(s, position, column, square, width);
       break;
     case 3:
-      left = eliminate_packs<3>(s, position, column, square);
+      left = eliminate_packs<3>(s, position, column, square, width);
       break;
     case 4:
-      left = eliminate_packs<4>(s, position, column, square);
+      left = eliminate_packs<4>(s, position, column, square, width);
       break;
     default:
-      left = eliminate_packs<0>(s, position, column, square);
+      left = eliminate_packs<0>(s, position, column, square, width);
   }
   if (!usable) s.inverse_pivot[column] = 0.0;
   return left;
@@ -95,7 +96,7 @@ static int factorize_level(Sweep& s, int begin, int end) {
       if (square < s.smallest_pivot * s.smallest_pivot * s.scale[row] * s.scale[row]) {
         s.smallest_pivot = __builtin_sqrt(square) / s.scale[row];
       }
-      square = eliminate(s, next++, square, true);
+      square = eliminate(s, next++, square, true, s.stride);
     } else {
       swap_rows(s.order, next, --untried);
       square = -1.0;
@@ -118,7 +119,7 @@ static int factorize_level(Sweep& s, int begin, int end) {
     const bool usable = best_relative > s.solve_tolerance;
     if (usable) s.smallest_pivot = smaller(s.smallest_pivot, best_relative);
     num_weak += usable ? 0 : 1;
-    (void)eliminate(s, next++, best_square, usable);
+    (void)eliminate(s, next++, best_square, usable, s.stride);
   }
   return next - begin - num_weak;
 }
@@ -226,6 +227,12 @@ SUREFOOT_INLINE void copy_row(Sweep& s, int row) {
   loosely(to + last) = loose(a + last);
 }
 
+/// A factorization of whole rows begins.
+static void begin_factorization(Sweep& s) {
+  s.fixed = s.first_reflection = s.turned_end = 0;
+  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+}
+
 void start(Sweep& s, int first, int end) {
   s.num_taking_part = 0;
   for (int k = first; k < end; ++k) {
@@ -235,8 +242,7 @@ void start(Sweep& s, int first, int end) {
     }
   }
   s.order_begin[end] = s.num_taking_part;
-  s.fixed = s.first_reflection = s.turned_end = 0;
-  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  begin_factorization(s);
   for (int i = 0; i < s.num_taking_part; ++i) {
     const int row = s.order[i];
     if (s.is_identity()) {
@@ -252,13 +258,64 @@ void start(Sweep& s, int first, int end) {
 void start_leading(Sweep& s, int end) {
   s.num_taking_part = s.level_begin[end];
   for (int k = 0; k <= end; ++k) s.order_begin[k] = s.level_begin[k];
-  s.fixed = s.first_reflection = s.turned_end = 0;
-  for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
+  begin_factorization(s);
   for (int row = 0; row < s.num_taking_part; ++row) {
     s.order[row] = row;
     s.base_value[row] = 0.0;
     copy_row(s, row);
   }
+  for (int column = 0; column < s.unknowns; ++column) s.reach[column] = s.unknowns;
+}
+
+/// order ← rows of the levels before `end`, those first whose last coefficient comes first; `list`
+/// ← where each row ends. The levels come backwards: physics has its short rows in the second.
+static void order_by_end(Sweep& s, int end) {
+  int count = 0;
+  for (int k = end - 1; k >= 0; --k) {
+    for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {
+      int size = s.unknowns;
+      while (size > 0 && s.a[row][size - 1] == 0.0) --size;
+      s.list[row] = size;
+      int place = count++;
+      for (; place > 0 && s.list[s.order[place - 1]] > size; --place) {
+        s.order[place] = s.order[place - 1];
+      }
+      s.order[place] = row;
+    }
+  }
+}
+
+/// Rows whose columns are all longer than this share of them are independent in any order.
+constexpr double kInAnyOrder = 1e-4;
+
+bool run_together(Sweep& s, int end) {
+  start_leading(s, end);
+  const int count = s.num_taking_part;
+  if (count > s.columns) return false;
+  order_by_end(s, end);
+  s.turned_end = count;
+  double square = 0.0;  // of the next row
+  int width = 0;
+  for (int i = 0; i < count; ++i) {
+    const int row = s.order[i];
+    const double scale = s.scale[row];
+    s.reach[i] = s.list[row];
+    if (padded(s.reach[i]) > width) {
+      width = padded(s.reach[i]);
+      square = square_from(s.rows + (long)row * s.stride, i, width);
+    }
+    if (!(square > kInAnyOrder * kInAnyOrder * scale * scale)) return false;
+    if (square < s.smallest_pivot * s.smallest_pivot * scale * scale) {
+      s.smallest_pivot = __builtin_sqrt(square) / scale;
+    }
+    square = eliminate(s, i, square, true, width);
+    double* reflector = s.reflectors + (long)i * s.stride;
+    for (int k = width; k < s.stride; k += kPack) at(reflector + k) = Pack{};
+    s.residual[row] = -s.upper[row];
+  }
+  substitute(s, 0, count, 0);
+  lower_rank_tolerance(s);
+  return true;
 }
 
 void fix(Sweep& s, int begin, int end) {

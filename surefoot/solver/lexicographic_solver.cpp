@@ -204,12 +204,20 @@ void LexicographicSolver::sweep_leading_equalities() {
   s.solve_tolerance = options_.rank.solve;
   s.keep_tolerance = options_.rank.keep;
   s.smallest_pivot = 1.0;
-  kernels_.start_leading(s, first_level_);
-  kernels_.run(s, 0, first_level_);
-  for (int k = 0; k < first_level_; ++k) {
-    solution_.levels[at(k)].degrees_of_freedom_left = s.unknowns - s.first_column[k + 1];
+  if (first_level_ > 0) {
+    const bool are_independent = kernels_.run_together(s, first_level_);
+    if (!are_independent) {
+      s.smallest_pivot = 1.0;
+      kernels_.start_leading(s, first_level_);
+      kernels_.run(s, 0, first_level_);
+    }
+    for (int k = 0; k < first_level_; ++k) {
+      const int used = are_independent ? s.level_begin[k + 1] : s.first_column[k + 1];
+      solution_.levels[at(k)].degrees_of_freedom_left = s.unknowns - used;
+    }
+    const double flops = factorization_flops(s.num_taking_part, s.unknowns);
+    budget_.spend(are_independent ? flops : 2.0 * flops);
   }
-  budget_.spend(factorization_flops(s.num_taking_part, s.unknowns));
   if (s.fixed > 0) {
     budget_.spend(4.0 * s.unknowns * s.fixed * (s.unknowns - s.fixed + 1));
     kernels_.reduce(s);

@@ -29,9 +29,7 @@ class RowFactorization {
 
   void compute(const RankTolerance& tolerance);
 
-  /// Directions that the rows can use.
-  [[nodiscard]] Eigen::Index rank() const { return rank_; }
-  /// Directions that are no longer free: `rank` and those too weak to be used.
+  /// Directions that are no longer free: those that the rows can use, and those too weak for it.
   [[nodiscard]] Eigen::Index num_fixed() const { return num_fixed_; }
   /// Smallest relative length among the used pivots; 1 if there are none.
   [[nodiscard]] double smallest_pivot() const { return smallest_pivot_; }

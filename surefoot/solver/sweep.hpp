@@ -43,6 +43,7 @@ struct Sweep {
   int fixed = 0;                 ///< columns that are fixed
   int first_reflection = 0;      ///< columns that were fixed when the factorization began
   int turned_end = 0;            ///< rows of `order` before it are turned by all reflections so far
+  int* reach = nullptr;          ///< column → its reflector is zero from there on, in x
   double* rows = nullptr;        ///< row → a · basis · Q
   double* reflectors = nullptr;  ///< column → v of I − β v vᵀ
   double* beta = nullptr;
@@ -95,6 +96,9 @@ struct SweepKernels {
   void (*start)(Sweep&, int first, int end);
   /// The same with all rows of the levels [0, end), in the space of x.
   void (*start_leading)(Sweep&, int end);
+  /// Sweeps over the levels [0, end), in the space of x, without order: where all of their rows
+  /// are clearly independent it says nothing, and short rows come first. False where they aren't.
+  bool (*run_together)(Sweep&, int end);
   /// Sweeps over these levels.
   void (*run)(Sweep&, int first, int end);
   /// Gives columns to the rows [begin, end) of the order, without looking at their bounds.

@@ -61,7 +61,7 @@ SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
   const auto misplaced = reinterpret_cast<std::uintptr_t>(doubles_.data()) / sizeof(double);
   assign(sweep, doubles_.data() + (kAlignment - misplaced % kAlignment) % kAlignment, n, rows);
 
-  ints_.assign(2 * rows + 3 * (levels + 1) + n + 2 * (n + 1), 0);
+  ints_.assign(2 * rows + 3 * (levels + 1) + 2 * n + 2 * (n + 1), 0);
   int* next = ints_.data();
   const auto take = [&next](std::size_t size) {
     int* piece = next;
@@ -74,6 +74,7 @@ SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
   sweep.order_begin = take(levels + 1);
   sweep.first_column = take(levels + 1);
   sweep.pivot = take(n);
+  sweep.reach = take(n);
   sweep.tall_order = take(2 * (n + 1));
   const auto num_sides = static_cast<std::size_t>(padded(static_cast<int>(rows) + 1));
   sides_.assign(2 * num_sides, 0);

@@ -1,6 +1,7 @@
 #include "app/solve_command.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/solver/sweep.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -53,6 +54,18 @@ TEST(SolveCommand, WritesOneLineForEach) {
   EXPECT_NEAR(run.results[1]["x"][0].get<double>(), 1.0, 1e-12);
   EXPECT_NEAR(run.results[1]["levels"][0]["residual"].get<double>(), 0.0, 1e-12);
   EXPECT_NEAR(run.results[1]["levels"][1]["residual"].get<double>(), 2.0, 1e-12);
+}
+
+TEST(SolveCommand, SaysWhichInstructionsTheSolverUses) {
+  const std::string line = R"({"levels":[{"A":[[1]],"b":[1]}]})", name = fastest_kernels().name;
+  EXPECT_EQ(CommandRun(line).results[0]["instructions"], name);
+  EXPECT_EQ(
+      CommandRun(line, {.file = "", .explain = true, .json = true}).results[0]["instructions"],
+      name);
+  const CommandRun text(line, {.file = "", .explain = true});
+  EXPECT_NE(text.out.str().find(":1, " + name + " instructions\n"), std::string::npos);
+  const CommandRun cascade(line, {.file = "", .method = "cascade"});
+  EXPECT_FALSE(cascade.results[0].contains("instructions"));
 }
 
 TEST(SolveCommand, TheResidualIsThatOfEqualitiesAndViolatedInequalitiesTogether) {

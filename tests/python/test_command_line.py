@@ -49,7 +49,9 @@ def test_help_version_and_lists_are_on_stdout():
     assert "run" in surefoot("--help").stdout
     assert "Exit codes" in surefoot("--help").stdout
     assert "--seeds" in surefoot("run", "--help").stdout
-    assert surefoot("--version").stdout.strip().count(".") == 2
+    version, _, solver = surefoot("--version").stdout.strip().partition(" ")
+    assert version.count(".") == 2
+    assert solver in [f"(solver: {name} instructions)" for name in ("baseline", "avx2", "avx512")]
     for what, name in [("robots", "anymal_b"), ("stacks", "walk"), ("scenarios", "step_down"), ("tasks", "com_xy")]:
         result = surefoot("list", what)
         assert result.returncode == 0 and name in result.stdout

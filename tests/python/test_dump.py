@@ -16,9 +16,36 @@ def test_what_is_dumped_is_what_solve_reads(tmp_path):
     for level in problems[0]["levels"]:
         assert len(level["A"]) == len(level["b"]) == len(level["A_names"])
         assert len(level["D"]) == len(level["f"]) == len(level["D_names"])
+        assert [len(level[f"{block}_ids"]) for block in "AD"] == [len(level["A"]), len(level["D"])]
     answers = surefoot("solve", file, "--certify")
     assert answers.returncode == 0, answers.stderr
     assert len(answers.stdout.splitlines()) == 4
+
+
+def test_a_row_between_two_bounds_stays_one_row():
+    levels = {level["name"]: level for level in json.loads(tick())["levels"]}
+    torques = levels["torque_limits"]
+    assert len(torques["D_names"]) == len(set(torques["D_names"])) == 12
+    assert all(low == -high for low, high in zip(torques["lower"], torques["f"]))
+    assert len(set(levels["friction_cone"]["D_ids"])) == len(levels["friction_cone"]["D"]) > 0
+
+
+def test_solve_explains_a_dump_by_the_names_of_its_rows(tmp_path):
+    file = tmp_path / "tick.jsonl"
+    problem = json.loads(tick())
+    limits = next(level for level in problem["levels"] if level["name"] == "torque_limits")
+    weak = limits["D_names"][2]
+    limits["lower"][2], limits["f"][2] = -1e-3, 1e-3  # less than standing takes
+    file.write_text(json.dumps(problem))
+    text = surefoot("solve", file, "--explain").stdout
+    assert "torque_limits" in text and f"{weak} (" in text
+    assert "D 3" not in text
+
+
+def tick():
+    result = surefoot(*WALK, "--to", 0.0025)
+    assert result.returncode == 0, result.stderr
+    return result.stdout
 
 
 def test_without_a_file_it_writes_to_standard_output():

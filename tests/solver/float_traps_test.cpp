@@ -1,9 +1,11 @@
 #include "tests/solver/solve.hpp"
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace surefoot::test {
@@ -104,6 +106,64 @@ TYPED_TEST(FloatTrapped, AProblemAfterALargerOneIsSolved) {
       for (int again = 0; again < 2; ++again) (void)solver.solve(capacity);
       const FloatTraps traps;
       ASSERT_NE(solver.solve(fewer).status, SolveStatus::iteration_cap);
+    }
+  }
+}
+
+/// Many rows that nothing comes near: a warm solver never looks at them again.
+HierarchyData idle_rows(RandomMatrices& random, Eigen::Index unknowns) {
+  return {equalities(random.matrix(1, unknowns), random.vector(1)),
+          at_most(random.matrix(60, unknowns), VectorXd::Constant(60, 1e6))};
+}
+
+/// Limits that x = 0 violates by half, so that the search descends, and another x doesn't: few hold
+/// in the end, and the length of x is left to be minimised between them.
+HierarchyData far_limits(RandomMatrices& random, Eigen::Index unknowns, Eigen::Index fixed) {
+  const Eigen::Index rows = random.integer(24, 50);
+  const VectorXd far = 10.0 * random.vector(unknowns);
+  const LevelData first = equalities(random.matrix(fixed, unknowns), random.vector(fixed));
+  const MatrixXd D = random.matrix(rows, unknowns);
+  return {equalities(first.A, first.A * far), at_most(D, D * far + VectorXd::Constant(rows, 0.5))};
+}
+
+/// What the first level leaves.
+Substitution of_first_level(const HierarchyData& levels) {
+  const MatrixXd& A = levels[0].A;
+  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(A.transpose()).householderQ();
+  Substitution substitution;
+  substitution.num_levels = 1;
+  substitution.basis = Q.rightCols(A.cols() - A.rows());
+  substitution.offset = A.completeOrthogonalDecomposition().solve(levels[0].upper);
+  return substitution;
+}
+
+TEST(FloatTraps, DoNotMeetWhatALargerProblemHasLeftBesideTheRowsOfASmallerOne) {
+  constexpr Eigen::Index kUnknowns = 8;
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    // Descends through nearly all rows, which leaves their numbers; then most are never looked at,
+    // which leaves infinities.
+    const Hierarchy crowded = make_hierarchy(kUnknowns, far_limits(random, kUnknowns, 1));
+    const Hierarchy idle = make_hierarchy(kUnknowns, idle_rows(random, kUnknowns));
+    const HierarchyData levels = far_limits(random, kUnknowns, random.integer(3, 6));
+    const Hierarchy small = make_hierarchy(kUnknowns, levels);
+    const Substitution substitution = of_first_level(levels);
+    Hierarchy capacity(kUnknowns);
+    for (int k = 0; k < 2; ++k) capacity.add_level("level", 60);
+    for (const SweepKernels* kernels : all_kernels()) {
+      SCOPED_TRACE(kernels->name);
+      LexicographicSolver solver(capacity, {.kernels = kernels});
+      for (const bool has_substitution : {false, true}) {
+        ASSERT_EQ(solver.solve(crowded).status, SolveStatus::optimal);
+        solver.forget();
+        ASSERT_EQ(solver.solve(idle).status, SolveStatus::optimal);
+        solver.forget();
+        const FloatTraps traps;
+        const Solution& solution =
+            has_substitution ? solver.solve(small, substitution) : solver.solve(small);
+        ASSERT_EQ(solution.status, SolveStatus::optimal);
+      }
     }
   }
 }
