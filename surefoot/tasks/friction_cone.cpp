@@ -2,13 +2,17 @@
 
 #include "surefoot/math/rotation.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace surefoot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInside = 0.8;  // share of a pyramid's half angle by which it leans at most
 
 /// B of Eq. 31 for one foot: four faces, each ≤ 0, and the normal force, for forces in W.
 Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& axes, double mu) {
@@ -24,6 +28,17 @@ Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& axe
   return B;
 }
 
+/// The axes of a pyramid that a foot can stand in: leaning from the vertical by no more than lets a
+/// vertical force lie inside.
+Mat3 standing_axes(const Mat3& axes, double mu) {
+  const Vec3 normal = axes.col(2);
+  const Vec3 level(normal.y(), -normal.x(), 0.0);  // n̂ × e_z
+  const double sine = level.norm();
+  const double excess = std::atan2(sine, normal.z()) - kInside * std::atan(mu);
+  if (!(excess > 0.0 && sine > 0.0)) return axes;
+  return Eigen::AngleAxisd(excess, level / sine) * axes;
+}
+
 }  // namespace
 
 void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
@@ -34,7 +49,8 @@ void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
-    const auto B = pyramid_rows(axes, inner * foot.friction);
+    const double mu = inner * foot.friction;
+    const auto B = pyramid_rows(standing_axes(axes, mu), mu);
     Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
     rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
     rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,

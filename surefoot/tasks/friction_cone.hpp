@@ -12,7 +12,9 @@ namespace surefoot {
 ///
 /// ĥ, l̂, n̂ are the axes of the control frame C, μ_i is what the plan allows foot i. The pyramid
 /// with μ' = μ touches the cone from outside and exceeds it on the diagonals by √2; with μ' = μ/√2
-/// it lies inside. Writes 5 rows for each leg in contact [N].
+/// it lies inside. Where n̂ leans from the vertical by more than 0.8 atan μ', a foot could carry
+/// hardly anything in the pyramid: its axes are turned toward the vertical until it leans so far.
+/// Writes 5 rows for each leg in contact [N].
 class FrictionCone final : public Task {
  public:
   enum class Pyramid { inner, outer };

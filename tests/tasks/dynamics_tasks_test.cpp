@@ -141,7 +141,7 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
     for (const PerLeg<bool>& contacts : all_contact_sets()) {
       scene.plan = plan_with_contacts(contacts);
       for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.2, 0.8);
-      scene.plan.R_WC = random.small_rotation(0.3).toRotationMatrix();
+      scene.plan.R_WC = random.small_rotation(0.06).toRotationMatrix();
       const TaskInput input =
           scene.update(random.standing_state(scene.model.description().q_nominal));
       const WrittenRows rows = written(task, input);
@@ -169,6 +169,47 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
   }
   EXPECT_GT(inside, 50);
   EXPECT_GT(outside, 50);
+}
+
+/// A pyramid about a normal that leans by `lean`, with friction μ under each foot.
+WrittenRows leaning_pyramids(Scene& scene, double lean, double mu) {
+  scene.plan = plan_with_contacts(all_contact_sets().back());
+  for (FootPlan& foot : scene.plan.feet) foot.friction = mu;
+  scene.plan.R_WC = Eigen::AngleAxisd(lean, Vec3(0.6, -0.8, 0.0)).toRotationMatrix();
+  Random random(25);
+  return written(FrictionCone({}),
+                 scene.update(random.standing_state(scene.model.description().q_nominal)));
+}
+
+// A foot that slid is believed to have less friction than the slope is steep: were nothing but the
+// slope's normal to count, no force could carry the robot, and falling would be all that is left.
+TEST(FrictionCone, lets_feet_carry_on_ground_that_is_steeper_than_their_friction) {
+  for (const double lean : {0.1, 0.2, 0.3, 0.4}) {
+    for (const double mu : {0.1, 0.2, 0.35, 0.6}) {
+      Scene scene;
+      const WrittenRows rows = leaning_pyramids(scene, lean, mu);
+      VecX upward(3 * kNumLegs);
+      for (Eigen::Index k = 0; k < kNumLegs; ++k) upward.segment<3>(3 * k) = Vec3(0.0, 0.0, 50.0);
+      const VecX x =
+          scene.support.Lambda().colPivHouseholderQr().solve(upward - scene.support.lambda_0());
+      for (Eigen::Index row = 0; row < rows.count(); ++row) {
+        EXPECT_LT((rows.A * x)[row], rows.upper[row]) << lean << " rad, " << mu;
+      }
+    }
+  }
+}
+
+TEST(FrictionCone, is_about_the_normal_where_a_foot_can_stand_on_it) {
+  Scene scene, level;
+  const WrittenRows there = leaning_pyramids(scene, 0.2, 0.5);
+  const WrittenRows almost = leaning_pyramids(level, 0.2, 0.29);
+  EXPECT_GT((there.A - almost.A).norm(), 0.0);
+  const Vec3 normal = scene.plan.R_WC.col(2);
+  const auto along = [&](const WrittenRows& rows) {  // n̂ᵀΛ of the first foot
+    return (rows.A.row(4) - normal.transpose() * scene.support.Lambda().topRows<3>()).norm();
+  };
+  EXPECT_LT(along(there), 1e-9);
+  EXPECT_GT(along(almost), 1e-3);
 }
 
 TEST(FrictionCone, lies_inside_the_round_cone_or_around_it) {
