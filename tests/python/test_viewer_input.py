@@ -143,7 +143,7 @@ def tap_until(browser, selector, condition):
         browser.tap(selector)
         time.sleep(0.5)
         return browser.run(condition)
-    wait_for(tapped, condition)
+    wait_for(tapped, condition, 60)
 
 
 def test_a_phone_turns_the_view_and_commands_by_touch(browser, played):
