@@ -34,7 +34,7 @@ const SUMMARY_PERIOD = 700;
 const SERVER_PERIOD = 2000;
 /** After which it does not answer [ms]. */
 const SERVER_SILENCE = 3000;
-/** Texts change this often [s]. */
+/** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
 /** The whole page: data at one end, picture and panels at the other. */
@@ -339,7 +339,6 @@ export class App {
       this.shownTime = player.time;
     }
     this.hierarchy.paused = this.link?.status?.paused ?? false;
-    this.transport.update(this.link?.status);
     this.plots.update(dt, moved, frame);
     this.texts(dt, frame);
     if (drawn) this.costs.add(performance.now() - begin);
@@ -363,6 +362,7 @@ export class App {
     this.sinceText += dt;
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
+    this.transport.update(this.link?.status);
     say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
     if (frame === undefined) return;
     this.hierarchy.show(frame);

@@ -22,8 +22,8 @@ export interface Frame {
   /** [s] */
   time: number;
   values: Float32Array;
-  active: ActiveRow[];
-  blocking: BlockingRow[];
+  readonly active: ActiveRow[];
+  readonly blocking: BlockingRow[];
 }
 
 /** A number of the frame; NaN where there is no such channel. */

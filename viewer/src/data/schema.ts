@@ -2,6 +2,23 @@ import type { ChannelInfo, Order, Session } from "../protocol/session.ts";
 
 export const LEGS = ["LF", "RF", "LH", "RH"] as const;
 
+/** The channels of the legs, by their number; made once, as the picture looks for many of them again and again. */
+export const LEG_CHANNELS = {
+  phase: ofLegs((leg) => `plan.feet.${leg}.phase`),
+  friction: ofLegs((leg) => `plan.feet.${leg}.friction`),
+  plannedFoot: ofLegs((leg) => `plan.feet.${leg}.p_WF`),
+  foot: ofLegs((leg) => `model.p_WF.${leg}`),
+  hip: ofLegs((leg) => `model.p_WH.${leg}`),
+  force: ofLegs((leg) => `model.force.${leg}`),
+  touching: ofLegs((leg) => `truth.feet.${leg}.touching`),
+  trueForce: ofLegs((leg) => `truth.feet.${leg}.force`),
+  truePoint: ofLegs((leg) => `truth.feet.${leg}.point`),
+};
+
+function ofLegs(name: (leg: string) => string): string[] {
+  return LEGS.map(name);
+}
+
 /** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
 export class Schema {
   readonly channels: ChannelInfo[];

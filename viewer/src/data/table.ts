@@ -52,15 +52,8 @@ export class FrameTable {
 
   frame(i: number): Frame {
     const n = this.schema.frameFloats;
-    const { active, blocking } = unpackRows(this.rows[i]);
-    return {
-      schema: this.schema,
-      tick: this.ticks[i] as number,
-      time: this.times[i] as number,
-      values: this.values.subarray(i * n, (i + 1) * n),
-      active,
-      blocking,
-    };
+    const values = this.values.subarray(i * n, (i + 1) * n);
+    return new TableFrame(this.schema, this.ticks[i] as number, this.times[i] as number, values, this.rows[i]);
   }
 
   value(i: number, offset: number): number {
@@ -77,6 +70,26 @@ export class FrameTable {
   reuse(schema: Schema): void {
     this.schema = schema;
     this.size = 0;
+  }
+}
+
+/** Most frames are read for their numbers only: rows are unpacked when someone asks. */
+class TableFrame implements Frame {
+  private unpacked: Pick<Frame, "active" | "blocking"> | undefined;
+
+  constructor(
+    readonly schema: Schema,
+    readonly tick: number,
+    readonly time: number,
+    readonly values: Float32Array,
+    private readonly rows: Uint8Array | undefined,
+  ) {}
+
+  get active(): ActiveRow[] {
+    return (this.unpacked ??= unpackRows(this.rows)).active;
+  }
+  get blocking(): BlockingRow[] {
+    return (this.unpacked ??= unpackRows(this.rows)).blocking;
   }
 }
 

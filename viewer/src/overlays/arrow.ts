@@ -49,6 +49,7 @@ export function paint(opacity = 1): THREE.MeshBasicMaterial {
     opacity,
     depthWrite: opacity === 1,
     side: opacity < 1 ? THREE.DoubleSide : THREE.FrontSide,
+    forceSinglePass: true, // of one colour: which side comes first is not seen
     fog: false,
   });
 }

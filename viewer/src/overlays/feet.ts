@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
-import { LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
 import { TRAIL_SECONDS } from "./com.ts";
@@ -35,10 +35,10 @@ export class SwingCurves implements Overlay {
   }
 
   update(picture: Picture): void {
-    LEGS.forEach((leg, k) => {
+    LEGS.forEach((_, k) => {
       const target = this.targets[k] as THREE.Mesh;
-      target.visible = scalar(picture.frame, `plan.feet.${leg}.phase`) >= 2;
-      vector(picture.frame, `plan.feet.${leg}.p_WF`, target.position);
+      target.visible = scalar(picture.frame, LEG_CHANNELS.phase[k] as string) >= 2;
+      vector(picture.frame, LEG_CHANNELS.plannedFoot[k] as string, target.position);
     });
     if (picture.trails) this.drawTrails(picture);
   }
@@ -46,10 +46,10 @@ export class SwingCurves implements Overlay {
   private drawTrails({ frame, source }: Picture): void {
     for (const trail of [...this.plannedTrails, ...this.realTrails]) trail.begin();
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
-      LEGS.forEach((leg, k) => {
-        if (vector(one, `plan.feet.${leg}.p_WF`, this.foot))
+      LEGS.forEach((_, k) => {
+        if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
           (this.plannedTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
-        if (one.time <= frame.time && vector(one, `model.p_WF.${leg}`, this.foot))
+        if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot))
           (this.realTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
       });
     });
@@ -85,8 +85,8 @@ export class Footholds implements Overlay {
     const counts = [0, 0, 0, 0];
     for (const last of this.last) last.fill(NaN);
     source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
-      LEGS.forEach((leg, k) => {
-        if (!(scalar(one, `plan.feet.${leg}.phase`) <= 1) || !read(one, `plan.feet.${leg}.p_WF`, this.foot)) return;
+      LEGS.forEach((_, k) => {
+        if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !read(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) return;
         const last = this.last[k] as number[];
         if (Math.hypot(...this.foot.map((x, i) => x - (last[i] as number))) < 0.03) return;
         const disc = (this.discs[k] as THREE.Mesh[])[(counts[k] as number) % this.perLeg] as THREE.Mesh;
@@ -121,11 +121,11 @@ export class LimbLimits implements Overlay {
 
   update({ frame, header, labels, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
-    LEGS.forEach((leg, k) => {
+    LEGS.forEach((_, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
       const line = this.lines[k] as Trail;
       const known =
-        vector(frame, `model.p_WH.${leg}`, this.hip) && vector(frame, `model.p_WF.${leg}`, this.foot);
+        vector(frame, LEG_CHANNELS.hip[k] as string, this.hip) && vector(frame, LEG_CHANNELS.foot[k] as string, this.foot);
       line.line.visible = known;
       shells.min.visible = known && min !== null;
       shells.max.visible = known && max !== null;

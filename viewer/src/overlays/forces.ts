@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
-import { LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { Arrow, paint } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
@@ -23,12 +23,12 @@ export class GroundForces implements Overlay {
   }
 
   update({ frame, labels, newton }: Picture): void {
-    LEGS.forEach((leg, k) => {
+    LEGS.forEach((_, k) => {
       const arrow = this.arrows[k] as Arrow;
       arrow.hide();
-      if (!(scalar(frame, `truth.feet.${leg}.touching`) > 0)) return;
-      if (!vector(frame, `truth.feet.${leg}.force`, this.force)) return;
-      if (!vector(frame, `truth.feet.${leg}.point`, this.point)) return;
+      if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
+      if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
+      if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
       const newtons = this.force.length();
       if (arrow.set(this.point, this.force.multiplyScalar(newton)))
         labels.put(arrow.tip, `${newtons.toFixed(0)} N`, `leg${k}`);
@@ -54,11 +54,11 @@ export class WantedForces implements Overlay {
   }
 
   update({ frame, header, newton }: Picture): void {
-    LEGS.forEach((leg, k) => {
+    LEGS.forEach((_, k) => {
       const arrow = this.arrows[k] as Arrow;
       arrow.hide();
-      if (!vector(frame, `model.force.${leg}`, this.force)) return;
-      if (!vector(frame, `model.p_WF.${leg}`, this.point)) return;
+      if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
+      if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
       this.point.z -= header.robot.foot_radius;
       arrow.set(this.point, this.force.multiplyScalar(newton));
     });

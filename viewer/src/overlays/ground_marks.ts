@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
-import { LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
@@ -54,8 +54,8 @@ export class SupportPolygon implements Overlay {
 
   update({ frame, header }: Picture): void {
     const heights = new Map<Point, number>();
-    for (const leg of LEGS) {
-      if (!(scalar(frame, `plan.feet.${leg}.phase`) <= 1) || !read(frame, `model.p_WF.${leg}`, this.foot)) continue;
+    for (let k = 0; k < LEGS.length; ++k) {
+      if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || !read(frame, LEG_CHANNELS.foot[k] as string, this.foot)) continue;
       const [x, y, z] = this.foot as [number, number, number];
       heights.set([x, y], z - header.robot.foot_radius + OVER);
     }
@@ -95,12 +95,12 @@ export class ZeroMomentPoint implements Overlay {
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
     const points: number[][] = [];
     const forces: number[][] = [];
-    for (const leg of LEGS) {
+    for (let k = 0; k < LEGS.length; ++k) {
       const point = [0, 0, 0];
       const force = [0, 0, 0];
-      if (!(scalar(picture.frame, `truth.feet.${leg}.touching`) > 0)) continue;
-      if (!read(picture.frame, `truth.feet.${leg}.point`, point)) continue;
-      if (!read(picture.frame, `truth.feet.${leg}.force`, force)) continue;
+      if (!(scalar(picture.frame, LEG_CHANNELS.touching[k] as string) > 0)) continue;
+      if (!read(picture.frame, LEG_CHANNELS.truePoint[k] as string, point)) continue;
+      if (!read(picture.frame, LEG_CHANNELS.trueForce[k] as string, force)) continue;
       points.push(point);
       forces.push(force);
     }

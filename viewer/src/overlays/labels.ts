@@ -1,9 +1,18 @@
 import * as THREE from "three";
 
-/** Short texts over the picture, at points of the scene. Made once, moved and hidden. */
+interface Label {
+  element: HTMLElement;
+  text: string;
+  className: string;
+  place: string;
+}
+
+/** Short texts over the picture, at points of the scene. Made once, moved without a new layout, and hidden. */
 export class Labels {
-  private readonly pool: HTMLElement[] = [];
+  private readonly pool: Label[] = [];
   private used = 0;
+  private width = 0;
+  private height = 0;
   private readonly at = new THREE.Vector3();
 
   constructor(
@@ -11,8 +20,11 @@ export class Labels {
     private readonly camera: THREE.Camera,
   ) {}
 
-  begin(): void {
+  /** Of the picture [pixels of the page]. */
+  begin(width: number, height: number): void {
     this.used = 0;
+    this.width = width;
+    this.height = height;
   }
 
   /** `p_W`: a point of the scene in W. */
@@ -20,25 +32,30 @@ export class Labels {
     this.at.copy(p_W).project(this.camera);
     if (this.at.z > 1 || Math.abs(this.at.x) > 1.05 || Math.abs(this.at.y) > 1.05) return;
     const label = this.next();
-    if (label.textContent !== text) label.textContent = text;
-    label.className = `label ${className}`;
-    const x = (50 * (this.at.x + 1)).toFixed(2);
-    const y = (50 * (1 - this.at.y)).toFixed(2);
-    label.style.left = `${x}%`;
-    label.style.top = `${y}%`;
-    label.hidden = false;
+    const { element } = label;
+    if (label.text !== text) element.textContent = label.text = text;
+    if (label.className !== className) element.className = `label ${(label.className = className)}`;
+    const x = 0.5 * (1 + this.at.x) * this.width;
+    const y = 0.5 * (1 - this.at.y) * this.height;
+    const place = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -120%)`;
+    if (label.place !== place) element.style.transform = label.place = place;
+    if (element.hidden) element.hidden = false;
   }
 
   end(): void {
-    for (let i = this.used; i < this.pool.length; ++i) (this.pool[i] as HTMLElement).hidden = true;
+    for (let i = this.used; i < this.pool.length; ++i) hide((this.pool[i] as Label).element);
   }
 
-  private next(): HTMLElement {
+  private next(): Label {
     const known = this.pool[this.used++];
     if (known !== undefined) return known;
-    const label = document.createElement("span");
-    this.layer.append(label);
+    const label = { element: document.createElement("span"), text: "", className: "none", place: "" };
+    this.layer.append(label.element);
     this.pool.push(label);
     return label;
   }
+}
+
+function hide(element: HTMLElement): void {
+  if (!element.hidden) element.hidden = true;
 }

@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
-import { LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { frictionState, marginClass, pyramidAxes, pyramidCorners } from "../math/friction.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
@@ -59,12 +59,12 @@ export class FrictionPyramids implements Overlay {
     const choices = tasks.find(({ task }) => task === "friction_cone")?.choices;
     const axes = pyramidAxes(this.R, choices?.["axes"] === "gravity");
     const inner = choices?.["pyramid"] === "outer" ? 1 : Math.SQRT1_2;
-    LEGS.forEach((leg, k) => {
+    LEGS.forEach((_, k) => {
       const pyramid = this.pyramids[k] as Pyramid;
       pyramid.root.visible = false;
-      if (!known || !(scalar(frame, `plan.feet.${leg}.phase`) <= 1)) return;
-      if (!read(frame, `model.force.${leg}`, this.force) || !read(frame, `model.p_WF.${leg}`, this.point)) return;
-      const mu = scalar(frame, `plan.feet.${leg}.friction`);
+      if (!known || !(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1)) return;
+      if (!read(frame, LEG_CHANNELS.force[k] as string, this.force) || !read(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
+      const mu = scalar(frame, LEG_CHANNELS.friction[k] as string);
       const normal = [axes[2] as number, axes[5] as number, axes[8] as number];
       const state = frictionState(this.force, normal, mu);
       if (!(state.normal > 2)) return;

@@ -77,6 +77,7 @@ export class Transport {
 
   update(status: Status | undefined): void {
     const { player } = this;
+    const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
     const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
@@ -89,7 +90,7 @@ export class Transport {
     this.slider.value = String(player.time);
     this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(2)} seconds`);
     say(this.clock, `${player.time.toFixed(player.time < 1000 ? 3 : 1)} s${player.live ? "" : ` / ${last.toFixed(1)} s`}`);
-    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${this.canvas.clientWidth}`;
+    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
     this.drawMarks();

@@ -3,6 +3,7 @@ import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
+import { merged } from "./merge.ts";
 import { askUntilAnswered, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
 
@@ -57,8 +58,9 @@ export class MeshLibrary {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
-    const object = this.parse(uri, bytes, material);
-    if (this.coarse()) coarsen(object);
+    const read = this.parse(uri, bytes, material);
+    if (this.coarse()) coarsen(read);
+    const object = uri.toLowerCase().endsWith(".dae") ? merged(read) : read;
     object.traverse((child) => {
       if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
     });

@@ -52,6 +52,7 @@ export class Robot {
 
   /** A link shows its meshes where they are all here, its primitives otherwise. */
   private dress(): void {
+    this.urdf.traverse(stand);
     for (const visual of this.visuals) visual.visible = this.showMeshes || !this.hasMesh(visual);
     for (const primitive of this.primitives) {
       const siblings = (primitive.parent as THREE.Object3D).children.filter((child) => "isURDFVisual" in child);
@@ -89,4 +90,10 @@ export class Robot {
     }
     return at === null ? undefined : { name: this.urdf.name, link: this.urdf };
   }
+}
+
+/** Only joints move against what they hang on: of all else the place is known once. */
+function stand(part: THREE.Object3D): void {
+  part.matrixAutoUpdate = "isURDFJoint" in part;
+  if (!part.matrixAutoUpdate) part.updateMatrix();
 }

@@ -13,6 +13,9 @@ export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   readonly quality: Quality;
   onResize: () => void = () => {};
+  /** Of the picture [pixels of the page]. */
+  width = 1;
+  height = 1;
   private fits = false;
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.4);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0xb8bec4, 1.5);
@@ -62,11 +65,11 @@ export class Stage {
     if (this.fits) return;
     this.fits = true;
     const box = (this.canvas.parentElement as HTMLElement).getBoundingClientRect();
-    const width = Math.max(1, Math.floor(box.width));
-    const height = Math.max(1, Math.floor(box.height));
+    this.width = Math.max(1, Math.floor(box.width));
+    this.height = Math.max(1, Math.floor(box.height));
     this.renderer.setPixelRatio(this.quality.pixelRatio);
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
+    this.renderer.setSize(this.width, this.height, false);
+    this.camera.aspect = this.width / this.height;
     this.camera.updateProjectionMatrix();
   }
 

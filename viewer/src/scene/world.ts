@@ -61,7 +61,7 @@ export class World {
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
     this.terrain = new Terrain(session.header.terrain);
     this.newton = WEIGHT_LENGTH / (9.81 * session.header.robot.mass);
-    this.stage.scene.add(this.terrain.root, this.robot.root, this.ghost.root, this.overlays.root, this.extras);
+    this.stage.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.extras);
     this.clear();
     this.stage.quality.onStep = () => this.dress();
     this.library.onLoad = () => this.invalidate();
@@ -89,6 +89,8 @@ export class World {
   }
   set ghostShown(shown: boolean) {
     this.wantsGhost = shown;
+    if (shown) this.stage.scene.add(this.ghost.root);
+    else this.ghost.root.removeFromParent(); // its many parts are not even looked at
     this.invalidate();
   }
 
@@ -100,8 +102,7 @@ export class World {
   }
 
   private setVisible(visible: boolean): void {
-    this.robot.root.visible = this.overlays.root.visible = visible;
-    this.ghost.root.visible = visible && this.wantsGhost;
+    this.robot.root.visible = this.ghost.root.visible = this.overlays.root.visible = visible;
   }
 
   /** Something else than the time has changed what is seen. */
@@ -123,7 +124,7 @@ export class World {
     this.settling = frame?.time !== this.shown ? SETTLING : this.settling - dt;
     this.dirty = false;
     this.stage.fit();
-    this.labels.begin();
+    this.labels.begin(this.stage.width, this.stage.height);
     if (frame !== undefined) this.show(frame, source, dt);
     extras();
     this.view.copy(this.stage.camera.matrixWorld);
