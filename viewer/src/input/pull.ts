@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { Commands } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
-import { Arrow, paint } from "../overlays/arrow.ts";
+import { Arrows, paint } from "../overlays/arrow.ts";
 import type { World } from "../scene/world.ts";
 import { Grip } from "./grip.ts";
 
@@ -36,11 +36,12 @@ export class Pull {
   private readonly ray = new THREE.Raycaster();
   private readonly pointer = new THREE.Vector2();
   private readonly plane = new THREE.Plane();
-  private readonly material = paint();
-  private readonly arrow = new Arrow(this.material, 0.011);
+  private readonly arrow = new Arrows(paint(), 0.011, 1);
+  private readonly colour = new THREE.Color();
   private readonly direction = new THREE.Vector3();
   private readonly from = new THREE.Vector3();
   private readonly to = new THREE.Vector3();
+  private readonly stretched = new THREE.Vector3();
   private readonly force = new THREE.Vector3();
   private held: Held | undefined;
   private grip: Grip | undefined;
@@ -92,7 +93,8 @@ export class Pull {
     this.grip?.end();
     this.held = undefined;
     this.world.held = false;
-    this.arrow.hide();
+    this.arrow.begin();
+    this.arrow.end();
     this.world.camera.controls.enabled = true;
   }
 
@@ -115,9 +117,10 @@ export class Pull {
   /** Draws the spring; what it has given so far is as the program says. */
   draw(status: Status | undefined): void {
     if (this.held === undefined) return;
-    this.material.color.set(this.world.palette.push);
-    if (this.arrow.set(this.from, this.to.clone().sub(this.from)))
+    this.arrow.begin();
+    if (this.arrow.add(this.from, this.stretched.copy(this.to).sub(this.from), this.colour.set(this.world.palette.push)))
       this.world.labels.put(this.arrow.tip, pullText(this.force.length(), this.limits.push_newtons, status), "push");
+    this.arrow.end();
   }
 
   private send(body: string, point: THREE.Vector3, force: number[]): void {

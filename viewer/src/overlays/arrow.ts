@@ -1,55 +1,62 @@
 import * as THREE from "three";
+import { Copies } from "./copies.ts";
 
 const SHAFT = new THREE.CylinderGeometry(1, 1, 1, 10, 1).rotateX(Math.PI / 2).translate(0, 0, 0.5);
 const HEAD = new THREE.ConeGeometry(1, 1, 14).rotateX(Math.PI / 2).translate(0, 0, 0.5);
 const UP = new THREE.Vector3(0, 0, 1);
 
-/** An arrow that is made once and moved. */
-export class Arrow {
+/** Arrows that are made once and moved. */
+export class Arrows {
   readonly root = new THREE.Group();
+  /** Of the last arrow. */
   readonly tip = new THREE.Vector3();
-  private readonly shaft: THREE.Mesh;
-  private readonly head: THREE.Mesh;
+  private readonly shafts: Copies;
+  private readonly heads: Copies;
+  private readonly turn = new THREE.Quaternion();
+  private readonly size = new THREE.Vector3();
+  private readonly place = new THREE.Matrix4();
   private readonly direction = new THREE.Vector3();
+  private readonly neck = new THREE.Vector3();
 
   constructor(
-    material: THREE.Material,
-    private readonly radius = 0.0075,
+    material: THREE.MeshBasicMaterial,
+    private readonly radius: number,
+    capacity: number,
   ) {
-    this.shaft = new THREE.Mesh(SHAFT, material);
-    this.head = new THREE.Mesh(HEAD, material);
-    this.root.add(this.shaft, this.head);
-    this.root.visible = false;
+    this.shafts = new Copies(SHAFT, material, capacity);
+    this.heads = new Copies(HEAD, material, capacity);
+    this.root.add(this.shafts.mesh, this.heads.mesh);
   }
 
-  /** From `start` along `vector` [m]; hidden where it is too short to see. */
-  set(start: THREE.Vector3, vector: THREE.Vector3): boolean {
+  begin(): void {
+    this.shafts.begin();
+    this.heads.begin();
+  }
+
+  /** From `start` along `vector` [m]; left out where it is too short to see. */
+  add(start: THREE.Vector3, vector: THREE.Vector3, colour: THREE.Color): boolean {
     const length = vector.length();
-    this.root.visible = length > 0.01;
+    if (!(length > 0.01)) return false;
+    const { radius, turn, size, place } = this;
     this.tip.copy(start).add(vector);
-    if (!this.root.visible) return false;
-    this.root.position.copy(start);
-    this.root.quaternion.setFromUnitVectors(UP, this.direction.copy(vector).divideScalar(length));
-    const head = Math.min(4.5 * this.radius, 0.5 * length);
-    this.shaft.scale.set(this.radius, this.radius, length - head);
-    this.head.scale.set(2.2 * this.radius, 2.2 * this.radius, head);
-    this.head.position.z = length - head;
+    turn.setFromUnitVectors(UP, this.direction.copy(vector).divideScalar(length));
+    const head = Math.min(4.5 * radius, 0.5 * length);
+    this.neck.copy(start).addScaledVector(this.direction, length - head);
+    this.shafts.add(place.compose(start, turn, size.set(radius, radius, length - head)), colour);
+    this.heads.add(place.compose(this.neck, turn, size.set(2.2 * radius, 2.2 * radius, head)), colour);
     return true;
   }
 
-  hide(): void {
-    this.root.visible = false;
+  end(): void {
+    this.shafts.end();
+    this.heads.end();
   }
 }
 
+/** Of one colour: which side comes first is not seen. */
+export const SEEN_THROUGH = { transparent: true, depthWrite: false, side: THREE.DoubleSide, forceSinglePass: true } as const;
+
 /** Paint that keeps its colour in any light. */
 export function paint(opacity = 1): THREE.MeshBasicMaterial {
-  return new THREE.MeshBasicMaterial({
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity === 1,
-    side: opacity < 1 ? THREE.DoubleSide : THREE.FrontSide,
-    forceSinglePass: true, // of one colour: which side comes first is not seen
-    fog: false,
-  });
+  return new THREE.MeshBasicMaterial({ ...(opacity < 1 ? SEEN_THROUGH : {}), opacity, fog: false });
 }

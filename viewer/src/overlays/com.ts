@@ -4,7 +4,7 @@ import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
 import { BelievedPlane } from "./ground_marks.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
-import { Trail, trailMaterial } from "./trail.ts";
+import { Pen, Trails } from "./trail.ts";
 
 /** How much of the past and, of what is already known, the future a trail shows [s]. */
 export const TRAIL_SECONDS = 3;
@@ -18,39 +18,41 @@ export class CentreOfMass implements Overlay {
   private readonly ball = new THREE.Mesh(new THREE.SphereGeometry(0.02, 20, 14), this.material);
   private readonly disc = new THREE.Mesh(new THREE.CircleGeometry(0.011, 24), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
-  private readonly plumbMaterial = trailMaterial(0.7);
-  private readonly plumb = new Trail(this.plumbMaterial, 2);
-  private readonly planLine = trailMaterial();
-  private readonly planTrail = new Trail(this.planLine);
-  private readonly pastTrail = new Trail(this.plumbMaterial);
+  private readonly colour = new THREE.Color();
+  private readonly planColour = new THREE.Color();
+  private readonly plumb = new Trails(0.7, 1);
+  private readonly planTrail = new Trails(1, 255);
+  private readonly pastTrail = new Trails(0.7, 255);
+  private readonly planPen = new Pen(this.planTrail, this.planColour);
+  private readonly pastPen = new Pen(this.pastTrail, this.colour);
   private readonly plane = new BelievedPlane();
   private readonly com = new THREE.Vector3();
+  private readonly point = new THREE.Vector3();
   private readonly plan = [0, 0];
 
   constructor() {
     this.material.depthTest = false; // seen through the torso
     this.ball.renderOrder = this.disc.renderOrder = 2;
-    this.root.add(this.ball, this.disc, this.ring, this.plumb.line, this.planTrail.line, this.pastTrail.line);
+    this.root.add(this.ball, this.disc, this.ring, this.plumb.lines, this.planTrail.lines, this.pastTrail.lines);
   }
 
   wear(palette: Palette): void {
     this.material.color.set(palette.com);
-    this.plumbMaterial.color.set(palette.com);
+    this.colour.set(palette.com);
     this.planMaterial.color.set(palette.near);
-    this.planLine.color.set(palette.near);
+    this.planColour.set(palette.near);
   }
 
   update(picture: Picture): void {
     const known = vector(picture.frame, "model.p_WCom", this.com) && this.plane.read(picture);
     this.root.visible = known;
     if (!known) return;
-    const { x, y, z } = this.com;
+    const { x, y } = this.com;
     const ground = this.plane.height(x, y);
     this.ball.position.copy(this.com);
     this.disc.position.set(x, y, ground);
     this.plumb.begin();
-    this.plumb.add(x, y, z);
-    this.plumb.add(x, y, ground);
+    this.plumb.add(this.com, this.disc.position, this.colour);
     this.plumb.end();
     this.ring.visible = read(picture.frame, "plan.com.p", this.plan);
     const [px, py] = this.plan as [number, number];
@@ -61,13 +63,15 @@ export class CentreOfMass implements Overlay {
   private drawTrails({ frame, source }: Picture): void {
     this.planTrail.begin();
     this.pastTrail.begin();
+    this.planPen.lift();
+    this.pastPen.lift();
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
       if (read(one, "plan.com.p", this.plan)) {
         const [x, y] = this.plan as [number, number];
-        this.planTrail.add(x, y, this.plane.height(x, y));
+        this.planPen.to(this.point.set(x, y, this.plane.height(x, y)));
       }
       if (one.time <= frame.time && vector(one, "model.p_WCom", this.com))
-        this.pastTrail.add(this.com.x, this.com.y, this.plane.height(this.com.x, this.com.y) + 0.001);
+        this.pastPen.to(this.com.setZ(this.plane.height(this.com.x, this.com.y) + 0.001));
     });
     this.planTrail.end();
     this.pastTrail.end();

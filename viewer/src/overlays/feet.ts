@@ -1,11 +1,12 @@
 import * as THREE from "three";
-import { read, scalar } from "../data/frame.ts";
+import { scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
 import { TRAIL_SECONDS } from "./com.ts";
+import { Copies } from "./copies.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
-import { Trail, trailMaterial } from "./trail.ts";
+import { Pen, Trails } from "./trail.ts";
 
 const X = new THREE.Vector3(1, 0, 0);
 
@@ -13,47 +14,46 @@ const X = new THREE.Vector3(1, 0, 0);
 export class SwingCurves implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly planned = LEGS.map(() => trailMaterial(0.55));
-  private readonly real = LEGS.map(() => trailMaterial());
-  private readonly plannedTrails = this.planned.map((material) => new Trail(material));
-  private readonly realTrails = this.real.map((material) => new Trail(material));
-  private readonly targets = LEGS.map(() => new THREE.Mesh(new THREE.SphereGeometry(0.009, 12, 8), paint()));
+  private readonly planned = new Trails(0.55, 1020);
+  private readonly real = new Trails(1, 1020);
+  private readonly colours = LEGS.map(() => new THREE.Color());
+  private readonly plannedPens = this.colours.map((colour) => new Pen(this.planned, colour));
+  private readonly realPens = this.colours.map((colour) => new Pen(this.real, colour));
+  private readonly targets = new Copies(new THREE.SphereGeometry(0.009, 12, 8), paint(), LEGS.length);
   private readonly foot = new THREE.Vector3();
+  private readonly place = new THREE.Matrix4();
 
   constructor() {
-    for (const trail of [...this.plannedTrails, ...this.realTrails]) this.root.add(trail.line);
-    this.root.add(...this.targets);
+    this.root.add(this.planned.lines, this.real.lines, this.targets.mesh);
   }
 
   wear(palette: Palette): void {
-    LEGS.forEach((_, k) => {
-      const colour = palette.legs[k] as number;
-      (this.planned[k] as THREE.LineBasicMaterial).color.set(colour);
-      (this.real[k] as THREE.LineBasicMaterial).color.set(colour);
-      (this.targets[k] as THREE.Mesh<THREE.SphereGeometry, THREE.MeshBasicMaterial>).material.color.set(colour);
-    });
+    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
   }
 
   update(picture: Picture): void {
+    const { frame } = picture;
+    this.targets.begin();
     LEGS.forEach((_, k) => {
-      const target = this.targets[k] as THREE.Mesh;
-      target.visible = scalar(picture.frame, LEG_CHANNELS.phase[k] as string) >= 2;
-      vector(picture.frame, LEG_CHANNELS.plannedFoot[k] as string, target.position);
+      if (scalar(frame, LEG_CHANNELS.phase[k] as string) >= 2 && vector(frame, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
+        this.targets.add(this.place.setPosition(this.foot), this.colours[k] as THREE.Color);
     });
+    this.targets.end();
     if (picture.trails) this.drawTrails(picture);
   }
 
   private drawTrails({ frame, source }: Picture): void {
-    for (const trail of [...this.plannedTrails, ...this.realTrails]) trail.begin();
+    this.planned.begin();
+    this.real.begin();
+    for (const pen of [...this.plannedPens, ...this.realPens]) pen.lift();
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
-      LEGS.forEach((_, k) => {
-        if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
-          (this.plannedTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
-        if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot))
-          (this.realTrails[k] as Trail).add(this.foot.x, this.foot.y, this.foot.z);
-      });
+      for (let k = 0; k < LEGS.length; ++k) {
+        if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) (this.plannedPens[k] as Pen).to(this.foot);
+        if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot)) (this.realPens[k] as Pen).to(this.foot);
+      }
     });
-    for (const trail of [...this.plannedTrails, ...this.realTrails]) trail.end();
+    this.planned.end();
+    this.real.end();
   }
 }
 
@@ -62,40 +62,47 @@ export class Footholds implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly perLeg = 6;
-  private readonly discs = LEGS.map(() =>
-    Array.from({ length: this.perLeg }, () => {
-      const disc = new THREE.Mesh(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6));
-      disc.visible = false;
-      return disc;
-    }),
-  );
-  private readonly last = LEGS.map(() => [NaN, NaN, NaN]);
-  private readonly foot = [0, 0, 0];
+  private readonly discs = new Copies(new THREE.RingGeometry(0.02, 0.031, 28), paint(0.6), this.perLeg * LEGS.length);
+  private readonly colours = LEGS.map(() => new THREE.Color());
+  /** Of each leg the latest, its own over and over. */
+  private readonly prints = LEGS.map(() => Array.from({ length: this.perLeg }, () => new THREE.Vector3()));
+  private readonly counts = LEGS.map(() => 0);
+  private readonly last = LEGS.map(() => new THREE.Vector3());
+  private readonly foot = new THREE.Vector3();
+  private readonly place = new THREE.Matrix4();
 
   constructor() {
-    for (const discs of this.discs) this.root.add(...discs);
+    this.root.add(this.discs.mesh);
   }
 
   wear(palette: Palette): void {
-    this.discs.forEach((discs, k) => discs.forEach((disc) => disc.material.color.set(palette.legs[k] as number)));
+    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
   }
 
-  update({ frame, source, header, trails }: Picture): void {
-    if (!trails) return;
-    const counts = [0, 0, 0, 0];
-    for (const last of this.last) last.fill(NaN);
-    source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
-      LEGS.forEach((_, k) => {
-        if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !read(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) return;
-        const last = this.last[k] as number[];
-        if (Math.hypot(...this.foot.map((x, i) => x - (last[i] as number))) < 0.03) return;
-        const disc = (this.discs[k] as THREE.Mesh[])[(counts[k] as number) % this.perLeg] as THREE.Mesh;
-        counts[k] = (counts[k] as number) + 1;
-        this.foot.forEach((x, i) => (last[i] = x));
-        disc.position.fromArray(this.foot).setZ((this.foot[2] as number) - header.robot.foot_radius + 0.003);
-      });
+  update(picture: Picture): void {
+    if (!picture.trails) return;
+    this.collect(picture);
+    this.discs.begin();
+    this.prints.forEach((prints, k) => {
+      for (const print of prints.slice(0, this.counts[k])) this.discs.add(this.place.setPosition(print), this.colours[k] as THREE.Color);
     });
-    this.discs.forEach((discs, k) => discs.forEach((disc, i) => (disc.visible = i < (counts[k] as number))));
+    this.discs.end();
+  }
+
+  private collect({ frame, source, header }: Picture): void {
+    this.counts.fill(0);
+    source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
+      for (let k = 0; k < LEGS.length; ++k) {
+        if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) continue;
+        const count = this.counts[k] as number;
+        const last = this.last[k] as THREE.Vector3;
+        if (count > 0 && this.foot.distanceTo(last) < 0.03) continue;
+        this.counts[k] = count + 1;
+        last.copy(this.foot);
+        const print = (this.prints[k] as THREE.Vector3[])[count % this.perLeg] as THREE.Vector3;
+        print.copy(this.foot).setZ(this.foot.z - header.robot.foot_radius + 0.003);
+      }
+    });
   }
 }
 
@@ -104,29 +111,27 @@ export class LimbLimits implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
-  private readonly legMaterial = LEGS.map(() => trailMaterial());
-  private readonly lines = this.legMaterial.map((material) => new Trail(material, 2));
-  private readonly colours = { good: 0, near: 0, bad: 0 };
+  private readonly lines = new Trails(1, LEGS.length);
+  private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
   private readonly hip = new THREE.Vector3();
   private readonly foot = new THREE.Vector3();
 
   constructor() {
     for (const { min, max } of this.shells) this.root.add(min, max);
-    for (const line of this.lines) this.root.add(line.line);
+    this.root.add(this.lines.lines);
   }
 
   wear(palette: Palette): void {
-    Object.assign(this.colours, palette.margin);
+    for (const share of ["good", "near", "bad"] as const) this.colours[share].set(palette.margin[share]);
   }
 
   update({ frame, header, labels, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
+    this.lines.begin();
     LEGS.forEach((_, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
-      const line = this.lines[k] as Trail;
       const known =
         vector(frame, LEG_CHANNELS.hip[k] as string, this.hip) && vector(frame, LEG_CHANNELS.foot[k] as string, this.foot);
-      line.line.visible = known;
       shells.min.visible = known && min !== null;
       shells.max.visible = known && max !== null;
       if (!known) return;
@@ -135,13 +140,10 @@ export class LimbLimits implements Overlay {
       const colour = this.colours[room > 0.03 ? "good" : room > 0 ? "near" : "bad"];
       place(shells.max, this.hip, max ?? 0, max === null ? 1 : max - length, colour);
       place(shells.min, this.hip, min ?? 0, min === null ? 1 : length - min, colour);
-      (this.legMaterial[k] as THREE.LineBasicMaterial).color.set(colour);
-      line.begin();
-      line.add(this.hip.x, this.hip.y, this.hip.z);
-      line.add(this.foot.x, this.foot.y, this.foot.z);
-      line.end();
+      this.lines.add(this.hip, this.foot, colour);
       labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), `${(100 * length).toFixed(1)} cm`, "limb");
     });
+    this.lines.end();
   }
 }
 
@@ -165,12 +167,12 @@ function globe(meridians: number, parallels: number, sides: number): THREE.Buffe
 }
 
 function shell(): Shell {
-  return new THREE.LineSegments(GLOBE, trailMaterial(0.1));
+  return new THREE.LineSegments(GLOBE, new THREE.LineBasicMaterial({ transparent: true, opacity: 0.1, fog: false }));
 }
 
-function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: number): void {
+function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, colour: THREE.Color): void {
   shell.position.copy(hip);
   shell.scale.setScalar(radius);
-  shell.material.color.set(colour);
+  shell.material.color.copy(colour);
   shell.material.opacity = 0.1 + 0.4 * Math.max(0, 1 - Math.max(0, room) / 0.1);
 }

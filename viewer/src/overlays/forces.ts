@@ -2,37 +2,37 @@ import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
-import { Arrow, paint } from "./arrow.ts";
+import { Arrows, paint } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
 /** Forces of the ground on the feet as they are, with their size in N. */
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly materials = LEGS.map(() => paint());
-  private readonly arrows = this.materials.map((material) => new Arrow(material));
+  private readonly arrows = new Arrows(paint(), 0.0075, LEGS.length);
+  private readonly colours = LEGS.map(() => new THREE.Color());
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
   constructor() {
-    for (const arrow of this.arrows) this.root.add(arrow.root);
+    this.root.add(this.arrows.root);
   }
 
   wear(palette: Palette): void {
-    this.materials.forEach((material, k) => material.color.set(palette.legs[k] as number));
+    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
   }
 
   update({ frame, labels, newton }: Picture): void {
+    this.arrows.begin();
     LEGS.forEach((_, k) => {
-      const arrow = this.arrows[k] as Arrow;
-      arrow.hide();
       if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
       if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
       const newtons = this.force.length();
-      if (arrow.set(this.point, this.force.multiplyScalar(newton)))
-        labels.put(arrow.tip, `${newtons.toFixed(0)} N`, `leg${k}`);
+      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color))
+        labels.put(this.arrows.tip, `${newtons.toFixed(0)} N`, `leg${k}`);
     });
+    this.arrows.end();
   }
 }
 
@@ -40,28 +40,28 @@ export class GroundForces implements Overlay {
 export class WantedForces implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly material = paint();
-  private readonly arrows = LEGS.map(() => new Arrow(this.material, 0.003));
+  private readonly arrows = new Arrows(paint(), 0.003, LEGS.length);
+  private readonly colour = new THREE.Color();
   private readonly force = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
 
   constructor() {
-    for (const arrow of this.arrows) this.root.add(arrow.root);
+    this.root.add(this.arrows.root);
   }
 
   wear(palette: Palette): void {
-    this.material.color.set(palette.com);
+    this.colour.set(palette.com);
   }
 
   update({ frame, header, newton }: Picture): void {
+    this.arrows.begin();
     LEGS.forEach((_, k) => {
-      const arrow = this.arrows[k] as Arrow;
-      arrow.hide();
       if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
       this.point.z -= header.robot.foot_radius;
-      arrow.set(this.point, this.force.multiplyScalar(newton));
+      this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colour);
     });
+    this.arrows.end();
   }
 }
 
@@ -69,10 +69,9 @@ export class WantedForces implements Overlay {
 export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
-  private readonly material = paint();
-  private readonly believedMaterial = paint(0.45);
-  private readonly arrow = new Arrow(this.material, 0.011);
-  private readonly believed = new Arrow(this.believedMaterial, 0.009);
+  private readonly colour = new THREE.Color();
+  private readonly arrow = new Arrows(paint(), 0.011, 1);
+  private readonly believed = new Arrows(paint(0.45), 0.009, 1);
   private readonly force = new THREE.Vector3();
   private readonly part = new THREE.Vector3();
   private readonly com = new THREE.Vector3();
@@ -83,22 +82,27 @@ export class OutsideForce implements Overlay {
   }
 
   wear(palette: Palette): void {
-    this.material.color.set(palette.push);
-    this.believedMaterial.color.set(palette.push);
+    this.colour.set(palette.push);
   }
 
-  update({ frame, labels, newton, beliefToWorld, held }: Picture): void {
-    this.arrow.hide();
-    this.believed.hide();
+  update(picture: Picture): void {
+    this.arrow.begin();
+    this.believed.begin();
+    this.draw(picture);
+    this.arrow.end();
+    this.believed.end();
+  }
+
+  private draw({ frame, labels, newton, beliefToWorld, held }: Picture): void {
     if (!vector(frame, "truth.p_WCom", this.com)) return;
     if (this.total(frame)) {
       const newtons = this.force.length();
-      if (this.arrow.set(this.com, this.force.multiplyScalar(newton)) && !held)
+      if (this.arrow.add(this.com, this.force.multiplyScalar(newton), this.colour) && !held)
         labels.put(this.arrow.tip, `push ${newtons.toFixed(0)} N`, "push");
     }
     if (!vector(frame, "state.external_force", this.force)) return;
     this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).multiplyScalar(newton);
-    this.believed.set(this.com, this.force);
+    this.believed.add(this.com, this.force, this.colour);
   }
 
   /** Sum over the bodies of what is applied from outside. */

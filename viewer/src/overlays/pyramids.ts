@@ -3,7 +3,7 @@ import { read, scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { frictionState, marginClass, pyramidAxes, pyramidCorners } from "../math/friction.ts";
 import type { Palette } from "../scene/palette.ts";
-import { paint } from "./arrow.ts";
+import { SEEN_THROUGH } from "./arrow.ts";
 import type { Overlay, Picture } from "./overlay.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
@@ -12,25 +12,55 @@ const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
 const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
-class Pyramid {
+/** Some pyramids, each in its colour and density; sides and edges are drawn in one call each. */
+class Pyramids {
   readonly root = new THREE.Group();
-  readonly fill = paint(0.22);
-  readonly line = new THREE.LineBasicMaterial({ fog: false });
-  private readonly points = new THREE.BufferAttribute(new Float32Array(15), 3);
+  private readonly points: THREE.BufferAttribute;
+  private readonly sideColours: THREE.BufferAttribute;
+  private readonly edgeColours: THREE.BufferAttribute;
+  private readonly sides = new THREE.BufferGeometry();
+  private readonly edges = new THREE.BufferGeometry();
+  private count = 0;
 
-  constructor() {
-    const sides = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex(SIDES);
-    const edges = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex(EDGES);
-    const mesh = new THREE.Mesh(sides, this.fill);
-    const lines = new THREE.LineSegments(edges, this.line);
-    mesh.frustumCulled = lines.frustumCulled = false;
+  constructor(private readonly capacity: number) {
+    this.points = attribute(5 * capacity, 3);
+    this.sideColours = attribute(5 * capacity, 4);
+    this.edgeColours = attribute(5 * capacity, 3);
+    const each = (list: number[]): number[] => Array.from({ length: capacity }, (_, k) => list.map((corner) => 5 * k + corner)).flat();
+    this.sides.setAttribute("position", this.points).setAttribute("color", this.sideColours).setIndex(each(SIDES));
+    this.edges.setAttribute("position", this.points).setAttribute("color", this.edgeColours).setIndex(each(EDGES));
+    const fill = new THREE.MeshBasicMaterial({ ...SEEN_THROUGH, vertexColors: true, fog: false });
+    const mesh = new THREE.Mesh(this.sides, fill);
+    const lines = new THREE.LineSegments(this.edges, new THREE.LineBasicMaterial({ vertexColors: true, fog: false }));
+    mesh.frustumCulled = lines.frustumCulled = mesh.matrixAutoUpdate = lines.matrixAutoUpdate = false;
     this.root.add(mesh, lines);
   }
 
-  set(corners: number[][]): void {
-    corners.forEach(([x, y, z], k) => this.points.setXYZ(k + 1, x as number, y as number, z as number));
-    this.points.needsUpdate = true;
+  begin(): void {
+    this.count = 0;
   }
+
+  add(tip: THREE.Vector3, corners: number[][], colour: THREE.Color, density: number): void {
+    if (this.count === this.capacity) return;
+    const first = 5 * this.count++;
+    this.points.setXYZ(first, tip.x, tip.y, tip.z);
+    corners.forEach(([x, y, z], k) => this.points.setXYZ(first + 1 + k, tip.x + (x as number), tip.y + (y as number), tip.z + (z as number)));
+    for (let k = first; k < first + 5; ++k) {
+      this.sideColours.setXYZW(k, colour.r, colour.g, colour.b, density);
+      this.edgeColours.setXYZ(k, colour.r, colour.g, colour.b);
+    }
+  }
+
+  end(): void {
+    this.sides.setDrawRange(0, SIDES.length * this.count);
+    this.edges.setDrawRange(0, EDGES.length * this.count);
+    this.root.visible = this.count > 0;
+    this.points.needsUpdate = this.sideColours.needsUpdate = this.edgeColours.needsUpdate = this.root.visible;
+  }
+}
+
+function attribute(count: number, size: number): THREE.BufferAttribute {
+  return new THREE.BufferAttribute(new Float32Array(size * count), size).setUsage(THREE.DynamicDrawUsage);
 }
 
 /**
@@ -40,18 +70,20 @@ class Pyramid {
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly pyramids = LEGS.map(() => new Pyramid());
-  private readonly colours = { good: 0, near: 0, bad: 0 };
+  private readonly pyramids = new Pyramids(LEGS.length);
+  private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
+  private readonly tip = new THREE.Vector3();
+  private readonly down = new THREE.Vector3();
   private readonly R: number[] = new Array<number>(9).fill(0);
   private readonly force = [0, 0, 0];
   private readonly point = [0, 0, 0];
 
   constructor() {
-    for (const pyramid of this.pyramids) this.root.add(pyramid.root);
+    this.root.add(this.pyramids.root);
   }
 
   wear(palette: Palette): void {
-    Object.assign(this.colours, palette.margin);
+    for (const margin of ["good", "near", "bad"] as const) this.colours[margin].set(palette.margin[margin]);
   }
 
   update({ frame, header, tasks, newton }: Picture): void {
@@ -59,9 +91,8 @@ export class FrictionPyramids implements Overlay {
     const choices = tasks.find(({ task }) => task === "friction_cone")?.choices;
     const axes = pyramidAxes(this.R, choices?.["axes"] === "gravity");
     const inner = choices?.["pyramid"] === "outer" ? 1 : Math.SQRT1_2;
+    this.pyramids.begin();
     LEGS.forEach((_, k) => {
-      const pyramid = this.pyramids[k] as Pyramid;
-      pyramid.root.visible = false;
       if (!known || !(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1)) return;
       if (!read(frame, LEG_CHANNELS.force[k] as string, this.force) || !read(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
       const mu = scalar(frame, LEG_CHANNELS.friction[k] as string);
@@ -69,18 +100,9 @@ export class FrictionPyramids implements Overlay {
       const state = frictionState(this.force, normal, mu);
       if (!(state.normal > 2)) return;
       const margin = marginClass(state.share);
-      const colour = this.colours[margin];
-      pyramid.fill.opacity = DENSITY[margin];
-      pyramid.fill.color.set(colour);
-      pyramid.line.color.set(colour);
-      pyramid.set(pyramidCorners(axes, inner * mu, state.normal * newton));
-      const r = header.robot.foot_radius;
-      pyramid.root.position.set(
-        (this.point[0] as number) - r * (normal[0] as number),
-        (this.point[1] as number) - r * (normal[1] as number),
-        (this.point[2] as number) - r * (normal[2] as number),
-      );
-      pyramid.root.visible = true;
+      this.tip.fromArray(this.point).sub(this.down.fromArray(normal).multiplyScalar(header.robot.foot_radius));
+      this.pyramids.add(this.tip, pyramidCorners(axes, inner * mu, state.normal * newton), this.colours[margin], DENSITY[margin]);
     });
+    this.pyramids.end();
   }
 }

@@ -1,36 +1,60 @@
 import * as THREE from "three";
 
-/** A line through points that change; made once for at most `capacity` of them. */
-export class Trail {
-  readonly line: THREE.Line;
+/** Lines through points that change, each in its colour, drawn in one call; made once for at most `capacity` pieces. */
+export class Trails {
+  readonly lines: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
   private readonly points: THREE.BufferAttribute;
+  private readonly colours: THREE.BufferAttribute;
   private readonly geometry = new THREE.BufferGeometry();
   private count = 0;
 
-  constructor(
-    material: THREE.LineBasicMaterial,
-    private readonly capacity = 256,
-  ) {
-    this.points = new THREE.BufferAttribute(new Float32Array(3 * capacity), 3);
-    this.geometry.setAttribute("position", this.points);
-    this.line = new THREE.Line(this.geometry, material);
-    this.line.frustumCulled = false;
+  constructor(opacity: number, private readonly capacity: number) {
+    this.points = attribute(2 * capacity);
+    this.colours = attribute(2 * capacity);
+    this.geometry.setAttribute("position", this.points).setAttribute("color", this.colours);
+    const material = new THREE.LineBasicMaterial({ vertexColors: true, transparent: opacity < 1, opacity, fog: false });
+    this.lines = new THREE.LineSegments(this.geometry, material);
+    this.lines.frustumCulled = this.lines.matrixAutoUpdate = false;
   }
 
   begin(): void {
     this.count = 0;
   }
 
-  add(x: number, y: number, z: number): void {
-    if (this.count < this.capacity) this.points.setXYZ(this.count++, x, y, z);
+  add(from: THREE.Vector3, to: THREE.Vector3, colour: THREE.Color): void {
+    if (this.count === this.capacity) return;
+    for (const [i, point] of [[2 * this.count, from], [2 * this.count + 1, to]] as const) {
+      this.points.setXYZ(i, point.x, point.y, point.z);
+      this.colours.setXYZ(i, colour.r, colour.g, colour.b);
+    }
+    ++this.count;
   }
 
   end(): void {
-    this.geometry.setDrawRange(0, this.count);
-    this.points.needsUpdate = true;
+    this.geometry.setDrawRange(0, 2 * this.count);
+    this.lines.visible = this.count > 0;
+    this.points.needsUpdate = this.colours.needsUpdate = this.lines.visible;
   }
 }
 
-export function trailMaterial(opacity = 1): THREE.LineBasicMaterial {
-  return new THREE.LineBasicMaterial({ transparent: opacity < 1, opacity, fog: false });
+/** A line point by point, as a part of some trails. */
+export class Pen {
+  private readonly last = new THREE.Vector3();
+  private down = false;
+
+  constructor(private readonly trails: Trails, private readonly colour: THREE.Color) {}
+
+  lift(): void {
+    this.down = false;
+  }
+
+  to(point: THREE.Vector3): void {
+    if (this.down) this.trails.add(this.last, point, this.colour);
+    this.last.copy(point);
+    this.down = true;
+  }
+}
+
+function attribute(count: number): THREE.BufferAttribute {
+  return new THREE.BufferAttribute(new Float32Array(3 * count), 3).setUsage(THREE.DynamicDrawUsage);
 }

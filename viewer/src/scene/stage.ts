@@ -64,9 +64,9 @@ export class Stage {
   fit(): void {
     if (this.fits) return;
     this.fits = true;
-    const box = (this.canvas.parentElement as HTMLElement).getBoundingClientRect();
-    this.width = Math.max(1, Math.floor(box.width));
-    this.height = Math.max(1, Math.floor(box.height));
+    const { clientWidth, clientHeight } = this.canvas.parentElement as HTMLElement;
+    this.width = Math.max(1, clientWidth);
+    this.height = Math.max(1, clientHeight);
     this.renderer.setPixelRatio(this.quality.pixelRatio);
     this.renderer.setSize(this.width, this.height, false);
     this.camera.aspect = this.width / this.height;
