@@ -53,6 +53,15 @@ std::string drawn(const LogHeader& header) {
   return out;
 }
 
+std::string steered(const LogContents& contents) {
+  for (const TopicContents& topic : contents.topics) {
+    if (topic.topic != "/changes") continue;
+    return std::to_string(topic.messages) +
+           " changes and pushes while it ran (/changes): the command above alone gives another run";
+  }
+  return "";
+}
+
 std::string facts(const LogContents& contents) {
   const LogHeader& header = contents.header;
   Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
@@ -65,6 +74,7 @@ std::string facts(const LogContents& contents) {
                                  (header.commit.empty() ? "" : ", commit " + header.commit) +
                                  "; log version " + contents.log_version},
              {"again by", header.command},
+             {"steered", steered(contents)},
              {"drawn", drawn(header)}};
   for (const std::string& note : header.notes) rows.push_back({"note", note});
   std::string out;

@@ -19,10 +19,15 @@ namespace {
 
 constexpr double kLoaded = 1.0;  // [N]
 
-std::string number(double value, const char* format = "%.2g") {
+std::string number(double value, const char* format) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
+}
+
+/// Two digits, or all that stand before the point: 0.12, 3.4, 460.
+std::string number(double value) {
+  return number(value, std::abs(value) < 100.0 ? "%.2g" : "%.0f");
 }
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.

@@ -28,7 +28,8 @@ def sentence(frame, units):
         return ""
     level, residual, row, by = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
-    return f"{words_of(level)} gives way by {residual:.2g}{unit} to {words_of(by)} {row}"
+    digits = ".2g" if abs(residual) < 100 else ".0f"
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {words_of(by)} {row}"
 
 
 class Captions:

@@ -240,6 +240,8 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     frame = frame_at(0.0, 1.25, phases={"LF": "swing", "RF": "stance", "LH": "search", "RH": "unloading"})
     frame.gave_way = ("com_xy", 0.314, "LF_KFE", "torque_limits")
     assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² to torque limits LF_KFE"
+    frame.gave_way = ("com_xy", 161.4, "LF_KFE", "torque_limits")
+    assert captions.sentence(frame, {}) == "com xy gives way by 161 to torque limits LF_KFE"
     from PIL import Image
 
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}

@@ -1,7 +1,7 @@
 import type { TerrainPiece } from "../protocol/session.ts";
 
-/** Half the edge of the square that stands for an endless plane [m]. */
-const PLANE_HALF = 40;
+/** Half the edge of the square that stands for an endless plane [m]: hours of walking. */
+const PLANE_HALF = 2000;
 
 /** Triangles and sharp edges of the ground in W, as plain arrays. */
 export class TerrainGeometry {
