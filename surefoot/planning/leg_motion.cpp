@@ -21,8 +21,9 @@ constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
 constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
 constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
-constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
-constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
+constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;    // weak or delayed drives let a foot be as late as this [s]
+constexpr double kBrake = 0.04;  // a foot follows a reference that brakes at once within this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -57,6 +58,7 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
   num_lags_ = 0;
+  usual_brake_ = 0.0;
   held_for_ = 0.0;
   search_pace_ = 1.0;
   stuck_for_ = 0.0;
@@ -148,7 +150,8 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool behind = normal.dot(foot.p - asked.p) > touchdown_.stall_error;
   const bool stalled = arrives && behind && force > touchdown_.stall_force;
   const bool jolted = is_jolted(normal.dot(foot.v - asked.v), force);
-  const bool bounced = arrives && jolted && normal.dot(asked.v) > -kFastDescent;
+  const bool braked = brakes(time);
+  const bool bounced = arrives && jolted && !braked && normal.dot(asked.v) > -kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
   const bool strays = !arrives && beside(time, foot.p) > kAstray;
   const bool pressed = force > touchdown_.touchdown_force && !strays;
@@ -158,6 +161,13 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   if (wall) return false;
   firm_ticks_ = pressed || stalled || bounced ? firm_ticks_ + 1 : 0;
   return certain || firm_ticks_ >= kFirmTicks;
+}
+
+// A foot falls behind a reference that steps, and comes up with it again at once: as if it bounced.
+bool LegMotion::brakes(double time) {
+  const double brake = curve_.target().normal.dot(reference(time).v - curve_.at(since(time)).v);
+  usual_brake_ += period_ / kBrake * (brake - usual_brake_);
+  return std::abs(brake - usual_brake_) > 0.5 * touchdown_.bounce_speed;
 }
 
 bool LegMotion::is_jolted(double lag, double force) {

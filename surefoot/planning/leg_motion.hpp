@@ -67,6 +67,8 @@ class LegMotion {
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   /// Has the foot's velocity just changed as by an impact, and does something bear it?
   [[nodiscard]] bool is_jolted(double lag, double force);
+  /// Does the reference leave its curve just now: at the end of the reach, or to wait for the foot?
+  [[nodiscard]] bool brakes(double time);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
@@ -92,6 +94,7 @@ class LegMotion {
   std::array<double, 8> lags_{};
   std::size_t num_lags_ = 0;
   double usual_force_ = 0.0;  // on a swinging foot, as estimated [N]
+  double usual_brake_ = 0.0;  // of its reference against its curve, along the normal [m/s]
   double held_for_ = 0.0;     // how long something has been in the foot's way [s]
   int firm_ticks_ = 0;        // ticks in a row with a firm contact
 };

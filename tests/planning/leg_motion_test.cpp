@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -166,6 +167,41 @@ TEST(LegMotion, AFootThatLagsMoreAndMoreHasNotBounced) {
     bench.foot_velocity = asked + 0.15 * i * options.bounce_speed * kUp;
     EXPECT_EQ(bench.follow(kPeriod, 0.15 * i * options.bounce_force), LegEvent::none) << i;
   }
+}
+
+/// Does a foot touch that comes to rest with its reference, a few ticks after it, under a force
+/// that rises meanwhile?
+bool touches_as_it_stops(Bench& bench) {
+  const TouchdownOptions options;
+  constexpr int kLate = 4;  // [ticks]
+  std::vector<Vec3> asked;
+  for (int i = 0; i < 80; ++i) {
+    asked.push_back(bench.leg.plan(bench.time).v_WF);
+    bench.foot_velocity = asked[static_cast<std::size_t>(std::max(0, i - kLate))];
+    const double stopped = bench.foot_velocity->z() - asked.front().z();
+    const double force = stopped > options.bounce_speed ? 2.0 * options.bounce_force : 0.0;
+    if (bench.follow(kPeriod, force) != LegEvent::none) return true;
+  }
+  return false;
+}
+
+TEST(LegMotion, AFootThatStopsWithItsReferenceAtTheEndOfItsReachHasNotBounced) {
+  Bench bench = swinging();
+  bench.leg.lift(bench.time, {bench.p, bench.p - 0.3 * kUp, kUp, kDuration, 0.08});
+  ASSERT_EQ(bench.follow(0.88 * kDuration, 0.0), LegEvent::none);
+  ASSERT_LT(bench.leg.plan(bench.time).v_WF.z(), -2.0 * TouchdownOptions{}.bounce_speed);
+  bench.hip = bench.p + (SwingOptions{}.reach_max - 0.001) * kUp;
+  EXPECT_FALSE(touches_as_it_stops(bench));
+}
+
+TEST(LegMotion, AFootHasBouncedBeyondTheEndOfItsReachToo) {
+  Bench bench = searching();
+  bench.hip = bench.p + (SwingOptions{}.reach_max - 0.001) * kUp;
+  bench.foot_velocity = Vec3::Zero();
+  ASSERT_EQ(bench.follow(0.2, 0.0), LegEvent::none);
+  const TouchdownOptions options;
+  bench.foot_velocity = 1.1 * options.bounce_speed * kUp;
+  EXPECT_EQ(bench.follow(2 * kPeriod, 1.3 * options.bounce_force), LegEvent::touchdown);
 }
 
 TEST(LegMotion, TouchesDownWhereItStallsUnderASmallForce) {
