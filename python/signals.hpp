@@ -25,11 +25,12 @@ inline void bind_signals(nb::module_& module) {
       .def(
           "__init__",
           [](UserCommand* self, bool walk, std::array<double, 2> velocity, double yaw_rate,
-             double height) {
-            new (self) UserCommand{walk, Vec2(velocity[0], velocity[1]), yaw_rate, height};
+             double height, bool calibrate) {
+            new (self)
+                UserCommand{walk, Vec2(velocity[0], velocity[1]), yaw_rate, height, calibrate};
           },
           nb::arg("walk") = false, nb::arg("velocity") = std::array<double, 2>{},
-          nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0);
+          nb::arg("yaw_rate") = 0.0, nb::arg("height") = 0.0, nb::arg("calibrate") = false);
 
   signal<JointCommand>(module, "JointCommand", "Torques for the actuators at one tick.")
       .def(

@@ -129,6 +129,7 @@ void read_user(Section& top, std::vector<TimedCommand>& commands) {
     section.vector("velocity", command.user.velocity);
     section.number("yaw_rate", command.user.yaw_rate);
     section.number("height", command.user.height);
+    section.flag("calibrate", command.user.calibrate);
     section.finish();
     if (command.time < commands.back().time)
       section.fail("time", "must not be before the command above");

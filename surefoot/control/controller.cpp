@@ -167,7 +167,9 @@ void Controller::Implementation::forget_lost_joints() noexcept {
 
 TickContext Controller::Implementation::context() noexcept {
   joint_velocity = contact_force.observe(guard.measured());
-  TickContext result{.joint_velocity = joint_velocity, .legs = kinematics.errors()};
+  TickContext result{.joint_velocity = joint_velocity,
+                     .legs = kinematics.errors(),
+                     .restarts = planner.restarts()};
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),

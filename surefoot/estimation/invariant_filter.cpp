@@ -27,10 +27,11 @@ Mat3 left_jacobian(const Vec3& theta) {
 }  // namespace
 
 // Roll and pitch such that the specific force points up.
-void InvariantFilter::start(const Vec3& specific_force, const Vec3& angular_velocity) noexcept {
+void InvariantFilter::start(const Vec3& specific_force, const Vec3& angular_velocity,
+                            double heading) noexcept {
   const Quat level = Quat::FromTwoVectors(specific_force, Vec3::UnitZ());
   const Mat3 R = level.toRotationMatrix();
-  R_ = rotation_about_z(-yaw(R)) * R;
+  R_ = rotation_about_z(heading - yaw(R)) * R;
   v_.setZero();
   p_.setZero();
   stands_.fill(false);

@@ -6,10 +6,14 @@ namespace surefoot {
 
 /// Standard deviations of what an InvariantFilter is told.
 struct InvariantFilterOptions {
-  double gyro_noise = 2e-4;               ///< [rad/s/√Hz]
-  double accelerometer_noise = 2e-3;      ///< [m/s²/√Hz]
-  double gyro_bias_walk = 1e-5;           ///< [rad/s²/√Hz]
-  double accelerometer_bias_walk = 1e-4;  ///< [m/s³/√Hz]
+  double gyro_noise = 2e-4;           ///< [rad/s/√Hz]
+  double accelerometer_noise = 2e-3;  ///< [m/s²/√Hz]
+  /// A bias that wanders by σ within a time T walks by σ √(2/T) at most. These are of a gyroscope's
+  /// 5e-4 rad/s in 1000 s and an accelerometer's 0.025 m/s² in 300 s, such as MEMS have. Taken too
+  /// small, the filter ends by believing its own tilt: what the accelerometer says then, it puts
+  /// down to a bias that it is sure of, and the tilt goes astray within a minute.
+  double gyro_bias_walk = 2e-5;           ///< [rad/s²/√Hz]
+  double accelerometer_bias_walk = 2e-3;  ///< [m/s³/√Hz]
   double encoder_noise = 2.5e-4;          ///< [rad]
   /// Of the leg's kinematics, each axis: what wrong joint zeros, wrong lengths and an IMU out of
   /// step with the encoders let a foot wander by [m].
@@ -42,9 +46,10 @@ class InvariantFilter {
 
   explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
 
-  /// At rest at the origin with heading 0, level as the mean specific force in B says [m/s²]. No
-  /// foot stands yet.
-  void start(const Vec3& specific_force, const Vec3& angular_velocity) noexcept;
+  /// At rest at the origin with a heading [rad], level as the mean specific force in B says [m/s²].
+  /// No foot stands yet.
+  void start(const Vec3& specific_force, const Vec3& angular_velocity,
+             double heading = 0.0) noexcept;
 
   /// Says where the base is, right after the start.
   void place(const Vec3& p_WB) noexcept { p_ = p_WB; }

@@ -28,8 +28,13 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
   if (!started_ && !is_complete) return state_;
+  const Vec3 p_before = filter_.p_WB();
   if (!started_) {
-    start(reading);
+    start(reading, 0.0);
+    stand_at({0.0, 0.0, height_over_feet()});
+  } else if (context.restarts && is_complete) {
+    start(reading, yaw(filter_.R_WB()));
+    stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
     take_over(context.legs, reading.q);
@@ -41,14 +46,21 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   return state_;
 }
 
-void LegInertialEstimator::start(const SensorReading& reading) {
+void LegInertialEstimator::start(const SensorReading& reading, double heading) {
   started_ = true;
   gyro_before_ = reading.gyro;
-  filter_.start(reading.accelerometer, reading.gyro);
+  filter_.start(reading.accelerometer, reading.gyro, heading);
   see_feet(reading);
+}
+
+double LegInertialEstimator::height_over_feet() const {
   double lowest = 0.0;
   for (const Foot& foot : feet_) lowest += (filter_.R_WB() * foot.p_BF).z() / kNumLegs;
-  filter_.place({0.0, 0.0, foot_radius_ - lowest});
+  return foot_radius_ - lowest;
+}
+
+void LegInertialEstimator::stand_at(const Vec3& p_WB) {
+  filter_.place(p_WB);
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
     foot.stands_for = kLongAgo;

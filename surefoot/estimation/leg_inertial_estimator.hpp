@@ -20,8 +20,8 @@ struct LegInertialOptions {
 /// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
 /// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
 /// since the last tick, r the radius and n the vertical. The filter takes no joint
-/// velocities. Position and heading begin at 0, with the
-/// feet's lowest points at z = 0. Does not allocate after construction.
+/// velocities. Position and heading begin at 0, with the feet's lowest points at z = 0; a restart
+/// (TickContext) keeps them and forgets the rest. Does not allocate after construction.
 class LegInertialEstimator final : public StateEstimator {
  public:
   /// Throws Error where the URDF can't be read. `period` of the control loop [s].
@@ -43,7 +43,10 @@ class LegInertialEstimator final : public StateEstimator {
     double stands_for = 0.0;       // [s]
   };
 
-  void start(const SensorReading& reading);
+  void start(const SensorReading& reading, double heading);
+  void stand_at(const Vec3& p_WB);
+  /// Of the base over the ground under the feet, in their mean [m].
+  [[nodiscard]] double height_over_feet() const;
   void advance(const SensorReading& reading, double dt);
   void take_over(const LegErrors& legs, const JointVector& q);
   void see_feet(const SensorReading& reading);

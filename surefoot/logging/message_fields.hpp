@@ -110,6 +110,7 @@ void fields(Archive& field, T& user) {
   field("velocity", user.velocity, "forward and lateral, in C [m/s]");
   field("yaw_rate", user.yaw_rate, "[rad/s]");
   field("height", user.height, "offset to the nominal torso height [m]");
+  field("calibrate", user.calibrate, "begin the estimate anew, once all feet stand");
 }
 
 template <typename Archive, Is<RobotState> T>

@@ -16,6 +16,7 @@ constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kRecovery = 0.6;      // in which the COM of a pushed robot comes to rest [s]
+constexpr double kStill = 0.02;        // [m/s] and [rad/s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
@@ -43,20 +44,35 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
                                   const Dynamics& dynamics) noexcept {
   time_ = state.time;
   event_ = PlanEvent::none;
-  if (!initialised_) initialise(state, dynamics);
+  if (!initialised_ || restarts_) initialise(state, dynamics);
+  note_calibration_wish(command.calibrate);
   UserCommand user = with_caution(within_strides(command));
-  user.walk = user.walk && !calibrating();
+  user.walk = user.walk && !calibrating() && !wants_calibration_;
   if (user.walk && mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
   observe_legs(user, state, dynamics);
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
+  restarts_ = wants_calibration_ && is_at_rest(state);
+  if (restarts_) event_ = PlanEvent::calibration;
   write_plan(user);
   return plan_;
 }
 
+void Planner::note_calibration_wish(bool asked) {
+  if (asked && !asked_before_) wants_calibration_ = true;
+  asked_before_ = asked;
+}
+
+bool Planner::is_at_rest(const RobotState& state) const {
+  return mode_ == Mode::stand && !calibrating() && !recovering_ &&
+         time_ > stands_from_ + kStandDuration && state.v_WB.norm() < kStill &&
+         state.w_WB_B.norm() < kStill;
+}
+
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = true;
+  restarts_ = wants_calibration_ = false;
   initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
@@ -148,6 +164,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
   if (next.phase() == LegPhase::stance) {
     if (!user.walk) {
       mode_ = Mode::stand;
+      stands_from_ = time_;
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
       next.unload(lift_time_);

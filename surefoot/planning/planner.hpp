@@ -38,6 +38,9 @@ class Planner {
   /// Unit normal of the terrain as believed, in W.
   [[nodiscard]] const Vec3& terrain_normal() const { return plane_.normal; }
   [[nodiscard]] int steps_taken() const { return steps_taken_; }
+  /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,
+  /// once all feet stand and nothing moves.
+  [[nodiscard]] bool restarts() const { return restarts_; }
 
  private:
   enum class Mode { stand, support, swing };
@@ -47,6 +50,8 @@ class Planner {
   static constexpr double kLevel = 1e-3;  // apex of a move that does not rise [m]
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
+  void note_calibration_wish(bool asked);
+  [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
   /// Hips about the footholds' centre, in heading axes: the torso leans against a push.
@@ -139,7 +144,11 @@ class Planner {
   bool initialised_ = false;
   bool slowed_ = false;  // strides are too short for the commanded velocity
   double time_ = 0.0;
-  double initialised_at_ = 0.0;  // [s]
+  double initialised_at_ = 0.0;     // [s]
+  bool asked_before_ = false;       // for a calibration, at the last tick
+  bool wants_calibration_ = false;  // … which has not begun
+  bool restarts_ = false;
+  double stands_from_ = 0.0;  // [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
   int cursor_ = 0;            // place of the next leg in the gait's order

@@ -22,6 +22,7 @@ enum class PlanEvent : int {
   push_reloaded = 13,     ///< pushed before a lift-off: the leg carries again
   push_step = 14,         ///< pushed with all feet down: a step to recover
   caught = 15,            ///< a rising foot met something on its way: back, higher, over
+  calibration = 16,       ///< as asked for, the estimate begins anew and calibrates on the spot
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -58,6 +59,8 @@ enum class PlanEvent : int {
       return "pushed out of balance: step to recover";
     case PlanEvent::caught:
       return "foot met something on its way: back, higher and over";
+    case PlanEvent::calibration:
+      return "estimate begins anew: calibrating on the spot";
   }
   return "unknown";
 }

@@ -16,6 +16,9 @@ struct TickContext {
   PerLeg<FootContact> contacts{};
   JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
   LegErrors legs{};  ///< as found so far; the readings are without the zeros already
+  /// All feet stand and nothing is asked of them: forget what is believed, but for the place and
+  /// the heading, and begin anew.
+  bool restarts = false;
 };
 
 }  // namespace surefoot

@@ -10,6 +10,8 @@ struct UserCommand {
   Vec2 velocity{0.0, 0.0};  ///< forward (x) and lateral (y) [m/s]
   double yaw_rate = 0.0;    ///< [rad/s]
   double height = 0.0;      ///< offset to the nominal torso height [m]
+  /// From false to true: stand, begin the estimate anew and calibrate on the spot, then go on.
+  bool calibrate = false;
 };
 
 }  // namespace surefoot

@@ -89,6 +89,40 @@ TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
   EXPECT_LT(box_minus(state.q_WB, before.q_WB).norm(), 5e-4);
 }
 
+TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) {
+  CalibrationOptions askew = kMotion;
+  askew.yaw = 0.4;  // it begins anew with another heading than at first
+  TurningRobot robot(LegErrors{}, askew);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  RobotState state;
+  while (robot.time() < 2.0) {
+    robot.tick();
+    SensorReading reading = robot.reading();
+    reading.accelerometer.y() += 3.0;  // gone mad …
+    state = estimator.update(reading, standing());
+  }
+  ASSERT_GT(tilt_error(state, robot), 0.02);
+  const Vec3 p_WB = state.p_WB;
+  const double heading = yaw(state.R_WB());
+  ASSERT_GT(std::abs(heading), 0.05);
+  LegInertialEstimator another(robot.description(), {}, TurningRobot::kPeriod);
+  robot.tick();  // … and well again
+  TickContext context = standing();
+  context.restarts = true;
+  state = estimator.update(robot.reading(), context);
+  EXPECT_LT((state.p_WB - p_WB).norm(), 1e-9);
+  EXPECT_NEAR(yaw(state.R_WB()), heading, 1e-9);
+  RobotState fresh = another.update(robot.reading(), standing());
+  const Mat3 turn = rotation_about_z(heading - yaw(fresh.R_WB()));
+  while (robot.time() < 4.0) {
+    robot.tick();
+    state = estimator.update(robot.reading(), standing());
+    fresh = another.update(robot.reading(), standing());
+    ASSERT_LT((state.R_WB() - turn * fresh.R_WB()).norm(), 1e-7) << robot.time();
+    ASSERT_LT((state.v_WB - turn * fresh.v_WB).norm(), 1e-7) << robot.time();
+  }
+}
+
 /// After a tick whose state was refused there is no force of that tick.
 TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
   TurningRobot robot(LegErrors{}, kMotion);

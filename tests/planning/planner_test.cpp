@@ -48,6 +48,33 @@ TEST(Planner, WalksAsFastAsItIsTold) {
   }
 }
 
+TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
+  PlannerOptions options;
+  options.calibration.duration = 4.0;
+  Puppet puppet(options);
+  puppet.user = walking(0.05);
+  puppet.run(20.0);
+  ASSERT_GT(puppet.planner().steps_taken(), 4);
+  puppet.user.calibrate = true;  // and stays so: it counts once
+  int turning = 0, asked = 0;
+  puppet.run(15.0, [&] {
+    asked += puppet.planner().restarts() ? 1 : 0;
+    EXPECT_TRUE(!puppet.planner().restarts() || puppet.plan().num_contacts() == 4);
+    turning += puppet.plan().calibration == CalibrationStage::turning ? 1 : 0;
+  });
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 1u);
+  EXPECT_NEAR(turning * Puppet::kPeriod, 4.0, 0.01);
+  const int steps = puppet.planner().steps_taken();
+  puppet.run(6.0);
+  EXPECT_GT(puppet.planner().steps_taken(), steps + 3) << "and walks on";
+  puppet.user.calibrate = false;
+  puppet.run(1.0);
+  puppet.user.calibrate = true;
+  puppet.run(12.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 2u) << "asked for again";
+}
+
 TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
   for (const PerLeg<Leg>& order : {PerLeg<Leg>{Leg::LH, Leg::LF, Leg::RH, Leg::RF},
                                    PerLeg<Leg>{Leg::RF, Leg::LH, Leg::LF, Leg::RH}}) {

@@ -1,8 +1,10 @@
 #include "app/closed_loop.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "tests/scenarios/loop.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,38 @@ TEST(Walk, NothingIsAllocatedAfterTheFirstTick) {
   EXPECT_EQ(loop.allocations(), first) << "the last at " << loop.last_allocation() << " s";
   EXPECT_GE(loop.count(PlanEvent::touchdown), 7);
   EXPECT_GE(loop.count(PlanEvent::lift_off), 7);
+}
+
+TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
+  Scenario asked = scenario("walk_flat", {"planner.calibration.duration=3"}, 4);
+  asked.commands.push_back(asked.commands.back());
+  asked.commands.back().time = 9.0;
+  asked.commands.back().user.calibrate = true;
+  Loop loop(asked);
+  (void)loop.tick();
+  const std::size_t first = loop.allocations();
+  RobotState before;
+  loop.run_until(20.0, [&] {
+    before = loop.record().state;
+    return loop.count(PlanEvent::calibration) > 0;
+  });
+  ASSERT_EQ(loop.count(PlanEvent::calibration), 1);
+  const int steps = loop.steps_taken();
+  ASSERT_GE(steps, 1);
+  JointVector torque = loop.record().command.torque;
+  (void)loop.tick();
+  const RobotState& now = loop.record().state;
+  EXPECT_LT((now.p_WB - before.p_WB).norm(), 1e-3);
+  EXPECT_LT(box_minus(now.q_WB, before.q_WB).norm(), 0.01);
+  double greatest = 0.0;
+  while (loop.truth().time < 22.0) {
+    greatest = std::max(greatest, (loop.record().command.torque - torque).cwiseAbs().maxCoeff());
+    torque = loop.record().command.torque;
+    (void)loop.tick();
+  }
+  EXPECT_LT(greatest, 8.0) << "N·m within a tick: as at a touchdown";
+  EXPECT_GE(loop.steps_taken(), steps + 2) << "and walks on";
+  EXPECT_EQ(loop.allocations(), first);
 }
 
 /// Every torque commanded in a short walk.
