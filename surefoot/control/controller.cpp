@@ -9,6 +9,7 @@
 #include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
@@ -139,7 +140,10 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
 /// False where the state is not one to plan and solve with.
 bool Controller::Implementation::estimate() noexcept {
   SensorReading reading = record.reading;
+  const Quat imu = exp_rotation(kinematics.errors().imu);
   reading.q -= kinematics.errors().zero;
+  reading.gyro = imu * reading.gyro;
+  reading.accelerometer = imu * reading.accelerometer;
   guard.update(reading, joint_velocity);
   record.health = guard.health();
   if (!guard.clock_is_right()) {
@@ -168,7 +172,7 @@ void Controller::Implementation::forget_lost_joints() noexcept {
 TickContext Controller::Implementation::context() noexcept {
   joint_velocity = contact_force.observe(guard.measured());
   TickContext result{.joint_velocity = joint_velocity,
-                     .legs = kinematics.errors(),
+                     .kinematics = kinematics.errors(),
                      .restarts = planner.restarts()};
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];

@@ -101,6 +101,16 @@ Mat3 InvariantFilter::measurement_noise(const Mat3& J) const {
 }
 
 // d̂ = p̂ + R̂ h, so ξ_d = ξ_p + the measurement's noise.
+void InvariantFilter::turn_imu(const Mat3& T) noexcept {
+  R_ = R_ * T.transpose();
+  gyro_bias_ = T * gyro_bias_;
+  accelerometer_bias_ = T * accelerometer_bias_;
+  for (const int bias : {kGyroBias, kAccelerometerBias}) {
+    P_.middleRows<3>(bias) = (T * P_.middleRows<3>(bias)).eval();
+    P_.middleCols<3>(bias) = (P_.middleCols<3>(bias) * T.transpose()).eval();
+  }
+}
+
 void InvariantFilter::plant(Leg leg, const Vec3& h, const Mat3& J) noexcept {
   const int k = foot(leg);
   stands_[index(leg)] = true;

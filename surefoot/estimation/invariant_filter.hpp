@@ -54,6 +54,9 @@ class InvariantFilter {
   /// Says where the base is, right after the start.
   void place(const Vec3& p_WB) noexcept { p_ = p_WB; }
 
+  /// The IMU's axes are found to be turned: what it measured as a in B is T a.
+  void turn_imu(const Mat3& T) noexcept;
+
   /// `dt` [s] ahead with the gyroscope's and the accelerometer's mean readings over that time, in
   /// B.
   void propagate(const Vec3& gyro, const Vec3& accelerometer, double dt) noexcept;

@@ -18,12 +18,13 @@ constexpr int kLeastSamples = 80;
 constexpr double kFadeIn = 0.6;          // [s]
 constexpr double kCreep = 7e-4;          // of soft feet along the ground [m] …
 constexpr double kSinking = 4e-4;        // … and into it [m]
-constexpr double kTurnError = 1.5e-3;    // σ_φ: a gyroscope that is a tick late, or askew [rad]
+constexpr double kTurnError = 3e-4;      // σ_φ of the gyroscope's turn [rad]
 constexpr double kBiasPrior = 0.03;      // of the gyroscope [rad/s]
 constexpr double kLengthPrior = 6e-3;    // standard deviation of a length [m] …
-constexpr double kZeroPrior = 5e-3;      // … and of an encoder's zero [rad]
+constexpr double kZeroPrior = 5e-3;      // … of an encoder's zero, of the IMU's mounting [rad] …
+constexpr double kLatePrior = 5e-3;      // … and of the gyroscope's delay behind the encoders [s]
 constexpr double kLongestLength = 0.02;  // no more is believed [m]
-constexpr double kLargestZero = 0.02;    // [rad]
+constexpr double kLargestAngle = 0.02;   // [rad]
 
 }  // namespace
 
@@ -50,7 +51,7 @@ void KinematicCalibration::update(const Dynamics& dynamics, const Vec3& gyro_B, 
 }
 
 void KinematicCalibration::start(const Mat3& R_WB) noexcept {
-  R_ = R_WB;
+  R_ = R_start_ = R_WB;
   turned_.setZero();
   rolled_.fill(Vec3::Zero());
   sum_y_.setZero();
@@ -61,6 +62,7 @@ void KinematicCalibration::start(const Mat3& R_WB) noexcept {
 
 void KinematicCalibration::turn(const Vec3& gyro_B) noexcept {
   if (!gyro_B.allFinite()) return;
+  gyro_ = gyro_B;
   R_ = R_ * exp_rotation(period_ * gyro_B).toRotationMatrix();
   turned_ += period_ * R_;
 }
@@ -77,7 +79,10 @@ void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
     y.segment<3>(k) = lever - rolled_[index(leg)];
     H.block<3, 2>(k, first) = R_ * chains_[index(leg)].lengthening_in_base(q);
     H.block<3, 3>(k, first + 2) = -R_from_W * leg_jacobian(dynamics.foot[index(leg)], leg);
-    H.block<3, 3>(k, kNumLegErrors) = skew(lever) * turned_;
+    const Vec3 f = R_.transpose() * lever;
+    H.block<3, 3>(k, kImu) = R_ * skew(f) - skew(lever) * R_start_;
+    H.block<3, 3>(k, kBias) = skew(lever) * turned_;
+    H.block<3, 1>(k, kLate) = R_ * gyro_.cross(f);
   }
   Vec3 mean = Vec3::Zero();
   Eigen::Matrix<double, 3, kNumErrors> mean_H = Eigen::Matrix<double, 3, kNumErrors>::Zero();
@@ -108,18 +113,21 @@ KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y
   return (Weights(variance.asDiagonal()) + B * B.transpose()).inverse();
 }
 
+double KinematicCalibration::prior(int error) {
+  if (error == kLate) return kLatePrior;
+  if (error >= kBias) return kBiasPrior;
+  return is_length(error) ? kLengthPrior : kZeroPrior;
+}
+
 void KinematicCalibration::finish() noexcept {
   Information A = sum_HWH_ - sum_H_.transpose() * W_ * sum_H_ / samples_;
   const Errors b = sum_HWy_ - sum_H_.transpose() * (W_ * sum_y_) / samples_;
-  for (int i = 0; i < kNumErrors; ++i) {
-    const double prior = i >= kNumLegErrors ? kBiasPrior : i % 5 < 2 ? kLengthPrior : kZeroPrior;
-    A(i, i) += 1.0 / (prior * prior);
-  }
+  for (int i = 0; i < kNumErrors; ++i) A(i, i) += 1.0 / (prior(i) * prior(i));
   const Errors found = -A.ldlt().solve(b);
   before_ = after_;
   share_ = 0.0;
-  for (int i = 0; i < kNumLegErrors; ++i) {
-    const double most = i % 5 < 2 ? kLongestLength : kLargestZero;
+  for (int i = 0; i < kBias; ++i) {
+    const double most = is_length(i) ? kLongestLength : kLargestAngle;
     after_[i] = std::clamp(before_[i] + found[i], -most, most);
   }
 }
@@ -134,6 +142,7 @@ void KinematicCalibration::fade() noexcept {
     in_use_.shank[index(leg)] = now[first + 1];
     in_use_.zero.segment<kJointsPerLeg>(first_joint(leg)) = now.segment<3>(first + 2);
   }
+  in_use_.imu = now.segment<3>(kImu);
 }
 
 }  // namespace surefoot

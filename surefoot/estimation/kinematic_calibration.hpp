@@ -3,23 +3,27 @@
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/model/leg_chain.hpp"
-#include "surefoot/signals/leg_errors.hpp"
+#include "surefoot/signals/kinematic_errors.hpp"
 
 namespace surefoot {
 
-/// Lengths of thighs and shanks and zeros of encoders, from feet that stand while the torso turns.
+/// Lengths of thighs and shanks, zeros of encoders and the IMU's mounting, from feet that stand
+/// while the torso turns.
 ///
 /// With R the base's orientation as the gyroscope tells its changes, f_k the leg's forward
 /// kinematics and ρ_k the way that foot k has rolled, the vectors R f_k(q_k; θ_k) − ρ_k between the
 /// standing feet stay what they are. With y these twelve numbers, less their mean over the feet,
 /// and H = ∂y/∂θ, both less their mean over time, the errors θ (two lengths and three zeros a leg,
-/// and the gyroscope's bias) are those of
+/// the rotation m of B against the IMU's axes, and beside these the gyroscope's bias and the time τ
+/// by which it is late) are those of
 ///
 ///     min Σ_t ‖y + H θ‖²_W + ‖θ‖²_Π
 ///
 /// W⁻¹ = Σ + σ_φ² B Bᵀ: Σ is the error of a foot's position, which creeps along the ground but does
-/// not sink, and σ_φ that of the orientation, which turns all feet by B. Π is what is known of legs
-/// beforehand: where the motion says nothing, θ stays 0. Does not allocate.
+/// not sink, and σ_φ that of the orientation, which turns all feet by B. Π is what is known
+/// beforehand: where the motion says nothing, θ stays 0. An IMU that is askew turns about other
+/// axes than the legs do: with R₀ the orientation at the beginning and f in B, ∂y/∂m = R S(f) − S(R
+/// f) R₀ and ∂y/∂τ = R S(ω) f. Does not allocate.
 class KinematicCalibration {
  public:
   /// `period` of the control loop [s].
@@ -34,12 +38,13 @@ class KinematicCalibration {
   void forget() noexcept { samples_ = ticks_ = 0; }
 
   /// What is known so far. A new result fades in.
-  [[nodiscard]] const LegErrors& errors() const { return in_use_; }
+  [[nodiscard]] const KinematicErrors& errors() const { return in_use_; }
 
  private:
   static constexpr int kNumCoordinates = 3 * kNumLegs;
   static constexpr int kNumLegErrors = 5 * kNumLegs;
-  static constexpr int kNumErrors = kNumLegErrors + 3;
+  static constexpr int kImu = kNumLegErrors, kBias = kImu + 3, kLate = kBias + 3;
+  static constexpr int kNumErrors = kLate + 1;
   using Coordinates = Eigen::Matrix<double, kNumCoordinates, 1>;
   using Weights = Eigen::Matrix<double, kNumCoordinates, kNumCoordinates>;
   using Sensitivity = Eigen::Matrix<double, kNumCoordinates, kNumErrors>;
@@ -50,6 +55,9 @@ class KinematicCalibration {
   void turn(const Vec3& gyro_B) noexcept;
   void add_sample(const Dynamics& dynamics) noexcept;
   [[nodiscard]] static Weights weights(const Coordinates& y);
+  [[nodiscard]] static bool is_length(int error) { return error < kImu && error % 5 < 2; }
+  /// Standard deviation of an error, known beforehand.
+  [[nodiscard]] static double prior(int error);
   void finish() noexcept;
   void fade() noexcept;
 
@@ -57,7 +65,9 @@ class KinematicCalibration {
   double foot_radius_;
   PerLeg<LegChain> chains_;
   PerLeg<Vec3> rolled_{};
+  Mat3 R_start_ = Mat3::Identity();
   Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
+  Vec3 gyro_ = Vec3::Zero();    // the last reading [rad/s]
   Mat3 turned_ = Mat3::Zero();  // ∫ R dt, by which a bias turns it [s]
   int ticks_ = 0, samples_ = 0;
   Weights W_ = Weights::Zero();
@@ -67,7 +77,7 @@ class KinematicCalibration {
   Errors sum_HWy_ = Errors::Zero();
   Errors before_ = Errors::Zero(), after_ = Errors::Zero();
   double share_ = 1.0;  // of the way from before to after
-  LegErrors in_use_;
+  KinematicErrors in_use_;
 };
 
 }  // namespace surefoot

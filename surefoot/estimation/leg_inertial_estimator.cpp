@@ -37,7 +37,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
-    take_over(context.legs, reading.q);
+    take_over(context.kinematics, reading.q);
     advance(reading, dt);
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
@@ -75,17 +75,23 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt) {
   see_feet(reading);
 }
 
-// A leg that is found to be longer does not move the robot: its foot is elsewhere.
-void LegInertialEstimator::take_over(const LegErrors& legs, const JointVector& q) {
+// A leg that is found to be longer does not move the robot, nor does an IMU that is found to be
+// askew, though that turns it: its feet are elsewhere.
+void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointVector& q) {
   for (Foot& foot : feet_) foot.shift.setZero();
-  if (legs == legs_) return;
-  const JointVector q_before = q + legs.zero - legs_.zero;
-  legs_ = legs;
+  if (errors == errors_) return;
+  const JointVector q_before = q + errors.zero - errors_.zero;
+  const Mat3 R_before = filter_.R_WB();
+  const Quat turn = exp_rotation(errors.imu) * exp_rotation(errors_.imu).conjugate();
+  filter_.turn_imu(turn.toRotationMatrix());
+  gyro_before_ = turn * gyro_before_;
+  errors_ = errors;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const Vec3 before = chains_[k].foot_in_base(angles(q_before, leg));
-    chains_[k] = described_[k].lengthened(legs.thigh[k], legs.shank[k]);
-    feet_[k].shift = filter_.R_WB() * (chains_[k].foot_in_base(angles(q, leg)) - before);
+    chains_[k] = described_[k].lengthened(errors.thigh[k], errors.shank[k]);
+    const Vec3 now = chains_[k].foot_in_base(angles(q, leg));
+    feet_[k].shift = filter_.R_WB() * now - R_before * before;
   }
 }
 

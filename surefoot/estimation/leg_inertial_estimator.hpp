@@ -48,7 +48,7 @@ class LegInertialEstimator final : public StateEstimator {
   /// Of the base over the ground under the feet, in their mean [m].
   [[nodiscard]] double height_over_feet() const;
   void advance(const SensorReading& reading, double dt);
-  void take_over(const LegErrors& legs, const JointVector& q);
+  void take_over(const KinematicErrors& errors, const JointVector& q);
   void see_feet(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
@@ -58,7 +58,7 @@ class LegInertialEstimator final : public StateEstimator {
   double period_;
   double foot_radius_;
   PerLeg<LegChain> described_, chains_;  // of the URDF, and as they are believed to be
-  LegErrors legs_;
+  KinematicErrors errors_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
   Vec3 gyro_before_ = Vec3::Zero();

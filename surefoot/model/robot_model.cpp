@@ -79,7 +79,7 @@ struct RobotModel::Implementation {
         point->J.leftCols<3>().setIdentity();
       }
     }
-    set_leg_lengths(LegErrors{});
+    set_leg_lengths(KinematicErrors{});
     nominal_base_lever = model.inertias[kBaseJoint].lever();
     // crba of the rest posture gives the mass.
     q[6] = 1.0;
@@ -91,7 +91,7 @@ struct RobotModel::Implementation {
     base.lever() = nominal_base_lever + dynamics.mass / base.mass() * offset;
   }
 
-  void set_leg_lengths(const LegErrors& legs) {
+  void set_leg_lengths(const KinematicErrors& legs) {
     for (const Leg leg : kLegs) {
       const std::size_t k = index(leg);
       chains[k] = tree.legs[k].chain.lengthened(legs.thigh[k], legs.shank[k]);
@@ -225,7 +225,7 @@ const Dynamics& RobotModel::update(const RobotState& state, const Vec3& terrain_
   return implementation_->dynamics;
 }
 
-void RobotModel::set_leg_lengths(const LegErrors& legs) noexcept {
+void RobotModel::set_leg_lengths(const KinematicErrors& legs) noexcept {
   implementation_->set_leg_lengths(legs);
 }
 

@@ -2,7 +2,7 @@
 
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
-#include "surefoot/signals/leg_errors.hpp"
+#include "surefoot/signals/kinematic_errors.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
 #include <memory>
@@ -30,7 +30,7 @@ class RobotModel {
 
   /// Takes the thighs and shanks to be longer than in the URDF by so much, from the next update on;
   /// the masses stay where they are. Does not allocate.
-  void set_leg_lengths(const LegErrors& legs) noexcept;
+  void set_leg_lengths(const KinematicErrors& legs) noexcept;
 
   /// Moves the base's mass so that the COM of the whole robot lies this far, in B, from where the
   /// URDF has it, from the next update on [m]. Does not allocate.

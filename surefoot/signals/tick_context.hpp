@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg_errors.hpp"
+#include "surefoot/signals/kinematic_errors.hpp"
 
 namespace surefoot {
 
@@ -15,7 +15,7 @@ struct FootContact {
 struct TickContext {
   PerLeg<FootContact> contacts{};
   JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
-  LegErrors legs{};  ///< as found so far; the readings are without the zeros already
+  KinematicErrors kinematics{};  ///< found so far; the readings are without zeros and askew IMU
   /// All feet stand and nothing is asked of them: forget what is believed, but for the place and
   /// the heading, and begin anew.
   bool restarts = false;

@@ -1,5 +1,6 @@
 #include "surefoot/estimation/kinematic_calibration.hpp"
 
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_motion.hpp"
@@ -7,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -20,9 +23,9 @@ constexpr CalibrationOptions kMotion{
     .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
 constexpr double kAll = 10.0;  // with all that comes after the motion [s]
 
-LegErrors some_errors(unsigned seed, double length, double zero) {
+KinematicErrors some_errors(unsigned seed, double length, double zero) {
   Random random(seed);
-  LegErrors errors;
+  KinematicErrors errors;
   for (const Leg leg : kLegs) {
     errors.thigh[index(leg)] = random.uniform(-length, length);
     errors.shank[index(leg)] = random.uniform(-length, length);
@@ -33,7 +36,7 @@ LegErrors some_errors(unsigned seed, double length, double zero) {
 
 /// A robot, and the calibration that listens to it.
 struct Bench {
-  explicit Bench(const LegErrors& errors, const CalibrationOptions& motion = kMotion)
+  explicit Bench(const KinematicErrors& errors, const CalibrationOptions& motion = kMotion)
       : robot(errors, motion), model(robot.description()) {
     state.p_WB.setZero();
     state.v_WB.setZero();
@@ -45,14 +48,16 @@ struct Bench {
     const SensorReading reading = read();
     state.time = reading.time;
     state.q_WB = tilt * Quat(robot.R_WB());
-    state.w_WB_B = reading.gyro;
+    gyros.push_back(exp_rotation(imu).conjugate() * reading.gyro);
+    const std::size_t late = std::min(gyro_delay, gyros.size() - 1);
+    const Vec3 gyro = exp_rotation(calibration.errors().imu) * gyros[gyros.size() - 1 - late];
+    state.w_WB_B = gyro;
     const JointVector q = reading.q - calibration.errors().zero;
     state.qd = (q - state.q) / TurningRobot::kPeriod;
     state.q = q;
     model.set_leg_lengths(calibration.errors());
     const bool listens = robot.stage() == CalibrationStage::turning;
-    calibration.update(model.update(state, Vec3::UnitZ()), reading.gyro + bias, Vec3::UnitZ(),
-                       listens);
+    calibration.update(model.update(state, Vec3::UnitZ()), gyro + bias, Vec3::UnitZ(), listens);
   }
   void run(double until) {
     while (robot.time() < until) tick();
@@ -69,18 +74,21 @@ struct Bench {
   RobotState state;
   Quat tilt = Quat::Identity();  // by which the orientation is believed askew
   Vec3 bias = Vec3::Zero();      // of the gyroscope
-  double resolution = 4.4e-4;    // of the encoders [rad]
+  Vec3 imu = Vec3::Zero();       // by which it is mounted askew
+  std::size_t gyro_delay = 0;    // [ticks]
+  std::vector<Vec3> gyros;
+  double resolution = 4.4e-4;  // of the encoders [rad]
 };
 
 TEST(KinematicCalibration, FindsLengthsOfThighAndShank) {
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
-    const LegErrors truth = some_errors(seed, 0.01, 0.0);
+    const KinematicErrors truth = some_errors(seed, 0.01, 0.0);
     Bench bench(truth);
-    const double before = error_between_feet(bench.robot, LegErrors{});
+    const double before = error_between_feet(bench.robot, KinematicErrors{});
     bench.run(kAll);
     EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.25 * before) << seed;
     for (const Leg leg : kLegs) {
-      const LegErrors& found = bench.calibration.errors();
+      const KinematicErrors& found = bench.calibration.errors();
       EXPECT_NEAR(found.thigh[index(leg)], truth.thigh[index(leg)], 0.0025) << seed;
       EXPECT_NEAR(found.shank[index(leg)], truth.shank[index(leg)], 0.0025) << seed;
     }
@@ -90,7 +98,7 @@ TEST(KinematicCalibration, FindsLengthsOfThighAndShank) {
 TEST(KinematicCalibration, ZerosOfEncodersToo) {
   for (const unsigned seed : {11U, 12U, 13U, 14U}) {
     Bench bench(some_errors(seed, 0.01, 0.0087));
-    const double before = error_between_feet(bench.robot, LegErrors{});
+    const double before = error_between_feet(bench.robot, KinematicErrors{});
     bench.run(kAll);
     EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.35 * before) << seed;
   }
@@ -100,16 +108,45 @@ TEST(KinematicCalibration, NeedsNoVerticalAndNoGyroscopeWithoutBias) {
   Bench bench(some_errors(5, 0.01, 0.0));
   bench.tilt = Quat(Eigen::AngleAxisd(0.02, Vec3(1.0, 1.0, 0.0).normalized()));
   bench.bias = Vec3(2e-3, -1e-3, 1e-3);
-  const double before = error_between_feet(bench.robot, LegErrors{});
+  const double before = error_between_feet(bench.robot, KinematicErrors{});
   bench.run(kAll);
   EXPECT_LT(error_between_feet(bench.robot, bench.calibration.errors()), 0.25 * before);
 }
 
+TEST(KinematicCalibration, FindsHowTheImuIsMounted) {
+  const Vec3 imu = 0.0087 * Vec3(1.0, -0.8, 0.6);
+  constexpr unsigned kNumRobots = 8;
+  double square = 0.0;
+  for (unsigned seed = 21; seed < 21 + kNumRobots; ++seed) {
+    Bench bench(some_errors(seed, 0.01, 0.0087));
+    bench.imu = imu;
+    const double before = error_between_feet(bench.robot, KinematicErrors{});
+    bench.run(kAll);
+    const KinematicErrors& found = bench.calibration.errors();
+    square += (found.imu - imu).squaredNorm() / kNumRobots;
+    EXPECT_LT(error_between_feet(bench.robot, found), 0.35 * before) << seed;
+  }
+  EXPECT_LT(std::sqrt(square), 0.35 * imu.norm());
+}
+
+TEST(KinematicCalibration, BearsAGyroscopeThatIsLate) {
+  for (const std::size_t delay : {1U, 3U}) {
+    const KinematicErrors legs = some_errors(25, 0.01, 0.0087);
+    Bench punctual(legs), late(legs);
+    late.gyro_delay = delay;
+    punctual.run(kAll);
+    late.run(kAll);
+    const double best = error_between_feet(punctual.robot, punctual.calibration.errors());
+    EXPECT_LT(error_between_feet(late.robot, late.calibration.errors()), 1.3 * best) << delay;
+  }
+}
+
 TEST(KinematicCalibration, OfARobotThatIsAsDescribedFindsNothing) {
-  Bench bench(LegErrors{});
+  Bench bench(KinematicErrors{});
   bench.run(kAll);
-  const LegErrors& found = bench.calibration.errors();
+  const KinematicErrors& found = bench.calibration.errors();
   EXPECT_LT(found.zero.cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_LT(found.imu.norm(), 1e-3);
   for (const Leg leg : kLegs) {
     EXPECT_NEAR(found.thigh[index(leg)], 0.0, 5e-4);
     EXPECT_NEAR(found.shank[index(leg)], 0.0, 5e-4);
@@ -122,20 +159,20 @@ TEST(KinematicCalibration, ARobotThatStandsStillLearnsNothing) {
   Bench bench(some_errors(6, 0.01, 0.0087), still);
   bench.resolution = 1e-9;
   bench.run(kAll);
-  const LegErrors& found = bench.calibration.errors();
+  const KinematicErrors& found = bench.calibration.errors();
   EXPECT_LT(found.zero.cwiseAbs().maxCoeff(), 1e-4);
   for (const Leg leg : kLegs) EXPECT_NEAR(found.thigh[index(leg)], 0.0, 1e-4);
 }
 
 TEST(KinematicCalibration, WhatItFindsComesIntoUseLittleByLittle) {
   Bench bench(some_errors(7, 0.01, 0.0087));
-  LegErrors before = bench.calibration.errors();
+  KinematicErrors before = bench.calibration.errors();
   double largest = 0.0;
   while (bench.robot.time() < kAll) {
     bench.tick();
-    const LegErrors& now = bench.calibration.errors();
+    const KinematicErrors& now = bench.calibration.errors();
     if (bench.robot.stage() == CalibrationStage::turning) {
-      EXPECT_EQ(now, LegErrors{});
+      EXPECT_EQ(now, KinematicErrors{});
     }
     largest = std::max(largest, (now.zero - before.zero).cwiseAbs().maxCoeff());
     before = now;
@@ -149,12 +186,12 @@ TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
   bench.run(5.5);
   bench.calibration.forget();  // what is left of the turning is too little
   bench.run(kAll);
-  EXPECT_EQ(bench.calibration.errors(), LegErrors{});
-  const LegErrors truth = some_errors(10, 0.01, 0.0);
+  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{});
+  const KinematicErrors truth = some_errors(10, 0.01, 0.0);
   Bench early(truth);
   early.run(1.5);
   early.calibration.forget();
-  const double before = error_between_feet(early.robot, LegErrors{});
+  const double before = error_between_feet(early.robot, KinematicErrors{});
   early.run(kAll);
   EXPECT_LT(error_between_feet(early.robot, early.calibration.errors()), 0.3 * before);
 }

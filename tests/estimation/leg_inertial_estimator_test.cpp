@@ -26,7 +26,7 @@ double tilt_error(const RobotState& state, const TurningRobot& robot) {
 }
 
 TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
-  TurningRobot robot(LegErrors{}, kMotion);
+  TurningRobot robot(KinematicErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   RobotState state = estimator.update(robot.reading(), standing());
   const Vec3 p = state.p_WB;
@@ -40,7 +40,7 @@ TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
 }
 
 TEST(LegInertialEstimator, FindsTheAccelerometersBiasByTurning) {
-  TurningRobot robot(LegErrors{}, kMotion);
+  TurningRobot robot(KinematicErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   const Vec3 bias(0.08, -0.05, 0.0);
   RobotState state;
@@ -58,7 +58,7 @@ TEST(LegInertialEstimator, FindsTheAccelerometersBiasByTurning) {
 
 /// A leg that is found to be longer does not move the robot.
 TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
-  LegErrors found;
+  KinematicErrors found;
   found.thigh = {0.01, -0.008, 0.0, 0.006};
   found.shank = {-0.004, 0.01, 0.009, -0.01};
   found.zero.setConstant(0.006);
@@ -77,22 +77,48 @@ TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
     const double share = smoothstep(std::min(1.0, robot.time() - 2.0));
     TickContext context = standing();
     for (const Leg leg : kLegs) {
-      context.legs.thigh[index(leg)] = share * found.thigh[index(leg)];
-      context.legs.shank[index(leg)] = share * found.shank[index(leg)];
+      context.kinematics.thigh[index(leg)] = share * found.thigh[index(leg)];
+      context.kinematics.shank[index(leg)] = share * found.shank[index(leg)];
     }
-    context.legs.zero = share * found.zero;
+    context.kinematics.zero = share * found.zero;
     SensorReading reading = robot.reading();
-    reading.q -= context.legs.zero;
+    reading.q -= context.kinematics.zero;
     state = estimator.update(reading, context);
   }
   EXPECT_LT((state.p_WB - before.p_WB).norm(), 5e-4);
   EXPECT_LT(box_minus(state.q_WB, before.q_WB).norm(), 5e-4);
 }
 
+/// An IMU that is found to be askew turns what is believed of the robot, but does not move it.
+TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
+  const Vec3 imu = 0.0087 * Vec3(1.0, -0.8, 0.6);
+  TurningRobot robot(KinematicErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  RobotState state;
+  const auto tick = [&](double share) {
+    robot.tick();
+    TickContext context = standing();
+    context.kinematics.imu = share * imu;
+    SensorReading reading = robot.reading();
+    const Quat found = exp_rotation(context.kinematics.imu) * exp_rotation(imu).conjugate();
+    reading.gyro = found * reading.gyro;
+    reading.accelerometer = found * reading.accelerometer;
+    state = estimator.update(reading, context);
+  };
+  while (robot.time() < 7.0) tick(0.0);
+  const double askew = imu.head<2>().norm();
+  EXPECT_NEAR(tilt_error(state, robot), askew, 0.15 * askew);
+  const Vec3 p_WB = state.p_WB;
+  while (robot.time() < 8.0) tick(smoothstep(std::min(1.0, robot.time() - 7.0)));
+  EXPECT_LT(tilt_error(state, robot), 0.15 * askew);
+  EXPECT_LT((state.p_WB - p_WB).norm(), 5e-4);
+  EXPECT_LT(state.v_WB.norm(), 1e-3);
+}
+
 TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) {
   CalibrationOptions askew = kMotion;
   askew.yaw = 0.4;  // it begins anew with another heading than at first
-  TurningRobot robot(LegErrors{}, askew);
+  TurningRobot robot(KinematicErrors{}, askew);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   RobotState state;
   while (robot.time() < 2.0) {
@@ -125,7 +151,7 @@ TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) 
 
 /// After a tick whose state was refused there is no force of that tick.
 TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
-  TurningRobot robot(LegErrors{}, kMotion);
+  TurningRobot robot(KinematicErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   RobotState state;
   while (robot.time() < 3.0) {
@@ -140,12 +166,12 @@ TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
 }
 
 TEST(LegInertialEstimator, AllocatesNothing) {
-  TurningRobot robot(LegErrors{}, kMotion);
+  TurningRobot robot(KinematicErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   (void)estimator.update(robot.reading(), standing());
   robot.tick();
   TickContext context = standing();
-  context.legs.thigh[1] = 1e-3;
+  context.kinematics.thigh[1] = 1e-3;
   const test::MallocCounter counter;
   (void)estimator.update(robot.reading(), context);
   EXPECT_EQ(counter.count(), 0U);

@@ -62,7 +62,7 @@ TEST(LegChain, LengthsAreThoseOfTheWholeBodyToo) {
   const RobotDescription robot = anymal_b();
   const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
   RobotModel model(robot);
-  LegErrors longer;
+  KinematicErrors longer;
   longer.thigh = {0.01, -0.008, 0.003, 0.006};
   longer.shank = {-0.004, 0.01, 0.009, -0.01};
   model.set_leg_lengths(longer);
@@ -80,7 +80,7 @@ TEST(LegChain, LengthsAreThoseOfTheWholeBodyToo) {
     EXPECT_LT((dynamics.foot[k].v - dynamics.foot[k].J * state.u()).norm(), 1e-12);
     EXPECT_LT(((moved.foot[k].p - dynamics.foot[k].p) / 1e-6 - dynamics.foot[k].v).norm(), 1e-4);
   }
-  model.set_leg_lengths(LegErrors{});
+  model.set_leg_lengths(KinematicErrors{});
   EXPECT_EQ(model.update(state, Vec3::UnitZ()).foot[0].p,
             RobotModel(robot).update(state, Vec3::UnitZ()).foot[0].p);
 }

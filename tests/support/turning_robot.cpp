@@ -7,7 +7,7 @@
 
 namespace surefoot::test {
 
-TurningRobot::TurningRobot(const LegErrors& errors, const CalibrationOptions& motion)
+TurningRobot::TurningRobot(const KinematicErrors& errors, const CalibrationOptions& motion)
     : description_(anymal_b()), motion_(motion), errors_(errors), q_(description_.q_nominal) {
   const BodyTree tree = make_body_tree(description_, read_urdf(description_.urdf_path));
   for (const Leg leg : kLegs) {
@@ -59,14 +59,14 @@ Vec3 TurningRobot::p_BF(Leg leg) const {
   return chains_[index(leg)].foot_in_base(q_.segment<3>(first_joint(leg)));
 }
 
-Vec3 TurningRobot::believed_p_BF(Leg leg, const LegErrors& errors) const {
+Vec3 TurningRobot::believed_p_BF(Leg leg, const KinematicErrors& errors) const {
   const JointVector q = q_ + errors_.zero - errors.zero;
   return described_[index(leg)]
       .lengthened(errors.thigh[index(leg)], errors.shank[index(leg)])
       .foot_in_base(q.segment<3>(first_joint(leg)));
 }
 
-double error_between_feet(const TurningRobot& robot, const LegErrors& believed) {
+double error_between_feet(const TurningRobot& robot, const KinematicErrors& believed) {
   PerLeg<Vec3> errors;
   Vec3 mean = Vec3::Zero();
   for (const Leg leg : kLegs) {

@@ -2,7 +2,7 @@
 
 #include "surefoot/model/body_tree.hpp"
 #include "surefoot/planning/calibration_motion.hpp"
-#include "surefoot/signals/leg_errors.hpp"
+#include "surefoot/signals/kinematic_errors.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
 namespace surefoot::test {
@@ -13,7 +13,7 @@ class TurningRobot {
  public:
   static constexpr double kPeriod = 0.0025;
 
-  TurningRobot(const LegErrors& errors, const CalibrationOptions& motion);
+  TurningRobot(const KinematicErrors& errors, const CalibrationOptions& motion);
 
   void tick();
 
@@ -25,7 +25,7 @@ class TurningRobot {
   /// Where the foot really is, in B.
   [[nodiscard]] Vec3 p_BF(Leg leg) const;
   /// Where legs with the given errors would put it.
-  [[nodiscard]] Vec3 believed_p_BF(Leg leg, const LegErrors& errors) const;
+  [[nodiscard]] Vec3 believed_p_BF(Leg leg, const KinematicErrors& errors) const;
 
  private:
   [[nodiscard]] Quat orientation(double time) const;
@@ -33,7 +33,7 @@ class TurningRobot {
 
   RobotDescription description_;
   CalibrationMotion motion_;
-  LegErrors errors_;
+  KinematicErrors errors_;
   PerLeg<LegChain> described_, chains_;
   double time_ = 0.0;
   Mat3 R_WB_ = Mat3::Identity();
@@ -44,6 +44,6 @@ class TurningRobot {
 };
 
 /// Root mean square over the feet of what is wrong between them, their common shift left out [m].
-[[nodiscard]] double error_between_feet(const TurningRobot& robot, const LegErrors& believed);
+[[nodiscard]] double error_between_feet(const TurningRobot& robot, const KinematicErrors& believed);
 
 }  // namespace surefoot::test
