@@ -27,10 +27,11 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
   RowSet touching(hierarchy.unknowns());
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
-    const double distance = multipliers(level.gradient, fixed, touching, options.rank).distance;
+    const Multipliers found = multipliers(level.gradient, fixed, touching, options.rank);
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.scale);
     certificates.push_back(
-        {level.residual, is_sound ? finite_or_infinity(distance / level.scale) : kInfinity});
+        {level.residual, is_sound ? finite_or_infinity(found.distance / level.scale) : kInfinity});
+    fix_pushing(level, found, fixed, touching);
     fixed.add(level.fixed);
     touching.add(level.touching);
   }

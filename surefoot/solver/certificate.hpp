@@ -26,7 +26,9 @@ struct CertificateOptions {
 /// Checks x against the optimality conditions of every level, without any solver:
 ///
 ///     g = Σ vᵢ aᵢ  the gradient of ½ ‖violation‖² of the level at x
-///     E            equality rows and violated rows of all levels before: their residual is fixed
+///     E            equality rows and violated rows of all levels before: their residual is fixed;
+///                  and rows of T that push back for certain at a level before: all of its optima
+///                  lie on them
 ///     T            satisfied rows of all levels before that touch a bound,
 ///                  signed so that T z ≤ 0 keeps them satisfied
 ///

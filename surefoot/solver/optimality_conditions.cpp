@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -12,6 +14,11 @@ using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Of sums over a row's elements, relative to ‖a‖ ‖x‖.
+constexpr double kRounding = 100.0 * kEpsilon;
+/// Multipliers above this share of what pulls at all are no rounding of zero.
+constexpr double kPositive = 1e-9;
 /// Beside the longest row of its level, a row this much shorter is rounding of zero.
 constexpr double kNoRow = 1e-13;
 
@@ -31,17 +38,24 @@ double shortest_row(const Level& level) {
   return shortest;
 }
 
+struct NullSpace {
+  MatrixXd Z;
+  double smallest_pivot = 1.0;
+};
+
 /// Orthonormal basis of what rows of length 1 leave free, by Eigen's own decomposition: nothing
 /// here shares code with a solver.
-MatrixXd null_space_of(const MatrixXd& rows, double rank) {
+NullSpace null_space_of(const MatrixXd& rows, double rank) {
   const Index n = rows.cols();
-  if (rows.rows() == 0) return MatrixXd::Identity(n, n);
+  if (rows.rows() == 0) return {MatrixXd::Identity(n, n)};
   Eigen::ColPivHouseholderQR<MatrixXd> decomposition(n, rows.rows());
   decomposition.setThreshold(rank);
   decomposition.compute(rows.transpose());
   MatrixXd Q = MatrixXd::Identity(n, n);
   Q.applyOnTheLeft(decomposition.householderQ());
-  return Q.rightCols(n - decomposition.rank());
+  const Index used = decomposition.rank();
+  if (used == 0) return {Q};
+  return {Q.rightCols(n - used), std::abs(decomposition.matrixQR()(used - 1, used - 1))};
 }
 
 /// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
@@ -105,6 +119,8 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     result.gradient += v * row;
     sum += std::abs(v);
     sum_of_squares += v * v;
+    result.pull += std::abs(v) * size;
+    result.rounding += kRounding * size * size * x_size;
     if (size == 0.0) continue;
     if (lower == upper || std::abs(v) > near) {
       result.fixed.add(row / size, {k, i});
@@ -124,18 +140,32 @@ Multipliers multipliers(const VectorXd& gradient, const RowSet& fixed, const Row
   Multipliers result;
   result.fixed = VectorXd::Zero(fixed.rows.rows());
   result.touching = VectorXd::Zero(touching.rows.rows());
-  const MatrixXd Z = null_space_of(fixed.rows, rank);
+  const auto [Z, smallest_pivot] = null_space_of(fixed.rows, rank);
   if (Z.cols() > 0) {
     const VectorXd target = -Z.transpose() * gradient;
     const MatrixXd generators = (touching.rows * Z).transpose();
     result.touching = non_negative_least_squares(generators, target);
     result.distance = (generators * result.touching - target).norm();
+    const double largest = result.touching.size() > 0 ? result.touching.maxCoeff() : 0.0;
+    result.rounding = kRounding / smallest_pivot * largest;
   }
   if (fixed.rows.rows() > 0) {
     const VectorXd rest = -gradient - touching.rows.transpose() * result.touching;
     result.fixed = fixed.rows.transpose().completeOrthogonalDecomposition().solve(rest);
   }
   return result;
+}
+
+void fix_pushing(const LevelConditions& level, const Multipliers& multipliers, RowSet& fixed,
+                 RowSet& touching) {
+  const double positive =
+      kPositive * level.pull + level.rounding + multipliers.rounding + 10.0 * multipliers.distance;
+  RowSet rest(touching.rows.cols());
+  for (Index i = 0; i < touching.rows.rows(); ++i) {
+    RowSet& to = multipliers.touching[i] > positive ? fixed : rest;
+    to.add(touching.rows.row(i).transpose(), touching.origin[static_cast<std::size_t>(i)]);
+  }
+  touching = std::move(rest);
 }
 
 VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b) {

@@ -30,6 +30,8 @@ struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
   double scale = 1.0;        ///< s (s (1 + ‖x‖) + Σ |vᵢ|), s the length of the shortest row
+  double pull = 0.0;         ///< Σ |vᵢ| ‖aᵢ‖
+  double rounding = 0.0;     ///< that may be in g
   RowSet fixed;              ///< E: equality rows and violated rows
   RowSet touching;           ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
 };
@@ -43,11 +45,18 @@ struct Multipliers {
   Eigen::VectorXd fixed;     ///< λ, one for each row of E
   Eigen::VectorXd touching;  ///< μ, one for each row of T
   double distance = 0.0;     ///< ‖g + Eᵀ λ + Tᵀ μ‖
+  double rounding = 0.0;     ///< that may be in μ: the weaker the rows of E, the more
 };
 
 /// `rank`: relative length below which a row of E depends on others.
 [[nodiscard]] Multipliers multipliers(const Eigen::VectorXd& gradient, const RowSet& fixed,
                                       const RowSet& touching, double rank);
+
+/// Moves rows from T to E whose μ is positive for certain: all optima of the level lie on them.
+/// What the rows of E leave free says so as well, but where these are nearly dependent only to
+/// within rounding over the smallest pivot.
+void fix_pushing(const LevelConditions& level, const Multipliers& multipliers, RowSet& fixed,
+                 RowSet& touching);
 
 /// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23).
 [[nodiscard]] Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
