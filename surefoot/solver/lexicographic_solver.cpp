@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/denormals.hpp"
 #include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,7 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
 void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
                                         const Substitution* substitution) {
   const FlushDenormals flush_denormals;
+  const bool is_cold = !options_.warm_start || solution_.status == SolveStatus::invalid_input;
   budget_.start();
   is_swept_ = false;
   if (!fits(hierarchy) || !load(hierarchy)) return reject(hierarchy);
@@ -84,7 +86,11 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
   } else {
     sweep_leading_equalities();
   }
-  const Outcome outcome = options_.max_sweeps > 0 ? find_active_rows(true) : Outcome::stuck;
+  Outcome outcome = options_.max_sweeps > 0 ? Outcome::optimal : Outcome::stuck;
+  const bool is_far_off =
+      is_cold && options_.max_sweeps > 0 && !budget_.is_spent() && begins_far_off();
+  if (is_far_off) outcome = descend();
+  if (outcome == Outcome::optimal) outcome = find_active_rows(!is_far_off);
   if (outcome == Outcome::optimal) {
     describe(hierarchy);
     count_freedom();
@@ -333,6 +339,30 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
   if (!budget_.is_limited()) return Outcome::stuck;
   if (may_descend && !budget_.is_spent()) (void)descend();
   return Outcome::out_of_budget;
+}
+
+// Without a guess a sweep tries no limit at all. Where the leading equalities alone leave x beyond
+// more than one, this is hardly ever right.
+bool LexicographicSolver::begins_far_off() {
+  Sweep& s = memory_.sweep;
+  double square = 0.0;
+  for (int i = 0; i < s.unknowns; ++i) {
+    s.x[i] = s.is_identity() ? 0.0 : s.basis[i * s.stride + s.columns];
+    square += s.x[i] * s.x[i];
+  }
+  const double rounding = tolerance::kViolated * std::sqrt(square);
+  int num_beyond = 0;
+  for (int k = first_level_; k < s.num_levels && num_beyond < 2; ++k) {
+    const int begin = s.level_begin[k], end = s.level_begin[k + 1];
+    if (begin == end || s.side[begin] == 2) continue;  // limits have levels of their own
+    kernels_.evaluate(s, begin, end);
+    budget_.spend(2.0 * s.unknowns * (end - begin));
+    for (int row = begin; row < end; ++row) {
+      const double beyond = std::max(s.value[row] - s.upper[row], s.lower[row] - s.value[row]);
+      num_beyond += beyond > rounding * s.scale[row] ? 1 : 0;
+    }
+  }
+  return num_beyond > 1;
 }
 
 // The active rows without a guess.

@@ -97,6 +97,7 @@ class LexicographicSolver {
   enum class Outcome { optimal, stuck, out_of_budget };
 
   [[nodiscard]] Outcome find_active_rows(bool may_descend);
+  [[nodiscard]] bool begins_far_off();
   [[nodiscard]] Outcome descend();
   void sweep();
   void project_rows(bool are_all);
