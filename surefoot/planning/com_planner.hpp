@@ -4,8 +4,8 @@
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/planning/support_region.hpp"
 #include "surefoot/signals/motion_plan.hpp"
-#include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 
 #include <array>
 #include <limits>
@@ -89,9 +89,9 @@ class ComPlanner {
   /// The hierarchy and its solver for one number of phases.
   struct Problem {
     Hierarchy hierarchy;
-    CascadeSolver solver;
+    LexicographicSolver solver;
     explicit Problem(Hierarchy h)
-        : hierarchy(std::move(h)), solver(hierarchy, {.rank = kRank, .max_iterations = 0}) {}
+        : hierarchy(std::move(h)), solver(hierarchy, {.rank = kRank, .warm_start = false}) {}
   };
   static Hierarchy make_hierarchy(int phases);
 
