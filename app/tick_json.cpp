@@ -99,7 +99,8 @@ Json events_json(const TickExplanation& explanation) {
   for (const NearbyEvent& event : explanation.events)
     list.push_back({{"time", event.time},
                     {"text", event.text},
-                    {"leg", event.leg.empty() ? Json() : Json(event.leg)}});
+                    {"leg", event.leg.empty() ? Json() : Json(event.leg)},
+                    {"by", event.by_operator ? "operator" : "planner"}});
   return list;
 }
 
