@@ -62,6 +62,27 @@ std::string steered(const LogContents& contents) {
   return "";
 }
 
+std::string lost(const LogContents& contents) {
+  if (contents.losses.empty()) return "";
+  std::uint64_t bytes = 0;
+  for (const McapLoss& loss : contents.losses) bytes += loss.size;
+  const bool is_one = contents.losses.size() == 1;
+  return std::to_string(contents.lost_ticks) + (contents.lost_ticks == 1 ? " tick" : " ticks") +
+         ", in " + std::to_string(contents.losses.size()) + (is_one ? " place" : " places") +
+         " of the file (" + size(bytes) + ")";
+}
+
+Json losses_json(const std::vector<McapLoss>& losses) {
+  Json json = Json::array();
+  for (const McapLoss& loss : losses) {
+    json.push_back({{"offset", loss.offset}, {"bytes", loss.size}, {"why", loss.why}});
+    if (!loss.has_times) continue;
+    json.back()["first_time"] = 1e-9 * static_cast<double>(loss.first_time);
+    json.back()["last_time"] = 1e-9 * static_cast<double>(loss.last_time);
+  }
+  return json;
+}
+
 std::string facts(const LogContents& contents) {
   const LogHeader& header = contents.header;
   Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
@@ -70,6 +91,7 @@ std::string facts(const LogContents& contents) {
               header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
              {"result", result(contents)},
              {"duration", duration(contents)},
+             {"lost", lost(contents)},
              {"recorded by", "surefoot " + header.version +
                                  (header.commit.empty() ? "" : ", commit " + header.commit) +
                                  "; log version " + contents.log_version},
@@ -150,6 +172,8 @@ Json contents_json(const std::string& path, const LogContents& contents) {
     json["attachments"][one.name] = one.bytes;
   json["summary"] = result_json(contents);
   if (!contents.problem.empty()) json["problem"] = contents.problem;
+  if (!contents.losses.empty())
+    json["lost"] = {{"ticks", contents.lost_ticks}, {"places", losses_json(contents.losses)}};
   return json;
 }
 

@@ -110,6 +110,9 @@ void dump_log(const DumpArguments& arguments, Dump& dump, std::ostream& err) {
     if (!dump.add(time, replay.controller())) break;
     if (!replay.is_same() && std::isnan(different_from)) different_from = time;
   }
+  if (replay.gap())
+    err << "surefoot: warning: " << replay.problem()
+        << "; behind that no tick can be computed again\n";
   if (std::isnan(different_from)) return;
   err << "surefoot: warning: " << arguments.source << ": from " << different_from
       << " s on the torques in the log are not those that this program computes; it was recorded "

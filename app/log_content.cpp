@@ -55,6 +55,9 @@ LogContent::LogContent(const std::string& path, const LogHeader& header)
       summary_(path, header),
       robot_(urdf_of(header), robot_package_directory()) {
   describe(path, header);
+  if (!frames_.complete()) {
+    notes_.push_back("the log was never closed, or is cut off: what is left of it is shown");
+  }
 }
 
 void LogContent::describe(const std::string& path, const LogHeader& header) {

@@ -18,6 +18,8 @@ class LogContent final : public WebContent {
 
   /// Lines that the user should know of.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// Sentences on what can't be read, as far as the log has been looked through.
+  [[nodiscard]] std::vector<std::string> damage() { return summary_.damage(); }
 
  private:
   struct Asked {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/logging/log_header.hpp"
+#include "surefoot/logging/mcap_reader.hpp"
 
 #include <cstdint>
 #include <string>
@@ -31,7 +32,9 @@ struct LogContents {
   std::vector<TopicContents> topics;  ///< in the order of their first messages
   std::vector<AttachmentContents> attachments;
   std::string summary;  ///< JSON; empty without one
-  std::string problem;  ///< why it could not be read to its end; empty if it is whole
+  std::string problem;  ///< why not all of it could be read; empty if it is whole
+  std::vector<McapLoss> losses;
+  std::uint64_t lost_ticks = 0;  ///< that are known to be missing
 };
 
 /// Reads a log through. Throws FileError as LogReader does.

@@ -58,6 +58,7 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
 // Ticks come by their time; where it goes back the timings begin, which stand apart. A chunk whose
 // times can't be is left out: its header is damaged.
 void LogFrames::find_ticks(const std::string& path) {
+  num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
     const McapChunk& chunk = file_.chunks()[i];
     if (chunk.last_time < chunk.first_time || chunk.last_time - chunk.first_time > kLongest) {

@@ -37,7 +37,7 @@ class LogFrames {
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] double period() const { return period_; }
 
-  /// Chunks of which not even the times can be read.
+  /// Places where one chunk or more stood of which not even the times can be read.
   [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
   [[nodiscard]] std::size_t num_chunks() const { return ends_.size(); }
   /// Of the chunk that has a tick.

@@ -111,11 +111,24 @@ LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
 }
 
 bool LogReplay::step() {
-  if (!log_.next(tick_)) return false;
+  if (gap_ || !log_.next(tick_)) return false;
+  if (!log_.follows()) {
+    pass_over_rest();
+    return false;
+  }
+  last_time_ = tick_.reading.time;
   apply_changes();
   switch_levels(tick_.hierarchy.level_switch);
   controller_->step(tick_.reading, tick_.user);
   return true;
+}
+
+void LogReplay::pass_over_rest() {
+  gap_ = {.from = last_time_, .to = tick_.reading.time};
+  do {
+    ++gap_->ticks_behind;
+    changes_.clear();
+  } while (log_.next(tick_));
 }
 
 // As it was done to the controller at the run.

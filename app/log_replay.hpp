@@ -5,6 +5,7 @@
 #include "surefoot/logging/message_fields.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,14 @@ struct ReplayOptions {
   std::string stack;
 };
 
+/// Ticks that are lost within a log, or at its begin. A controller can't be computed again behind
+/// them: what it remembers is not known.
+struct LogGap {
+  std::optional<double> from;  ///< time of the last tick before [s]; none: the first ticks are lost
+  double to = 0.0;             ///< time of the first tick behind [s]
+  long ticks_behind = 0;       ///< that can be read, but not computed again
+};
+
 /// Whether two numbers are the same to the bit, also where they are not numbers.
 [[nodiscard]] bool same_bits(double a, double b);
 
@@ -37,7 +46,7 @@ class LogReplay {
   /// See `Controller::explain_levels`; a replay does unless it is told not to.
   void explain_levels(bool wanted) { controller_->explain_levels(wanted); }
 
-  /// One tick; false after the last whole one. Throws FileError.
+  /// One tick; false after the last one, or the last before a gap. Throws FileError.
   [[nodiscard]] bool step();
 
   [[nodiscard]] const Controller& controller() const { return *controller_; }
@@ -49,17 +58,24 @@ class LogReplay {
   /// Whether the run's estimator runs again, too.
   [[nodiscard]] bool estimates() const { return estimates_; }
   /// After the last tick: why the log could not be read further; empty if it is whole.
-  [[nodiscard]] const std::string& problem() const { return log_.problem(); }
+  [[nodiscard]] std::string problem() const { return log_.problem(); }
+  /// After the last tick: the gap that ended the replay.
+  [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
+  /// After the last tick: whether the run may have had more behind all that can be read.
+  [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 
  private:
   void switch_levels(const LevelSwitchReport& logged);
   void apply_changes();
+  void pass_over_rest();
 
   std::vector<logged::Change> changes_;  // that stand before the tick
   LogReader log_;
   TickRecord tick_;
+  std::optional<double> last_time_;  // of the ticks that were computed [s]
+  std::optional<LogGap> gap_;
   bool estimates_ = false;
   bool own_stack_ = true;
   std::unique_ptr<Controller> controller_;

@@ -27,7 +27,9 @@ LogSummary::LogSummary(const std::string& path, const LogHeader& header)
     : frames_(path, header), finder_(frames_.channels()) {
   if (frames_.num_lost() > 0) {
     damage_.push_back(std::to_string(frames_.num_lost()) +
-                      " chunks can't be read, nor from when they are");
+                      (frames_.num_lost() == 1
+                           ? " piece of the log can't be read, nor from when it is"
+                           : " pieces of the log can't be read, nor from when they are"));
   }
   thread_ = std::thread([this] { run(); });
 }

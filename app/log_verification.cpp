@@ -61,7 +61,9 @@ Verification verify_log(const std::string& path) {
     ++result.ticks;
   }
   result.problem = replay.problem();
-  if (result.ticks == 0)
+  result.gap = replay.gap();
+  result.may_go_on = replay.may_go_on();
+  if (result.ticks == 0 && !result.gap)
     throw FileError(path + ": the log holds no tick, so there is nothing to run again" +
                     (result.problem.empty() ? "" : "; " + result.problem));
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/log_replay.hpp"
 #include "surefoot/logging/log_header.hpp"
 
 #include <array>
@@ -29,21 +30,25 @@ struct MessageDifferences {
 struct Verification {
   LogHeader header;        ///< of the log, without its attachments
   bool estimated = false;  ///< the run's estimator ran again on the readings; else the logged state
-  long ticks = 0;
+  long ticks = 0;          ///< that were compared
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long different_ticks = 0;                  ///< with another torque or another mode
   std::optional<TorqueDifference> first, largest;
   /// In the order of the tick. What is not known (NaN) is equal to itself.
   std::array<MessageDifferences, 4> messages{
       {{"/state", 0, 0.0}, {"/plan", 0, 0.0}, {"/model", 0, 0.0}, {"/command", 0, 0.0}}};
-  std::string problem;  ///< why the log could not be read to its end; empty if it is whole
+  std::string problem;        ///< why not all of the log could be read; empty if it is whole
+  std::optional<LogGap> gap;  ///< behind which nothing could be compared
+  bool may_go_on = false;     ///< the run may have had more, which is not in the log any more
 
+  /// Of what was compared.
   [[nodiscard]] bool is_same() const { return different_ticks == 0; }
+  [[nodiscard]] bool is_all() const { return !gap && !may_go_on; }
 };
 
 /// Runs the controller of a log again on the logged readings, with the run's own estimator, and
-/// compares every torque bit for bit. Throws Error as `LogReplay`, if the log holds no tick, and
-/// when it is interrupted.
+/// compares every torque bit for bit, up to the first tick that is lost. Throws Error as
+/// `LogReplay`, if the log holds no tick, and when it is interrupted.
 [[nodiscard]] Verification verify_log(const std::string& path);
 
 }  // namespace surefoot

@@ -19,8 +19,11 @@ too, with `estimation: truth` on the logged states. The same build computes the 
 --stack asks each tick for itself, on the logged states: it shows what another hierarchy makes of the
 same situations, not where it would have walked.
 
+Of a damaged log both go as far as its first gap, behind which no controller can be computed again.
+
 Exit codes: 0 the page was closed, all torques are the same, or --stack was answered; 1 a torque is
-not the same; 2 the input is wrong, or the port not free.
+not the same; 2 the input is wrong, or the port not free; 4 of a log that is cut off or damaged, all
+torques that could be compared are the same.
 
 Examples:
   surefoot replay run.mcap

@@ -32,8 +32,8 @@ void check(const ReplayArguments& arguments) {
         "--stack don't serve; leave them out");
 }
 
-/// Torques and residuals of both at each tick, as the log's channels are called; those of the other
-/// hierarchy behind "other.".
+/// Torques and residuals of both at each tick, as the log's channels are called, with units; those
+/// of the other hierarchy behind "other.".
 class TickTable {
  public:
   explicit TickTable(const std::string& path) : path_(path), file_(partial_path(path)) {
@@ -47,7 +47,7 @@ class TickTable {
   TickTable& operator=(const TickTable&) = delete;
 
   void add(const LogHeader& header, const TickRecord& logged, const TickRecord& other,
-           const std::vector<std::string>& other_levels) {
+           const std::vector<OtherLevel>& other_levels) {
     if (!has_head_) write_head(header, other_levels);
     has_head_ = true;
     file_ << logged.reading.time;
@@ -65,16 +65,22 @@ class TickTable {
   }
 
  private:
-  void write_head(const LogHeader& header, const std::vector<std::string>& other_levels) {
-    file_ << "time";
+  void write_head(const LogHeader& header, const std::vector<OtherLevel>& other_levels) {
+    file_ << "time[s]";
     for (const char* side : {"", "other."})
       for (const std::string& joint : header.robot.joint_names)
-        file_ << ',' << side << "command.torque." << joint;
-    for (const std::string& level : header.level_names)
-      file_ << ",hierarchy.level." << level << ".residual";
-    for (const std::string& level : other_levels)
-      file_ << ",other.hierarchy.level." << level << ".residual";
+        file_ << ',' << side << "command.torque." << joint << "[N·m]";
+    for (std::size_t k = 0; k < header.level_names.size(); ++k) {
+      write_level("", {.name = header.level_names[k],
+                       .unit = k < header.level_units.size() ? header.level_units[k] : ""});
+    }
+    for (const OtherLevel& level : other_levels) write_level("other.", level);
     file_ << '\n';
+  }
+
+  void write_level(const char* side, const OtherLevel& level) {
+    file_ << ',' << side << "hierarchy.level." << level.name << ".residual";
+    if (!level.unit.empty()) file_ << '[' << level.unit << ']';
   }
 
   void residuals(const TickRecord& tick, std::size_t count) {
@@ -97,7 +103,8 @@ int verify(const ReplayArguments& arguments, std::ostream& out) {
   } else {
     out << verification_text(arguments.log, result) << std::flush;
   }
-  return result.is_same() ? kPassed : kFailed;
+  if (!result.is_same()) return kFailed;
+  return result.is_all() ? kPassed : kNotCompared;
 }
 
 StackComparison compare(const ReplayArguments& arguments) {
@@ -109,7 +116,7 @@ StackComparison compare(const ReplayArguments& arguments) {
   const StackComparison result =
       compare_stack(arguments.log, arguments.stack,
                     [&](const TickRecord& logged, const TickRecord& other,
-                        const std::vector<std::string>& other_levels) {
+                        const std::vector<OtherLevel>& other_levels) {
                       table.add(header, logged, other, other_levels);
                     });
   table.close();

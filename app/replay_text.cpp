@@ -40,6 +40,24 @@ std::string not_whole(const std::string& problem) {
   return problem.empty() ? "" : "The log is not whole: " + problem + ".\n";
 }
 
+std::string behind_gap(const std::optional<LogGap>& gap, const std::string& done) {
+  if (!gap) return "";
+  const std::string to = seconds(gap->to);
+  return (gap->from ? "Behind " + seconds(*gap->from) + " nothing" : "Nothing") + " could be " +
+         done + (gap->from ? ": no tick from there to " : ": no tick before ") + to +
+         " can be read, and a controller can't be computed again behind a gap (" +
+         std::to_string(gap->ticks_behind) + (gap->ticks_behind == 1 ? " tick" : " ticks") +
+         " from then on).\n";
+}
+
+std::string not_compared(const Verification& result) {
+  std::string out = behind_gap(result.gap, "compared");
+  if (result.may_go_on)
+    out +=
+        "What the run had after its last tick here could not be compared: it is not in the log.\n";
+  return out;
+}
+
 std::string place(const LogHeader& header, const TorqueDifference& difference) {
   return "tick " + std::to_string(difference.tick) + ", " + seconds(difference.time) + ", " +
          header.robot.joint_names[static_cast<std::size_t>(difference.joint)] + ": " +
@@ -73,6 +91,12 @@ Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
           {"joint", header.robot.joint_names[static_cast<std::size_t>(difference.joint)]},
           {"logged", difference.logged},
           {"computed", difference.computed}};
+}
+
+Json gap_json(const LogGap& gap) {
+  return {{"from", gap.from ? Json(*gap.from) : Json(nullptr)},
+          {"to", gap.to},
+          {"ticks_behind", gap.ticks_behind}};
 }
 
 Json run_json(const std::string& path, const LogHeader& header) {
@@ -130,13 +154,19 @@ std::string verification_text(const std::string& path, const Verification& resul
   std::string out = headline(path, result.header);
   out += result.estimated ? "Estimator and controller ran again on the logged readings.\n"
                           : "The controller ran again on the logged readings and states.\n";
+  if (result.ticks == 0) return out + not_compared(result) + not_whole(result.problem);
   out += span(result.ticks, result.first_time, result.last_time) + ": ";
-  if (result.is_same())
-    return out + "every torque is the same to the bit.\n" + not_whole(result.problem);
+  if (result.is_same()) {
+    return out +
+           (result.is_all() ? "every torque is the same to the bit.\n"
+                            : "so far every torque is the same to the bit.\n") +
+           not_compared(result) + not_whole(result.problem);
+  }
   out += std::to_string(result.different_ticks) + " have another torque or mode.\n";
   if (result.first) out += "  first:   " + place(result.header, *result.first);
   if (result.largest) out += "  largest: " + place(result.header, *result.largest);
-  return out + first_cause(result) + another_build(result.header) + not_whole(result.problem);
+  return out + first_cause(result) + another_build(result.header) + not_compared(result) +
+         not_whole(result.problem);
 }
 
 Json verification_json(const std::string& path, const Verification& result) {
@@ -145,7 +175,11 @@ Json verification_json(const std::string& path, const Verification& result) {
   json["ticks"] = result.ticks;
   json["first_time"] = result.first_time;
   json["last_time"] = result.last_time;
-  json["same"] = result.is_same();
+  if (result.is_same() && !result.is_all()) {
+    json["same"] = nullptr;
+  } else {
+    json["same"] = result.is_same();
+  }
   json["different_ticks"] = result.different_ticks;
   if (result.first) json["first"] = joint_json(result.header, *result.first);
   if (result.largest) json["largest"] = joint_json(result.header, *result.largest);
@@ -153,6 +187,8 @@ Json verification_json(const std::string& path, const Verification& result) {
   for (const MessageDifferences& topic : result.messages)
     if (topic.ticks > 0)
       json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
+  json["all_compared"] = result.is_all();
+  if (result.gap) json["gap"] = gap_json(*result.gap);
   if (!result.problem.empty()) json["problem"] = result.problem;
   return json;
 }
@@ -161,7 +197,8 @@ std::string comparison_text(const std::string& path, const StackComparison& resu
   return headline(path, result.header) + "Asked at each tick on the same states: stack " +
          result.other + ". None of its torques moved the robot.\n" +
          span(result.ticks, result.first_time, result.last_time) + "\n\n" + joint_table(result) +
-         "\n" + level_table(result) + "\n" + optimality(result) + not_whole(result.problem);
+         "\n" + level_table(result) + "\n" + optimality(result) + behind_gap(result.gap, "asked") +
+         not_whole(result.problem);
 }
 
 Json comparison_json(const std::string& path, const StackComparison& result) {
@@ -187,6 +224,7 @@ Json comparison_json(const std::string& path, const StackComparison& result) {
   if (result.other_stopped) json["other_stopped_at"] = result.other_stopped_at;
   json["same_plan"] = result.same_plan;
   json["logged_switches"] = result.logged_switches;
+  if (result.gap) json["gap"] = gap_json(*result.gap);
   if (!result.problem.empty()) json["problem"] = result.problem;
   return json;
 }

@@ -47,9 +47,11 @@ class Comparison {
     for (std::size_t k = 0; k < names_.size(); ++k)
       add_level(names_[k], k < units.size() ? units[k] : "");
     const std::vector<std::string> other_units = replay.controller().level_units();
-    for (std::size_t k = 0; k < other_names_.size(); ++k)
+    for (std::size_t k = 0; k < other_names_.size(); ++k) {
+      other_levels_.push_back({other_names_[k], other_units[k]});
       if (std::ranges::find(names_, other_names_[k]) == names_.end())
         add_level(other_names_[k], other_units[k]);
+    }
   }
 
   void add(const TickRecord& logged, const TickRecord& other) {
@@ -72,7 +74,7 @@ class Comparison {
     }
   }
 
-  [[nodiscard]] const std::vector<std::string>& other_names() const { return other_names_; }
+  [[nodiscard]] const std::vector<OtherLevel>& other_levels() const { return other_levels_; }
 
  private:
   void add_level(const std::string& name, const std::string& unit) {
@@ -117,6 +119,7 @@ class Comparison {
   }
 
   const std::vector<std::string> names_, other_names_;
+  std::vector<OtherLevel> other_levels_;
   StackComparison& result_;
   long solved_ = 0;
 };
@@ -135,10 +138,15 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
     if (interrupted()) throw Error("interrupted: nothing is said of the other stack");
     const TickRecord& other = replay.controller().record();
     comparison.add(replay.logged(), other);
-    if (observer) observer(replay.logged(), other, comparison.other_names());
+    if (observer) observer(replay.logged(), other, comparison.other_levels());
   }
   comparison.finish();
   result.problem = replay.problem();
+  result.gap = replay.gap();
+  if (result.ticks == 0 && result.gap)
+    throw FileError(path +
+                    ": its first ticks are lost, and behind them no controller can be asked; " +
+                    result.problem);
   if (result.ticks == 0)
     throw FileError(path + ": the log holds no tick, so there is nothing to ask" +
                     (result.problem.empty() ? "" : "; " + result.problem));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/log_replay.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/leg.hpp"
 
@@ -42,12 +43,18 @@ struct StackComparison {
   double other_stopped_at = 0.0;  ///< [s]
   bool same_plan = true;          ///< both followed the same plan at every tick
   long logged_switches = 0;       ///< of levels at run time, which the other hierarchy did not make
-  std::string problem;            ///< why the log could not be read to its end
+  std::string problem;            ///< why not all of the log could be read
+  std::optional<LogGap> gap;      ///< behind which nothing was asked
+};
+
+/// A level of the other hierarchy, and the unit of its residual; empty: none.
+struct OtherLevel {
+  std::string name, unit;
 };
 
 /// Is told of each tick: what the log has, and what the other hierarchy commanded.
 using StackObserver = std::function<void(const TickRecord& logged, const TickRecord& other,
-                                         const std::vector<std::string>& other_levels)>;
+                                         const std::vector<OtherLevel>& other_levels)>;
 
 /// `stack` by name or file, as `--set stack=` has it. Throws Error as `LogReplay`, if the log holds
 /// no tick, and when it is interrupted.

@@ -1,5 +1,6 @@
 #include "app/tick_explanation.hpp"
 
+#include "app/operator_text.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
@@ -7,6 +8,7 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/visible_residual.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
@@ -50,6 +52,7 @@ class Search {
   Search(const std::string& path, double time)
       : path_(path), time_(time), log_(path, [this](const McapMessage& message) {
           if (message.channel->topic == "/truth") take_truth(message);
+          if (message.channel->topic == "/changes") take_change(message);
         }) {}
 
   TickExplanation run() {
@@ -57,9 +60,10 @@ class Search {
     MotionPlan before;
     bool has_before = false;
     while (log_.next(tick_) && tick_.reading.time <= time_ + kEventWindow) {
-      if (has_before) add_event(before);
+      if (has_before && log_.follows()) add_event(before);
       before = tick_.plan;
       has_before = true;
+      yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
       if (!is_nearest()) continue;
       found_.tick = tick_;
       found_.order = log_.level_order();
@@ -90,7 +94,19 @@ class Search {
         leg_of(static_cast<PlanEvent>(event), phases_of(before), phases_of(tick_.plan));
     found_.events.push_back({tick_.reading.time,
                              event < names.size() ? names[event] : "event " + std::to_string(event),
-                             leg ? std::string(kLegNames[index(*leg)]) : ""});
+                             leg ? std::string(kLegNames[index(*leg)]) : "", false});
+  }
+
+  /// Stands before the tick that has it first. A pull follows the operator's hand, up to 20 times a
+  /// second: its begin and its end are told.
+  void take_change(const McapMessage& message) {
+    logged::Change change;
+    logged::Decoder::decode(message.data, change);
+    const bool is_pull = change.kind == "pull", pulls = is_pull && !change.force.isZero();
+    const bool goes_on = pulls && is_pulled_;
+    if (is_pull) is_pulled_ = pulls;
+    if (goes_on || change.time > time_ + kEventWindow) return;
+    found_.events.push_back({change.time, operator_text(change, yaw_), "", true});
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
@@ -109,12 +125,16 @@ class Search {
     }
     const std::string problem = whole.problem().empty() ? "" : "; " + whole.problem();
     if (std::isnan(first)) throw Error(path_ + ": the log holds no tick" + problem);
-    throw Error(path_ + ": --at is " + number(time_, "%.6g") + " s; the log goes from " +
+    const bool is_inside = first <= time_ && time_ <= last;
+    throw Error(path_ + ": --at is " + number(time_, "%.6g") +
+                (is_inside ? " s, where no tick can be read" : " s") + "; the log goes from " +
                 number(first, "%.6g") + " s to " + number(last, "%.6g") + " s" + problem);
   }
 
   std::string path_;
   double time_, nearest_ = kNaN;
+  double yaw_ = kNaN;  // believed at the last tick
+  bool is_pulled_ = false;
   LogReader log_;
   TickRecord tick_;
   TickExplanation found_;

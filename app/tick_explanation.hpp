@@ -12,11 +12,12 @@
 
 namespace surefoot {
 
-/// Something that the planner did.
+/// Something that the planner did, or the operator of a run that was steered.
 struct NearbyEvent {
   double time = 0.0;  ///< [s]
   std::string text;
   std::string leg;  ///< that it happened to: "RF"; empty: none
+  bool by_operator = false;
 };
 
 /// One tick of a log, with what is needed to say why it came out so.

@@ -2,6 +2,7 @@
 #include "app/tick_text.hpp"
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/logging/logged_model.hpp"
 #include "surefoot/logging/message_codec.hpp"
 #include "surefoot/math/rotation.hpp"
 
@@ -99,7 +100,8 @@ Json events_json(const TickExplanation& explanation) {
   for (const NearbyEvent& event : explanation.events)
     list.push_back({{"time", event.time},
                     {"text", event.text},
-                    {"leg", event.leg.empty() ? Json() : Json(event.leg)}});
+                    {"leg", event.leg.empty() ? Json() : Json(event.leg)},
+                    {"by", event.by_operator ? "operator" : "planner"}});
   return list;
 }
 
@@ -127,7 +129,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"user", message(tick.user)},
                {"state", message(tick.state)},
                {"plan", message(tick.plan)},
-               {"model", message(tick.model)},
+               {"model", message(logged::model_of(tick))},
                {"command", message(tick.command)}};
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);

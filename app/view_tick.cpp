@@ -2,6 +2,7 @@
 
 #include "surefoot/evaluation/estimate_fields.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
+#include "surefoot/logging/logged_model.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -48,7 +49,7 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("user", tick.user);
   lister.add("state", tick.state);
   lister.add("plan", tick.plan);
-  lister.add("model", tick.model);
+  lister.add("model", logged::Model());
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
   lister.add("timings", TickTiming());
@@ -67,7 +68,7 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(tick.record.user);
   writer.add(tick.record.state);
   writer.add(tick.record.plan);
-  writer.add(tick.record.model);
+  writer.add(logged::model_of(tick.record));
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
   writer.add(tick.timing == nullptr ? kNoTiming : *tick.timing);

@@ -13,8 +13,9 @@ from surefoot_log.log_file import LogFile
 DONE, WRONG_INPUT = 0, 2
 LARGEST = (3840, 2160)  # pixels
 
-EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual. Lists
-that change their length from tick to tick (rows at a bound, blocked_by) are left out.
+EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual; in CSV with
+their unit behind them, plan.feet.LF.p_WF.x[m], in Parquet with unit and description as metadata. Lists that
+change their length from tick to tick (rows at a bound, blocked_by) are left out.
 
 The file for Foxglove and Lichtblick has frame transforms (/tf), the robot, the ground, forces and support
 polygon (/scene/…), events, and the log's own topics beside them.
@@ -93,7 +94,7 @@ def tell_problem(log):
 
 def export(typed):
     made = parser("export", "Write a log as a table, or its scene for Foxglove.", EXPORT_EPILOG)
-    made.add_argument("--csv", metavar="FILE", help="a row a tick, a column a channel, with their names above")
+    made.add_argument("--csv", metavar="FILE", help="a row a tick, a column a channel, with their names and units above")
     made.add_argument("--parquet", metavar="FILE", help="the same with types, units and descriptions")
     made.add_argument("--foxglove", metavar="FILE.mcap", help="the scene, and the log's topics beside it")
     made.add_argument("--topics", metavar="TOPIC", nargs="+", action="extend", help="of the log; all by default")
@@ -118,7 +119,7 @@ def write_exports(arguments):
     topics = table.wanted_topics(arguments.topics)
     if arguments.csv or arguments.parquet:
         log = LogFile(arguments.log)
-        files = [(arguments.csv, table.csv_writer), (arguments.parquet, table.parquet_writer)]
+        files = [(arguments.csv, table.Csv), (arguments.parquet, table.parquet_writer)]
         table.write_table(table.Table(log, topics, arguments.every), [(file, make) for file, make in files if file])
         tell_problem(log)
     if arguments.foxglove:

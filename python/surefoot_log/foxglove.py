@@ -12,6 +12,7 @@ from surefoot_log import meshes
 from surefoot_log.foxglove_ground import ground_entity
 from surefoot_log.frames import CARRIES, LEGS, LOADED, FrameMaker, nothing_to_show
 from surefoot_log.offscreen import mujoco
+from surefoot_log.operator_text import heading_of, operator_text
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull
 from surefoot_log.table import check_topics, written_whole
 from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
@@ -165,6 +166,7 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
         scene, copies = Scene(file, log, model, robot), Copies(file, log, topics, every)
         for _, messages in log.by_time():
             copies.write(messages)
+            scene.write_changes(messages)
             frame = maker.frame(messages)
             if frame is not None:
                 scene.write(frame)
@@ -186,6 +188,7 @@ class Scene:
         self._data = mujoco.MjData(model)
         self._foot_radius = log.header["robot"]["foot_radius"] or 0.03
         self.has_begun = False
+        self._state, self._is_pulled = None, False
 
     def _begin(self, frame, time):
         if len(frame.qpos) > self._model.nq:
@@ -203,8 +206,23 @@ class Scene:
         self._file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(self._model, self._data, time)})
         self._file.update_scene("/scene/forces", time, scene_entities(frame, self._foot_radius, self._data.xipos))
         if frame.event:
-            self._file.write("/events", "foxglove.Log", schemas.LOG, time,
-                             {"timestamp": shapes.moment(time), "level": INFO, "message": frame.event, "name": "planner", "file": "", "line": 0})  # fmt: skip
+            self._tell(time, frame.event, "planner")
+
+    def write_changes(self, messages):
+        """What the operator of a run that was steered did, of a pull its begin and its end; of the messages of one time."""
+        for topic, time, data in messages:
+            if topic != "/changes":
+                continue
+            change = json.loads(bytes(data))
+            is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
+            if not (pulls and self._is_pulled):
+                self._tell(time, operator_text(change, heading_of(self._state)), "operator")
+            self._is_pulled = pulls if is_pull else self._is_pulled
+        self._state = next((message.data for message in messages if message.topic == "/state"), self._state)
+
+    def _tell(self, time, text, name):
+        message = {"timestamp": shapes.moment(time), "level": INFO, "message": text, "name": name, "file": "", "line": 0}
+        self._file.write("/events", "foxglove.Log", schemas.LOG, time, message)
 
 
 class Copies:

@@ -1,4 +1,4 @@
-"""A log, read from front to back as far as it goes."""
+"""A log, read from front to back; what can't be read is passed over."""
 
 import heapq
 import io
@@ -6,6 +6,7 @@ import json
 import pathlib
 import re
 import struct
+from contextlib import suppress
 from functools import cache
 from itertools import groupby
 from operator import attrgetter
@@ -25,6 +26,10 @@ MAGIC = b"\x89MCAP0\r\n"
 APART = {"/timings"}  # topics behind all ticks (docs/log.md)
 HEADER, SUMMARY = "header.json", "summary.json"
 HEAD = struct.Struct("<BQ")
+ZSTD = b"\x04\0\0\0zstd"
+BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compression's name [bytes]
+SOUGHT = 1 << 20  # bytes at once
+TOLD = 4  # places of damage
 KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.FOOTER: Footer, Opcode.SCHEMA: Schema}
 
 
@@ -32,6 +37,68 @@ KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: C
 def log_version():
     """Of the logs that this program makes, from where it is written (docs/log.md)."""
     return re.search(r'kLogVersion = "([\d.]+)"', VERSION_SOURCE.read_text()).group(1)
+
+
+def fits(opcode, start, length):
+    """Whether the sizes in a record's content, of which `start` has the first bytes, fit together."""
+    try:
+        if opcode == Opcode.MESSAGE_INDEX:
+            return length == 6 + struct.unpack_from("<I", start, 2)[0]
+        if opcode != Opcode.CHUNK:
+            return True
+        (name,) = struct.unpack_from("<I", start, BEFORE_COMPRESSION)
+        return name <= LONGEST_NAME and length == 40 + name + struct.unpack_from("<Q", start, BEFORE_COMPRESSION + 4 + name)[0]
+    except struct.error:
+        return False
+
+
+class Walk:
+    """The records of a file outside of chunks, by their heads alone. Where a head can't be one, it goes on at the next chunk that it
+    finds; a chunk is known by its sizes and its compression, also where its opcode is damaged."""
+
+    def __init__(self, file, size):
+        self._file, self._size, self._next = file, size, len(MAGIC)
+
+    def record_at(self, at):
+        """Opcode and length; None where none can begin."""
+        self._file.seek(at)
+        start = self._file.read(HEAD.size + 40 + LONGEST_NAME)
+        if len(start) < HEAD.size:
+            return None
+        opcode, length = HEAD.unpack_from(start)
+        content = start[HEAD.size :]
+        if length > self._size - at - HEAD.size:
+            return None
+        if content[BEFORE_COMPRESSION:].startswith(ZSTD) and fits(Opcode.CHUNK, content, length):
+            return Opcode.CHUNK, length
+        return (opcode, length) if fits(opcode, content, length) else None
+
+    def chunk_behind(self, at):
+        """Where the next compressed chunk begins; None without one."""
+        to_name = HEAD.size + BEFORE_COMPRESSION
+        begin = at + 1 + to_name
+        while begin < self._size:
+            self._file.seek(begin)
+            part = self._file.read(SOUGHT + len(ZSTD))
+            for found in re.finditer(re.escape(ZSTD), part):
+                start = begin + found.start() - to_name
+                record = self.record_at(start)
+                if record is not None and record[0] == Opcode.CHUNK:
+                    return start
+            begin += SOUGHT
+        return None
+
+    def __iter__(self):
+        """Of each record: bytes that were skipped before it, where it begins, its opcode and length. Ends where none can be found."""
+        while self._next < self._size:
+            at, record = self._next, self.record_at(self._next)
+            if record is None:
+                at = self.chunk_behind(at)
+                if at is None:
+                    return
+                record = self.record_at(at)
+            skipped, self._next = at - self._next, at + HEAD.size + record[1]
+            yield skipped, at, *record
 
 
 def read_record(opcode, file, length):
@@ -64,19 +131,17 @@ class LogFile:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         self.attachments, self.channels, self.schemas = {}, {}, {}
-        self.problem, self._at = "", 0  # why it could not be read to its end, and where
-        self.complete = False
+        self.losses = []  # places that could not be read, and why
+        self._at, self._end, self._closed, self._has_learned = 0, "", False, False
         self._check_magic()
-        damage = ""  # of what stands in front of the messages
-        try:
-            if next(self._records(), None) is None and not self.complete:
-                damage = "cut off"
-        except chunk.Damaged as found:
-            damage = str(found)
-        self.header = self._header(damage)
+        if next(self._records(), None) is None and not self._closed:
+            self._end = self._place("cut off", self._at)
+        self.header = self._header(next(iter(self.losses), self._end))
 
     def _check_magic(self):
         valid = "a log made by surefoot (.mcap) would be valid"
+        if self.path.is_dir():
+            raise InputError(f"{self.path}: is a folder; a log in it (.mcap) would be valid")
         try:
             with open(self.path, "rb") as file:
                 start = file.read(len(MAGIC))
@@ -90,7 +155,7 @@ class LogFile:
     def _header(self, damage):
         text = self.attachments.get(HEADER)
         if text is None and damage:
-            raise InputError(f"{self.path}: {self._place(damage)}, before its header was whole, so that nothing of the run can be read; "
+            raise InputError(f"{self.path}: {damage}, before its header was whole, so that nothing of the run can be read; "
                              "record the run anew")
         if text is None:
             raise InputError(f"{self.path}: an MCAP file, but it does not begin with a header of surefoot; "
@@ -107,29 +172,59 @@ class LogFile:
 
     def _records(self):
         """The file's chunks; keeps what belongs to the file as a whole."""
-        size = self.path.stat().st_size
         with open(self.path, "rb") as file:
-            at = len(MAGIC)
-            file.seek(at)
-            while at < size and not self.complete:
-                self._at = at
-                head = file.read(HEAD.size)
-                opcode, length = HEAD.unpack(head) if len(head) == HEAD.size else (0, size)
-                if length > size - at - HEAD.size:
-                    return
-                at += HEAD.size + length
-                record = read_record(opcode, file, length)
+            walk = Walk(file, self.path.stat().st_size)
+            self._at = len(MAGIC)
+            for skipped, self._at, opcode, length in walk:
+                if skipped:
+                    self._lose("a record's head is damaged", self._at - skipped)
+                file.seek(self._at + HEAD.size)
+                try:
+                    record = read_record(opcode, file, length)
+                except chunk.Damaged as damage:
+                    self._lose(str(damage), self._at)
+                    continue
                 if isinstance(record, Chunk):
                     yield record
                 else:
                     self._keep(record)
-                file.seek(at)
+                self._at += HEAD.size + length
+                if self._closed:
+                    return
 
-    def _place(self, why):
-        return f"{why} at byte {self._at} of {self.path.stat().st_size}"
+    def _place(self, why, at):
+        return f"{why} at byte {at} of {self.path.stat().st_size}"
 
-    def _stop(self, why):
-        self.problem = f"{self.path}: {self._place(why)}; everything before it was read"
+    def _lose(self, why, at, record=None):
+        times = f" ({1e-9 * record.message_start_time:.4f} s to {1e-9 * record.message_end_time:.4f} s)" if record else ""
+        self.losses.append(self._place(why, at) + times)
+        if not self._has_learned:
+            self._has_learned = True
+            self._learn_descriptions()
+
+    def _learn_descriptions(self):
+        """Channels stand in the chunk of their first message, which may be lost, and once more behind the data."""
+        with open(self.path, "rb") as file:
+            for _, at, opcode, length in Walk(file, self.path.stat().st_size):
+                if opcode in (Opcode.SCHEMA, Opcode.CHANNEL):
+                    file.seek(at + HEAD.size)
+                    with suppress(chunk.Damaged):
+                        self._keep(read_record(opcode, file, length))
+
+    @property
+    def complete(self):
+        return self._closed and not self.losses
+
+    @property
+    def problem(self):
+        """What is lost so far, and where the file was cut off; empty if nothing is."""
+        parts = []
+        if self.losses:
+            more = f" and {len(self.losses) - TOLD} more places" if len(self.losses) > TOLD else ""
+            parts.append(f"{', '.join(self.losses[:TOLD])}{more}; what stood there is lost, the rest was read")
+        if self._end:
+            parts.append(f"{self._end}; everything before it was read")
+        return f"{self.path}: {'; '.join(parts)}" if parts else ""
 
     def _keep(self, record):
         if isinstance(record, Attachment):
@@ -139,19 +234,19 @@ class LogFile:
         elif isinstance(record, Channel):
             self.channels[record.id] = record
         elif isinstance(record, Footer):
-            self.complete = True
+            self._closed = True
 
     def messages(self, topics=None, wanted=lambda record: True):
-        """The messages, all or those of some topics, one after the other, to the last whole chunk; of wanted chunks only, where
-        others are not even decompressed."""
-        self.complete, self.problem = False, ""
-        try:
-            for record in filter(wanted, self._records()):
+        """The messages, all or those of some topics, one after the other; of wanted chunks only, where
+        others are not even decompressed. What is damaged is passed over."""
+        self._closed, self._end, self.losses = False, "", []
+        for record in filter(wanted, self._records()):
+            try:
                 yield from chunk.messages(record, self.schemas, self.channels, topics)
-        except chunk.Damaged as damage:
-            self._stop(str(damage))
-        if not self.complete and not self.problem:
-            self._stop("cut off")
+            except chunk.Damaged as damage:
+                self._lose(str(damage), self._at, record)
+        if not self._closed:
+            self._end = self._place("cut off", self._at)
 
     def by_time(self, topics=None):
         """The messages of all or some topics, time by time: each time [ns] with its messages. What stands apart behind all
@@ -171,8 +266,12 @@ class LogFile:
     def first_messages(self):
         """Of each topic its first message. Of a log that was closed only the chunks that hold one are decompressed."""
         places = self._first_chunks()
+        first = self._first_of(lambda record: places is None or self._at in places)
+        return first if places is None or not self.losses else self._first_of(lambda record: True)
+
+    def _first_of(self, wanted):
         first = {}
-        for message in self.messages(wanted=lambda record: places is None or self._at in places):
+        for message in self.messages(wanted=wanted):
             first.setdefault(message.topic, message)
         return first
 

@@ -99,8 +99,24 @@ class Grouped:
         self._writer.close()
 
 
-def csv_writer(path, schema):
-    return pyarrow.csv.CSVWriter(path, schema, write_options=pyarrow.csv.WriteOptions(quoting_style="needed"))
+def with_unit(field):
+    """As a column is called in CSV, which has no other place for its unit: "plan.com.p.x[m]"."""
+    unit = field.metadata[b"unit"].decode()
+    return f"{field.name}[{unit}]" if unit else field.name
+
+
+class Csv:
+    """Writes parts under names with units."""
+
+    def __init__(self, path, schema):
+        self._schema = pa.schema([field.with_name(with_unit(field)) for field in schema])
+        self._writer = pyarrow.csv.CSVWriter(path, self._schema, write_options=pyarrow.csv.WriteOptions(quoting_style="needed"))
+
+    def write_batch(self, part):
+        self._writer.write_batch(pa.RecordBatch.from_arrays(part.columns, schema=self._schema))
+
+    def close(self):
+        self._writer.close()
 
 
 def parquet_writer(path, schema):

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace surefoot {
@@ -15,6 +16,8 @@ using nlohmann::json;
 
 constexpr std::string_view kHeaderName = "header.json";
 constexpr std::string_view kSummaryName = "summary.json";
+constexpr std::array<std::string_view, 7> kBehindReadings{
+    "/health", "/user", "/state", "/plan", "/model", "/hierarchy", "/command"};  // of a tick
 
 double number(const json& value) { return value.is_null() ? kNaN : value.get<double>(); }
 
@@ -221,13 +224,46 @@ bool LogReader::next(TickRecord& tick) {
   McapMessage message;
   try {
     while (file_.next(message)) {
-      if (message.log_time >= skipped_until_ && take(message, tick)) return true;
+      if (message.log_time < skipped_until_ || is_rest_of_lost_tick(message)) continue;
+      if (take(message, tick)) return end_tick(message.log_time);
     }
   } catch (const JsonError& error) {
     throw FileError(path_ + ": a message on " + message.channel->topic +
                     " is not what it should be: " + error.what());
   }
   return false;
+}
+
+// A tick may have begun in what is lost; the next one begins with its readings.
+bool LogReader::is_rest_of_lost_tick(const McapMessage& message) {
+  if (known_losses_ != file_.losses().size()) in_lost_tick_ = true;
+  known_losses_ = file_.losses().size();
+  const std::string& topic = message.channel->topic;
+  if (topic == "/readings") in_lost_tick_ = false;
+  return in_lost_tick_ && std::ranges::find(kBehindReadings, topic) != kBehindReadings.end();
+}
+
+bool LogReader::end_tick(std::uint64_t time) {
+  const double period = 1e9 * header_.control_period;
+  const double expected = tick_time_ ? static_cast<double>(*tick_time_) + period : 0.0;
+  follows_ = std::abs(static_cast<double>(time) - expected) < 0.5 * period;
+  tick_time_ = time;
+  return true;
+}
+
+// Timings stand behind all ticks, and each tick has one.
+bool LogReader::may_go_on() const {
+  const std::uint64_t last = tick_time_.value_or(0);
+  const bool has_timings = !timings_.empty();
+  if (has_timings && latest_timing() > last) return true;
+  const bool may_hold_ticks = std::ranges::any_of(file_.losses(), [&](const McapLoss& loss) {
+    return loss.has_times ? loss.last_time > last : !has_timings;
+  });
+  return may_hold_ticks || (!file_.is_closed() && !has_timings);
+}
+
+std::uint64_t LogReader::latest_timing() const {
+  return static_cast<std::uint64_t>(std::llround(1e9 * timings_.back().time));
 }
 
 // True when the message completes a tick.

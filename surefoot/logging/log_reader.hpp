@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,8 @@ namespace surefoot {
 /// false where it is another. Throws JsonError where the message is not what its schema says.
 [[nodiscard]] bool decode_signal(const McapMessage& message, TickRecord& tick);
 
-/// Reads a recorder's log tick by tick, also one that was cut off.
+/// Reads a recorder's log tick by tick, also one that was cut off or damaged: what can't be read is
+/// passed over.
 class LogReader {
  public:
   /// Level and id of an inequality row.
@@ -35,8 +37,8 @@ class LogReader {
   /// Passes over what was logged before a time [s], without decoding it; before the first `next`.
   void skip_until(double time);
 
-  /// The next tick; false after the last whole one. Throws FileError if a message is not what its
-  /// schema says.
+  /// The next tick that is whole; false after the last one. Throws FileError if a message is not
+  /// what its schema says.
   [[nodiscard]] bool next(TickRecord& tick);
 
   /// Of the last tick: its levels by their numbers in the header, highest first. In the record they
@@ -51,17 +53,30 @@ class LogReader {
   /// Names of the inequality rows that were active in the ticks read so far.
   [[nodiscard]] const std::map<RowKey, std::string>& row_names() const { return row_names_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
-  [[nodiscard]] const std::string& problem() const { return file_.problem(); }
+  [[nodiscard]] std::string problem() const { return file_.problem(); }
+
+  /// Whether the last tick is the first of the run or came a control period after the one before:
+  /// none between them is lost.
+  [[nodiscard]] bool follows() const { return follows_; }
+  /// After the last tick: whether the run may have had more behind it, which are lost.
+  [[nodiscard]] bool may_go_on() const;
 
  private:
   [[noreturn]] void refuse_without_header() const;
   bool take(const McapMessage& message, TickRecord& tick);
+  [[nodiscard]] bool is_rest_of_lost_tick(const McapMessage& message);
+  bool end_tick(std::uint64_t time);
+  [[nodiscard]] std::uint64_t latest_timing() const;
 
   std::string path_;
   McapReader file_;
   Other other_;
   LogHeader header_;
-  std::uint64_t skipped_until_ = 0;  // [ns]
+  std::uint64_t skipped_until_ = 0;         // [ns]
+  std::optional<std::uint64_t> tick_time_;  // of the last tick [ns]
+  bool follows_ = true;
+  std::size_t known_losses_ = 0;
+  bool in_lost_tick_ = false;
   std::vector<std::int16_t> level_order_;
   std::vector<TickTiming> timings_;
   std::map<RowKey, std::string> row_names_;

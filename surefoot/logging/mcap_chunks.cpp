@@ -4,8 +4,6 @@
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
 
-#include <filesystem>
-
 namespace surefoot {
 namespace {
 
@@ -19,42 +17,33 @@ constexpr std::uint64_t kLargestChannel = 1 << 20;
 
 }  // namespace
 
-McapChunks::McapChunks(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-  if (!file_) throw FileError(path + ": can't be read");
-  find_chunks();
+McapChunks::McapChunks(const std::string& path) : path_(path), file_(path) {
+  if (!file_.is_open()) throw FileError(path + ": can't be read");
+  try {
+    find_chunks();
+  } catch (const Malformed&) {  // what was found so far
+  }
 }
 
 void McapChunks::find_chunks() {
-  const std::uint64_t size = std::filesystem::file_size(path_);
-  std::uint64_t offset = mcap::kMagic.size();
-  std::string head(kRecordHead + kChunkTimes, '\0');
-  while (offset + head.size() <= size) {
-    file_.seekg(static_cast<std::streamoff>(offset));
-    if (!file_.read(head.data(), static_cast<std::streamsize>(head.size()))) break;
-    Cursor cursor(head);
-    const auto [opcode, length] = mcap::take_head(cursor);
-    if (length > size - offset - kRecordHead) break;
-    if (opcode == Opcode::chunk && length >= kChunkTimes) {
+  while (file_.next()) {
+    if (file_.skipped() > 0) ++num_lost_;
+    if (file_.opcode() == Opcode::chunk) {
+      const std::string times = file_.bytes(file_.offset() + kRecordHead, kChunkTimes);
+      Cursor cursor(times);
       const auto first = cursor.number<std::uint64_t>();
       const auto last = cursor.number<std::uint64_t>();
-      chunks_.push_back({offset + kRecordHead, length, first, last});
+      chunks_.push_back({file_.offset() + kRecordHead, file_.length(), first, last});
     }
-    complete_ = complete_ || opcode == Opcode::data_end;
-    if (opcode == Opcode::channel && length < kLargestChannel) {
-      learn_channel(offset + kRecordHead, length);
-    }
-    offset += kRecordHead + length;
+    complete_ = complete_ || file_.opcode() == Opcode::data_end;
+    if (file_.opcode() == Opcode::channel && file_.length() < kLargestChannel) learn_channel();
   }
-  file_.clear();
 }
 
 // One that is described outside of chunks, as behind the data all are.
-void McapChunks::learn_channel(std::uint64_t offset, std::uint64_t length) {
-  std::string content(length, '\0');
-  file_.seekg(static_cast<std::streamoff>(offset));
-  if (!file_.read(content.data(), static_cast<std::streamsize>(length))) return;
+void McapChunks::learn_channel() {
   try {
-    keep(mcap::channel_record(content));
+    keep(mcap::channel_record(file_.content()));
   } catch (const Malformed&) {  // then its messages in the chunks tell it
   }
 }
@@ -66,13 +55,7 @@ void McapChunks::keep(const mcap::ChannelRecord& channel) {
 void McapChunks::read(std::size_t chunk, const Take& take) {
   const McapChunk& place = chunks_.at(chunk);
   try {
-    std::string content(place.size, '\0');
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(place.offset));
-    if (!file_.read(content.data(), static_cast<std::streamsize>(content.size()))) {
-      throw Malformed{"can't be read"};
-    }
-    const std::string records = mcap::chunk_records(content);
+    const std::string records = mcap::chunk_records(file_.bytes(place.offset, place.size));
     Cursor cursor(records);
     while (!cursor.rest().empty()) {
       const auto [opcode, length] = mcap::take_head(cursor);

@@ -2,9 +2,9 @@
 
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
+#include "surefoot/logging/mcap_walk.hpp"
 
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <string>
@@ -32,6 +32,9 @@ class McapChunks {
   /// The file was closed: its data have an end.
   [[nodiscard]] bool complete() const { return complete_; }
 
+  /// Places between the chunks where something stood that can't be found.
+  [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
+
   /// The messages of a chunk, in their order. Channels are described behind the data, and in the
   /// chunk of their first message, which must have been read before where the file was cut off;
   /// messages of a channel that is not known are left out. Throws FileError if the chunk is
@@ -40,15 +43,16 @@ class McapChunks {
 
  private:
   void find_chunks();
-  void learn_channel(std::uint64_t offset, std::uint64_t length);
+  void learn_channel();
   void keep(const mcap::ChannelRecord& channel);
   void take_record(mcap::Opcode opcode, std::string_view content, const Take& take);
 
   std::string path_;
-  std::ifstream file_;
+  mcap::RecordWalk file_;
   std::vector<McapChunk> chunks_;
   std::map<std::uint16_t, McapChannel> channels_;
   bool complete_ = false;
+  std::size_t num_lost_ = 0;
 };
 
 }  // namespace surefoot

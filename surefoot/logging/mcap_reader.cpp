@@ -5,6 +5,9 @@
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
 
 namespace surefoot {
@@ -15,84 +18,89 @@ using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
+constexpr std::size_t kToldLosses = 4;
+constexpr std::uint64_t kLongest = 10'000'000'000;  // a chunk [ns]; the recorder's last a second
+
+std::string seconds(std::uint64_t nanoseconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4f", 1e-9 * static_cast<double>(nanoseconds));
+  return text.data();
+}
+
 }  // namespace
 
-McapReader::McapReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+McapReader::McapReader(const std::string& path) : path_(path), file_(path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error) || !file_) {
+  if (std::filesystem::is_directory(path, error)) {
+    throw FileError(path + ": is a folder; a log in it (.mcap) would be valid");
+  }
+  if (!file_.is_open()) {
     throw FileError(path + ": no such file, or it can't be read; a log (.mcap) would be valid");
   }
-  size_ = std::filesystem::file_size(path);
-  if (size_ == 0) throw FileError(path + ": the file is empty; a log (.mcap) would be valid");
-  std::string magic(mcap::kMagic.size(), '\0');
-  file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-  const auto got = static_cast<std::size_t>(file_.gcount());
-  offset_ = got;
-  if (magic.substr(0, got) != mcap::kMagic.substr(0, got)) {
-    throw FileError(path + ": not an MCAP file; a log made by surefoot (.mcap) would be valid");
-  }
-  if (got < magic.size()) stop("cut off");
+  check_magic();
   while (rest_.empty() && read_record()) {
   }
 }
 
-bool McapReader::next(McapMessage& message) {
+void McapReader::check_magic() {
+  const std::string_view whole = mcap::kMagic;
+  const std::uint64_t there = std::min<std::uint64_t>(whole.size(), file_.size());
+  if (there == 0) throw FileError(path_ + ": the file is empty; a log (.mcap) would be valid");
   try {
-    do {
+    if (file_.bytes(0, there) != whole.substr(0, there)) {
+      throw FileError(path_ + ": not an MCAP file; a log made by surefoot (.mcap) would be valid");
+    }
+  } catch (const Malformed& malformed) {
+    throw FileError(path_ + ": " + malformed.what + "; a log (.mcap) would be valid");
+  }
+  if (there < whole.size()) stop("cut off");
+}
+
+bool McapReader::next(McapMessage& message) {
+  do {
+    try {
       while (!rest_.empty()) {
         if (take_from_chunk(message)) return true;
       }
-    } while (read_record());
-  } catch (const Malformed& malformed) {
-    stop(malformed.what);
-  }
+    } catch (const Malformed& malformed) {
+      lose(malformed.what);
+    }
+  } while (read_record());
   return false;
 }
 
 // Reads one record outside of chunks; false at the end.
 bool McapReader::read_record() {
   if (ended_) return false;
-  std::string head(kRecordHead, '\0');
-  if (size_ - offset_ < kRecordHead || !file_.read(head.data(), kRecordHead)) {
-    stop("cut off");
-    return false;
-  }
-  Cursor cursor(head);
-  const auto [opcode, length] = mcap::take_head(cursor);
-  if (length > size_ - offset_ - kRecordHead) {
-    stop("cut off");
-    return false;
-  }
-  record_.resize(length);
-  if (!file_.read(record_.data(), static_cast<std::streamsize>(length))) {
-    stop("can't be read further");
-    return false;
-  }
   try {
-    chunk_offset_ = offset_;
-    take(opcode, record_);
+    if (!file_.next()) throw Malformed{"cut off"};
+    if (file_.skipped() > 0) {
+      losses_.push_back({.offset = file_.offset() - file_.skipped(),
+                         .size = file_.skipped(),
+                         .why = "a record's head is damaged"});
+      learn_descriptions();
+    }
+    record_ = file_.content();
   } catch (const Malformed& malformed) {
     stop(malformed.what);
     return false;
   }
-  offset_ += kRecordHead + length;
+  try {
+    chunk_offset_ = file_.offset();
+    take(file_.opcode(), record_);
+  } catch (const Malformed& malformed) {
+    lose(malformed.what);
+  }
   return !ended_;
 }
 
 void McapReader::take(mcap::Opcode opcode, std::string_view content) {
   Cursor cursor(content);
   switch (opcode) {
-    case Opcode::schema: {
-      const auto id = cursor.number<std::uint16_t>();
-      schemas_[id] = cursor.text();
+    case Opcode::schema:
+    case Opcode::channel:
+      take_descriptions(opcode, content);
       break;
-    }
-    case Opcode::channel: {
-      const mcap::ChannelRecord channel = mcap::channel_record(content);
-      channels_[channel.id] = {channel.topic, schemas_[channel.schema], channel.encoding,
-                               channel.metadata};
-      break;
-    }
     case Opcode::message: {  // outside of a chunk: a chunk of its own
       const auto length = static_cast<std::uint64_t>(content.size());
       chunk_.assign(1, static_cast<char>(opcode));
@@ -122,15 +130,45 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
       metadata_[name] = cursor.map();
       break;
     }
-    case Opcode::footer: {
-      std::string magic(mcap::kMagic.size(), '\0');
-      file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-      if (!file_ || magic != mcap::kMagic) throw Malformed{"cut off"};
-      complete_ = ended_ = true;
+    case Opcode::footer:
+      close();
       break;
-    }
     default:  // indices, which are not needed here, and records of later versions
       break;
+  }
+}
+
+void McapReader::take_descriptions(mcap::Opcode opcode, std::string_view content) {
+  if (opcode == Opcode::schema) {
+    Cursor cursor(content);
+    const auto id = cursor.number<std::uint16_t>();
+    schemas_[id] = cursor.text();
+  } else if (opcode == Opcode::channel) {
+    const mcap::ChannelRecord channel = mcap::channel_record(content);
+    channels_[channel.id] = {channel.topic, schemas_[channel.schema], channel.encoding,
+                             channel.metadata};
+  }
+}
+
+void McapReader::close() {
+  const std::uint64_t end = file_.offset() + kRecordHead + file_.length();
+  if (file_.size() - end < mcap::kMagic.size() ||
+      file_.bytes(end, mcap::kMagic.size()) != mcap::kMagic) {
+    return stop("cut off");
+  }
+  is_closed_ = ended_ = true;
+}
+
+// Channels stand in the chunk of their first message, which is lost, and once more behind the data.
+void McapReader::learn_descriptions() {
+  if (std::exchange(has_learned_, true)) return;
+  mcap::RecordWalk behind(path_);
+  try {
+    while (behind.next()) {
+      if (behind.opcode() == Opcode::schema || behind.opcode() == Opcode::channel)
+        take_descriptions(behind.opcode(), behind.content());
+    }
+  } catch (const Malformed&) {  // then with what is known
   }
 }
 
@@ -156,11 +194,48 @@ bool McapReader::take_from_chunk(McapMessage& message) {
   return true;
 }
 
+// What is open; the file goes on behind it.
+void McapReader::lose(const char* why) {
+  rest_ = {};
+  McapLoss loss{.offset = file_.offset(), .size = kRecordHead + file_.length(), .why = why};
+  if (file_.opcode() == Opcode::chunk) {
+    Cursor times(record_);
+    loss.first_time = times.number<std::uint64_t>();
+    loss.last_time = times.number<std::uint64_t>();
+    loss.has_times =
+        loss.last_time >= loss.first_time && loss.last_time - loss.first_time < kLongest;
+  }
+  losses_.push_back(std::move(loss));
+  learn_descriptions();
+}
+
 void McapReader::stop(const std::string& why) {
   ended_ = true;
   rest_ = {};
-  damage_ = why + " at byte " + std::to_string(offset_) + " of " + std::to_string(size_);
-  problem_ = path_ + ": " + damage_ + "; everything before it was read";
+  end_ = place(why, file_.offset());
+}
+
+std::string McapReader::place(const std::string& why, std::uint64_t offset) const {
+  return why + " at byte " + std::to_string(offset) + " of " + std::to_string(file_.size());
+}
+
+std::string McapReader::damage() const {
+  return losses_.empty() ? end_ : place(losses_.front().why, losses_.front().offset);
+}
+
+std::string McapReader::problem() const {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(losses_.size(), kToldLosses); ++i) {
+    const McapLoss& loss = losses_[i];
+    text += (i == 0 ? "" : ", ") + place(loss.why, loss.offset);
+    if (loss.has_times)
+      text += " (" + seconds(loss.first_time) + " s to " + seconds(loss.last_time) + " s)";
+  }
+  if (losses_.size() > kToldLosses)
+    text += " and " + std::to_string(losses_.size() - kToldLosses) + " more places";
+  if (!losses_.empty()) text += "; what stood there is lost, the rest was read";
+  if (!end_.empty()) text += (text.empty() ? "" : "; ") + end_ + "; everything before it was read";
+  return text.empty() ? "" : path_ + ": " + text;
 }
 
 }  // namespace surefoot

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "surefoot/logging/mcap_format.hpp"
+#include "surefoot/logging/mcap_walk.hpp"
 
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace surefoot {
 
@@ -23,23 +24,36 @@ struct McapMessage {
   std::string_view data;
 };
 
+/// A part of an MCAP file that can't be read.
+struct McapLoss {
+  std::uint64_t offset = 0, size = 0;  ///< in the file [bytes]
+  std::string why;
+  bool has_times = false;                       ///< a chunk that says from when its messages are
+  std::uint64_t first_time = 0, last_time = 0;  ///< of them [ns]
+};
+
 /// Reads an MCAP file from front to back without its index, so that a file that was cut off or
-/// damaged gives everything up to that place: all of its whole chunks.
+/// damaged gives all of its whole chunks: what can't be read is passed over.
 class McapReader {
  public:
   /// Reads up to the first chunk: what was attached before it is known. Throws FileError if the
   /// file is missing, empty or not MCAP.
   explicit McapReader(const std::string& path);
 
-  /// The next message in the order of the file; false at its end, or where it stops being readable.
+  /// The next message in the order of the file that can be read; false at its end.
   [[nodiscard]] bool next(McapMessage& message);
 
-  /// After the last message: the file is whole, with its footer.
-  [[nodiscard]] bool complete() const { return complete_; }
-  /// After the last message: why the file could not be read further; empty if it is complete.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
-  /// The same, shorter: what is wrong, and where.
-  [[nodiscard]] const std::string& damage() const { return damage_; }
+  /// After the last message: the file has its footer, and nothing of it is lost.
+  [[nodiscard]] bool complete() const { return is_closed_ && losses_.empty(); }
+  /// So far: what could not be read, in the order of the file.
+  [[nodiscard]] const std::vector<McapLoss>& losses() const { return losses_; }
+  /// After the last message: the file has its footer.
+  [[nodiscard]] bool is_closed() const { return is_closed_; }
+  /// In a sentence without its end: what is lost so far, and after the last message where the file
+  /// was cut off; empty if it is complete.
+  [[nodiscard]] std::string problem() const;
+  /// The same of the first place alone: what is wrong, and where.
+  [[nodiscard]] std::string damage() const;
   /// Bytes before the chunk, or the record outside of chunks, that the last message stood in.
   [[nodiscard]] std::uint64_t chunk_offset() const { return chunk_offset_; }
 
@@ -52,15 +66,20 @@ class McapReader {
   }
 
  private:
+  void check_magic();
   bool read_record();
   void take(mcap::Opcode opcode, std::string_view content);
+  void take_descriptions(mcap::Opcode opcode, std::string_view content);
   bool take_from_chunk(McapMessage& message);
   void open_chunk(std::string_view content);
+  void close();
+  void learn_descriptions();
+  void lose(const char* why);
   void stop(const std::string& why);
+  [[nodiscard]] std::string place(const std::string& why, std::uint64_t offset) const;
 
   std::string path_;
-  std::ifstream file_;
-  std::uint64_t size_ = 0, offset_ = 0;  // of the file, and what was read of it
+  mcap::RecordWalk file_;
   std::uint64_t chunk_offset_ = 0;
   std::string record_, chunk_;
   std::string_view rest_;  // of the open chunk
@@ -68,8 +87,9 @@ class McapReader {
   std::map<std::uint16_t, McapChannel> channels_;
   std::map<std::string, std::string> attachments_;
   std::map<std::string, std::map<std::string, std::string>> metadata_;
-  bool complete_ = false, ended_ = false;
-  std::string problem_, damage_;
+  bool is_closed_ = false, ended_ = false, has_learned_ = false;
+  std::vector<McapLoss> losses_;
+  std::string end_;  // why and where it ended before its end
 };
 
 }  // namespace surefoot

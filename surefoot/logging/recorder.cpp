@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
+#include "surefoot/logging/logged_model.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
@@ -66,7 +67,7 @@ struct Recorder::Implementation {
                 .user = json_channel<UserCommand>("/user", "surefoot.UserCommand"),
                 .state = json_channel<RobotState>("/state", "surefoot.RobotState"),
                 .plan = json_channel<MotionPlan>("/plan", "surefoot.MotionPlan"),
-                .model = json_channel<ModelRecord>("/model", "surefoot.ModelRecord"),
+                .model = json_channel<logged::Model>("/model", "surefoot.ModelRecord"),
                 .hierarchy = json_channel<logged::Hierarchy>("/hierarchy", "surefoot.Hierarchy"),
                 .command = json_channel<JointCommand>("/command", "surefoot.JointCommand")};
     thread = std::thread([this] { run(); });
@@ -154,7 +155,7 @@ struct Recorder::Implementation {
     message(channels.user, time, tick.user);
     message(channels.state, time, tick.state);
     message(channels.plan, time, tick.plan);
-    message(channels.model, time, tick.model);
+    message(channels.model, time, logged::model_of(tick));
     message(channels.hierarchy, time, namer.name(tick.hierarchy));
     message(channels.command, time, tick.command);
   }

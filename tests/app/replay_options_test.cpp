@@ -91,8 +91,8 @@ TEST(StackComparison, TellsItsObserverOfEachTick) {
   const StackComparison result = compare_stack(
       folder / "run.mcap", "crouch_first",
       [&](const TickRecord& logged, const TickRecord& other,
-          const std::vector<std::string>& names) {
-        EXPECT_EQ(static_cast<std::int32_t>(names.size()), other.hierarchy.num_levels);
+          const std::vector<OtherLevel>& levels) {
+        EXPECT_EQ(static_cast<std::int32_t>(levels.size()), other.hierarchy.num_levels);
         square += std::pow(other.command.torque[4] - logged.command.torque[4], 2);
         ++ticks;
       });

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "surefoot/logging/message_codec.hpp"
 #include "tests/logging/synthetic_run.hpp"
@@ -276,6 +277,33 @@ TEST(Recorder, ALogCutOffInTheMiddleGivesTheTicksOfItsWholeChunks) {
   }
   EXPECT_EQ(before, 1200);
   EXPECT_GT(counts.size(), 3u);
+}
+
+TEST(Recorder, OfADamagedLogAllTicksAreReadThatStandWholeInOtherChunks) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> recorded = record(folder / "run.mcap", 1200);
+  const std::string whole = contents(folder / "run.mcap");
+  const auto chunks = McapChunks(folder / "run.mcap").chunks();
+  ASSERT_GT(chunks.size(), 5u);
+  for (const McapChunk& chunk : chunks) {
+    std::string bytes = whole;
+    bytes.at(chunk.offset + chunk.size / 2) ^= '\x40';
+    write_file(folder / "damaged.mcap", bytes);
+    LogReader log(folder / "damaged.mcap");
+    TickRecord tick;
+    std::size_t ticks = 0, gaps = 0, place = 0;
+    for (; log.next(tick); ++ticks) {
+      while (place < recorded.size() && recorded[place].reading.time < tick.reading.time) ++place;
+      ASSERT_LT(place, recorded.size());
+      expect_same(recorded[place], tick);
+      gaps += log.follows() ? 0 : 1;
+    }
+    const bool has_ticks = &chunk < &chunks.back() && log.timings().size() == recorded.size();
+    EXPECT_EQ(ticks < recorded.size(), has_ticks);
+    EXPECT_EQ(gaps + (log.may_go_on() ? 1 : 0), has_ticks ? 1u : 0u);
+    EXPECT_FALSE(log.complete());
+    EXPECT_EQ(log.summary(), R"({"metrics":{}})");
+  }
 }
 
 TEST(Recorder, AMissingFolderIsNamed) {

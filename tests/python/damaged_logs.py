@@ -40,12 +40,40 @@ def cut(log, folder, share):
 
 
 def damaged(log, folder, share):
-    """One byte in its middle is another."""
+    """One byte is another, at that share of its length."""
+    return damaged_at(log, folder, int(share * log.stat().st_size), f"damaged{share}")
+
+
+def tick_chunks(log):
+    """The chunks that hold ticks, in their order: those before the time goes back."""
+    with open(log, "rb") as file:
+        chunks = sorted(make_reader(file).get_summary().chunk_indexes, key=lambda chunk: chunk.chunk_start_offset)
+    return [chunk for i, chunk in enumerate(chunks) if all(chunk.message_start_time >= other.message_start_time for other in chunks[:i])]
+
+
+def timings_chunk(log):
+    """A place in the first chunk of timings, which stand behind all ticks."""
+    last = tick_chunks(log)[-1].chunk_start_offset
+    with open(log, "rb") as file:
+        behind = [chunk for chunk in make_reader(file).get_summary().chunk_indexes if chunk.chunk_start_offset > last]
+    chunk = min(behind, key=lambda chunk: chunk.chunk_start_offset)
+    return chunk.chunk_start_offset + chunk.chunk_length // 2
+
+
+def damaged_at(log, folder, place, name="damaged"):
+    """The byte at that place of the file is another."""
     data = bytearray(log.read_bytes())
-    data[int(share * len(data))] ^= 0xFF
-    path = folder / f"damaged{share}.mcap"
+    data[place] ^= 0xFF
+    path = folder / f"{name}.mcap"
     path.write_bytes(data)
     return path
+
+
+def without_chunk(log, folder, number):
+    """A byte in the middle of a chunk of ticks is another, so that all of it is lost. Gives the log, and the times of what is lost."""
+    chunk = tick_chunks(log)[number]
+    path = damaged_at(log, folder, chunk.chunk_start_offset + chunk.chunk_length // 2, f"without{number}")
+    return path, 1e-9 * chunk.message_start_time, 1e-9 * chunk.message_end_time
 
 
 def plain_text(folder):
@@ -56,25 +84,42 @@ def plain_text(folder):
 
 def changed(log, folder, topic, tick, change):
     """The same log, but for one message: `change` gets it decoded."""
-    path = folder / "changed.mcap"
+
+    def changed_data(channel, number, data):
+        if (channel.topic, number) != (topic, tick):
+            return data
+        content = json.loads(data)
+        change(content)
+        return json.dumps(content).encode()
+
+    return rewritten(log, folder / "changed.mcap", changed_data)
+
+
+def steered(log, folder, changes):
+    """The same log with messages on /changes; members that they don't give are unknown."""
+    unknown = {"stack": "", "duration": None, "friction": None, "body": "", "point": [None] * 3, "force": [None] * 3}
+    return rewritten(log, folder / "steered.mcap", changes=[unknown | change for change in changes])
+
+
+def rewritten(log, path, data_of=lambda channel, number, data: data, changes=()):
+    """The same messages in the same order, with other data; a change before the tick of its time."""
     with open(log, "rb") as source, open(path, "wb") as target:
         writer = Writer(target)
         writer.start()
-        reader, channels, seen = make_reader(source), {}, 0
+        reader, channels, seen, waiting = make_reader(source), {}, {}, list(changes)
         for item in reader.iter_attachments():
             writer.add_attachment(0, 0, item.name, item.media_type, item.data)
+        own = writer.register_channel("/changes", "json", writer.register_schema("surefoot.Change", "jsonschema", b"{}")) if changes else None
         # In the order of the file, which is that of the ticks.
         for schema, channel, message in reader.iter_messages(log_time_order=False):
             if channel.id not in channels:
                 schema_id = writer.register_schema(schema.name, schema.encoding, schema.data)
                 channels[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, schema_id)
-            data = message.data
-            if channel.topic == topic:
-                if seen == tick:
-                    content = json.loads(data)
-                    change(content)
-                    data = json.dumps(content).encode()
-                seen += 1
+            while waiting and channel.topic == "/readings" and 1e-9 * message.log_time > waiting[0]["time"] - 1e-6:
+                change = waiting.pop(0)
+                writer.add_message(own, message.log_time, json.dumps(change).encode(), message.publish_time)
+            number = seen[channel.topic] = seen.get(channel.topic, -1) + 1
+            data = data_of(channel, number, message.data)
             writer.add_message(channels[channel.id], message.log_time, data, message.publish_time)
         writer.finish()
     return path

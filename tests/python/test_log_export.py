@@ -4,13 +4,14 @@ import csv
 import json
 import math
 import pathlib
+import re
 
 import numpy as np
 import pyarrow.parquet
 import pytest
-from damaged_logs import cut, damaged, foreign, newer, plain_text, without_ticks
+from damaged_logs import cut, damaged_at, foreign, newer, plain_text, steered, tick_chunks, without_chunk, without_ticks
 from foxglove_fields import FIELDS, bare, differences, schema_of
-from log_file import attachment, messages
+from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from log_tools import complaint_of, log_command
 from mcap.reader import NonSeekingReader, make_reader
 from surefoot_campaign.errors import InputError
@@ -104,12 +105,22 @@ def test_csv_reads_back_to_the_same_numbers(log, table, tmp_path):
     with open(tmp_path / "run.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == math.ceil(TICKS / 7)
-    assert {name.split(".")[0] for name in rows[0]} == {"time", "state", "command"}
+    assert {re.split(r"[.\[]", name)[0] for name in rows[0]} == {"time", "state", "command"}
     for i in (0, 50):
-        for name, text in rows[i].items():
+        for column, text in rows[i].items():
+            name = column.split("[")[0]
             value = table[name][7 * i].as_py()
             read = {"true": True, "false": False}.get(text, text) if isinstance(value, (bool, str)) else text and float(text)
             assert read == ("" if value is None else value), name
+
+
+def test_csv_has_the_unit_of_each_column_behind_its_name(log, table, tmp_path):
+    exported(log, "--csv", tmp_path / "run.csv", "--every", 400)
+    with open(tmp_path / "run.csv", newline="", encoding="utf-8") as file:
+        header = next(csv.reader(file))
+    units = [(field.name, field.metadata[b"unit"].decode()) for field in table.schema]
+    assert header == [f"{name}[{unit}]" if unit else name for name, unit in units]
+    assert {"time[s]", "plan.com.p.x[m]", "command.torque.LF_KFE[N·m]", "state.q_WB.w", "plan.feet.LF.phase"} <= set(header)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.6, 0.9])
@@ -149,10 +160,27 @@ def test_an_unknown_topic_is_told_before_anything_is_read(log, opened):
     assert opened == []
 
 
-def test_of_a_damaged_log_the_chunks_before_the_damage_are_exported(log, tmp_path):
-    result = exported(damaged(log, tmp_path, 0.7), "--parquet", tmp_path / "part.parquet", "--topics", "state")
-    assert "checksum" in result.stderr or "decompressed" in result.stderr
-    assert 0 < pyarrow.parquet.read_table(tmp_path / "part.parquet").num_rows < TICKS
+@pytest.mark.parametrize("number", [0, 3])
+def test_of_a_damaged_log_all_but_the_damaged_chunk_is_exported(log, table, tmp_path, number):
+    file, first, last = without_chunk(log, tmp_path, number)
+    result = exported(file, "--parquet", tmp_path / "part.parquet", "--topics", "state", "timings")
+    assert f"({first:.4f} s to {last:.4f} s); what stood there is lost, the rest was read" in result.stderr
+    part = pyarrow.parquet.read_table(tmp_path / "part.parquet")
+    times = part["time"].to_pylist()
+    assert all(time < first + 0.003 or time > last - 0.003 for time in times) and (times[0] == 0) == (number != 0)
+    rows = [round(time / 0.0025) for time in times]
+    assert len(rows) == pytest.approx(TICKS - (last - first) / 0.0025, abs=2)
+    assert part.equals(table.select(part.column_names).take(rows))
+
+
+@pytest.mark.parametrize("byte", [0, 1, 2, 5])
+def test_of_a_log_whose_chunk_has_a_damaged_head_the_rest_is_exported(log, table, tmp_path, byte):
+    chunk = tick_chunks(log)[3]
+    file = damaged_at(log, tmp_path, chunk.chunk_start_offset + byte)
+    result = exported(file, "--parquet", tmp_path / "part.parquet", "--topics", "plan")
+    assert ("a record's head is damaged" in result.stderr) == (byte != 0)
+    part = pyarrow.parquet.read_table(tmp_path / "part.parquet")
+    assert part.num_rows > TICKS - 100 and part["time"][-1].as_py() == table["time"][-1].as_py()
 
 
 def test_what_is_no_log_is_refused_by_name(log, tmp_path):
@@ -166,7 +194,7 @@ def test_what_is_no_log_is_refused_by_name(log, tmp_path):
         without_ticks(log, tmp_path): "holds no tick",
         tmp_path / "empty": "the file is empty",
         tmp_path / "missing.mcap": "No such file",
-        tmp_path: "can't be read",
+        tmp_path: "is a folder",
     }.items():
         line = complaint_of("export", file, "--csv", out)
         assert str(file) in line and words in line
@@ -224,6 +252,14 @@ def test_messages_and_schemas_have_the_fields_of_the_published_schemas(scene_fil
         assert bare(json.loads(schema.data)) == schema_of(FIELDS[schema.name])
         assert differences(json.loads(message.data), FIELDS[schema.name], channel.topic) == []
     assert seen == set(FIELDS)
+
+
+def test_events_tell_what_the_operator_did(log, tmp_path):
+    exported(steered(log, tmp_path, OPERATOR), "--foxglove", tmp_path / "scene.mcap", "--topics", "user", "--every", 20)
+    events = [message for message in in_file_order(tmp_path / "scene.mcap") if message[1].topic == "/events"]
+    told = {round(1e-9 * message.log_time, 6): json.loads(message.data) for *_, message in events}
+    assert {time: event["message"] for time, event in told.items() if event["name"] == "operator"} == OPERATOR_TOLD
+    assert "planner" in {event["name"] for event in told.values()}
 
 
 def test_time_never_goes_back_in_the_scenes_file(scene_file):

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "surefoot/logging/message_fields.hpp"
+#include "surefoot/signals/tick_record.hpp"
+
+namespace surefoot::logged {
+
+/// ModelRecord, and what follows from it and the believed state.
+struct Model {
+  ModelRecord record;
+  Vec2 zmp = Vec2::Constant(kNaN);  ///< see `measured_zmp`
+};
+
+[[nodiscard]] Model model_of(const TickRecord& tick);
+
+/// Where one force can stand for the estimated ground forces f on the feet F, without a horizontal
+/// moment, at the height at which they act:
+///
+///     x = Σ (p_WF,xy f_z − (p_WF,z − z) f_xy) / Σ f_z,   z = Σ p_WF,z f_z / Σ f_z
+///
+/// In W [m]; NaN while the feet carry nothing or nothing is believed.
+[[nodiscard]] Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force);
+
+template <typename Archive, Is<Model> T>
+void fields(Archive& field, T& model) {
+  fields(field, model.record);
+  field("zmp", model.zmp,
+        "measured zero-moment point, of the estimated foot forces of /state, in W [m]");
+}
+
+}  // namespace surefoot::logged

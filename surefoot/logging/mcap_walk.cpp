@@ -1,0 +1,104 @@
+#include "surefoot/logging/mcap_walk.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace surefoot::mcap {
+namespace {
+
+constexpr std::string_view kZstd{"\x04\0\0\0zstd", 8};
+constexpr std::uint64_t kBeforeCompression = 28;  // of a chunk's content [bytes]
+constexpr std::uint64_t kBesideName = 40;         // of a chunk's content, without records and name
+constexpr std::uint64_t kLongestName = 16;
+constexpr std::uint64_t kBesideIndex = 6;   // of a message index's content, without its entries
+constexpr std::uint64_t kSought = 1 << 20;  // at once [bytes]
+
+// Whether the sizes in a record's content, of which `start` has the first bytes, fit together.
+bool fits(Opcode opcode, std::string_view start, std::uint64_t length) {
+  try {
+    Cursor cursor(start);
+    if (opcode == Opcode::message_index) {
+      cursor.bytes(2);  // channel
+      return length == kBesideIndex + cursor.number<std::uint32_t>();
+    }
+    if (opcode != Opcode::chunk) return true;
+    cursor.bytes(kBeforeCompression);
+    const auto name = cursor.number<std::uint32_t>();
+    if (name > kLongestName) return false;
+    cursor.bytes(name);
+    return length == kBesideName + name + cursor.number<std::uint64_t>();
+  } catch (const Malformed&) {
+    return false;
+  }
+}
+
+bool is_compressed(std::string_view start) {
+  return start.size() > kBeforeCompression && start.substr(kBeforeCompression).starts_with(kZstd);
+}
+
+}  // namespace
+
+RecordWalk::RecordWalk(const std::string& path) : file_(path, std::ios::binary) {
+  std::error_code error;
+  is_open_ = file_.is_open() && std::filesystem::is_regular_file(path, error);
+  if (is_open_) size_ = std::filesystem::file_size(path);
+}
+
+std::string RecordWalk::bytes(std::uint64_t offset, std::uint64_t count) {
+  if (offset > size_ || count > size_ - offset) throw Malformed{"cut off"};
+  std::string result(count, '\0');
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(offset));
+  if (!file_.read(result.data(), static_cast<std::streamsize>(count)))
+    throw Malformed{"can't be read"};
+  return result;
+}
+
+bool RecordWalk::next() {
+  offset_ = next_;
+  skipped_ = 0;
+  if (is_record(offset_)) {
+    next_ = offset_ + kRecordHead + length_;
+    return true;
+  }
+  const std::uint64_t damaged = offset_;
+  if (!find_chunk(damaged + 1)) return false;
+  skipped_ = offset_ - damaged;
+  next_ = offset_ + kRecordHead + length_;
+  return true;
+}
+
+// Whether a record can begin there; then it has its opcode and length.
+bool RecordWalk::is_record(std::uint64_t offset) {
+  if (offset > size_ || size_ - offset < kRecordHead) return false;
+  constexpr std::uint64_t kMost = kRecordHead + kBesideName + kLongestName;
+  const std::string start = bytes(offset, std::min(kMost, size_ - offset));
+  Cursor cursor(start);
+  const auto [opcode, length] = take_head(cursor);
+  if (length > size_ - offset - kRecordHead) return false;
+  const std::string_view content = cursor.rest();
+  const bool is_chunk = is_compressed(content) && fits(Opcode::chunk, content, length);
+  if (!is_chunk && !fits(opcode, content, length)) return false;
+  opcode_ = is_chunk ? Opcode::chunk : opcode;
+  length_ = length;
+  return true;
+}
+
+// The next compressed chunk from there on; then it has its place.
+bool RecordWalk::find_chunk(std::uint64_t from) {
+  constexpr std::uint64_t kToName = kRecordHead + kBeforeCompression;
+  for (std::uint64_t begin = from + kToName; begin < size_; begin += kSought) {
+    const std::string part = bytes(begin, std::min(kSought + kZstd.size(), size_ - begin));
+    for (std::size_t found = part.find(kZstd); found != std::string::npos;
+         found = part.find(kZstd, found + 1)) {
+      const std::uint64_t offset = begin + found - kToName;
+      if (!is_record(offset) || opcode_ != Opcode::chunk) continue;
+      offset_ = offset;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace surefoot::mcap
