@@ -3,6 +3,8 @@
 import contextlib
 import json
 import math
+import os
+import pathlib
 import re
 import socket
 import struct
@@ -221,6 +223,21 @@ def test_an_interrupt_ends_a_run_that_is_watched_as_any_other(tmp_path):
         assert run.end() == 2
     assert (tmp_path / "run.mcap.partial").exists()
     assert "interrupted" in run.errors
+
+
+def niceness(process):
+    """Of its threads, by name."""
+    found = {}
+    for task in pathlib.Path(f"/proc/{process.pid}/task").iterdir():
+        name, _, rest = (task / "stat").read_text().partition("(")[2].rpartition(")")
+        found[name] = int(rest.split()[16])
+    return found
+
+
+def test_what_can_wait_gives_way_to_the_run(tmp_path):
+    with Served("run", "walk_flat", "--view", *LONG, "--record", tmp_path / "run.mcap") as run:
+        nice, loop = niceness(run.process), os.getpriority(os.PRIO_PROCESS, run.process.pid)
+        assert nice["view-server"] == nice["log-writer"] == loop + 5, (nice, loop)
 
 
 @pytest.fixture(scope="module")
