@@ -155,6 +155,10 @@ void LiveFeed::show(const logged::Change& change) {
         .member("time", time)
         .member("kind", std::string_view(kind))
         .member("text", std::string_view(words))
+void LiveFeed::set_recording(const std::string& path) {
+  hand_over([this, path] { recording_ = path; });
+}
+
         .end_object();
   });
 }

@@ -43,6 +43,8 @@ class LiveFeed final : public WebContent {
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
+  /// The log that is written from the next begin on.
+  void set_recording(const std::string& path);
   void show(const logged::Change& change);
   /// A line that every page shows.
   void tell(const std::string& notice);
@@ -75,7 +77,6 @@ class LiveFeed final : public WebContent {
 
   LiveOperator& operator_;
   const ViewRobot robot_;
-  const std::string recording_;
   std::optional<TickRing<ViewTick>> ring_;  // from the first begin on
   Mailbox<News> mailbox_;
   std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
@@ -91,7 +92,7 @@ class LiveFeed final : public WebContent {
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
   std::vector<std::string> events_, outbox_;
-  std::string ended_;
+  std::string ended_, recording_;
   std::deque<SharedBlock> recent_;  // the last second or two, for pages that come
   ViewFrame frame_;
   std::optional<StartAlignment> start_;

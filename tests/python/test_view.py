@@ -225,6 +225,32 @@ def test_an_interrupt_ends_a_run_that_is_watched_as_any_other(tmp_path):
     assert "interrupted" in run.errors
 
 
+def ticks_of(path):
+    from mcap.reader import make_reader
+
+    with open(path, "rb") as file:
+        return sum(1 for _ in make_reader(file).iter_messages(topics=["/command"]))
+
+
+def test_a_reset_keeps_the_log_of_the_run_before(tmp_path):
+    """Of one that it cuts off and of one that has ended."""
+    (tmp_path / "run-3.mcap").write_text("mine")
+    with Served("run", "walk_flat", "--view", "--set", "duration=1", "--record", tmp_path / "run.mcap") as run, run.page() as page:
+        page.status(lambda status: 0 < status["tick"] < 380)
+        assert page.status()["recording"] == str(tmp_path / "run.mcap")
+        page.do("reset")
+        page.status(lambda status: status["recording"].endswith("run-2.mcap") and status["ended"] is not None)
+        cut = ticks_of(tmp_path / "run.mcap.partial")
+        assert 0 < cut < 400 and ticks_of(tmp_path / "run-2.mcap") == 400
+        page.do("reset")
+        page.status(lambda status: status["recording"].endswith("run-4.mcap") and 0 < status["tick"] < 380)
+        assert run.end() == 2
+    assert ticks_of(tmp_path / "run.mcap.partial") == cut and ticks_of(tmp_path / "run-2.mcap") == 400
+    assert ticks_of(tmp_path / "run-4.mcap.partial") > 0 and (tmp_path / "run-3.mcap").read_text() == "mine"
+    assert "run.mcap.partial; the next goes into" in run.errors
+    assert "run-4.mcap.partial holds the run so far" in run.errors
+
+
 def niceness(process):
     """Of its threads, by name."""
     found = {}
