@@ -118,11 +118,6 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
     if (!refused && !shared_.content.is_live()) {
       refused = refusal(404, "there is nothing live: a log is shown");
     }
-    const auto most = static_cast<std::size_t>(std::max(shared_.options.max_clients, 0));
-    if (!refused && shared_.clients.size() >= most) {
-      refused = refusal(503, "too many pages watch already, " + std::to_string(most) +
-                                 "; close one of them, or raise --view-clients");
-    }
     if (refused) return send(std::move(*refused), false, false);
     std::make_shared<WebClient>(std::move(stream_), shared_, count_)->begin(request);
   }

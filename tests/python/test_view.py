@@ -15,7 +15,7 @@ import urllib.parse
 import pytest
 
 from damaged_logs import changed, damaged
-from live_page import Frames, Page, Refused, Served
+from live_page import Closed, Frames, Page, Refused, Served
 from program import PROGRAM, complaint
 
 LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
@@ -249,6 +249,13 @@ def test_a_reset_keeps_the_log_of_the_run_before(tmp_path):
     assert ticks_of(tmp_path / "run-4.mcap.partial") > 0 and (tmp_path / "run-3.mcap").read_text() == "mine"
     assert "run.mcap.partial; the next goes into" in run.errors
     assert "run-4.mcap.partial holds the run so far" in run.errors
+
+
+def test_a_page_too_many_is_told_the_limit():
+    with Served("run", "walk_flat", "--view", "--view-clients", 2, *LONG) as run, run.page() as first, run.page() as second:
+        with pytest.raises(Closed, match="2 pages watch already, the limit; close one of them, or raise --view-clients"), run.page() as third:
+            third.hear()
+        assert first.status(lambda status: status["clients"] == 2) and second.status()
 
 
 def niceness(process):

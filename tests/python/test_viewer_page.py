@@ -10,6 +10,7 @@ import pytest
 
 from browser import WITHOUT_PICTURE, Browser, wait_for
 from damaged_logs import damaged
+from live_page import Page
 from viewer import Viewer
 from viewer_page import SCREENSHOTS, WALK, channel, pause, show
 
@@ -86,6 +87,19 @@ def test_scrubbing_shows_an_earlier_tick_while_the_run_goes_on(browser, live):
     assert browser.run("surefoot.time") == shown
     browser.press("l")
     browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
+
+
+def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser):
+    with Viewer(*WALK, "--view-clients", 1) as walk:
+        with Page(walk) as first:
+            first.status()
+            browser.open("about:blank")
+            browser.open(walk.link)
+            browser.wait("document.querySelector('#notes')?.textContent.includes('1 page watches already, the limit')", 60)
+            assert browser.run("document.querySelector('#link-state').textContent") == "turned away"
+            browser.screenshot(SCREENSHOTS / "turned_away.png")
+        browser.wait("document.querySelector('#link-state')?.textContent === 'connected' && surefoot.tick > 0", 40)
+        browser.wait("!document.querySelector('#notes').textContent.includes('limit')", 40)
 
 
 def step_until(browser, condition, what, ticks=200):

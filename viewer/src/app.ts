@@ -139,7 +139,7 @@ export class App {
 
   private async lookForServer(): Promise<void> {
     try {
-      await fetch("/icon.svg", { method: "HEAD", signal: AbortSignal.timeout(SERVER_SILENCE) });
+      await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
     } catch {
       await this.awaitServer();
     }

@@ -153,7 +153,7 @@ export class LiveLink {
     const { state, silence } = this.connection;
     const badge = part("link-state");
     badge.dataset["state"] = silence > 0 ? "lost" : state;
-    const words = { open: "connected", lost: "connection lost", connecting: "connecting" };
+    const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
     say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
   }
 
@@ -164,7 +164,7 @@ export class LiveLink {
       this.lostBefore = true;
       this.generations.clear();
       app.handlers().commands.lost();
-      app.notes.keep("lost", "The connection to the program is lost. The last picture stays; the page tries again by itself.", "error");
+      app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
       app.notes.take("lost");
       if (this.lostBefore) void this.comeBack();
@@ -186,4 +186,10 @@ export class LiveLink {
     if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
     return facts;
   }
+}
+
+/** Why there is no connection; `reason`: what the program has said of it. */
+function lossText(reason: string): string {
+  if (reason === "") return "The connection to the program is lost. The last picture stays; the page tries again by itself.";
+  return `The program has closed the connection: ${reason}. The page tries again by itself.`;
 }
