@@ -133,6 +133,45 @@ TEST(LiveView, pages_of_a_run_and_of_its_log_are_told_of_the_same_events) {
   EXPECT_GT(std::ranges::count_if(live, has_leg), 3) << "a walk lifts its feet";
 }
 
+TEST(LiveView, a_page_that_comes_late_can_ask_for_what_was_before) {
+  LiveTestRun run({"duration=4"});
+  run.at(300, {.type = Type::friction, .value = 0.3});
+  run.run();
+  std::size_t welcome = 0;
+  for (const SharedBlock& block : run.feed.welcome()) welcome += block.frames;
+  ASSERT_LT(welcome, 1000u) << "little comes unasked";
+  const json session = json::parse(run.feed.get("/api/session", {}).body);
+  EXPECT_EQ(session.at("first_tick"), 0);
+  EXPECT_EQ(session.at("ticks"), 1600);
+  const WebAnswer answer =
+      run.feed.get("/api/frames", {{"from", "250"}, {"count", "100"}, {"stride", "3"}});
+  ASSERT_EQ(answer.status, 200);
+  const ReadBlock block = read_block(answer.body, run.channels.floats);
+  ASSERT_EQ(block.frames.size(), 100u);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const ViewFrame& sent = run.frames.at(250 + 3 * i);
+    ASSERT_EQ(block.frames[i].tick, sent.tick);
+    ASSERT_EQ(block.frames[i].time, sent.time);
+    ASSERT_TRUE(std::ranges::equal(block.frames[i].floats, sent.floats, [](float a, float b) {
+      return a == b || (std::isnan(a) && std::isnan(b));
+    }));
+  }
+  json told = json::array();
+  for (const std::string& message : run.events) {
+    const json events = json::parse(message).at("events");
+    told.insert(told.end(), events.begin(), events.end());
+  }
+  json remembered = json::array(), changes = json::array();
+  for (const json& event : json::parse(run.feed.get("/api/events", {}).body)) {
+    const bool is_change = event.is_object() && event.at("kind") == "change";
+    (is_change ? changes : remembered).push_back(event);
+  }
+  EXPECT_EQ(remembered, told);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_TRUE(test::holds(changes[0].at("text").get<std::string>(), "→ 0.3"));
+  EXPECT_EQ(run.feed.get("/api/frames", {{"count", "0"}}).status, 400);
+}
+
 TEST(LiveView, while_it_is_paused_it_makes_the_ticks_that_it_is_told_to) {
   LiveTestRun run({"duration=0.5"});
   run.at(20, ViewCommand{.type = Type::pause});
@@ -159,6 +198,7 @@ TEST(LiveView, a_reset_begins_the_same_run_again) {
   run.at(150, ViewCommand{.type = Type::reset});
   EXPECT_EQ(run.run().ending, Ending::reset);
   const std::size_t first = run.frames.size();
+  EXPECT_FALSE(run.feed.welcome().empty());
   EXPECT_EQ(run.run().ending, Ending::finished);
   EXPECT_EQ(first, 150u);
   ASSERT_EQ(run.frames.size(), first + 200);

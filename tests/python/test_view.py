@@ -258,6 +258,23 @@ def test_a_page_too_many_is_told_the_limit():
         assert first.status(lambda status: status["clients"] == 2) and second.status()
 
 
+def test_a_page_that_comes_late_can_ask_for_the_last_two_minutes():
+    with Served("run", "walk_flat", "--view", *LONG) as run, run.page() as page:
+        page.do("speed", factor=8.0)
+        while len(page.blocks) < 60:
+            page.hear()
+        sent = Frames(run.session(), page.blocks)
+        session = run.session()
+        assert session["first_tick"] == 0 and session["ticks"] > 0
+        first = sent.ticks[0]
+        asked = Frames(session, [run.get(f"/api/frames?from={first}&count=200&stride=1")[2]])
+        assert asked.ticks == list(range(first, first + 200))
+        assert asked.of("truth.p_WB") == sent.of("truth.p_WB")[:200] and asked.active == sent.active[:200]
+        span = Frames(session, [run.get(f"/api/frames?from={first}&count=2&stride=100&min_max=1")[2]])
+        heights = [p[2] for p in sent.of("truth.p_WB")[:100]]
+        assert [p[2] for p in span.of("truth.p_WB")] == [min(heights), max(heights)]
+
+
 def niceness(process):
     """Of its threads, by name."""
     found = {}
