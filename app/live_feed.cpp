@@ -4,6 +4,7 @@
 #include "app/stack_text.hpp"
 #include "app/view_tasks.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/error.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
@@ -18,7 +19,8 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t kRingTicks = 1024;
-constexpr std::size_t kRecentFrames = 800;
+constexpr std::size_t kWelcomeFrames = 800;  // what a page that comes gets unasked
+constexpr double kHistory = 122.0;           // what it can ask for: two minutes and a little [s]
 constexpr std::chrono::milliseconds kStatusInterval{250};
 constexpr std::chrono::milliseconds kMeasureInterval{1000};
 
@@ -53,11 +55,16 @@ std::string events_message(const std::vector<std::string>& events) {
   return text + "]}";
 }
 
+std::uint32_t ticks_of(double seconds, double period) {
+  return static_cast<std::uint32_t>(std::ceil(seconds / period));
+}
+
 }  // namespace
 
 LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
     : operator_(wishes),
       robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
+      history_(ticks_of(kHistory, scenario.controller.period)),
       recording_(std::move(recording)) {
   session_.start = random_token();
   session_.mode = "live";
@@ -99,7 +106,8 @@ void LiveFeed::begin_again(ViewSession begun) {
   names_ = {session_.channels.level_names, {}};
   finder_.emplace(session_.channels);
   events_.clear();
-  recent_.clear();
+  past_events_.clear();
+  history_.clear();
   start_.reset();
   ended_.clear();
   tick_ = 0;
@@ -147,6 +155,10 @@ void LiveFeed::set_ended(const std::string& reason) {
   hand_over([this, reason] { ended_ = reason; });
 }
 
+void LiveFeed::set_recording(const std::string& path) {
+  hand_over([this, path] { recording_ = path; });
+}
+
 void LiveFeed::show(const logged::Change& change) {
   hand_over([this, time = change.time, kind = change.kind, words = change.text] {
     JsonText(outbox_.emplace_back())
@@ -156,6 +168,7 @@ void LiveFeed::show(const logged::Change& change) {
         .member("kind", std::string_view(kind))
         .member("text", std::string_view(words))
         .end_object();
+    remember(time, text_event(time, "change", words));
   });
 }
 
@@ -187,15 +200,37 @@ void LiveFeed::take_news_before(const ViewTick& tick) {
   while (heard_ < tick.news) take_news();
 }
 
-WebAnswer LiveFeed::get(std::string_view path, const Query&) {
+WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
   if (path == "/api/session") {
+    session_.first_tick = history_.first_tick();
     session_.ticks = tick_;
     return {200, "application/json", to_json(session_)};
   }
-  if (path == "/api/frames" || path == "/api/events") {
-    return refusal(404, "only a log has these; a live run sends its frames to /api/live");
+  if (path == "/api/events") return {200, "application/json", events_json()};
+  return path == "/api/frames" ? frames(query) : robot_.get(path);
+}
+
+WebAnswer LiveFeed::frames(const Query& query) const {
+  try {
+    return {200, "application/octet-stream",
+            history_.block(read_frame_request(query), session_.generation, session_.channels.floats,
+                           session_.period)};
+  } catch (const Error& error) {
+    return refusal(400, error.what());
   }
-  return robot_.get(path);
+}
+
+std::string LiveFeed::events_json() const {
+  std::string text = "[";
+  for (const PastEvent& event : past_events_) text += (text.size() == 1 ? "" : ",") + event.text;
+  return text + "]";
+}
+
+void LiveFeed::remember(double time, std::string event) {
+  while (!past_events_.empty() && past_events_.front().time < history_.first_time()) {
+    past_events_.pop_front();
+  }
+  past_events_.push_back({time, std::move(event)});
 }
 
 // What was new before a tick is taken before it. News that were fetched stand behind all ticks
@@ -217,15 +252,15 @@ std::vector<SharedBlock> LiveFeed::blocks() {
     ring_->read();
   }
   while (!news_.empty()) take_news();
-  std::ranges::copy_if(blocks, std::back_inserter(recent_),
-                       [&](const SharedBlock& block) { return block.generation >= begun_; });
-  std::size_t frames = 0;
-  for (const SharedBlock& block : recent_) frames += block.frames;
-  while (!recent_.empty() && frames - recent_.front().frames >= kRecentFrames) {
-    frames -= recent_.front().frames;
-    recent_.pop_front();
-  }
+  if (bytes) bytes->shrink_to_fit();
+  keep(blocks);
   return blocks;
+}
+
+void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
+  for (const SharedBlock& block : blocks) {
+    if (block.generation >= begun_) history_.add(block);
+  }
 }
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
@@ -234,7 +269,9 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), &tick.truth, &tick.timing,
             start_ ? &*start_ : nullptr},
            session_.channels, frame_);
+  const std::size_t known = events_.size();
   finder_->see(frame_, events_);
+  for (std::size_t i = known; i < events_.size(); ++i) remember(frame_.time, events_[i]);
   pack(frame_, bytes);
   tick_ = tick.number + 1;
   time_ = tick.record.reading.time;
@@ -242,11 +279,7 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   forces_ = tick.forces;
 }
 
-std::vector<SharedBlock> LiveFeed::welcome() {
-  std::vector<SharedBlock> blocks(recent_.begin(), recent_.end());
-  for (SharedBlock& block : blocks) block.lost = 0;  // not lost to this page: it was not there
-  return blocks;
-}
+std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFrames); }
 
 void LiveFeed::measure() {
   const Clock::time_point now = Clock::now();

@@ -6,6 +6,7 @@
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
 #include "app/view_tick.hpp"
+#include "surefoot/view/frame_history.hpp"
 #include "surefoot/view/mailbox.hpp"
 #include "surefoot/view/tick_ring.hpp"
 #include "surefoot/view/web_server.hpp"
@@ -43,6 +44,8 @@ class LiveFeed final : public WebContent {
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
+  /// The log that is written from the next begin on.
+  void set_recording(const std::string& path);
   void show(const logged::Change& change);
   /// A line that every page shows.
   void tell(const std::string& notice);
@@ -71,11 +74,14 @@ class LiveFeed final : public WebContent {
   void take_news();
   void take_news_before(const ViewTick& tick);
   void take(const ViewTick& tick, std::string& bytes);
+  void keep(const std::vector<SharedBlock>& blocks);
+  void remember(double time, std::string event);
+  [[nodiscard]] WebAnswer frames(const Query& query) const;
+  [[nodiscard]] std::string events_json() const;
   void measure();
 
   LiveOperator& operator_;
   const ViewRobot robot_;
-  const std::string recording_;
   std::optional<TickRing<ViewTick>> ring_;  // from the first begin on
   Mailbox<News> mailbox_;
   std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
@@ -91,8 +97,13 @@ class LiveFeed final : public WebContent {
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
   std::vector<std::string> events_, outbox_;
-  std::string ended_;
-  std::deque<SharedBlock> recent_;  // the last second or two, for pages that come
+  FrameHistory history_;  // of the present run
+  struct PastEvent {
+    double time;
+    std::string text;  // as /api/events has it
+  };
+  std::deque<PastEvent> past_events_;  // as old as the history
+  std::string ended_, recording_;
   ViewFrame frame_;
   std::optional<StartAlignment> start_;
   std::uint32_t tick_ = 0;

@@ -1,7 +1,9 @@
 #include "app/live_run.hpp"
 
 #include "app/live_view.hpp"
+#include "app/output_files.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/recorder.hpp"
 #include "surefoot/view/web_server.hpp"
 
 #include <cstdio>
@@ -25,9 +27,21 @@ void tell_link(const std::string& link, const std::string& how_it_ends) {
   std::fprintf(stderr, "\n  open   %s\n  %s\n\n", link.c_str(), how_it_ends.c_str());
 }
 
-RunResult run_live(const Scenario& scenario, ClosedLoopOptions options,
-                   const ViewArguments& arguments,
-                   const std::function<void(const RunResult&)>& ended) {
+namespace {
+
+/// The log of a run that is begun again stays.
+void tell_kept(const LiveResult& before, const std::string& next) {
+  const bool is_cut = before.run.ending == Ending::reset;
+  const std::string kept = is_cut ? partial_path(before.record_path) : before.record_path;
+  std::fprintf(stderr, "  the log of the run before the reset is %s; the next goes into %s\n",
+               kept.c_str(), next.c_str());
+}
+
+}  // namespace
+
+LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
+                    const ViewArguments& arguments,
+                    const std::function<void(const RunResult&)>& ended) {
   LiveOperator wishes(scenario, ViewLimits());
   LiveFeed feed(scenario, wishes, options.record_path);
   LiveView view(wishes, feed, options.interrupted);
@@ -43,13 +57,20 @@ RunResult run_live(const Scenario& scenario, ClosedLoopOptions options,
                    feed);
     tell_link(server->link(), "^C     ends the run");
   };
+  const std::string first_log = options.record_path;
   while (true) {
     const RunResult result = run_closed_loop(scenario, options);
-    if (result.ending == Ending::interrupted) return result;
-    if (result.ending == Ending::reset) continue;
-    ended(result);
-    std::fprintf(stderr, "\n  the page stays open: reset begins the run again, ^C ends it\n\n");
-    if (!view.wait_for_reset(result.metrics.reason)) return result;
+    if (result.ending == Ending::interrupted) return {result, options.record_path};
+    if (result.ending != Ending::reset) {
+      ended(result);
+      std::fprintf(stderr, "\n  the page stays open: reset begins the run again, ^C ends it\n\n");
+      if (!view.wait_for_reset(result.metrics.reason)) return {result, options.record_path};
+    }
+    if (first_log.empty()) continue;
+    const LiveResult before{result, options.record_path};
+    options.record_path = next_free_log(first_log);
+    tell_kept(before, options.record_path);
+    feed.set_recording(options.record_path);
   }
 }
 

@@ -10,35 +10,17 @@
 #include "surefoot/view/web_guard.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace surefoot {
 namespace {
 
-constexpr std::uint32_t kMostFrames = 4096;    // of an answer
-constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for one …
+constexpr std::uint64_t kMostDecoded = 4096;   // ticks that are read for an answer …
 constexpr std::uint64_t kMostCompared = 2048;  // … of which the least and greatest are asked
-constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max() / 2;
 
 std::string urdf_of(const LogHeader& header) {
   const std::string* urdf = header.attachment("robot.urdf");
   return urdf == nullptr ? "" : *urdf;
-}
-
-/// Reads a whole number from the query; keeps the default where it is not given.
-void number(const WebContent::Query& query, const char* key, std::uint32_t min, std::uint32_t max,
-            std::uint32_t& value) {
-  const auto found = query.find(key);
-  if (found == query.end()) return;
-  const std::string& text = found->second;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value >= min && value <= max)
-    return;
-  throw Error(std::string(key) + " is \"" + text + "\"; valid is a whole number from " +
-              std::to_string(min) + " to " + std::to_string(max));
 }
 
 std::string block(const std::string& bytes, std::uint32_t frames) {
@@ -103,16 +85,11 @@ std::string LogContent::session() {
 }
 
 WebAnswer LogContent::frames(const Query& query) {
-  Asked asked;
-  number(query, "from", 0, kLargest, asked.from);
-  number(query, "count", 1, kMostFrames, asked.count);
-  number(query, "stride", 1, kLargest, asked.stride);
-  std::uint32_t min_max = 0;
-  number(query, "min_max", 0, 1, min_max);
-  return {200, "application/octet-stream", min_max == 1 ? ranges(asked) : plain_frames(asked)};
+  const FrameRequest asked = read_frame_request(query);
+  return {200, "application/octet-stream", asked.min_max ? ranges(asked) : plain_frames(asked)};
 }
 
-std::string LogContent::plain_frames(const Asked& asked) {
+std::string LogContent::plain_frames(const FrameRequest& asked) {
   if ((asked.count - 1) * std::uint64_t{asked.stride} >= kMostDecoded) return kept_frames(asked);
   std::string bytes;
   std::uint32_t frames = 0;
@@ -127,7 +104,7 @@ std::string LogContent::plain_frames(const Asked& asked) {
 }
 
 // Of a long piece, those that the summary has: each once.
-std::string LogContent::kept_frames(const Asked& asked) {
+std::string LogContent::kept_frames(const FrameRequest& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   std::uint64_t tick = asked.from;
@@ -143,7 +120,7 @@ std::string LogContent::kept_frames(const Asked& asked) {
 }
 
 // Two frames a stride. From the ticks themselves where the summary is coarser than that.
-std::string LogContent::ranges(const Asked& asked) {
+std::string LogContent::ranges(const FrameRequest& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   const bool is_fine = asked.stride < summary_.stretch() &&
@@ -153,36 +130,27 @@ std::string LogContent::ranges(const Asked& asked) {
     const auto first = static_cast<std::uint32_t>(tick);
     const std::uint32_t last = first + asked.stride - 1;
     const bool known =
-        is_fine ? range(first, last) : summary_.range(first, last, least_.floats, greatest_.floats);
-    if (known) put_range(first, bytes, frames);
+        is_fine ? range(first, last)
+                : summary_.range(first, last, range_.least.floats, range_.greatest.floats);
+    if (known) {
+      range_.pack(first, first * frames_.period(), bytes);
+      frames += 2;
+    }
     tick += asked.stride;
   }
   return block(bytes, frames);
 }
 
 bool LogContent::range(std::uint32_t first, std::uint32_t last) {
-  least_.floats.assign(frames_.channels().floats, NAN);
-  greatest_.floats = least_.floats;
+  range_.clear(frames_.channels().floats);
   bool known = false;
   for (std::uint32_t tick = first; tick <= last && tick < frames_.ticks(); ++tick) {
     const ViewFrame* frame = frames_.frame(tick);
     if (frame == nullptr) continue;
     known = true;
-    for (std::size_t i = 0; i < frame->floats.size(); ++i) {
-      least_.floats[i] = std::fmin(least_.floats[i], frame->floats[i]);
-      greatest_.floats[i] = std::fmax(greatest_.floats[i], frame->floats[i]);
-    }
+    range_.add(frame->floats);
   }
   return known;
-}
-
-void LogContent::put_range(std::uint32_t tick, std::string& out, std::uint32_t& frames) {
-  for (ViewFrame* frame : {&least_, &greatest_}) {
-    frame->tick = tick;
-    frame->time = tick * frames_.period();
-    pack(*frame, out);
-    ++frames;
-  }
 }
 
 }  // namespace surefoot

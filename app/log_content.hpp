@@ -2,6 +2,8 @@
 
 #include "app/log_summary.hpp"
 #include "app/view_robot.hpp"
+#include "surefoot/view/frame_range.hpp"
+#include "surefoot/view/frame_request.hpp"
 #include "surefoot/view/web_server.hpp"
 
 #include <string>
@@ -22,25 +24,20 @@ class LogContent final : public WebContent {
   [[nodiscard]] std::vector<std::string> damage() { return summary_.damage(); }
 
  private:
-  struct Asked {
-    std::uint32_t from = 0, count = 1, stride = 1;
-  };
-
   LogContent(const std::string& path, const LogHeader& header);
   void describe(const std::string& path, const LogHeader& header);
   [[nodiscard]] std::string session();
   [[nodiscard]] WebAnswer frames(const Query& query);
-  [[nodiscard]] std::string plain_frames(const Asked& asked);
-  [[nodiscard]] std::string kept_frames(const Asked& asked);
-  [[nodiscard]] std::string ranges(const Asked& asked);
+  [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
+  [[nodiscard]] std::string kept_frames(const FrameRequest& asked);
+  [[nodiscard]] std::string ranges(const FrameRequest& asked);
   [[nodiscard]] bool range(std::uint32_t first, std::uint32_t last);
-  void put_range(std::uint32_t tick, std::string& out, std::uint32_t& frames);
 
   LogFrames frames_;
   LogSummary summary_;
   ViewRobot robot_;
   ViewSession session_;
-  ViewFrame least_, greatest_;
+  FrameRange range_;
   std::vector<std::string> notes_;
 };
 

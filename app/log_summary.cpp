@@ -1,5 +1,6 @@
 #include "app/log_summary.hpp"
 
+#include "surefoot/base/background.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/config_tree.hpp"
 
@@ -40,6 +41,7 @@ LogSummary::~LogSummary() {
 }
 
 void LogSummary::run() {
+  become_background("log-summary");
   for (std::size_t chunk = 0; chunk < frames_.num_chunks() && !stopping_; ++chunk) {
     const auto read = frames_.chunk(chunk);
     const std::lock_guard lock(mutex_);

@@ -86,6 +86,15 @@ fs::path with_seed(const fs::path& file, std::uint64_t seed) {
   return result;
 }
 
+fs::path next_free_log(const fs::path& log) {
+  for (int number = 2;; ++number) {
+    fs::path next = log;
+    next.replace_filename(log.stem().string() + "-" + std::to_string(number) +
+                          log.extension().string());
+    if (!fs::exists(next) && !fs::exists(partial_path(next.string()))) return next;
+  }
+}
+
 void write_file(const fs::path& file, const std::string& text) {
   const fs::path partial = file.string() + ".partial";
   if (!(std::ofstream(partial, std::ios::binary) << text).flush()) {

@@ -28,6 +28,10 @@ void remove_if_empty(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path with_seed(const std::filesystem::path& file,
                                               std::uint64_t seed);
 
+/// "run.mcap" → "run-2.mcap", or the next number of which there is neither a log nor one that was
+/// cut off.
+[[nodiscard]] std::filesystem::path next_free_log(const std::filesystem::path& log);
+
 /// Writes a file whole: under another name first, so that nothing partial ever has its name. Throws
 /// FileError.
 void write_file(const std::filesystem::path& file, const std::string& text);

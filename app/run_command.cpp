@@ -130,10 +130,10 @@ int watch_one(const RunArguments& arguments) {
     const Json json = run_json(scenario, result);
     print(arguments, json, run_table(scenario, json));
   };
-  const RunResult result = run_live(
+  const auto [result, log] = run_live(
       scenario, {.record_path = arguments.record, .progress = {}, .interrupted = interrupted},
       arguments.view, tell);
-  if (result.ending == Ending::interrupted) report_interrupt(arguments.record);
+  if (result.ending == Ending::interrupted) report_interrupt(log);
   return exit_code(scenario, {run_json(scenario, result)});
 }
 

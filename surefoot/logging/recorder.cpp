@@ -1,5 +1,6 @@
 #include "surefoot/logging/recorder.hpp"
 
+#include "surefoot/base/background.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/logging/logged_model.hpp"
@@ -116,6 +117,7 @@ struct Recorder::Implementation {
   }
 
   void run() {
+    become_background("log-writer");
     std::unique_lock lock(mutex);
     while (true) {
       not_empty.wait(lock, [this] { return count > 0 || stopping; });

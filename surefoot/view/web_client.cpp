@@ -40,11 +40,27 @@ void WebClient::begin(const Request& request) {
                                                      .keep_alive_pings = true});
   socket_.read_message_max(kLongestMessage);
   socket_.auto_fragment(false);
-  shared_.clients.insert(shared_from_this());
-  socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
+  const auto most = static_cast<std::size_t>(std::max(shared_.options.max_clients, 0));
+  const bool has_place = shared_.clients.size() < most;
+  if (has_place) shared_.clients.insert(shared_from_this());
+  socket_.async_accept(request, [self = shared_from_this(), has_place](beast::error_code error) {
     if (error) return self->leave();
-    self->enter();
+    has_place ? self->enter() : self->turn_away();
   });
+}
+
+// Only after the upgrade: a browser does not tell its page why one was refused.
+void WebClient::turn_away() {
+  const int most = shared_.options.max_clients;
+  const std::string watch =
+      most == 1 ? "1 page watches already, the limit; close it"
+                : std::to_string(most) + " pages watch already, the limit; close one of them";
+  part({websocket::close_code::try_again_later, watch + ", or raise --view-clients"});
+}
+
+void WebClient::part(const websocket::close_reason& reason) {
+  closing_ = true;
+  socket_.async_close(reason, [self = shared_from_this()](beast::error_code) { self->leave(); });
 }
 
 void WebClient::enter() {
@@ -58,11 +74,7 @@ void WebClient::read() {
   socket_.async_read(received_, [self = shared_from_this()](beast::error_code error, std::size_t) {
     if (error) return self->leave();
     if (!self->rate_.take(std::chrono::steady_clock::now())) {
-      self->closing_ = true;
-      self->socket_.async_close(
-          {websocket::close_code::policy_error, "more than 60 messages a second"},
-          [self](beast::error_code) { self->leave(); });
-      return;
+      return self->part({websocket::close_code::policy_error, "more than 60 messages a second"});
     }
     const auto bytes = self->received_.cdata();
     self->take({static_cast<const char*>(bytes.data()), bytes.size()});

@@ -49,7 +49,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   WebClient(boost::beast::tcp_stream&& stream, WebShared& shared,
             std::shared_ptr<ConnectionCount> count);
 
-  /// Accepts the upgrade that was asked for.
+  /// Accepts the upgrade that was asked for; where all places are taken, to say so.
   void begin(const Request& request);
   void send(const SharedBlock& block);
   void send(std::shared_ptr<const std::string> text);
@@ -66,6 +66,9 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   };
 
   void enter();
+  void turn_away();
+  /// Closes with a reason.
+  void part(const boost::beast::websocket::close_reason& reason);
   void read();
   void take(std::string_view text);
   void reply(std::int64_t id, const std::string& error);

@@ -1,5 +1,6 @@
 #include "surefoot/view/web_server.hpp"
 
+#include "surefoot/base/background.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/view/own_hosts.hpp"
 #include "surefoot/view/web_answer.hpp"
@@ -9,8 +10,6 @@
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http.hpp>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +32,6 @@ constexpr std::chrono::seconds kRequestTime{15};  // to send a request, or the n
 constexpr std::chrono::seconds kAnswerTime{60};   // to take an answer
 constexpr std::chrono::seconds kFinishTime{2};    // for what comes after the answer
 constexpr std::chrono::milliseconds kBlockInterval{33};  // between blocks
-constexpr int kNiceness = 5;                             // the run comes before those who watch it
 
 /// A connection that asks by HTTP, until it asks for an upgrade.
 class WebConnection : public std::enable_shared_from_this<WebConnection> {
@@ -119,11 +117,6 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
     }
     if (!refused && !shared_.content.is_live()) {
       refused = refusal(404, "there is nothing live: a log is shown");
-    }
-    const auto most = static_cast<std::size_t>(std::max(shared_.options.max_clients, 0));
-    if (!refused && shared_.clients.size() >= most) {
-      refused = refusal(503, "too many pages watch already, " + std::to_string(most) +
-                                 "; close one of them, or raise --view-clients");
     }
     if (refused) return send(std::move(*refused), false, false);
     std::make_shared<WebClient>(std::move(stream_), shared_, count_)->begin(request);
@@ -217,7 +210,7 @@ struct WebServer::Implementation {
   }
 
   void run() {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
+    become_background("view-server");
     io.run();
   }
 

@@ -156,6 +156,8 @@ TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_m
   ASSERT_EQ(blocks.size(), 1u) << "what found room is of the first run";
   EXPECT_EQ(blocks.front().generation, 0u);
   EXPECT_TRUE(watched.feed.welcome().empty()) << "a page that comes now gets nothing of it";
+  EXPECT_EQ(watched.feed.get("/api/frames", {{"count", "4096"}}).body.size(), kBlockHeadBytes);
+  EXPECT_EQ(watched.feed.get("/api/events", {}).body, "[]");
   const std::string status = watched.feed.status(0);
   EXPECT_NE(status.find(R"("tick":0,)"), std::string::npos) << status;
   EXPECT_NE(status.find(R"("generation":1,)"), std::string::npos) << status;

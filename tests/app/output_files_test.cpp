@@ -66,6 +66,15 @@ TEST(OutputFiles, a_seed_stands_before_the_extension) {
   EXPECT_EQ(with_seed("out/run.mcap", 7), "out/run-seed7.mcap");
 }
 
+TEST(OutputFiles, the_next_log_is_none_that_is_there) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path log = folder / "run.mcap";
+  EXPECT_EQ(next_free_log(log), folder / "run-2.mcap");
+  test::write_file(folder / "run-2.mcap", "whole");
+  test::write_file(folder / "run-3.mcap.partial", "cut off");
+  EXPECT_EQ(next_free_log(log), folder / "run-4.mcap");
+}
+
 TEST(OutputFiles, a_file_is_written_whole_and_alone) {
   const test::TemporaryFolder folder;
   write_file(folder / "a.json", "{}");

@@ -81,6 +81,10 @@ class Refused(Exception):
     """Of an upgrade, with the status."""
 
 
+class Closed(ConnectionError):
+    """By the program, with its reason."""
+
+
 class Page:
     """A WebSocket to a served run."""
 
@@ -126,7 +130,7 @@ class Page:
             content = self._take(length)
             kind = first & 15
             if kind == 8:
-                raise ConnectionError(content[2:].decode())
+                raise Closed(content[2:].decode())
             if kind == 9:
                 self.send_bytes(10, content)
             if kind == 1:

@@ -3,6 +3,8 @@
 import contextlib
 import json
 import math
+import os
+import pathlib
 import re
 import socket
 import struct
@@ -13,7 +15,7 @@ import urllib.parse
 import pytest
 
 from damaged_logs import changed, damaged
-from live_page import Frames, Page, Refused, Served
+from live_page import Closed, Frames, Page, Refused, Served
 from program import PROGRAM, complaint
 
 LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
@@ -221,6 +223,71 @@ def test_an_interrupt_ends_a_run_that_is_watched_as_any_other(tmp_path):
         assert run.end() == 2
     assert (tmp_path / "run.mcap.partial").exists()
     assert "interrupted" in run.errors
+
+
+def ticks_of(path):
+    from mcap.reader import make_reader
+
+    with open(path, "rb") as file:
+        return sum(1 for _ in make_reader(file).iter_messages(topics=["/command"]))
+
+
+def test_a_reset_keeps_the_log_of_the_run_before(tmp_path):
+    """Of one that it cuts off and of one that has ended."""
+    (tmp_path / "run-3.mcap").write_text("mine")
+    with Served("run", "walk_flat", "--view", "--set", "duration=1", "--record", tmp_path / "run.mcap") as run, run.page() as page:
+        page.status(lambda status: 0 < status["tick"] < 380)
+        assert page.status()["recording"] == str(tmp_path / "run.mcap")
+        page.do("reset")
+        page.status(lambda status: status["recording"].endswith("run-2.mcap") and status["ended"] is not None)
+        cut = ticks_of(tmp_path / "run.mcap.partial")
+        assert 0 < cut < 400 and ticks_of(tmp_path / "run-2.mcap") == 400
+        page.do("reset")
+        page.status(lambda status: status["recording"].endswith("run-4.mcap") and 0 < status["tick"] < 380)
+        assert run.end() == 2
+    assert ticks_of(tmp_path / "run.mcap.partial") == cut and ticks_of(tmp_path / "run-2.mcap") == 400
+    assert ticks_of(tmp_path / "run-4.mcap.partial") > 0 and (tmp_path / "run-3.mcap").read_text() == "mine"
+    assert "run.mcap.partial; the next goes into" in run.errors
+    assert "run-4.mcap.partial holds the run so far" in run.errors
+
+
+def test_a_page_too_many_is_told_the_limit():
+    with Served("run", "walk_flat", "--view", "--view-clients", 2, *LONG) as run, run.page() as first, run.page() as second:
+        with pytest.raises(Closed, match="2 pages watch already, the limit; close one of them, or raise --view-clients"), run.page() as third:
+            third.hear()
+        assert first.status(lambda status: status["clients"] == 2) and second.status()
+
+
+def test_a_page_that_comes_late_can_ask_for_the_last_two_minutes():
+    with Served("run", "walk_flat", "--view", *LONG) as run, run.page() as page:
+        page.do("speed", factor=8.0)
+        while len(page.blocks) < 60:
+            page.hear()
+        sent = Frames(run.session(), page.blocks)
+        session = run.session()
+        assert session["first_tick"] == 0 and session["ticks"] > 0
+        first = sent.ticks[0]
+        asked = Frames(session, [run.get(f"/api/frames?from={first}&count=200&stride=1")[2]])
+        assert asked.ticks == list(range(first, first + 200))
+        assert asked.of("truth.p_WB") == sent.of("truth.p_WB")[:200] and asked.active == sent.active[:200]
+        span = Frames(session, [run.get(f"/api/frames?from={first}&count=2&stride=100&min_max=1")[2]])
+        heights = [p[2] for p in sent.of("truth.p_WB")[:100]]
+        assert [p[2] for p in span.of("truth.p_WB")] == [min(heights), max(heights)]
+
+
+def niceness(process):
+    """Of its threads, by name."""
+    found = {}
+    for task in pathlib.Path(f"/proc/{process.pid}/task").iterdir():
+        name, _, rest = (task / "stat").read_text().partition("(")[2].rpartition(")")
+        found[name] = int(rest.split()[16])
+    return found
+
+
+def test_what_can_wait_gives_way_to_the_run(tmp_path):
+    with Served("run", "walk_flat", "--view", *LONG, "--record", tmp_path / "run.mcap") as run:
+        nice, loop = niceness(run.process), os.getpriority(os.PRIO_PROCESS, run.process.pid)
+        assert nice["view-server"] == nice["log-writer"] == loop + 5, (nice, loop)
 
 
 @pytest.fixture(scope="module")

@@ -2,6 +2,8 @@
 
 import functools
 import http.server
+import itertools
+import json
 import math
 import threading
 import time
@@ -10,6 +12,7 @@ import pytest
 
 from browser import WITHOUT_PICTURE, Browser, wait_for
 from damaged_logs import damaged
+from live_page import Page
 from viewer import Viewer
 from viewer_page import SCREENSHOTS, WALK, channel, pause, show
 
@@ -86,6 +89,55 @@ def test_scrubbing_shows_an_earlier_tick_while_the_run_goes_on(browser, live):
     assert browser.run("surefoot.time") == shown
     browser.press("l")
     browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
+
+
+def recorded_base(path, tick):
+    """Where the log says that the base is at a tick, in truth."""
+    from mcap.reader import make_reader
+
+    with open(path, "rb") as file:
+        messages = make_reader(file).iter_messages(topics=["/truth"])
+        return json.loads(next(itertools.islice(messages, tick, None))[2].data)["p_WB"]
+
+
+def test_a_page_that_is_opened_late_scrubs_back_to_before_it_came(browser, tmp_path):
+    with Viewer(*WALK, "--record", tmp_path / "run.mcap") as walk:
+        with Page(walk) as first:  # eight times as fast, so that a minute has passed soon
+            first.do("speed", factor=8.0)
+            browser.open("about:blank")
+            # The browser is heard meanwhile: it is left where it gets no answer to its pings.
+            wait_for(lambda: browser.run("true") and first.status()["time"] > 60, "a minute of the run", 300)
+            first.do("speed", factor=1.0)
+        show(browser, walk.link)
+        assert browser.run("surefoot.first") < 0.01
+        begin = browser.run("surefoot.last")
+        browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {begin - 50};
+          scrub.dispatchEvent(new Event('input')); }})()""")
+        browser.wait(f"Math.abs(surefoot.time - {begin - 50}) < 0.2 && surefoot.channel('truth.p_WB') !== undefined"
+                     " && Math.abs(surefoot.drawn - surefoot.time) < 0.003", 30)
+        tick, position, shown = browser.run("[surefoot.tick, surefoot.position('base'), surefoot.channel('truth.p_WB')]")
+        browser.screenshot(SCREENSHOTS / "late.png")
+        browser.press("l")
+        browser.wait("surefoot.following && surefoot.last - surefoot.time < 0.5")
+        pause(browser)
+        complaints = [text for kind, text in browser.console if kind == "error"]
+    assert math.dist(position, shown) < 1e-5
+    assert abs(tick * 0.0025 - (begin - 50)) < 0.2
+    assert math.dist(shown, recorded_base(tmp_path / "run.mcap.partial", tick)) < 1e-5
+    assert complaints == [] and any(url.endswith("/api/events") for url in browser.requests)
+
+
+def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser):
+    with Viewer(*WALK, "--view-clients", 1) as walk:
+        with Page(walk) as first:
+            first.status()
+            browser.open("about:blank")
+            browser.open(walk.link)
+            browser.wait("document.querySelector('#notes')?.textContent.includes('1 page watches already, the limit')", 60)
+            assert browser.run("document.querySelector('#link-state').textContent") == "turned away"
+            browser.screenshot(SCREENSHOTS / "turned_away.png")
+        browser.wait("document.querySelector('#link-state')?.textContent === 'connected' && surefoot.tick > 0", 40)
+        browser.wait("!document.querySelector('#notes').textContent.includes('limit')", 40)
 
 
 def step_until(browser, condition, what, ticks=200):

@@ -9,7 +9,7 @@ import urllib.request
 
 from program import PROGRAM
 
-LINK = re.compile(r"http://127\.0\.0\.1:(\d+)/(#token=\S+)?")
+LINK = re.compile(r"http://127\.0\.0\.1:(\d+)/(?:#token=(\S+))?")
 
 
 class Viewer:
@@ -21,7 +21,8 @@ class Viewer:
         self.lines, self.said = queue.Queue(), []
         threading.Thread(target=self.listen, daemon=True).start()
         self.link = self.read_link()
-        self.port = int(LINK.search(self.link)[1])
+        found = LINK.search(self.link)
+        self.host, self.port, self.token = "127.0.0.1", int(found[1]), found[2]
 
     def listen(self):
         for line in self.process.stdout:

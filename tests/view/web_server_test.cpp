@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -226,7 +227,38 @@ TEST_F(WebServerTest, as_many_pages_may_watch_as_were_allowed) {
   RawClient first(server.port()), second(server.port()), third(server.port());
   EXPECT_EQ(first.upgrade(name, "http://" + name), 101);
   EXPECT_EQ(second.upgrade(name, "http://" + name), 101);
-  EXPECT_EQ(third.upgrade(name, "http://" + name), 503);
+  ASSERT_EQ(third.upgrade(name, "http://" + name), 101);
+  int opcode = 0;
+  const std::string reason = third.hear(opcode);
+  EXPECT_EQ(opcode, 8) << "which a page can read; of an answer 503 it hears nothing";
+  EXPECT_TRUE(test::holds(reason, "2 pages watch already, the limit")) << reason;
+  EXPECT_TRUE(test::holds(reason, "--view-clients")) << reason;
+  EXPECT_TRUE(test::holds(first.hear_text(), R"("clients":)")) << "those that watch stay";
+}
+
+TEST_F(WebServerTest, a_place_that_gets_free_is_for_the_next_page) {
+  WebServer server({.max_clients = 1}, content_);
+  const std::string name = "127.0.0.1:" + std::to_string(server.port());
+  auto first = std::make_unique<RawClient>(server.port());
+  ASSERT_EQ(first->upgrade(name, "http://" + name), 101);
+  ASSERT_TRUE(test::holds(first->hear_text(), R"("clients":1})"));
+  first.reset();
+  const auto is_taken = [&] {
+    RawClient next(server.port());
+    int opcode = 0;
+    return next.upgrade(name, "http://" + name) == 101 && !next.hear(opcode).empty() && opcode == 1;
+  };
+  bool taken = false;
+  for (int i = 0; i < 100 && !taken; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    taken = is_taken();
+  }
+  EXPECT_TRUE(taken);
+}
+
+TEST_F(WebServerTest, says_that_it_is_there) {
+  EXPECT_EQ(test::status_of(get("/api/alive", host())), 200);
+  EXPECT_EQ(test::status_of(get("/api/alive", "evil.example")), 421);
 }
 
 TEST_F(WebServerTest, a_page_that_does_not_read_loses_blocks_and_nobody_waits_for_it) {

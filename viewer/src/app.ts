@@ -118,8 +118,7 @@ export class App {
     const { period, first_tick, ticks } = this.session;
     const source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url));
     source.cache.onTile = () => {
-      this.plots?.refresh();
-      this.shownTime = NaN;
+      this.refresh();
       this.notes.take("log");
     };
     void this.summarise(source, schema);
@@ -137,9 +136,15 @@ export class App {
     return ask(url);
   }
 
+  /** More frames are here. */
+  refresh(): void {
+    this.plots?.refresh();
+    this.shownTime = NaN;
+  }
+
   private async lookForServer(): Promise<void> {
     try {
-      await fetch("/icon.svg", { method: "HEAD", signal: AbortSignal.timeout(SERVER_SILENCE) });
+      await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
     } catch {
       await this.awaitServer();
     }
@@ -161,8 +166,7 @@ export class App {
     if (session.start !== this.session.start) return location.reload();
     say(badge, "");
     this.notes.take("server");
-    this.plots.refresh();
-    this.shownTime = NaN;
+    this.refresh();
   }
 
   /** Marks and overviews of a log become known from front to back after it was opened. */

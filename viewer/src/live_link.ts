@@ -1,9 +1,11 @@
 import type { App } from "./app.ts";
 import { Generations } from "./data/generations.ts";
-import type { LiveSource } from "./data/live_source.ts";
-import { marksOf } from "./data/marks.ts";
+import type { LiveSource, OpenBefore } from "./data/live_source.ts";
+import { marksOf, type RawEvent } from "./data/marks.ts";
+import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
+import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
@@ -34,8 +36,20 @@ export class LiveLink {
     private session: Session,
   ) {
     this.generation = session.generation;
+    source.begin(session.first_tick, this.openBefore);
     this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
   }
+
+  /** Frames from before this page came: the program keeps two minutes of them. */
+  private readonly openBefore: OpenBefore = (first, ticks) => {
+    const { schema } = this.source;
+    const before = new ReplaySource(schema, schema.period, first, ticks, (url) => ask(url));
+    before.cache.onTile = () => this.app?.refresh();
+    before.cache.onError = (error) => {
+      if (!(error instanceof NoAnswer)) this.app?.notes.keep("before", `What was before can't be read: ${error.message}`, "error");
+    };
+    return before;
+  };
 
   /** Seconds of simulation that come in a second. */
   get rate(): number {
@@ -74,10 +88,11 @@ export class LiveLink {
     }
   }
 
-  private async readSession(): Promise<void> {
+  private async readSession(comesBack = false): Promise<void> {
     this.reading = true;
     try {
       this.use(await fetchSession());
+      if (comesBack) this.source.begin(this.session.first_tick, this.openBefore);
       this.reading = false;
       this.readWaiting();
     } catch (error) {
@@ -153,7 +168,7 @@ export class LiveLink {
     const { state, silence } = this.connection;
     const badge = part("link-state");
     badge.dataset["state"] = silence > 0 ? "lost" : state;
-    const words = { open: "connected", lost: "connection lost", connecting: "connecting" };
+    const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
     say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
   }
 
@@ -164,17 +179,28 @@ export class LiveLink {
       this.lostBefore = true;
       this.generations.clear();
       app.handlers().commands.lost();
-      app.notes.keep("lost", "The connection to the program is lost. The last picture stays; the page tries again by itself.", "error");
+      app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
       app.notes.take("lost");
+      void this.recall();
       if (this.lostBefore) void this.comeBack();
     }
   }
 
-  /** The program may be another one now: everything is read anew. */
+  /** The program may be another one now: everything is read anew, and what came meanwhile is asked for. */
   private async comeBack(): Promise<void> {
-    await this.readSession();
+    await this.readSession(true);
     this.app?.notes.say("Connected again.");
+  }
+
+  /** What happened before this page heard of it. */
+  private async recall(): Promise<void> {
+    try {
+      const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
+      this.source.remember(marksOf(events, this.source.schema.events));
+    } catch (error) {
+      console.warn(error); // that the connection is lost is shown
+    }
   }
 
   /** Speed against the wall clock, lost ticks, why the run has ended. */
@@ -186,4 +212,10 @@ export class LiveLink {
     if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
     return facts;
   }
+}
+
+/** Why there is no connection; `reason`: what the program has said of it. */
+function lossText(reason: string): string {
+  if (reason === "") return "The connection to the program is lost. The last picture stays; the page tries again by itself.";
+  return `The program has closed the connection: ${reason}. The page tries again by itself.`;
 }

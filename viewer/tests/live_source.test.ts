@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
-import { LiveSource } from "../src/data/live_source.ts";
+import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
 import { Generations } from "../src/data/generations.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
@@ -65,4 +65,61 @@ test("a program is silent when nothing came for three seconds", () => {
   assert.equal(silenceOf(10_000, 12_900), 0);
   assert.equal(silenceOf(10_000, 13_000), 3);
   assert.equal(silenceOf(10_000, 21_999), 11);
+});
+
+/** A page that came when the run was at `begins`, before a program that knows all ticks from `oldest` on. */
+function opened(begins: number, oldest = 0): { source: LiveSource; asked: number[][]; goOn: (to: number) => void } {
+  const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
+  const asked: number[][] = [];
+  source.begin(oldest, (first, ticks) => {
+    asked.push([first, ticks]);
+    const before = new LiveSource(source.schema);
+    for (let tick = first; tick < first + ticks; ++tick) before.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
+    return before;
+  });
+  let next = begins;
+  const goOn = (to: number): void => {
+    for (; next < to; ++next) source.append(next, next * PERIOD, Float32Array.of(next), undefined);
+  };
+  goOn(begins + 400);
+  return { source, asked, goOn };
+}
+
+test("a page that comes late shows what was before it came", () => {
+  const { source, asked } = opened(24000);
+  assert.deepEqual(asked, [[0, 24001]]);
+  assert.deepEqual([source.first, source.last], [0, 24399 * PERIOD]);
+  for (const tick of [0, 4000, 23999, 24000, 24100]) assert.equal(source.at(tick * PERIOD)?.tick, tick);
+  assert.equal(source.neighbour(23999 * PERIOD, 1), 24000 * PERIOD);
+  assert.equal(source.neighbour(24000 * PERIOD, -1), 23999 * PERIOD);
+  const seen: number[] = [];
+  source.sample(23990 * PERIOD, 24010 * PERIOD, 1000, (frame) => seen.push(frame.tick));
+  assert.deepEqual(seen, Array.from({ length: 21 }, (_, i) => 23990 + i));
+});
+
+test("a page looks back two minutes and no further, and forgets what was before it came when it has as much itself", () => {
+  const { source, goOn } = opened(40000);
+  goOn(60000);
+  assert.ok(Math.abs(source.first - (source.last - LIVE_SECONDS)) < 1e-9);
+  assert.equal(source.at(30000 * PERIOD)?.tick, 30000);
+  goOn(100000);
+  assert.equal(source.at(30000 * PERIOD)?.tick, Math.round(source.first / PERIOD), "the first that there is");
+});
+
+test("nothing is asked for where the page has all there is, and of a run before a reset nothing is left", () => {
+  assert.deepEqual(opened(0).asked, []);
+  assert.deepEqual(opened(500, 500).asked, []);
+  const { source } = opened(24000);
+  source.append(0, 0, Float32Array.of(0), undefined);
+  assert.deepEqual([source.first, source.last], [0, 0]);
+  source.append(1, PERIOD, Float32Array.of(1), undefined);
+  assert.equal(source.at(0)?.tick, 0);
+});
+
+test("what happened is known once, in the order of time, whoever tells it first", () => {
+  const source = new LiveSource(schemaOf({ x: 1 }));
+  const at = (time: number): Parameters<typeof source.mark>[0] => ({ time, text: "push", leg: "", kind: "change" });
+  source.mark(at(7), at(8));
+  source.remember([at(1), at(7)]);
+  assert.deepEqual(source.marks.map(({ time }) => time), [1, 7, 8]);
 });

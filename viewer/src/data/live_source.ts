@@ -8,52 +8,87 @@ import type { FrameTable } from "./table.ts";
 /** How far back a live run can be looked at [s]. */
 export const LIVE_SECONDS = 120;
 
-/** The last two minutes of a live run. */
+/** Frames of ticks `first` to `first + ticks - 1`, which the program still has. */
+export type OpenBefore = (first: number, ticks: number) => FrameSource;
+
+/** The last two minutes of a live run: what came, and what the program still knows of the time before. */
 export class LiveSource implements FrameSource {
   /** Called when frames begin again from an earlier time. */
   onRestart: () => void = () => {};
   marks: Mark[] = [];
   private readonly ring = new FrameRing(LIVE_SECONDS);
+  private before: FrameSource | undefined;
+  private oldest = Infinity;
+  private openBefore: OpenBefore | undefined;
 
   constructor(public schema: Schema) {}
 
+  /** What comes from now on is behind ticks that can be asked for, from `oldest` on. What came before is forgotten. */
+  begin(oldest: number, openBefore: OpenBefore): void {
+    this.ring.clear();
+    this.before = undefined;
+    this.oldest = oldest;
+    this.openBefore = openBefore;
+  }
+
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
     const restarts = time < this.ring.last;
-    if (restarts) this.marks = [];
+    if (restarts) this.clear();
+    else if (this.ring.empty && tick > this.oldest) this.before = this.openBefore?.(this.oldest, tick - this.oldest + 1);
     this.ring.append(this.schema, tick, time, values, rows);
+    if (this.last - LIVE_SECONDS >= this.ring.first) this.before = undefined;
     if (restarts) this.onRestart();
   }
 
   clear(): void {
     this.ring.clear();
+    this.before = undefined;
+    this.oldest = Infinity;
     this.marks = [];
   }
 
   /** Something happened; what is from before the frames is forgotten. */
   mark(...marks: Mark[]): void {
-    this.marks = [...this.marks, ...marks].filter(({ time }) => !(time < this.ring.first));
+    this.marks = [...this.marks, ...marks].filter(({ time }) => !(time < this.first));
+  }
+
+  /** All that happened, in the order of time, of which some may be known. */
+  remember(marks: Mark[]): void {
+    const all = new Map([...marks, ...this.marks].map((mark) => [`${mark.time} ${mark.kind} ${mark.text} ${mark.leg}`, mark]));
+    this.marks = [];
+    this.mark(...[...all.values()].sort((a, b) => a.time - b.time));
   }
 
   get first(): number {
-    return this.ring.first;
+    const before = this.before?.first;
+    return before === undefined ? this.ring.first : Math.max(before, this.last - LIVE_SECONDS);
   }
   get last(): number {
     return this.ring.last;
   }
 
+  /** Where frames from before the ring are asked for, if any are. */
+  private beforeFor(time: number): FrameSource | undefined {
+    return time < this.ring.first - 1e-6 ? this.before : undefined;
+  }
+
   at(time: number): Frame | undefined {
-    return this.ring.at(time);
+    return (this.beforeFor(time) ?? this.ring).at(time);
   }
   neighbour(time: number, steps: number): number {
-    return this.ring.neighbour(time, steps);
+    return (this.beforeFor(time + Math.min(0, steps) * this.schema.period) ?? this.ring).neighbour(time, steps);
   }
-  expect(): void {}
+  expect(time: number, rate: number): void {
+    this.beforeFor(time)?.expect(time, rate);
+  }
 
   fill(envelope: Envelope, series: Series[]): void {
+    this.beforeFor(envelope.from)?.fill(envelope, series);
     this.ring.visit(envelope.from, envelope.to, (table, begin, end) => fillFrom(table, begin, end, envelope, series, this.schema.period));
   }
 
   sample(from: number, to: number, count: number, call: (frame: Frame) => void): void {
+    this.beforeFor(from)?.sample(from, Math.min(to, this.ring.first - 1e-6), count, call);
     let ticks = 0;
     this.ring.visit(from, to, (_, begin, end) => (ticks += end - begin));
     const stride = Math.max(1, Math.ceil(ticks / count));

@@ -87,6 +87,8 @@ export class Connection {
   onBlock: (block: ArrayBuffer) => void = () => {};
   onMessage: (message: ServerMessage) => void = () => {};
   onState: (state: ConnectionState) => void = () => {};
+  /** Why the program closed the connection last, in its words; "": it did not say. */
+  reason = "";
 
   private socket: WebSocket | undefined;
   private attempt = 0;
@@ -103,20 +105,23 @@ export class Connection {
     const socket = new WebSocket(this.url);
     this.socket = socket;
     socket.binaryType = "arraybuffer";
-    socket.onopen = () => {
-      this.attempt = 0;
-      this.heard = performance.now();
-      this.enter("open");
-    };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       this.heard = performance.now();
+      if (this.state !== "open") this.welcome();
       if (typeof data === "string") this.onMessage(JSON.parse(data) as ServerMessage);
       else this.onBlock(data);
     };
-    socket.onclose = () => {
+    socket.onclose = ({ reason }) => {
+      this.reason = reason;
       this.enter("lost");
       setTimeout(() => this.open(), backoff(this.attempt++));
     };
+  }
+
+  /** With its first message the program has taken the page: one that it turns away hears none. */
+  private welcome(): void {
+    this.attempt = 0;
+    this.enter("open");
   }
 
   /** False where there is no connection. */

@@ -1,0 +1,21 @@
+#include "surefoot/base/background.hpp"
+
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace surefoot {
+namespace {
+
+constexpr int kLess = 5;  // niceness more than the process has
+
+}  // namespace
+
+// What the system refuses is no harm: the thread runs as it would without.
+void become_background(const char* name) {
+  pthread_setname_np(pthread_self(), name);
+  const auto thread = static_cast<id_t>(gettid());
+  setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + kLess);
+}
+
+}  // namespace surefoot

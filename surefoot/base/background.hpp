@@ -1,0 +1,10 @@
+#pragma once
+
+namespace surefoot {
+
+/// Of the calling thread, which does what can wait: gives it a name of at most 15 letters, as
+/// `top -H` shows it, and less of a busy processor (a niceness 5 above that of its process), so
+/// that the control loop comes first.
+void become_background(const char* name);
+
+}  // namespace surefoot
