@@ -2,15 +2,15 @@ import { LiveSource } from "./data/live_source.ts";
 import { marksOf } from "./data/marks.ts";
 import { Player } from "./data/player.ts";
 import { ReplaySource } from "./data/replay_source.ts";
-import { Schema } from "./data/schema.ts";
+import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { levelStates } from "./data/hierarchy.ts";
+import { accountOf, levelStates } from "./data/hierarchy.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
-import { h, part, plain, say } from "./panels/dom.ts";
+import { h, part, say } from "./panels/dom.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
@@ -109,6 +109,7 @@ export class App {
     }
     const { drive } = this;
     this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
+    document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
     this.wireKeys();
     requestAnimationFrame((now) => this.tick(now));
@@ -363,18 +364,18 @@ export class App {
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
     this.transport.update(this.link?.status);
+    say(part("loading"), this.world?.library.progress ?? "");
     say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
     if (frame === undefined) return;
     this.hierarchy.show(frame);
     this.state.show(frame);
-    this.tune.showFriction(scalar(frame, "plan.feet.LF.friction"));
+    this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const yielding = levelStates(frame).filter((level) => level.status === "gives way").map((level) => plain(level.name));
-    const text = yielding.length === 0 ? "All levels are met." : `${yielding.join(", ")}: gives way.`;
+    const text = accountOf(levelStates(frame)).line;
     if (text === this.told) return;
     this.told = text;
     say(part("events"), text);

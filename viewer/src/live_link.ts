@@ -4,6 +4,7 @@ import type { LiveSource } from "./data/live_source.ts";
 import { marksOf } from "./data/marks.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
+import { showStale, staleText } from "./panels/stale.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
@@ -155,6 +156,8 @@ export class LiveLink {
     badge.dataset["state"] = silence > 0 ? "lost" : state;
     const words = { open: "connected", lost: "connection lost", connecting: "connecting" };
     say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
+    const lost = silence > 0 || state === "lost";
+    showStale(lost && !Number.isNaN(this.source.last) ? staleText(this.source.last, this.connection.quiet) : "");
   }
 
   private turn(state: ConnectionState): void {

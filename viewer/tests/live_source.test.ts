@@ -5,6 +5,7 @@ import { LiveSource } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
 import { Generations } from "../src/data/generations.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
+import { staleText } from "../src/panels/stale.ts";
 import { schemaOf } from "./make.ts";
 
 const PERIOD = 0.0025;
@@ -65,4 +66,8 @@ test("a program is silent when nothing came for three seconds", () => {
   assert.equal(silenceOf(10_000, 12_900), 0);
   assert.equal(silenceOf(10_000, 13_000), 3);
   assert.equal(silenceOf(10_000, 21_999), 11);
+});
+
+test("old numbers say how old they are", () => {
+  assert.equal(staleText(12.3051, 7), "Nothing new for 7 s: all numbers are from 12.305 s of the run.");
 });

@@ -16,6 +16,8 @@ export class MeshLibrary {
   readonly missing = new Map<string, string>();
   /** Meshes that are still to come. */
   loading = 0;
+  /** All that were asked for. */
+  wanted = 0;
   onMissing: () => void = () => {};
   onLoad: () => void = () => {};
   private readonly byUri = new Map<string, MeshInfo>();
@@ -47,8 +49,14 @@ export class MeshLibrary {
     }
   }
 
+  /** Which of how many is loaded just now; "" where all have come. */
+  get progress(): string {
+    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading + 1} of ${this.wanted}`;
+  }
+
   private enqueue<T>(work: () => Promise<T>): Promise<T> {
     ++this.loading;
+    ++this.wanted;
     const result = this.queue.then(() => nextPicture()).then(work);
     this.queue = result.catch(() => undefined).then(() => --this.loading);
     return result;
