@@ -31,7 +31,7 @@ export class LiveLink {
   private readonly generations = new Generations();
 
   constructor(
-    private readonly source: LiveSource,
+    readonly source: LiveSource,
     private session: Session,
   ) {
     this.generation = session.generation;
