@@ -1,11 +1,14 @@
 #include "app/view_tasks.hpp"
 
+#include "app/stack_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <sstream>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -29,10 +32,38 @@ double largest(const std::string& task, const TaskParameter& parameter) {
   return parameter.default_value;
 }
 
-std::string order_text(const StackOptions& stack) {
-  std::string list;
-  for (const LevelSpec& level : stack.levels) list += (list.empty() ? "" : ", ") + level.name;
-  return "order: " + list;
+using Names = std::vector<std::string>;
+
+std::size_t place(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()) + 1;
+}
+
+/// The longest part of an order that stands as it did before; of two the one that lets others rise.
+Names stayed(const Names& order, const Names& before) {
+  std::vector<Names> parts;  // the longest that ends with each name
+  for (const std::string& name : order) {
+    Names longest;
+    for (const Names& part : parts) {
+      const bool goes_on = place(before, part.back()) < place(before, name);
+      if (goes_on && part.size() >= longest.size()) longest = part;
+    }
+    longest.push_back(name);
+    parts.push_back(std::move(longest));
+  }
+  return *std::ranges::max_element(parts | std::views::reverse, {}, &Names::size);
+}
+
+/// What moved: as few levels as tell it.
+std::string order_text(const StackOptions& before, const StackOptions& after) {
+  const Names was = level_names(before), is = level_names(after);
+  const Names rest = stayed(is, was);
+  std::string text;
+  for (const std::string& name : is) {
+    if (std::ranges::find(rest, name) != rest.end()) continue;
+    text += (text.empty() ? "" : ", ") + name + " from " + std::to_string(place(was, name)) +
+            " to " + std::to_string(place(is, name));
+  }
+  return "order: " + text;
 }
 
 bool has_same_order(const StackOptions& a, const StackOptions& b) {
@@ -101,7 +132,7 @@ std::string change_text(const StackOptions& before, const StackOptions& after) {
       }
     }
   }
-  if (!has_same_order(before, after)) add(order_text(after));
+  if (!has_same_order(before, after)) add(order_text(before, after));
   return text;
 }
 

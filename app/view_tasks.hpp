@@ -18,7 +18,7 @@ namespace surefoot {
                                                const std::vector<std::string>& level_names);
 
 /// What is another in the second stack, which has the levels and tasks of the first:
-/// "com_xy kp 100 → 150; order: a, b, c". Empty where nothing is.
+/// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is.
 [[nodiscard]] std::string change_text(const StackOptions& before, const StackOptions& after);
 
 /// "0.4 → 0.5", with four digits that count.

@@ -15,6 +15,9 @@ from websockets.sync.client import connect
 CHROMIUM = shutil.which("chromium")
 # The page itself is drawn without SwiftShader: only the picture in it needs it.
 WITH_PICTURE = ["--use-angle=swiftshader-webgl", "--enable-unsafe-swiftshader"]
+# Keys by which the browser itself does something.
+CODES = {"Escape": 27, "Tab": 9, "Enter": 13, "ArrowLeft": 37, "ArrowRight": 39}
+SHIFT = 8
 WITHOUT_PICTURE = ["--disable-gpu", "--disable-3d-apis"]
 
 
@@ -29,7 +32,7 @@ class Browser:
                    "--remote-debugging-port=0", f"--user-data-dir={self.folder}", f"--window-size={width},{height}",
                    *flags, "about:blank"]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.console, self.requests, self.count = [], [], 0
+        self.console, self.requests, self.count, self.dragged = [], [], 0, None
         self.open_things = contextlib.ExitStack()
         self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None))
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -72,6 +75,8 @@ class Browser:
             self.console.append(("error", details.get("exception", {}).get("description", details["text"])))
         elif method == "Log.entryAdded":
             self.console.append((params["entry"]["level"], params["entry"]["text"]))
+        elif method == "Input.dragIntercepted":
+            self.dragged = params["data"]
         elif method == "Network.requestWillBeSent":
             self.requests.append(params["request"]["url"])
 
@@ -112,13 +117,39 @@ class Browser:
         self.mouse("mousePressed", x, y)
         self.mouse("mouseReleased", x, y)
 
-    def mouse(self, kind, x, y):
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+    def mouse(self, kind, x, y, button="left", modifiers=0):
+        buttons = {"left": 1, "right": 2}[button]
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=buttons, clickCount=1, modifiers=modifiers)
 
-    def touch(self, points):
-        """A finger goes down at the first point, moves to the others, and up."""
-        for k, (x, y) in enumerate(points):
-            self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart", touchPoints=[{"x": x, "y": y}])
+    def stroke(self, begin, end, **how):
+        """The mouse goes down at one place, to another in steps, and up."""
+        self.mouse("mousePressed", *begin, **how)
+        for step in range(1, 7):
+            self.mouse("mouseMoved", *(a + step / 6 * (b - a) for a, b in zip(begin, end)), **how)
+        self.mouse("mouseReleased", *end, **how)
+
+    def wheel(self, x, y, down):
+        self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=down)
+
+    def drop(self, begin, end):
+        """Drags what lies at one place and drops it at another; whether the browser, if not too busy, saw a drag in it."""
+        self.call("Input.setInterceptDrags", enabled=True)
+        self.dragged = None
+        self.mouse("mousePressed", *begin)
+        for step in (0.1, 0.5, 1):
+            self.mouse("mouseMoved", *(a + step * (b - a) for a, b in zip(begin, end)))
+            self.run("new Promise(done => setTimeout(done, 50))")
+        for kind in ("dragEnter", "dragOver", "drop") if self.dragged else ():
+            self.call("Input.dispatchDragEvent", type=kind, x=end[0], y=end[1], data=self.dragged)
+        self.mouse("mouseReleased", *end)
+        self.call("Input.setInterceptDrags", enabled=False)
+        return self.dragged is not None
+
+    def touch(self, *fingers):
+        """Each finger goes down at the first of its points, to the others, and up, all at the same time."""
+        for k, points in enumerate(zip(*fingers)):
+            self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart",
+                      touchPoints=[{"x": x, "y": y, "id": finger} for finger, (x, y) in enumerate(points)])
         self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
 
     def tap(self, selector):
@@ -131,9 +162,10 @@ class Browser:
         return self.run(f"(() => {{ const b = document.querySelector({selector!r}).getBoundingClientRect();"
                         "return [b.x + b.width / 2, b.y + b.height / 2]; })()")
 
-    def press(self, key, text=None):
-        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text or (key if len(key) == 1 else ""))
-        self.call("Input.dispatchKeyEvent", type="keyUp", key=key)
+    def press(self, key, text=None, modifiers=0):
+        code = {"windowsVirtualKeyCode": CODES[key]} if key in CODES else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text or (key if len(key) == 1 else ""), modifiers=modifiers, **code)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key, modifiers=modifiers, **code)
 
     def screenshot(self, path=None):
         data = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])

@@ -7,6 +7,12 @@ import time
 from browser import wait_for
 
 SCREENSHOTS = pathlib.Path(os.environ.get("SUREFOOT_SCREENSHOTS", pathlib.Path(__file__).resolve().parents[2] / "build/screenshots"))
+# Keeps all that the page sends, in `window.sent`.
+SPY = """(() => {
+  window.sent = [];
+  const send = WebSocket.prototype.send;
+  WebSocket.prototype.send = function (text) { sent.push(JSON.parse(text)); return send.call(this, text); };
+})()"""
 WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 
 
@@ -37,3 +43,16 @@ def still(browser, script):
 
 def channel(browser, name):
     return browser.run(f"surefoot.channel({name!r})")
+
+
+def sent(browser, type):
+    return [one for one in browser.run("sent") if one["type"] == type]
+
+
+def tap_until(browser, selector, condition):
+    """A browser that is busy loses taps which come close behind a drag; a user taps again."""
+    def tapped():
+        browser.tap(selector)
+        time.sleep(0.5)
+        return browser.run(condition)
+    wait_for(tapped, condition, 60)

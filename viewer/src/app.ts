@@ -1,16 +1,14 @@
 import { LiveSource } from "./data/live_source.ts";
-import { marksOf } from "./data/marks.ts";
 import { Player } from "./data/player.ts";
-import { ReplaySource } from "./data/replay_source.ts";
-import { Schema } from "./data/schema.ts";
+import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { levelStates } from "./data/hierarchy.ts";
+import { accountOf, levelStates } from "./data/hierarchy.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
-import { h, part, plain, say } from "./panels/dom.ts";
+import { h, part, say } from "./panels/dom.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
@@ -21,19 +19,13 @@ import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
-import { fetchSession, type Session } from "./protocol/session.ts";
+import type { Session } from "./protocol/session.ts";
+import { ReplayLink } from "./replay_link.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
-/** How often a log that is being summarised is asked for more [ms]. */
-const SUMMARY_PERIOD = 700;
-/** How often it is looked whether the program that serves a log is still there [ms]. */
-const SERVER_PERIOD = 2000;
-/** After which it does not answer [ms]. */
-const SERVER_SILENCE = 3000;
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -65,8 +57,6 @@ export class App {
   private sinceText = Infinity;
   private told = "";
   private shownTime = NaN;
-  /** While the program does not answer: until it does. */
-  private awaited: Promise<void> | undefined;
   private readonly pauseWish = new Wish<boolean>();
 
   constructor(
@@ -78,9 +68,9 @@ export class App {
     this.notes = notes;
     const schema = new Schema(session);
     const live = session.mode === "live";
-    const source = live ? new LiveSource(schema) : this.openLog(schema);
-    this.player = new Player(source, live);
-    if (live) this.link = new LiveLink(source as LiveSource, session);
+    const link = live ? new LiveLink(new LiveSource(schema), session) : new ReplayLink(schema, session);
+    this.player = new Player(link.source, live);
+    if (link instanceof LiveLink) this.link = link;
     this.commands = new Commands(this.link?.connection, token);
     this.world = this.makeWorld(urdf);
 
@@ -109,81 +99,11 @@ export class App {
     }
     const { drive } = this;
     this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
+    document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
+    link.wire(this);
     this.wireKeys();
     requestAnimationFrame((now) => this.tick(now));
-  }
-
-  private openLog(schema: Schema): ReplaySource {
-    const { period, first_tick, ticks } = this.session;
-    const source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url));
-    source.cache.onTile = () => {
-      this.refresh();
-      this.notes.take("log");
-    };
-    void this.summarise(source, schema);
-    void this.lookForServer();
-    source.cache.onError = (error) => {
-      if (error instanceof NoAnswer) void this.awaitServer();
-      else this.notes.keep("log", `The log can't be read: ${error.message}`, "error");
-    };
-    return source;
-  }
-
-  /** Asks for nothing while the program does not answer. */
-  private async askForFrames(url: string): Promise<ArrayBuffer> {
-    await this.awaited;
-    return ask(url);
-  }
-
-  /** More frames are here. */
-  refresh(): void {
-    this.plots?.refresh();
-    this.shownTime = NaN;
-  }
-
-  private async lookForServer(): Promise<void> {
-    try {
-      await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
-    } catch {
-      await this.awaitServer();
-    }
-    setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
-  }
-
-  /** Says that the program which serves the log is gone, until it answers. */
-  private awaitServer(): Promise<void> {
-    return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
-  }
-
-  private async findServer(): Promise<void> {
-    this.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
-    const badge = part("link-state");
-    badge.dataset["state"] = "lost";
-    say(badge, "no answer");
-    let session = this.session;
-    while (session === this.session) session = await nextSession(this.session);
-    if (session.start !== this.session.start) return location.reload();
-    say(badge, "");
-    this.notes.take("server");
-    this.refresh();
-  }
-
-  /** Marks and overviews of a log become known from front to back after it was opened. */
-  private async summarise(source: ReplaySource, schema: Schema): Promise<void> {
-    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
-      const { summarised, damage, orders } = session;
-      source.summarise(summarised);
-      schema.orders = orders;
-      if (damage.length > 0) this.notes.keep("damage", damageText(damage), "error");
-      try {
-        source.marks = marksOf(JSON.parse(textOf(await ask("/api/events"))) as Parameters<typeof marksOf>[0], schema.events);
-      } catch {
-        continue; // asked for again with the next session
-      }
-      this.plots?.refresh();
-      if (summarised >= session.ticks) return;
-    }
   }
 
   private makeWorld(urdf: string): World | undefined {
@@ -225,7 +145,6 @@ export class App {
     document.title = `${this.session.title} – Surefoot`;
     if (this.session.mode === "replay" && !this.session.whole)
       this.notes.keep("whole", "This log is not whole: the run was cut off. What is here can be seen.");
-    this.link?.wire(this);
   }
 
   private wireKeys(): void {
@@ -301,6 +220,12 @@ export class App {
     else this.player.seek(this.player.source.first);
   }
 
+  /** More of a log has come. */
+  refresh(): void {
+    this.plots.refresh();
+    this.shownTime = NaN;
+  }
+
   /** The session is another one: levels, rows or tasks changed, or the run began again. */
   use(session: Session, schema: Schema): void {
     this.session = session;
@@ -367,18 +292,18 @@ export class App {
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
     this.transport.update(this.link?.status);
+    say(part("loading"), this.world?.library.progress ?? "");
     say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
     if (frame === undefined) return;
     this.hierarchy.show(frame);
     this.state.show(frame);
-    this.tune.showFriction(scalar(frame, "plan.feet.LF.friction"));
+    this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const yielding = levelStates(frame).filter((level) => level.status === "gives way").map((level) => plain(level.name));
-    const text = yielding.length === 0 ? "All levels are met." : `${yielding.join(", ")}: gives way.`;
+    const text = accountOf(levelStates(frame)).line;
     if (text === this.told) return;
     this.told = text;
     say(part("events"), text);
@@ -388,22 +313,6 @@ export class App {
 /** The levels' order as it is now. */
 function orderOf({ orders, header }: Session): string[] {
   return orders.at(-1)?.levels ?? header.level_names;
-}
-
-/** The session a little later; the one before where it can't be had just now. */
-async function nextSession(before: Session, failed: () => void = () => {}): Promise<Session> {
-  await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
-  try {
-    return await fetchSession();
-  } catch {
-    failed();
-    return before;
-  }
-}
-
-function damageText(damage: string[]): string {
-  const more = damage.length > 1 ? ` And ${damage.length - 1} more pieces; the time bar marks them.` : "";
-  return `This log is damaged: ${damage[0]}.${more} The rest of it can be seen.`;
 }
 
 function missingText(missing: Map<string, string>): string {

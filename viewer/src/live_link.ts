@@ -6,6 +6,7 @@ import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
 import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { showStale, staleText } from "./panels/stale.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
@@ -32,7 +33,7 @@ export class LiveLink {
   private readonly generations = new Generations();
 
   constructor(
-    private readonly source: LiveSource,
+    readonly source: LiveSource,
     private session: Session,
   ) {
     this.generation = session.generation;
@@ -170,6 +171,8 @@ export class LiveLink {
     badge.dataset["state"] = silence > 0 ? "lost" : state;
     const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
     say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
+    const lost = silence > 0 || state === "lost";
+    showStale(lost && !Number.isNaN(this.source.last) ? staleText(this.source.last, this.connection.quiet) : "");
   }
 
   private turn(state: ConnectionState): void {

@@ -41,6 +41,8 @@ export interface SurefootWindow {
   repeatOverlays(robots: number): void;
   /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
   pixel(p_W: [number, number, number]): number[] | undefined;
+  /** The same at a place of the page [pixels]. */
+  pixelAt(x: number, y: number): number[] | undefined;
 }
 
 export function expose(app: App): void {
@@ -114,6 +116,7 @@ export function expose(app: App): void {
     levels: () => (app.frame === undefined ? [] : levelStates(app.frame)),
     repeatOverlays: (robots) => app.world?.repeatOverlays(robots),
     pixel: (p_W) => app.world?.pixel(p_W),
+    pixelAt: (x, y) => app.world?.pixelAt(x, y),
   };
   Object.defineProperty(window, "surefoot", { value: Object.freeze(view) });
 }

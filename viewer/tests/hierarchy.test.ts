@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
-import { accountOf, levelStates } from "../src/data/hierarchy.ts";
+import { accountOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
 import { blockOf, schemaOf } from "./make.ts";
 import { readBlock } from "../src/protocol/block.ts";
 import { FrameTable } from "../src/data/table.ts";
@@ -19,7 +19,7 @@ function frameOf(residuals: [number, number], more: { active?: [number, number, 
 
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
-  assert.equal(accountOf(levelStates(frameOf([0, 0]))), "Every level gets what it asks for.");
+  assert.deepEqual(accountOf(levelStates(frameOf([0, 0]))), { kind: "good", line: "Every level gets what it asks for.", more: [] });
 });
 
 test("a level with a row at its bound is at its limit", () => {
@@ -32,13 +32,13 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.equal(accountOf(states), "second gives way to first (b), 0.50 m/s² short.");
+  assert.deepEqual(accountOf(states), { kind: "bad", line: "second gives way to first.", more: ["second gives way to first (b), 0.50 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
   const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
-  assert.equal(accountOf(states), "second gives way to first (b) and first (a), 0.50 m/s² short.");
+  assert.deepEqual(accountOf(states).more, ["second gives way to first (b) and first (a), 0.50 m/s² short."]);
 });
 
 test("what is less than people should see is not told, also beyond a bound", () => {
@@ -51,6 +51,26 @@ test("a level that is never content is minimised, whatever its residual", () => 
   assert.equal(levelStates(frame)[0]?.status, "minimised");
 });
 
-test("a level without rows asks for nothing", () => {
-  assert.equal(levelStates(frameOf([0, 0], { rows: 0 }))[0]?.status, "no rows");
+test("of a level that is minimised and held back nobody says that it gets what it asks for", () => {
+  const frame = frameOf([0, 200], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] });
+  Object.assign(frame.schema, { visible: [0.5, null] });
+  const { kind, line, more } = accountOf(levelStates(frame));
+  assert.deepEqual([kind, line], ["good", "All met; one minimised is held back."]);
+  assert.deepEqual(more, ["second is as small as it can be, held back by first (b)."]);
+});
+
+test("however many levels give way, to however many rows, the account is one line", () => {
+  const level = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }))[1] as LevelState;
+  const many = (count: number): LevelState[] =>
+    Array.from({ length: count }, (_, k) => ({ ...level, name: `level_${k}`, blocked: Array.from({ length: 30 }, () => ({ by: 0, row: "b", cost: 1 })) }));
+  assert.equal(accountOf(many(1)).line, "level 0 gives way to a level above.");
+  assert.equal(accountOf(many(2)).line, "level 0 and level 1 give way.");
+  assert.equal(accountOf(many(3)).line, "3 levels give way: level 0, level 1 and level 2.");
+  assert.equal(accountOf(many(11)).more.length, 11);
+});
+
+test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
+  const states = levelStates(frameOf([0, 0], { rows: 0 }));
+  assert.equal(states[0]?.status, "no rows");
+  assert.deepEqual(accountOf(states), { kind: "none", line: "No level is solved at this tick.", more: [] });
 });

@@ -61,19 +61,40 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
   return active.length > 0 ? "at limit" : "met";
 }
 
-/** In a sentence what gives way to what. */
-export function accountOf(states: LevelState[]): string {
-  const yielding = states.filter((state) => state.status === "gives way");
-  if (yielding.length === 0) return "Every level gets what it asks for.";
-  return yielding
-    .map((state) => {
-      const rows = state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`);
-      const because = rows.length === 0 ? "" : ` to ${listed(rows)}`;
-      const residual = `${rounded(state.residual, 2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
-      return `${state.name.replaceAll("_", " ")} gives way${because}, ${residual} short.`;
-    })
-    .join(" ");
+/** What the hierarchy came to: a line, and sentences for whoever wants more. */
+export interface Account {
+  kind: "good" | "bad" | "none";
+  line: string;
+  more: string[];
 }
+
+/** What gives way to what, and what is held back without that. */
+export function accountOf(states: LevelState[]): Account {
+  if (states.every((state) => state.status === "no rows")) return { kind: "none", line: "No level is solved at this tick.", more: [] };
+  const yielding = states.filter((state) => state.status === "gives way");
+  const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
+  const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
+  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), more };
+  if (held.length > 0) return { kind: "good", line: `All met; ${held.length === 1 ? "one minimised is" : `${held.length} minimised are`} held back.`, more };
+  return { kind: "good", line: "Every level gets what it asks for.", more };
+}
+
+function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
+  const names = yielding.map(plainName);
+  if (yielding.length > 2) return `${yielding.length} levels give way: ${listed(names)}.`;
+  if (yielding.length === 2) return `${listed(names)} give way.`;
+  const above = [...new Set(yielding[0]?.blocked.map(({ by }) => nameOf(states, by)))];
+  return `${names.join()} gives way${above.length === 0 ? "" : ` to ${listed(above)}`}.`;
+}
+
+function sentenceOf(state: LevelState, states: LevelState[]): string {
+  const rows = listed(state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`));
+  if (state.status === "minimised") return `${plainName(state)} is as small as it can be, held back by ${rows}.`;
+  const residual = `${rounded(state.residual, 2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
+  return `${plainName(state)} gives way${rows === "" ? "" : ` to ${rows}`}, ${residual} short.`;
+}
+
+const plainName = ({ name }: LevelState): string => name.replaceAll("_", " ");
 
 function listed(parts: string[]): string {
   return parts.length < 2 ? parts.join() : `${parts.slice(0, -1).join(", ")} and ${parts.at(-1)}`;
@@ -81,5 +102,6 @@ function listed(parts: string[]): string {
 
 /** A level by its number, as people read it. */
 export function nameOf(states: LevelState[], level: number): string {
-  return states.find((state) => state.level === level)?.name.replaceAll("_", " ") ?? "a level above";
+  const found = states.find((state) => state.level === level);
+  return found === undefined ? "a level above" : plainName(found);
 }

@@ -29,7 +29,7 @@ export class GamepadInput {
     if (this.since < PERIOD) return;
     this.since = 0;
     const pad = navigator.getGamepads?.().find((one) => one !== null && one.connected);
-    if (pad == null) return;
+    if (pad == null) return this.release();
     [this.stand, this.giveBack].forEach((run, k) => {
       const down = pad.buttons[k]?.pressed ?? false;
       if (down && !this.pressed[k]) run();
@@ -37,8 +37,15 @@ export class GamepadInput {
     });
     const [left, forward, turn] = [0, 1, 2].map((axis) => beyondDeadZone(-(pad.axes[axis] ?? 0))) as [number, number, number];
     const short = (value: number): number => Number(value.toFixed(3)) + 0;
-    const velocity: [number, number] = [short(forward * this.most.forward), short(left * this.most.left)];
-    const yaw_rate = short(turn * this.most.turn);
+    this.ask([short(forward * this.most.forward), short(left * this.most.left)], short(turn * this.most.turn));
+  }
+
+  /** Nobody holds a stick any more: the gamepad is gone, or nobody sees the page. */
+  release(): void {
+    if (this.last !== "") this.ask([0, 0], 0);
+  }
+
+  private ask(velocity: [number, number], yaw_rate: number): void {
     const key = `${velocity} ${yaw_rate}`;
     if (key === this.last || (this.last === "" && key === "0,0 0")) return;
     this.last = key;

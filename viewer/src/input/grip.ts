@@ -28,6 +28,7 @@ export class Grip {
   }
 
   private renew(): void {
+    if (!this.open) return; // let go while this call was on its way
     if (!this.allowed()) return this.onRefused();
     const force = this.force();
     this.send(force);

@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { Commands } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
-import { Arrows, paint } from "../overlays/arrow.ts";
+import { Arrows, paintOverBodies } from "../overlays/arrow.ts";
 import type { World } from "../scene/world.ts";
 import { Grip } from "./grip.ts";
 
@@ -36,7 +36,7 @@ export class Pull {
   private readonly ray = new THREE.Raycaster();
   private readonly pointer = new THREE.Vector2();
   private readonly plane = new THREE.Plane();
-  private readonly arrow = new Arrows(paint(), 0.011, 1);
+  private readonly arrow = new Arrows(paintOverBodies(), 0.011, 1);
   private readonly colour = new THREE.Color();
   private readonly direction = new THREE.Vector3();
   private readonly from = new THREE.Vector3();

@@ -26,6 +26,7 @@ export class Arrows {
     this.shafts = new Copies(SHAFT, material, capacity);
     this.heads = new Copies(HEAD, material, capacity);
     this.root.add(this.shafts.mesh, this.heads.mesh);
+    if (!material.depthTest) this.shafts.mesh.renderOrder = this.heads.mesh.renderOrder = 3;
   }
 
   begin(): void {
@@ -59,4 +60,9 @@ export const SEEN_THROUGH = { transparent: true, depthWrite: false, side: THREE.
 /** Paint that keeps its colour in any light. */
 export function paint(opacity = 1): THREE.MeshBasicMaterial {
   return new THREE.MeshBasicMaterial({ ...(opacity < 1 ? SEEN_THROUGH : {}), opacity, fog: false });
+}
+
+/** Paint that no body hides: for what begins inside the robot. */
+export function paintOverBodies(opacity = 1): THREE.MeshBasicMaterial {
+  return new THREE.MeshBasicMaterial({ transparent: true, depthTest: false, depthWrite: false, opacity, fog: false });
 }

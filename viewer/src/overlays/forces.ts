@@ -2,7 +2,7 @@ import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
-import { Arrows, paint } from "./arrow.ts";
+import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
 /** Forces of the ground on the feet as they are, with their size in N. */
@@ -70,8 +70,8 @@ export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
   private readonly colour = new THREE.Color();
-  private readonly arrow = new Arrows(paint(), 0.011, 1);
-  private readonly believed = new Arrows(paint(0.45), 0.009, 1);
+  private readonly arrow = new Arrows(paintOverBodies(), 0.011, 1);
+  private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1);
   private readonly force = new THREE.Vector3();
   private readonly part = new THREE.Vector3();
   private readonly com = new THREE.Vector3();

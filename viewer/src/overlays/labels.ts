@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { spread, type Wanted } from "./label_layout.ts";
 
 interface Label {
   element: HTMLElement;
@@ -7,10 +8,20 @@ interface Label {
   place: string;
 }
 
-/** Short texts over the picture, at points of the scene. Made once, moved without a new layout, and hidden. */
+/** Size of a text without asking the browser, which would lay the page out anew [pixels]. */
+const LETTER = 7;
+const PADDING = 12;
+const HEIGHT = 16;
+
+/** What is pushed comes before what carries, and that before lengths of legs. */
+function rankOf(className: string): number {
+  return className === "push" ? 0 : className === "limb" ? 2 : 1;
+}
+
+/** Short texts over the picture, near points of the scene, none over another. Made once, moved without a new layout, and hidden. */
 export class Labels {
   private readonly pool: Label[] = [];
-  private used = 0;
+  private readonly wanted: Wanted[] = [];
   private width = 0;
   private height = 0;
   private readonly at = new THREE.Vector3();
@@ -22,7 +33,7 @@ export class Labels {
 
   /** Of the picture [pixels of the page]. */
   begin(width: number, height: number): void {
-    this.used = 0;
+    this.wanted.length = 0;
     this.width = width;
     this.height = height;
   }
@@ -37,25 +48,26 @@ export class Labels {
     if (label.className !== className) element.className = `label ${(label.className = className)}`;
     const x = 0.5 * (1 + this.at.x) * this.width;
     const y = 0.5 * (1 - this.at.y) * this.height;
-    const place = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -120%)`;
-    if (label.place !== place) element.style.transform = label.place = place;
-    if (element.hidden) element.hidden = false;
+    this.wanted.push({ x, y, width: LETTER * text.length + PADDING, height: HEIGHT, rank: rankOf(className) });
   }
 
   end(): void {
-    for (let i = this.used; i < this.pool.length; ++i) hide((this.pool[i] as Label).element);
+    const places = spread(this.wanted);
+    this.pool.forEach((label, k) => {
+      const place = places[k];
+      if (label.element.hidden !== (place === undefined)) label.element.hidden = place === undefined;
+      if (place === undefined) return;
+      const transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px) translate(-50%, -50%)`;
+      if (label.place !== transform) label.element.style.transform = label.place = transform;
+    });
   }
 
   private next(): Label {
-    const known = this.pool[this.used++];
+    const known = this.pool[this.wanted.length];
     if (known !== undefined) return known;
     const label = { element: document.createElement("span"), text: "", className: "none", place: "" };
     this.layer.append(label.element);
     this.pool.push(label);
     return label;
   }
-}
-
-function hide(element: HTMLElement): void {
-  if (!element.hidden) element.hidden = true;
 }

@@ -68,7 +68,7 @@ export class DrivePanel {
       this.axis("turn", "Turn left", "rad/s", "q", "e"), this.axis("height", "Torso height", "m", "PgUp", "PgDn"),
       h("div", { class: "row" },
         h("button", { id: "stand", title: "stand on four feet (x)", onclick: () => this.stand() }, "Stand"),
-        h("button", { id: "give-back", title: "the scenario commands again (g)", onclick: () => this.giveBack() }, "Give back")),
+        h("button", { id: "give-back", title: "the scenario commands again (g)", onclick: () => this.giveBack() }, "Back to the scenario")),
     );
     if (!commands.allowed) {
       for (const control of root.querySelectorAll("input, button")) control.setAttribute("disabled", "");

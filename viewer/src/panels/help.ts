@@ -15,7 +15,7 @@ export const KEYS: [keys: string, does: string][] = [
   ["q e", "turn to the left, to the right"],
   ["PgUp PgDn", "torso higher or lower"],
   ["x", "stand on four feet"],
-  ["g", "the scenario commands again"],
+  ["g", "back to the scenario's commands"],
   ["p", "push, as the panel Drive says"],
   ["u", "undo the last change"],
   ["t", "light or dark"],

@@ -1,17 +1,16 @@
 import { scalar, type Frame } from "../data/frame.ts";
-import { accountOf, levelStates, nameOf, type LevelState } from "../data/hierarchy.ts";
+import { accountOf, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
 import { Wish } from "../data/wish.ts";
-import { counted, digits, quantity } from "../data/numbers.ts";
-import { h, plain, say } from "./dom.ts";
-
-/** Sign and word of each status: colour is never the only sign. */
-const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–" } as const;
+import { counted, digits } from "../data/numbers.ts";
+import { AccountView } from "./account_view.ts";
+import { h, say } from "./dom.ts";
+import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
   onOrder: (levels: string[]) => void = () => {};
-  private readonly account = h("p", { class: "account", id: "account" });
+  private readonly account = new AccountView();
   private readonly facts = h("p", { class: "facts" });
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
   private cards: LevelCard[] = [];
@@ -24,13 +23,13 @@ export class HierarchyPanel {
   paused = false;
 
   constructor(root: HTMLElement) {
-    root.append(this.account, this.facts, this.list);
+    root.append(this.account.root, this.facts, this.list);
     this.clear();
   }
 
   /** Says nothing until the next tick. */
   clear(): void {
-    this.account.hidden = this.facts.hidden = this.list.hidden = true;
+    this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
   /** Whether the order may be changed here. */
@@ -46,14 +45,9 @@ export class HierarchyPanel {
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
-    this.account.hidden = this.facts.hidden = this.list.hidden = false;
-    say(this.account, accountOf(states));
-    this.account.classList.toggle("bad", states.some((state) => state.status === "gives way"));
-    const solve = scalar(frame, "timings.solve");
-    const total = scalar(frame, "timings.total");
-    const iterations = states.reduce((sum, state) => sum + (state.iterations || 0), 0);
-    const solveText = Number.isNaN(solve) ? "" : `Solved in ${digits(solve)} of the tick's ${digits(total)} µs, `;
-    say(this.facts, `${solveText}${counted(iterations, "iteration")}`);
+    this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
+    this.account.show(accountOf(states));
+    say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 
   private build(states: LevelState[], names: string): void {
@@ -80,68 +74,10 @@ export class HierarchyPanel {
   }
 }
 
-class LevelCard {
-  readonly root: HTMLLIElement;
-  private readonly sign = h("span", { class: "sign", "aria-hidden": "true" });
-  private readonly status = h("span", { class: "status" });
-  private readonly residual = h("span", { class: "residual" });
-  private readonly meta = h("span", { class: "meta" });
-  private readonly rows = h("p", { class: "rows" });
-  private readonly blocked = h("p", { class: "blocked" });
-
-  constructor(
-    name: string,
-    index: number,
-    count: number,
-    move: (name: string, steps: number) => void,
-    moveTo: (name: string, place: string) => void,
-  ) {
-    const button = (text: string, steps: number, label: string): HTMLButtonElement =>
-      h("button", {
-        class: "small", "aria-label": `${plain(name)}: ${label}`, title: label,
-        disabled: index + steps < 0 || index + steps >= count, onclick: () => move(name, steps),
-      }, text);
-    this.root = h("li", { class: "level", "data-level": name },
-      h("div", { class: "level-head" },
-        this.sign,
-        h("span", { class: "level-name", title: plain(name) }, `${index + 1} ${plain(name)}`),
-        h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
-        this.residual,
-      ),
-      h("div", { class: "level-facts" }, this.status, this.meta),
-      this.rows, this.blocked,
-    );
-    this.drag(name, moveTo);
-  }
-
-  private drag(name: string, moveTo: (name: string, place: string) => void): void {
-    this.root.addEventListener("dragstart", (event) => event.dataTransfer?.setData("text/plain", name));
-    this.root.addEventListener("dragover", (event) => {
-      event.preventDefault();
-      this.root.classList.add("drop");
-    });
-    this.root.addEventListener("dragleave", () => this.root.classList.remove("drop"));
-    this.root.addEventListener("drop", (event) => {
-      event.preventDefault();
-      this.root.classList.remove("drop");
-      moveTo(event.dataTransfer?.getData("text/plain") ?? "", name);
-    });
-  }
-
-  show(state: LevelState, all: LevelState[]): void {
-    const kind = state.status.replaceAll(" ", "-");
-    if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
-    say(this.sign, SIGNS[state.status]);
-    say(this.status, state.status);
-    say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
-    say(this.meta, state.rows === 0 ? "" : `${counted(state.rows, "row")} · ${state.freedom} free below · ${counted(state.iterations, "iteration")}`);
-    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
-    const blocked = state.status === "met" || state.status === "no rows" ? [] : state.blocked;
-    say(this.blocked, blocked.map(({ by, row, cost }) =>
-      `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
-  }
-}
-
-function words(bound: number): string {
-  return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
+/** What the tick cost: `solve` and `total` [µs], NaN where they aren't known. */
+export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[]): string {
+  if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Whole tick ${digits(total)} µs`;
+  const iterations = counted(states.reduce((sum, state) => sum + (state.iterations || 0), 0), "iteration");
+  if (Number.isNaN(solve + total)) return iterations;
+  return `Solver ${digits(solve)} µs, ${iterations}; whole tick ${digits(total)} µs`;
 }

@@ -1,40 +1,88 @@
-import { h, part } from "./dom.ts";
+import { h, part, say } from "./dom.ts";
 
 /** More short messages than this push the oldest of them out. */
 const MOST_SHORT = 5;
+type Kind = "error" | "plain";
 
 /** Short messages in a corner of the picture. Those with a key stay until they are taken away. */
 export class Notes {
   private readonly root = part("notes");
-  private readonly kept = new Map<string, HTMLElement>();
-  private short: HTMLElement[] = [];
+  private readonly kept = new Map<string, Note>();
+  private short: Note[] = [];
 
-  say(text: string, kind: "error" | "plain" = "plain"): void {
-    const note = h("p", { class: `note ${kind}` }, text);
-    this.root.append(note);
-    this.short.push(note);
-    setTimeout(() => this.drop(note), kind === "error" ? 8000 : 4000);
-    if (this.short.length > MOST_SHORT) this.drop(this.short[0] as HTMLElement);
+  /** What is said again while it still stands there is counted. */
+  say(text: string, kind: Kind = "plain"): void {
+    let note = this.short.find((one) => one.text === text && one.kind === kind);
+    if (note === undefined) this.short.push((note = new Note(kind)));
+    else note.count();
+    this.root.append(note.root);
+    note.show(text);
+    const said = note;
+    note.forget(() => this.drop(said), kind === "error" ? 8000 : 4000);
+    if (this.short.length > MOST_SHORT) this.drop(this.short[0] as Note);
   }
 
-  private drop(note: HTMLElement): void {
-    note.remove();
+  private drop(note: Note): void {
+    note.root.remove();
     this.short = this.short.filter((one) => one !== note);
   }
 
-  keep(key: string, text: string, kind: "error" | "plain" = "plain"): void {
+  keep(key: string, text: string, kind: Kind = "plain"): void {
     let note = this.kept.get(key);
-    if (note === undefined) {
-      note = h("p", { "data-note": key });
+    if (note === undefined || note.kind !== kind) {
+      this.take(key);
+      note = new Note(kind, key);
       this.kept.set(key, note);
-      this.root.prepend(note);
+      this.root.prepend(note.root);
     }
-    note.className = `note ${kind}`;
-    if (note.textContent !== text) note.textContent = text;
+    note.show(text);
   }
 
   take(key: string): void {
-    this.kept.get(key)?.remove();
+    this.kept.get(key)?.root.remove();
     this.kept.delete(key);
+  }
+}
+
+/** A message; of a long one the beginning, and the rest when asked for. */
+class Note {
+  readonly root: HTMLElement;
+  text = "";
+  private readonly words = h("span", { class: "note-text" });
+  private readonly times = h("b", { class: "times", hidden: true });
+  private readonly more = h("button", { class: "small", "aria-expanded": "false", onclick: () => this.open() }, "more");
+  private said = 1;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private drop: () => void = () => {};
+
+  constructor(readonly kind: Kind, key?: string) {
+    this.root = h("p", { class: `note ${kind} ${key === undefined ? "short" : "kept"}`, "data-note": key }, this.words, this.times, this.more);
+  }
+
+  /** In the page already, so that it is known how much of the text there is room for. */
+  show(text: string): void {
+    if (this.text === text) return;
+    this.text = text;
+    say(this.words, text);
+    this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
+  }
+
+  count(): void {
+    this.times.hidden = false;
+    say(this.times, `× ${++this.said}`);
+  }
+
+  /** Goes after a while [ms], unless somebody reads it. */
+  forget(drop: () => void, after: number): void {
+    this.drop = drop;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.root.classList.contains("open") || drop(), after);
+  }
+
+  private open(): void {
+    const open = this.root.classList.toggle("open");
+    if (!open) this.drop();
+    this.more.setAttribute("aria-expanded", String(open));
+    say(this.more, open ? "less" : "more");
   }
 }

@@ -1,5 +1,5 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
-import { accountOf, levelStates } from "../data/hierarchy.ts";
+import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEGS } from "../data/schema.ts";
 import { yawOf } from "../math/geometry.ts";
 import { digits } from "../data/numbers.ts";
@@ -23,6 +23,11 @@ export function estimateError(frame: Frame): string {
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
+/** One or two levels are told whole, more are counted: the panel of the hierarchy has the rest. */
+function hierarchyText({ line, more }: Account): string {
+  return more.length === 0 || more.length > 2 ? line : more.join(" ");
+}
+
 /** The state in sentences: what a picture shows to those who see it. */
 export function sentences(frame: Frame): [string, string][] {
   const legs = LEGS.map((leg) => {
@@ -38,7 +43,7 @@ export function sentences(frame: Frame): [string, string][] {
     ["Estimate drifted by", estimateError(frame)],
     ["Velocity", `${digits(Math.hypot(...speed))} m/s`],
     ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
-    ["Hierarchy", accountOf(levelStates(frame))],
+    ["Hierarchy", hierarchyText(accountOf(levelStates(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");
 }
 

@@ -1,7 +1,12 @@
 import type { Player } from "../data/player.ts";
+import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
 import { Wish } from "../data/wish.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
+
+/** Marks nearer than this to each other are drawn as one [pixels]. */
+const COLUMN = 4;
+const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--c3", notable: "--c1", grave: "--bad" };
 
 export interface TransportActions {
   pause: () => void;
@@ -13,6 +18,12 @@ export interface TransportActions {
 /** Text of a speed factor: 1/32× … 8×. */
 export function speedText(factor: number): string {
   return factor < 1 ? `1/${Math.round(1 / factor)}×` : `${factor}×`;
+}
+
+/** The time that is shown, of a log with the whole, as finely: [s]. */
+export function clockText(time: number, whole: number | undefined): string {
+  const digits = (whole ?? time) < 1000 ? 3 : 1;
+  return whole === undefined ? `${time.toFixed(digits)} s` : `${time.toFixed(digits)} / ${whole.toFixed(digits)} s`;
 }
 
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
@@ -89,7 +100,7 @@ export class Transport {
     this.slider.max = String(last);
     this.slider.value = String(player.time);
     this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(2)} seconds`);
-    say(this.clock, `${player.time.toFixed(player.time < 1000 ? 3 : 1)} s${player.live ? "" : ` / ${last.toFixed(1)} s`}`);
+    say(this.clock, clockText(player.time, player.live ? undefined : last));
     const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
@@ -105,12 +116,14 @@ export class Transport {
     if (context === null) return;
     context.scale(devicePixelRatio, devicePixelRatio);
     const style = getComputedStyle(this.canvas);
-    const paints = { event: "--soft", mode: "--bad", change: "--c3", damage: "--bad" } as const;
-    for (const mark of marks) {
-      context.fillStyle = style.getPropertyValue(/slide|push|lost|no ground|abort/.test(mark.text) ? "--c1" : paints[mark.kind]);
-      const x = ((mark.time - first) / Math.max(last - first, 1e-9)) * width;
-      const tall = mark.kind === "event" ? 0.5 : 1;
-      context.fillRect(x - 0.75, height * (1 - tall), 1.5, height * tall);
+    const fill = (paint: string, x: number, wide: number, tall: number): void => {
+      context.fillStyle = style.getPropertyValue(paint);
+      context.fillRect(x, height - tall, wide, tall);
+    };
+    for (const { at, usual, other } of columnsOf(marks, first, last, Math.max(1, Math.floor(width / COLUMN)))) {
+      const x = at * COLUMN;
+      if (usual > 0) fill("--soft", x + 0.5, 1.5, height * Math.min(0.35 + 0.06 * Math.log2(usual), 0.6));
+      if (other !== undefined) fill(PAINTS[other.weight], x, 2.5, height);
     }
   }
 
@@ -118,13 +131,10 @@ export class Transport {
     const { first, last, marks } = this.player.source;
     const box = this.canvas.getBoundingClientRect();
     const time = first + ((event.clientX - box.left) / box.width) * (last - first);
-    const reach = (5 / box.width) * (last - first);
-    const near = marks.filter((mark) => Math.abs(mark.time - time) < reach);
-    near.sort((a, b) => Math.abs(a.time - time) - Math.abs(b.time - time));
-    const mark = near[0];
-    this.hint.hidden = mark === undefined;
-    if (mark === undefined) return;
-    say(this.hint, `${mark.time.toFixed(2)} s ${mark.leg} ${mark.text}`);
+    const text = hintOf(marks, time, (5 / box.width) * (last - first));
+    this.hint.hidden = text === "";
+    if (text === "") return;
+    say(this.hint, text);
     const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0.15), 0.85);
     this.hint.style.left = `${(100 * share).toFixed(1)}%`;
   }

@@ -1,10 +1,18 @@
 import type { Commands } from "../protocol/commands.ts";
 import type { Session, TaskInfo, TaskNumber } from "../protocol/session.ts";
+import { LEGS } from "../data/schema.ts";
 import { Wish } from "../data/wish.ts";
 import { h, plain, say } from "./dom.ts";
 import { takeNumber } from "./number_field.ts";
 
 export type Report = (text: string, kind?: "error" | "plain") => void;
+
+/** What the grip has made, foot by foot, of the friction that the operator gave; "" where it is not known. */
+export function beliefText(friction: number[], given: number): string {
+  if (friction.some((mu) => Number.isNaN(mu))) return "";
+  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return "The controller believes the same of every foot now.";
+  return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
+}
 
 /** Numbers of the tasks, the friction that the controller assumes, and undo. */
 export class TunePanel {
@@ -15,16 +23,19 @@ export class TunePanel {
   private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
   private readonly none = h("p", { class: "soft" }, "No change so far.");
   private readonly friction: HTMLInputElement;
+  private readonly belief = h("p", { class: "soft", id: "friction-belief" });
   private frictionNow = NaN;
+  private readonly frictionWish = new Wish<number>();
 
   constructor(root: HTMLElement, private readonly commands: Commands, private readonly report: Report) {
     this.undoButton = h("button", { id: "undo", title: "undo the last change (u)", onclick: () => this.undo() }, "Undo");
     this.friction = h("input", {
-      type: "number", id: "friction", step: 0.05, "aria-label": "friction coefficient that the controller assumes",
+      type: "number", id: "friction", step: 0.05, "aria-label": "friction coefficient that the controller assumes of ground it has not felt yet",
       onchange: () => this.askFriction(),
     });
     root.append(
       h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction), this.undoButton),
+      this.belief,
       h("h2", {}, "Gains"), this.tables,
       h("h2", {}, "Changes"), this.none, this.list,
     );
@@ -32,11 +43,14 @@ export class TunePanel {
 
   private askFriction(): void {
     const value = takeNumber(this.friction, this.frictionNow);
-    if (value !== undefined) this.send("friction", { value });
+    if (value === undefined) return;
+    this.frictionWish.ask(value);
+    this.send("friction", { value }, () => this.frictionWish.drop());
   }
 
   undo(): void {
     this.onUndo();
+    this.frictionWish.drop();
     for (const task of this.tasks.values()) task.dropWishes();
     this.send("undo", {});
   }
@@ -51,6 +65,8 @@ export class TunePanel {
   show(session: Session): void {
     this.friction.min = String(session.limits.friction_min);
     this.friction.max = String(session.limits.friction_max);
+    this.frictionNow = session.friction;
+    this.showFriction();
     const order = session.orders.at(-1)?.levels ?? session.header.level_names;
     const tables = session.tasks.filter(({ numbers }) => numbers.length > 0).map((task) => this.table(task, order.indexOf(task.level_name) + 1));
     tables.sort((a, b) => a.place - b.place);
@@ -60,10 +76,14 @@ export class TunePanel {
     this.undoButton.disabled = !this.commands.allowed;
   }
 
-  showFriction(mu: number): void {
-    if (Number.isNaN(mu)) return;
-    this.frictionNow = Number(mu.toFixed(3));
-    if (document.activeElement !== this.friction) this.friction.value = String(this.frictionNow);
+  private showFriction(): void {
+    if (document.activeElement !== this.friction) this.friction.value = String(this.frictionWish.or(this.frictionNow));
+  }
+
+  /** `friction`: that each foot is believed to find. */
+  showBelief(friction: number[]): void {
+    say(this.belief, beliefText(friction, this.frictionNow));
+    this.showFriction();
   }
 
   showUndo(steps: number): void {
@@ -115,6 +135,11 @@ class TaskTable {
   }
 }
 
+/** Of a ratio the catalogue says "–", which reads like a number that is not known. */
+function unitText(unit: string): string {
+  return unit === "–" ? "(ratio)" : unit;
+}
+
 /** A number in a field. What is being typed stays there, whatever changes meanwhile. */
 class GainField {
   readonly root: HTMLElement;
@@ -126,10 +151,11 @@ class GainField {
 
   constructor(task: TaskInfo, number: TaskNumber, allowed: boolean, send: SendGain) {
     this.now = number.value;
+    const unit = unitText(number.unit);
     this.input = h("input", {
       type: "number", min: number.min, max: number.max, step: "any", disabled: !allowed,
       "data-gain": `${task.level_name}.${task.task}.${number.name}`,
-      title: `${number.min} to ${number.max} ${number.unit}`,
+      title: [number.about, `from ${number.min} to ${number.max}${unit === "" ? "" : ` ${unit}`}`].filter((text) => text !== "").join("; "),
       onchange: () => {
         const value = takeNumber(this.input, this.now);
         this.said = this.input.value;
@@ -138,7 +164,7 @@ class GainField {
         send({ level: task.level_name, task: task.task, name: number.name, value }, () => this.refuse());
       },
     });
-    this.root = h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, number.unit)));
+    this.root = h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, unit)));
   }
 
   show(value: number): void {

@@ -96,6 +96,11 @@ export class Connection {
 
   constructor(private readonly url: string) {}
 
+  /** Whole seconds since something came. */
+  get quiet(): number {
+    return Math.max(0, Math.floor((performance.now() - this.heard) / 1000));
+  }
+
   /** Seconds for which an open connection has brought nothing; 0 where that is usual. */
   get silence(): number {
     return this.state === "open" ? silenceOf(this.heard, performance.now()) : 0;

@@ -32,6 +32,7 @@ export interface TaskNumber {
   name: string;
   value: number;
   unit: string;
+  about: string;
   min: number;
   max: number;
 }
@@ -120,6 +121,8 @@ export interface Session {
   limits: Limits;
   orders: Order[];
   generation: number;
+  /** That the operator gave the controller. */
+  friction: number;
   tasks: TaskInfo[];
   can_command: boolean;
 }

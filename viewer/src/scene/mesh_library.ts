@@ -1,8 +1,8 @@
 import * as THREE from "three";
-import { ColladaLoader } from "three/examples/jsm/loaders/ColladaLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { coarsen } from "./coarse_mesh.ts";
+import { readCollada } from "./collada.ts";
 import { merged } from "./merge.ts";
 import { askUntilAnswered, textOf } from "../protocol/ask.ts";
 import type { MeshInfo } from "../protocol/session.ts";
@@ -16,6 +16,8 @@ export class MeshLibrary {
   readonly missing = new Map<string, string>();
   /** Meshes that are still to come. */
   loading = 0;
+  /** All that were asked for. */
+  wanted = 0;
   onMissing: () => void = () => {};
   onLoad: () => void = () => {};
   private readonly byUri = new Map<string, MeshInfo>();
@@ -47,8 +49,14 @@ export class MeshLibrary {
     }
   }
 
+  /** Which of how many is loaded just now; "" where all have come. */
+  get progress(): string {
+    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading + 1} of ${this.wanted}`;
+  }
+
   private enqueue<T>(work: () => Promise<T>): Promise<T> {
     ++this.loading;
+    ++this.wanted;
     const result = this.queue.then(() => nextPicture()).then(work);
     this.queue = result.catch(() => undefined).then(() => --this.loading);
     return result;
@@ -58,8 +66,10 @@ export class MeshLibrary {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
-    const read = this.parse(uri, bytes, material);
+    const breath = new Breath();
+    const read = await this.parse(uri, bytes, material, () => breath.take());
     if (this.coarse()) coarsen(read);
+    await breath.take();
     const object = uri.toLowerCase().endsWith(".dae") ? merged(read) : read;
     object.traverse((child) => {
       if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
@@ -67,11 +77,11 @@ export class MeshLibrary {
     return object;
   }
 
-  private parse(uri: string, bytes: ArrayBuffer, material: THREE.Material): THREE.Object3D {
+  private async parse(uri: string, bytes: ArrayBuffer, material: THREE.Material, rest: () => Promise<void>): Promise<THREE.Object3D> {
     const kind = uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
     switch (kind) {
       case "dae":
-        return this.collada(uri, textOf(bytes));
+        return this.collada(uri, textOf(bytes), rest);
       case "stl":
         return new THREE.Mesh(new STLLoader().parse(bytes), material);
       case "obj": {
@@ -86,20 +96,19 @@ export class MeshLibrary {
     }
   }
 
-  private collada(uri: string, text: string): THREE.Object3D {
+  private async collada(uri: string, text: string, rest: () => Promise<void>): Promise<THREE.Object3D> {
     const folder = uri.slice(0, uri.lastIndexOf("/") + 1);
     const manager = new THREE.LoadingManager();
     manager.setURLModifier((url) => this.image(folder, url));
     manager.onLoad = () => this.onLoad();
-    const result = new ColladaLoader(manager).parse(text, folder);
-    if (result === null) throw new Error("the file is no Collada document");
+    const scene = await readCollada(text, folder, manager, rest);
     const lights: THREE.Object3D[] = [];
-    result.scene.traverse((child) => {
+    scene.traverse((child) => {
       if (child instanceof THREE.Light || child instanceof THREE.Camera) lights.push(child);
       if (child instanceof THREE.Mesh) child.material = plain(child.material);
     });
     for (const light of lights) light.removeFromParent();
-    return result.scene;
+    return scene;
   }
 
   /** Address of an image that a Collada file names; grey where the server has none. */
@@ -122,6 +131,23 @@ function plain(material: THREE.Material | THREE.Material[]): THREE.Material | TH
     map,
     side: THREE.DoubleSide,
   });
+}
+
+/** Work that is shorter than this needs no rest behind it [ms]. */
+const SHORT_WORK = 200;
+/** Longest rest between two pieces of work [ms]. */
+const LONGEST_BREATH = 300;
+
+/** After each piece of work a rest that is as long: for what the program sends, and for pictures. */
+class Breath {
+  private since = performance.now();
+
+  async take(): Promise<void> {
+    const took = performance.now() - this.since;
+    if (took < SHORT_WORK) return;
+    await new Promise((resolve) => setTimeout(resolve, Math.min(took, LONGEST_BREATH)));
+    this.since = performance.now();
+  }
 }
 
 /** After the picture that is being made; in a hidden tab, where none is, soon. */

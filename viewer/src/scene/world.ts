@@ -200,12 +200,18 @@ export class World {
 
   /** Colour of the picture where a point of W is in it: red, green, blue, from 0 to 255. */
   pixel(p_W: [number, number, number]): number[] {
-    const at = new THREE.Vector3(...p_W).project(this.stage.camera);
+    return this.pixelAt(...this.place(p_W));
+  }
+
+  /** The same at a place of the page [pixels]. */
+  pixelAt(x: number, y: number): number[] {
     this.stage.render(); // what was drawn is gone once it has been shown
     const context = this.stage.renderer.getContext();
+    const box = this.stage.renderer.domElement.getBoundingClientRect();
     const bytes = new Uint8Array(4);
-    const [x, y] = [(0.5 + 0.5 * at.x) * context.drawingBufferWidth, (0.5 + 0.5 * at.y) * context.drawingBufferHeight];
-    context.readPixels(Math.floor(x), Math.floor(y), 1, 1, context.RGBA, context.UNSIGNED_BYTE, bytes);
+    const column = ((x - box.left) / box.width) * context.drawingBufferWidth;
+    const row = (1 - (y - box.top) / box.height) * context.drawingBufferHeight;
+    context.readPixels(Math.floor(column), Math.floor(row), 1, 1, context.RGBA, context.UNSIGNED_BYTE, bytes);
     return [...bytes.subarray(0, 3)];
   }
 }

@@ -1,0 +1,74 @@
+"""Films and strips of logs, made by the program of pictures."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import SOURCE
+from damaged_logs import cut, without_ticks
+from log_tools import complaint_of, log_command
+from pictures_made import cache, frames_of  # noqa: F401, fixtures
+
+from surefoot_log import pictures  # isort: skip
+from surefoot_log.log_file import LogFile  # isort: skip
+
+
+def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tmp_path):
+    file = tmp_path / "run.mp4"
+    done = log_command("video", log, "--out", file, "--size", "128x96", "--rate", "10", "--from", "0.5", "--to", "1.5", "--speed", "2")
+    assert (done.returncode, done.stdout) == (0, f"{file}\n"), done.stderr
+    images, rate = frames_of(file)
+    assert (len(images), rate, images[0].shape) == (6, 10, (96, 128, 3))
+    assert np.abs(images[0] - images[-1]).sum() > 0
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_film_is_the_same_bytes_again(log, tmp_path):
+    arguments = ["--size", "96x64", "--rate", "5", "--from", "1"]
+    for name in ("a.mp4", "b.mp4"):
+        assert log_command("video", log, "--out", tmp_path / name, *arguments).returncode == 0
+    assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
+
+
+def test_a_log_that_was_cut_off_is_filmed_as_far_as_it_goes(log, tmp_path):
+    done = log_command("video", cut(log, tmp_path, 0.5), "--out", tmp_path / "cut.mp4", "--size", "96x64", "--rate", "5")
+    assert done.returncode == 0 and "the log is not whole" in done.stderr
+    assert 2 <= len(frames_of(tmp_path / "cut.mp4")[0]) < 8
+
+
+def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
+    out = tmp_path / "a.mp4"
+    assert "--from 7; the log goes from 0 s to 1.98" in complaint_of("video", log, "--out", out, "--from", "7")
+    assert "no tick lies in --from 1 --to 0.5" in complaint_of("video", log, "--out", out, "--from", "1", "--to", "0.5")
+    assert "127x96" in complaint_of("video", log, "--out", out, "--size", "127x96")
+    for name in ("a.avi", "a.webm", "a"):
+        assert "a name that ends with .mp4 would be valid" in complaint_of("video", log, "--out", tmp_path / name)
+    assert "there is no folder" in complaint_of("video", log, "--out", tmp_path / "no/a.mp4")
+    assert "holds no tick" in complaint_of("video", without_ticks(log, tmp_path), "--out", out)
+    assert "--out" in complaint_of("video", log)
+    assert not out.exists() and not list(tmp_path.glob("*.partial"))
+
+
+def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path):
+    """A package of that name that is broken, as OpenGL is where its library is missing."""
+    (tmp_path / "OpenGL").mkdir()
+    (tmp_path / "OpenGL/__init__.py").write_text("raise AttributeError('no OSMesa')\n")
+    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}:{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}", "MUJOCO_GL": "osmesa"}
+    command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", tmp_path / "a.mp4"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.returncode == 2 and "libosmesa6" in done.stderr and len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.slow
+def test_the_strip_and_the_clip_of_a_report_are_small_and_show_something(log, tmp_path, monkeypatch, cache):
+    from PIL import Image
+
+    monkeypatch.setenv("SUREFOOT_MESH_CACHE", str(cache))
+    made = pictures.make_report_pictures(LogFile(log), tmp_path)
+    strip = Image.open(tmp_path / "strip.jpg")
+    assert strip.width > 900 and len(made.times) == 8 and made.times == sorted(made.times)
+    assert np.asarray(strip, int).std() > 20
+    assert (tmp_path / "strip.jpg").stat().st_size < 500_000 and (tmp_path / "clip.mp4").stat().st_size < 1_000_000
+    assert frames_of(tmp_path / "clip.mp4")[1] == pictures.CLIP_RATE

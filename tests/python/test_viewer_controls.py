@@ -1,0 +1,238 @@
+"""Keys, mouse, fingers and gamepad of the viewer's page, as the browser's own input events: each does what the help says, and nothing else."""
+
+import math
+import time
+
+import pytest
+
+from browser import SHIFT, wait_for
+from viewer import Viewer
+from viewer_page import SCREENSHOTS, SPY, WALK, pause, sent, show, tap_until
+
+
+@pytest.fixture(scope="module")
+def walk():
+    """A run that goes on."""
+    with Viewer(*WALK) as viewer:
+        yield viewer
+
+
+@pytest.fixture
+def page(browser, walk):
+    """The run's page, that keeps what it sends; what a test changed of it is gone afterwards."""
+    show(browser, walk.link)
+    browser.run(SPY)
+    yield browser
+    browser.run("localStorage.clear()")
+
+
+def camera(browser):
+    return browser.run("surefoot.camera")
+
+
+def distance(browser):
+    return math.dist(camera(browser), browser.run("surefoot.position('base')"))
+
+
+def moved(browser, before, least=0.05):
+    """The camera stands elsewhere."""
+    wait_for(lambda: math.dist(camera(browser), before) > least, "the camera to move")
+
+
+def stand_still(browser):
+    """The run is paused, and the camera has come to rest after it."""
+    pause(browser)
+    browser.press("f")
+
+    def rests():
+        before = camera(browser)
+        time.sleep(0.3)
+        return before == camera(browser)
+    wait_for(rests, "the camera to rest")
+
+
+def go_on(browser):
+    browser.press(" ")
+    browser.wait("!surefoot.status.paused")
+
+
+def test_the_help_opens_and_closes_by_its_keys_and_holds_all_others_back(page):
+    is_open = "document.querySelector('#help').open"
+    for close in ("?", "Escape"):
+        page.press("?")
+        assert page.run(is_open)
+        for key in "wxpr":
+            page.press(key)
+        page.press(close)
+        assert not page.run(is_open)
+    page.click("#help-open")
+    page.screenshot(SCREENSHOTS / "help.png")
+    box = page.run("(() => { const b = document.querySelector('#help').getBoundingClientRect(); return [b.top, innerHeight - b.bottom, b.left]; })()")
+    assert min(box) >= 0, "all of it is in the page"
+    page.mouse("mousePressed", 5, 5)
+    page.mouse("mouseReleased", 5, 5)
+    assert not page.run(is_open), "a press beside it closes it"
+    assert page.run("sent") == []
+
+
+def test_every_key_of_the_help_does_what_it_says(page):
+    status = "surefoot.status"
+    command = f"{status}.command"
+    page.press("t")
+    page.wait("document.documentElement.dataset.theme === 'dark'")
+    page.press("t")
+    page.press("f")
+    assert page.run("document.querySelector('#follow').getAttribute('aria-pressed')") == "false"
+    page.press("f")
+    boxes = "[...document.querySelectorAll('#overlays input')].map(one => one.checked)"
+    before = page.run(boxes)
+    for key in "1234567890-o":
+        page.press(key)
+    assert page.run(boxes) == [not checked for checked in before]
+    for key in "1234567890-o":
+        page.press(key)
+    assert page.run(boxes) == before
+    page.press("x")
+    page.wait(f"{command}.by === 'operator' && !{command}.walk && {command}.velocity[0] === 0")
+    for key, test in {"w": "velocity[0] > 0", "a": "velocity[1] > 0", "q": "yaw_rate > 0", "PageUp": "height > 0"}.items():
+        page.press(key)
+        page.wait(f"{command}.by === 'operator' && {command}.{test}")
+    for key, test in {"s": "velocity[0] === 0", "d": "velocity[1] === 0", "e": "yaw_rate === 0", "PageDown": "height === 0"}.items():
+        page.press(key)
+        page.wait(f"{command}.{test}")
+    page.press("x")
+    page.wait(f"!{command}.walk")
+    page.press("g")
+    page.wait(f"{command}.by === 'scenario'")
+    page.press("]")
+    page.wait(f"{status}.speed === 2")
+    page.press("[")
+    page.wait(f"{status}.speed === 1")
+    page.press(" ")
+    page.wait(f"{status}.paused && surefoot.following && surefoot.time === surefoot.last")
+    newest = page.run("surefoot.tick")
+    page.press(".")
+    page.wait(f"surefoot.tick === {newest + 1}")
+    page.press(",")
+    page.wait(f"surefoot.tick === {newest} && !surefoot.following")
+    page.press("l")
+    page.wait("surefoot.following")
+    for key, modifiers, seconds in (("ArrowLeft", 0, 0.1), ("ArrowLeft", SHIFT, 1), ("ArrowRight", 0, 0.1)):
+        shown = page.run("surefoot.time")
+        page.press(key, modifiers=modifiers)
+        page.wait(f"Math.abs(Math.abs(surefoot.time - {shown}) - {seconds}) < 1e-6")
+    page.press("l")
+    page.press("p")
+    page.press("r")
+    page.wait(f"surefoot.tick <= 1 && {status}.paused", 60)
+    assert [one["type"] for one in page.run("sent") if one["type"] in ("push", "reset")] == ["push", "reset"]
+    go_on(page)
+
+
+def test_keys_that_are_typed_into_a_field_are_no_commands(page):
+    page.click("#tab-tune")
+    page.run("document.querySelector('#channel-search').focus()")
+    for key in "wasdxpr ?":
+        page.press(key)
+    assert page.run("document.querySelector('#channel-search').value") == "wasdxpr ?"
+    assert page.run("sent") == [] and not page.run("document.querySelector('#help').open")
+
+
+def test_the_mouse_turns_moves_and_zooms_the_view_and_home_brings_it_back(page):
+    stand_still(page)
+    x, y = page.middle("#canvas")
+    corner = (x - 250, y + 120)  # of the ground, beside the robot
+    first = camera(page)
+    page.stroke(corner, (corner[0] + 90, corner[1]))
+    moved(page, first)
+    turned = distance(page)
+    page.wheel(*corner, -300)
+    wait_for(lambda: distance(page) < 0.95 * turned, "the zoom")
+    before = camera(page)
+    page.stroke(corner, (corner[0] + 90, corner[1]), button="right")
+    moved(page, before)
+    page.press("h")
+    wait_for(lambda: math.dist(camera(page), first) < 0.05, "the first view")
+    assert sent(page, "pull") == []
+    go_on(page)
+
+
+def test_a_drag_on_the_robot_with_shift_turns_the_view_and_pulls_nothing(page):
+    stand_still(page)
+    x, y = page.run("surefoot.place(surefoot.position('base'))")
+    before = camera(page)
+    page.stroke((x, y), (x + 90, y), modifiers=SHIFT)
+    moved(page, before)
+    assert sent(page, "pull") == []
+    go_on(page)
+
+
+def test_the_arrow_of_a_pull_is_seen_before_the_torso(page):
+    stand_still(page)
+    page.wait("surefoot.meshesLoading === 0", 60)
+    x, y = page.run("surefoot.place(surefoot.position('base'))")
+    middle = f"surefoot.pixelAt({x + 22}, {y})"
+    body = page.run(middle)
+    page.mouse("mousePressed", x - 10, y)
+    for step in range(1, 7):
+        page.mouse("mouseMoved", x - 10 + 12 * step, y)  # to where the torso still is, and no nearer than it
+
+    def is_pink(pixel):
+        red, green, blue = pixel
+        return red > green + 40 and blue > green + 40
+
+    assert not is_pink(body)
+    wait_for(lambda: is_pink(page.run(middle)), "the arrow over the torso")
+    page.screenshot(SCREENSHOTS / "pull_over_torso.png")
+    page.mouse("mouseReleased", x + 62, y)
+    page.wait("surefoot.status.pull === null")
+    go_on(page)
+
+
+def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
+    names = "surefoot.levels().map(one => one.name)"
+    order = page.run(names)
+    moving, place = order[-2], order[-4]
+
+    def dragged():
+        page.drop(page.middle(f"[data-level={moving}] .status"), page.middle(f"[data-level={place}] .status"))
+        time.sleep(0.5)
+        return sent(page, "order")
+    wait_for(dragged, "the level to be dragged", 60)
+    expected = [*order[:-4], moving, *order[-4:-2], order[-1]]
+    wait_for(lambda: page.run(names) == expected, "the new order", 60)
+    page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {moving} from {len(order) - 1} to {len(order) - 3}'))")
+    page.press("u")
+    wait_for(lambda: page.run(names) == order, "the order that was", 60)
+
+
+def test_a_gamepad_that_is_gone_asks_for_nothing_any_more(page):
+    page.run("""(() => { window.pad = { connected: true, axes: [0, -0.8, 0, 0], buttons: [] }; navigator.getGamepads = () => [null, pad]; })()""")
+    command = "surefoot.status.command"
+    page.wait(f"{command}.by === 'operator' && {command}.velocity[0] > 0.1")
+    page.run("pad.connected = false")
+    page.wait(f"{command}.by === 'operator' && {command}.velocity[0] === 0")
+    page.press("g")
+    page.wait(f"{command}.by === 'scenario'")
+
+
+def test_two_fingers_zoom_the_picture_and_one_scrubs(browser, walk):
+    browser.resize(390, 844, scale=2, mobile=True)
+    browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    try:
+        show(browser, walk.link)
+        stand_still(browser)
+        x, y = browser.middle("#canvas")
+        far = distance(browser)
+        browser.touch([(x - 20 - 12 * step, y) for step in range(6)], [(x + 20 + 12 * step, y) for step in range(6)])
+        wait_for(lambda: distance(browser) < 0.9 * far, "the picture to come nearer")
+        assert browser.run("[document.documentElement.scrollWidth, visualViewport.scale]") == [390, 1], "the page itself does not zoom"
+        newest = browser.run("surefoot.time")
+        x, y = browser.middle("#scrub")
+        browser.touch([(x + 60 - 20 * step, y) for step in range(6)])
+        browser.wait(f"!surefoot.following && surefoot.time < {newest}")
+        tap_until(browser, "#go-live", "surefoot.following")
+        go_on(browser)
+    finally:
+        browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+        browser.resize(1280, 720)

@@ -1,0 +1,150 @@
+"""How the viewer's page looks to its reader: nothing covers, cuts or contradicts something else, and what is old says so."""
+
+import re
+
+import pytest
+
+from viewer import Viewer
+from viewer_page import SCREENSHOTS, WALK, pause, show
+
+SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
+THEMES = ("light", "dark")
+
+
+@pytest.fixture(scope="module")
+def live():
+    with Viewer(*WALK) as viewer:
+        yield viewer
+
+
+def every_look(browser, name):
+    """Both themes at both sizes, with a screenshot; the desktop in light comes back."""
+    try:
+        for theme in THEMES:
+            browser.prefer(theme)
+            for size, (width, height) in SIZES.items():
+                browser.resize(width, height, mobile=size == "phone")
+                browser.wait(f"innerWidth === {width}")
+                yield f"{name} {size} {theme}"
+                browser.screenshot(SCREENSHOTS / f"{name}_{size}_{theme}.png")
+    finally:
+        browser.prefer("light")
+        browser.resize(*SIZES["desktop"])
+
+
+def push_until_it_falls(browser):
+    browser.click("#tab-drive")
+    browser.run("document.querySelector('#push-impulse').value = 60; document.querySelector('#push-duration').value = 0.2;"
+                "document.querySelector('#push').click()")
+    browser.wait("surefoot.status.ended !== null", 120)
+
+
+def test_after_a_fall_what_is_said_is_a_line_and_more_of_it_when_asked_for(browser):
+    with Viewer(*WALK) as walk:
+        show(browser, walk.link)
+        browser.wait("surefoot.tick > 100", 60)
+        push_until_it_falls(browser)
+        browser.click("#tab-hierarchy")
+        note = "document.querySelector('.note.error')"
+        for look in every_look(browser, "fall"):
+            for _ in range(4):
+                browser.press("p")  # refused: the run has ended
+            browser.wait(f"{note}?.textContent.includes('the run has ended')")
+            heights = "[...document.querySelectorAll('.note.error, #account')].map(one => one.offsetHeight)"
+            assert [height < 48 for height in browser.run(heights)] == [True, True], look
+        browser.press("p")
+        browser.wait(f"{note} !== null")
+        browser.run(f"{note}.querySelector('button').click()")
+        words = f"{note}.querySelector('.note-text')"
+        assert browser.run(f"{words}.scrollHeight <= {words}.clientHeight + 1"), "all of it"
+        browser.run(f"{note}.querySelector('button').click()")
+        browser.wait(f"{note} === null")
+
+
+def test_no_label_of_the_picture_covers_another(browser, live):
+    show(browser, live.link)
+    browser.wait("surefoot.tick > 400", 60)
+    browser.press("9")  # lengths of the legs, beside the forces
+    browser.wait("document.querySelectorAll('.label.limb:not([hidden])').length > 2")
+    covered = """(() => {
+      const boxes = [...document.querySelectorAll('.label:not([hidden])')].map(one => [one.textContent, one.getBoundingClientRect()]);
+      return boxes.flatMap(([text, a], k) => boxes.slice(k + 1).filter(([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+        .map(([other]) => [text, other]));
+    })()"""
+    for _ in range(8):  # of a walk, so that feet pass by each other
+        picture = browser.run("surefoot.pictures")
+        browser.wait(f"surefoot.pictures > {picture}")
+        assert browser.run(covered) == []
+    pause(browser)
+    for look in every_look(browser, "labels"):
+        assert browser.run(covered) == [], look
+    browser.press(" ")
+
+
+def test_names_of_the_levels_are_whole_and_all_levels_are_seen(browser, live):
+    show(browser, live.link)
+    browser.wait("document.querySelectorAll('.level').length === 11")
+    cut = "[...document.querySelectorAll('.level-name')].filter(one => one.scrollWidth > one.clientWidth).map(one => one.textContent)"
+    for look in every_look(browser, "levels"):
+        assert browser.run(cut) == [], look
+        if "desktop" in look:
+            assert browser.run("(() => { const p = document.querySelector('#panels'); return p.scrollHeight - p.clientHeight; })()") <= 0, look
+    heights = browser.run("[...document.querySelectorAll('.level')].map(one => one.offsetHeight)")
+    assert len(set(heights)) == 1, "whatever a level says"
+    browser.run("document.querySelector('.level .level-name').click()")
+    assert "degrees of freedom to the levels below" in browser.run("document.querySelector('.level.open').innerText")
+
+
+def test_the_account_agrees_with_the_levels(browser, live):
+    show(browser, live.link)
+    said = """(() => [document.querySelector('#account').innerText, document.querySelector('#account').dataset.kind,
+      [...document.querySelectorAll('.level .brief')].map(one => one.textContent).filter(text => text.startsWith('held back'))])()"""
+    for _ in range(10):
+        picture = browser.run("surefoot.pictures")
+        browser.wait(f"surefoot.pictures > {picture}")
+        line, kind, held = browser.run(said)
+        assert (kind == "good" and "Every level gets what it asks for" in line) == (held == []), (line, held)
+
+
+def test_meshes_that_are_still_to_come_are_counted(browser, live):
+    browser.open("about:blank")
+    browser.open(live.link)
+    text = browser.wait("document.querySelector('#loading')?.textContent || undefined", 60)
+    at, count = map(int, re.fullmatch(r"Loading meshes: (\d+) of (\d+)", text).groups())
+    assert 1 <= at <= count
+    browser.wait("surefoot.meshesLoading === 0 && document.querySelector('#loading').textContent === ''", 60)
+
+
+def test_the_clock_of_a_log_ends_at_its_total(browser, log):
+    with Viewer("replay", log) as replay:
+        show(browser, replay.link)
+        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        browser.wait("surefoot.time === surefoot.last")
+        browser.wait("/^(\\d+\\.\\d+) \\/ \\1 s$/.test(document.querySelector('#clock').textContent)")
+
+
+def test_friction_that_a_foot_lost_is_not_the_friction_that_was_asked_for(browser):
+    with Viewer("run", "slippery", "--view", "--set", "duration=600") as slippery:
+        show(browser, slippery.link)
+        given = slippery.json("api/session")["friction"]
+        browser.click("#tab-tune")
+        least = "Math.min(...['LF', 'RF', 'LH', 'RH'].map(leg => surefoot.channel(`plan.feet.${leg}.friction`)[0]))"
+        browser.wait(f"{least} < {given} - 0.02", 120)
+        browser.wait("document.querySelector('#friction-belief').textContent.includes('after slips')")
+        assert float(browser.run("document.querySelector('#friction').value")) == given
+        pause(browser)
+        for _ in every_look(browser, "tune"):
+            pass
+
+
+def test_what_is_old_is_grey_and_says_since_when(browser):
+    with Viewer(*WALK) as walk:
+        show(browser, walk.link)
+        port = walk.port
+        assert not browser.run("document.body.classList.contains('stale')")
+    browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
+    assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
+    for _ in every_look(browser, "stale"):
+        pass
+    with Viewer(*WALK, port=port):
+        browser.wait("window.surefoot?.tick > 0 && !document.body.classList.contains('stale') && document.querySelector('#stale').hidden", 60)

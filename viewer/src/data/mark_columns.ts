@@ -1,0 +1,55 @@
+import type { Mark } from "./source.ts";
+
+/** What a mark on the time bar is worth: where two fall together, the one that is worth more is seen. */
+export type Weight = "usual" | "change" | "notable" | "grave";
+
+const WEIGHTS: readonly Weight[] = ["usual", "change", "notable", "grave"];
+
+/** Events that are no part of a usual walk. */
+const NOTABLE = /slide|push|lost|no ground|abort|met something/;
+
+export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
+  if (kind === "mode" || kind === "damage") return "grave";
+  if (kind === "change") return "change";
+  return NOTABLE.test(text) ? "notable" : "usual";
+}
+
+/** Some marks that are too near to each other to be told apart. */
+export interface MarkColumn {
+  /** Number of the column, from the left. */
+  at: number;
+  /** How many usual events. */
+  usual: number;
+  /** What else there is of most weight, and how often; undefined: nothing. */
+  other: { weight: Weight; mark: Mark; count: number } | undefined;
+}
+
+/** The marks within [first, last] in `count` columns of the same width; those without marks are left out. */
+export function columnsOf(marks: Mark[], first: number, last: number, count: number): MarkColumn[] {
+  const columns = new Map<number, MarkColumn>();
+  for (const mark of marks) {
+    if (!(mark.time >= first && mark.time <= last)) continue;
+    const at = Math.min(count - 1, Math.floor(((mark.time - first) / Math.max(last - first, 1e-9)) * count));
+    let column = columns.get(at);
+    if (column === undefined) columns.set(at, (column = { at, usual: 0, other: undefined }));
+    see(column, mark, weightOf(mark));
+  }
+  return [...columns.values()].sort((a, b) => a.at - b.at);
+}
+
+function see(column: MarkColumn, mark: Mark, weight: Weight): void {
+  const { other } = column;
+  if (weight === "usual") ++column.usual;
+  else if (other?.weight === weight) ++other.count;
+  else if (other === undefined || WEIGHTS.indexOf(weight) > WEIGHTS.indexOf(other.weight)) column.other = { weight, mark, count: 1 };
+}
+
+/** What stands beside the pointer: the weightiest near `time`, of these the nearest, and how many more there are. */
+export function hintOf(marks: Mark[], time: number, reach: number): string {
+  const near = marks.filter((mark) => Math.abs(mark.time - time) < reach);
+  near.sort((a, b) => WEIGHTS.indexOf(weightOf(b)) - WEIGHTS.indexOf(weightOf(a)) || Math.abs(a.time - time) - Math.abs(b.time - time));
+  const [mark] = near;
+  if (mark === undefined) return "";
+  const more = near.length > 1 ? `, and ${near.length - 1} more near it` : "";
+  return `${mark.time.toFixed(2)} s ${mark.leg === "" ? "" : `${mark.leg} `}${mark.text}${more}`;
+}

@@ -1,0 +1,96 @@
+import { nameOf, type LevelState } from "../data/hierarchy.ts";
+import { counted, quantity } from "../data/numbers.ts";
+import { h, plain, say } from "./dom.ts";
+
+/** Sign and word of each status: colour is never the only sign. */
+const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–" } as const;
+
+/** A level in two lines: how it came out, and what of it matters most. Open it says all, a line for each kind. */
+export class LevelCard {
+  readonly root: HTMLLIElement;
+  private readonly sign = h("span", { class: "sign", "aria-hidden": "true" });
+  private readonly status = h("span", { class: "status" });
+  private readonly residual = h("span", { class: "residual" });
+  private readonly brief = h("span", { class: "brief" });
+  private readonly rows = h("p", { class: "rows" });
+  private readonly blocked = h("p", { class: "blocked" });
+  private readonly meta = h("p", { class: "meta" });
+  private readonly opener: HTMLButtonElement;
+
+  constructor(
+    name: string,
+    index: number,
+    count: number,
+    move: (name: string, steps: number) => void,
+    moveTo: (name: string, place: string) => void,
+  ) {
+    const button = (text: string, steps: number, label: string): HTMLButtonElement =>
+      h("button", {
+        class: "small", "aria-label": `${plain(name)}: ${label}`, title: label,
+        disabled: index + steps < 0 || index + steps >= count, onclick: () => move(name, steps),
+      }, text);
+    const title = `${index + 1} ${plain(name)}`;
+    this.opener = h("button", { class: "level-name", title: plain(name), "aria-expanded": "false", onclick: () => this.open() }, title);
+    this.root = h("li", { class: "level", "data-level": name },
+      h("div", { class: "level-head" }, this.sign, this.opener, this.residual),
+      h("div", { class: "level-facts" }, this.status, this.brief),
+      this.rows, this.blocked, this.meta,
+      h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
+    );
+    this.drag(name, moveTo);
+  }
+
+  private open(): void {
+    this.opener.setAttribute("aria-expanded", String(this.root.classList.toggle("open")));
+  }
+
+  private drag(name: string, moveTo: (name: string, place: string) => void): void {
+    this.root.addEventListener("dragstart", (event) => event.dataTransfer?.setData("text/plain", name));
+    this.root.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      this.root.classList.add("drop");
+    });
+    this.root.addEventListener("dragleave", () => this.root.classList.remove("drop"));
+    this.root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.root.classList.remove("drop");
+      moveTo(event.dataTransfer?.getData("text/plain") ?? "", name);
+    });
+  }
+
+  show(state: LevelState, all: LevelState[]): void {
+    const kind = state.status.replaceAll(" ", "-");
+    if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
+    say(this.sign, SIGNS[state.status]);
+    say(this.status, state.status);
+    say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
+    say(this.brief, briefOf(state, all));
+    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
+    say(this.blocked, blockers(state).map(({ by, row, cost }) =>
+      `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
+    say(this.meta, state.rows === 0 ? "" : metaOf(state));
+  }
+}
+
+/** What holds a level back that wants more than it gets. */
+function blockers({ status, blocked }: LevelState): LevelState["blocked"] {
+  return status === "gives way" || status === "minimised" ? blocked : [];
+}
+
+/** Of a level what matters most, in a few words. */
+export function briefOf(state: LevelState, all: LevelState[]): string {
+  const [first] = state.active;
+  const above = [...new Set(blockers(state).map(({ by }) => nameOf(all, by)))];
+  if (above.length > 0) return `held back by ${above.join(", ")}`;
+  if (first !== undefined) return `${first.name} ${words(first.state)}${state.active.length > 1 ? `, and ${state.active.length - 1} more` : ""}`;
+  return state.rows === 0 ? "" : counted(state.rows, "row");
+}
+
+/** Size of a level, and what it leaves. */
+export function metaOf({ rows, freedom, iterations }: LevelState): string {
+  return `${counted(rows, "row")} · leaves ${counted(freedom, "degree")} of freedom to the levels below · ${counted(iterations, "iteration")}`;
+}
+
+function words(bound: number): string {
+  return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
+}

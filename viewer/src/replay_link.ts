@@ -1,0 +1,113 @@
+import type { App } from "./app.ts";
+import { marksOf } from "./data/marks.ts";
+import { ReplaySource } from "./data/replay_source.ts";
+import type { Schema } from "./data/schema.ts";
+import { part, say } from "./panels/dom.ts";
+import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { fetchSession, type Session } from "./protocol/session.ts";
+
+/** How often a log that is being summarised is asked for more [ms]. */
+const SUMMARY_PERIOD = 700;
+/** How often it is looked whether the program that serves a log is still there [ms]. */
+const SERVER_PERIOD = 2000;
+/** After which it does not answer [ms]. */
+const SERVER_SILENCE = 3000;
+
+/** Fills the source of a log with what the program reads of it, over times in which there is no program. */
+export class ReplayLink {
+  readonly source: ReplaySource;
+  private app: App | undefined;
+  /** While the program does not answer: until it does. */
+  private awaited: Promise<void> | undefined;
+
+  constructor(
+    private readonly schema: Schema,
+    private readonly session: Session,
+  ) {
+    const { period, first_tick, ticks } = session;
+    this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url));
+  }
+
+  wire(app: App): void {
+    this.app = app;
+    const { cache } = this.source;
+    cache.onTile = () => {
+      app.refresh();
+      app.notes.take("log");
+    };
+    cache.onError = (error) => {
+      if (error instanceof NoAnswer) void this.awaitServer();
+      else app.notes.keep("log", `The log can't be read: ${error.message}`, "error");
+    };
+    void this.summarise();
+    void this.lookForServer();
+  }
+
+  /** Asks for nothing while the program does not answer. */
+  private async askForFrames(url: string): Promise<ArrayBuffer> {
+    await this.awaited;
+    return ask(url);
+  }
+
+  private async lookForServer(): Promise<void> {
+    try {
+      await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
+    } catch {
+      await this.awaitServer();
+    }
+    setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
+  }
+
+  /** Says that the program which serves the log is gone, until it answers. */
+  private awaitServer(): Promise<void> {
+    return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
+  }
+
+  private async findServer(): Promise<void> {
+    const app = this.app as App;
+    app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
+    const badge = part("link-state");
+    badge.dataset["state"] = "lost";
+    say(badge, "no answer");
+    let session = this.session;
+    while (session === this.session) session = await nextSession(this.session);
+    if (session.start !== this.session.start) return location.reload();
+    say(badge, "");
+    app.notes.take("server");
+    app.refresh();
+  }
+
+  /** Marks and overviews of a log become known from front to back after it was opened. */
+  private async summarise(): Promise<void> {
+    const app = this.app as App;
+    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
+      const { summarised, damage, orders } = session;
+      this.source.summarise(summarised);
+      this.schema.orders = orders;
+      if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
+      try {
+        this.source.marks = marksOf(JSON.parse(textOf(await ask("/api/events"))) as Parameters<typeof marksOf>[0], this.schema.events);
+      } catch {
+        continue; // asked for again with the next session
+      }
+      app.refresh();
+      if (summarised >= session.ticks) return;
+    }
+  }
+}
+
+/** The session a little later; the one before where it can't be had just now. */
+async function nextSession(before: Session, failed: () => void = () => {}): Promise<Session> {
+  await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
+  try {
+    return await fetchSession();
+  } catch {
+    failed();
+    return before;
+  }
+}
+
+function damageText(damage: string[]): string {
+  const more = damage.length > 1 ? ` And ${damage.length - 1} more pieces; the time bar marks them.` : "";
+  return `This log is damaged: ${damage[0]}.${more} The rest of it can be seen.`;
+}

@@ -1,0 +1,35 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { columnsOf, hintOf, weightOf } from "../src/data/mark_columns.ts";
+import type { Mark } from "../src/data/source.ts";
+
+const event = (time: number, text = "lift-off"): Mark => ({ time, text, leg: "LF", kind: "event" });
+const mode = (time: number): Mark => ({ time, text: "command mode: hold", leg: "", kind: "mode" });
+
+test("ten thousand events of a long walk do not hide the one that matters", () => {
+  const marks = Array.from({ length: 10_000 }, (_, k) => event(0.1 * k));
+  marks.splice(5000, 0, event(500.01, "stance foot slides: less force along the ground, slower"), mode(500.02));
+  const columns = columnsOf(marks, 0, 1000, 200);
+  assert.equal(columns.length, 200);
+  assert.equal(columns.reduce((sum, { usual }) => sum + usual, 0), 10_000);
+  const told = columns.filter(({ other }) => other !== undefined);
+  assert.deepEqual(told.map(({ at, other }) => [at, other?.weight, other?.mark.text]), [[100, "grave", "command mode: hold"]]);
+});
+
+test("columns without marks are left out, and marks outside are", () => {
+  const columns = columnsOf([event(-1), event(0), event(0.01), event(10), event(11)], 0, 10, 10);
+  assert.deepEqual(columns.map(({ at, usual }) => [at, usual]), [[0, 2], [9, 1]]);
+});
+
+test("a hint tells the weightiest, and how many more there are", () => {
+  const marks = [event(1), event(1.1), mode(1.2), event(5)];
+  assert.equal(hintOf(marks, 1, 0.5), "1.20 s command mode: hold, and 2 more near it");
+  assert.equal(hintOf(marks, 5, 0.5), "5.00 s LF lift-off");
+  assert.equal(hintOf(marks, 8, 0.5), "");
+});
+
+test("what is no part of a usual walk has more weight than what is", () => {
+  assert.equal(weightOf(event(0, "touchdown")), "usual");
+  assert.equal(weightOf(event(0, "pushed out of balance: step to recover")), "notable");
+  assert.equal(weightOf({ kind: "damage", text: "" }), "grave");
+});

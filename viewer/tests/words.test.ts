@@ -1,0 +1,42 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { LevelState } from "../src/data/hierarchy.ts";
+import { effortOf } from "../src/panels/hierarchy_panel.ts";
+import { briefOf, metaOf } from "../src/panels/level_card.ts";
+import { clockText } from "../src/panels/transport.ts";
+import { beliefText } from "../src/panels/tune_panel.ts";
+
+const level: LevelState = {
+  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, active: [], blocked: [],
+};
+const above: LevelState = { ...level, level: 0, place: 1, name: "friction_cone" };
+
+test("a clock never exceeds the whole", () => {
+  for (const whole of [0.04, 12.3375, 999.9999, 1234.5678]) {
+    const [time, all] = clockText(whole, whole).replace(" s", "").split(" / ").map(Number) as [number, number];
+    assert.equal(time, all);
+  }
+  assert.equal(clockText(9.885, undefined), "9.885 s");
+});
+
+test("the friction that was given and what the controller believes are two things", () => {
+  assert.equal(beliefText([0.5, 0.5, 0.5, 0.5], 0.5), "The controller believes the same of every foot now.");
+  assert.equal(beliefText([0.5, 0.31, 0.5, 0.42], 0.5), "The controller believes now, after slips: LF 0.50, RF 0.31, LH 0.50, RH 0.42.");
+  assert.equal(beliefText([NaN, 0.5, 0.5, 0.5], 0.5), "");
+});
+
+test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
+  assert.equal(briefOf(level, [above, level]), "2 rows");
+  const active = [{ name: "LF_KFE", level: 1, state: 1 }, { name: "RF_KFE", level: 1, state: -1 }];
+  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE at its upper bound, and 1 more");
+  const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
+  assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "held back by friction cone");
+  assert.equal(briefOf({ ...level, status: "met", blocked }, [above, level]), "2 rows", "what is met is not held back");
+});
+
+test("sizes and times are told in words", () => {
+  assert.equal(metaOf(level), "2 rows · leaves 24 degrees of freedom to the levels below · 1 iteration");
+  assert.equal(effortOf(11, 119, [level]), "Solver 11.0 µs, 1 iteration; whole tick 119 µs");
+  assert.equal(effortOf(0, 1.23, [{ rows: 0, iterations: 0 }]), "Whole tick 1.23 µs");
+  assert.equal(effortOf(NaN, NaN, [level]), "1 iteration");
+});
