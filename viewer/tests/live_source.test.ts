@@ -123,6 +123,8 @@ test("what happened is known once, in the order of time, whoever tells it first"
   source.mark(at(7), at(8));
   source.remember([at(1), at(7)]);
   assert.deepEqual(source.marks.map(({ time }) => time), [1, 7, 8]);
+});
+
 test("old numbers say how old they are", () => {
   assert.equal(staleText(12.3051, 7), "Nothing new for 7 s: all numbers are from 12.305 s of the run.");
 });
