@@ -230,7 +230,8 @@ void LiveOperator::friction(const ViewCommand& command) {
 void LiveOperator::undo() {
   if (undo_.empty()) throw Error("there is nothing to undo");
   wishes_.control = std::move(undo_.back().control);
-  wishes_.reason = "undo: ";
+  wishes_.reason = is_taken_ ? "undo: " : "";  // of what the run never had nothing is undone
+  is_taken_ = false;
   undo_.pop_back();
   undo_count_ = static_cast<int>(undo_.size());
 }
@@ -248,6 +249,7 @@ void LiveOperator::want(WantedControl control, const std::string& subject) {
   undo_count_ = static_cast<int>(undo_.size());
   wishes_.control = std::move(control);
   wishes_.reason.clear();
+  is_taken_ = false;
 }
 
 bool LiveOperator::take(OperatorWishes& wishes) {
@@ -258,6 +260,7 @@ bool LiveOperator::take(OperatorWishes& wishes) {
   taken_ = changes_.load(std::memory_order_acquire);
   if (given_up_) wishes_.control = *std::exchange(given_up_, std::nullopt);
   wishes = wishes_;
+  is_taken_ = true;
   wishes_.halt = false;
   wishes_.steps = 0;
   wishes_.reset = false;

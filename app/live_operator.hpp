@@ -94,6 +94,7 @@ class LiveOperator {
   std::vector<std::string> bodies_;
   std::mutex mutex_;  // of all below
   OperatorWishes wishes_;
+  bool is_taken_ = true;  // the run has all changes of the control
   std::vector<Undo> undo_;
   std::string ended_;
   std::atomic<int> undo_count_{0};

@@ -83,8 +83,15 @@ RunOrder LiveView::before_tick(double time) {
   return RunOrder::tick;
 }
 
+bool LiveView::has(const WantedControl& control) const {
+  return control.friction == present_.friction &&
+         change_text(present_.stack, control.stack).empty();
+}
+
 void LiveView::take(double time) {
+  const bool waits = is_pending_ && !has(wishes_.control);
   if (!operator_.take(wishes_)) return;
+  if (waits) wishes_.reason.clear();  // more comes with an undo than what it undoes
   if (wishes_.halt || !wishes_.paused) steps_ = 0;
   if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostSteps);
   reset_ = reset_ || wishes_.reset;
@@ -219,7 +226,12 @@ void LiveView::keep(logged::Change change) {
   feed_.show(change);
 }
 
-UserCommand LiveView::user(const UserCommand& planned) { return walk_.value_or(planned); }
+// Who gives the robot back to its scenario does not ask for a calibration by it.
+UserCommand LiveView::user(const UserCommand& planned) {
+  UserCommand command = walk_.value_or(planned);
+  command.calibrate = planned.calibrate;
+  return command;
+}
 
 void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
                           const TickTiming& timing) {

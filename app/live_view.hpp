@@ -31,6 +31,8 @@ class LiveView final : public RunSteering {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Is this how the controller is?
+  [[nodiscard]] bool has(const WantedControl& control) const;
   void take(double time);
   void take_control(double time);
   void take_walk(double time);

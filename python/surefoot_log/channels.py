@@ -75,10 +75,14 @@ class Flattener:
                     self._collect(member, None, found)
 
     def _object(self, name, schema, example):
+        """What is said of an object whose members say nothing, as of the feet, is said of each of them."""
         node = Node()
+        said = {"description": schema.get("description", "")}
         for key, part in schema["properties"].items():
             if "." not in name and key == "time":
                 continue
+            if not part.get("description"):
+                part = part | said
             inner = example.get(key) if isinstance(example, dict) else None
             member = self._part(name, key, part, inner)
             if member is not None:

@@ -71,7 +71,7 @@ class Walk:
             return None
         if content[BEFORE_COMPRESSION:].startswith(ZSTD) and fits(Opcode.CHUNK, content, length):
             return Opcode.CHUNK, length
-        return (opcode, length) if fits(opcode, content, length) else None
+        return (opcode, length) if opcode != 0 and fits(opcode, content, length) else None
 
     def chunk_behind(self, at):
         """Where the next compressed chunk begins; None without one."""

@@ -100,7 +100,7 @@ Mat3 InvariantFilter::measurement_noise(const Mat3& J) const {
          square(options_.foot_position_noise) * Mat3::Identity();
 }
 
-// d̂ = p̂ + R̂ h, so ξ_d = ξ_p + the measurement's noise.
+// a_B = T a, so R ← R Tᵀ and b ← T b; θ is in W and stays.
 void InvariantFilter::turn_imu(const Mat3& T) noexcept {
   R_ = R_ * T.transpose();
   gyro_bias_ = T * gyro_bias_;
@@ -111,6 +111,7 @@ void InvariantFilter::turn_imu(const Mat3& T) noexcept {
   }
 }
 
+// d̂ = p̂ + R̂ h, so ξ_d = ξ_p + the measurement's noise.
 void InvariantFilter::plant(Leg leg, const Vec3& h, const Mat3& J) noexcept {
   const int k = foot(leg);
   stands_[index(leg)] = true;

@@ -10,6 +10,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLongAgo = 1e3;  // [s]
+constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -33,12 +34,15 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     start(reading, 0.0);
     stand_at({0.0, 0.0, height_over_feet()});
   } else if (context.restarts && is_complete) {
-    start(reading, yaw(filter_.R_WB()));
+    SensorReading mean = reading;
+    mean.gyro = mean_gyro_;
+    mean.accelerometer = mean_force_;
+    start(mean, yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
     take_over(context.kinematics, reading.q);
-    advance(reading, dt);
+    advance(reading, dt, is_complete);
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
   write_state(reading);
@@ -48,7 +52,8 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
 
 void LegInertialEstimator::start(const SensorReading& reading, double heading) {
   started_ = true;
-  gyro_before_ = reading.gyro;
+  gyro_before_ = mean_gyro_ = reading.gyro;
+  mean_force_ = reading.accelerometer;
   filter_.start(reading.accelerometer, reading.gyro, heading);
   see_feet(reading);
 }
@@ -68,10 +73,15 @@ void LegInertialEstimator::stand_at(const Vec3& p_WB) {
   }
 }
 
-void LegInertialEstimator::advance(const SensorReading& reading, double dt) {
+void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool is_finite) {
   R_WB_before_ = filter_.R_WB();
   filter_.propagate(0.5 * (gyro_before_ + reading.gyro), reading.accelerometer, dt);
   gyro_before_ = reading.gyro;
+  if (is_finite) {
+    const double share = std::min(1.0, dt / kMean);
+    mean_gyro_ += share * (reading.gyro - mean_gyro_);
+    mean_force_ += share * (reading.accelerometer - mean_force_);
+  }
   see_feet(reading);
 }
 
@@ -85,6 +95,8 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
   const Quat turn = exp_rotation(errors.imu) * exp_rotation(errors_.imu).conjugate();
   filter_.turn_imu(turn.toRotationMatrix());
   gyro_before_ = turn * gyro_before_;
+  mean_gyro_ = turn * mean_gyro_;
+  mean_force_ = turn * mean_force_;
   errors_ = errors;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);

@@ -47,7 +47,7 @@ class LegInertialEstimator final : public StateEstimator {
   void stand_at(const Vec3& p_WB);
   /// Of the base over the ground under the feet, in their mean [m].
   [[nodiscard]] double height_over_feet() const;
-  void advance(const SensorReading& reading, double dt);
+  void advance(const SensorReading& reading, double dt, bool is_finite);
   void take_over(const KinematicErrors& errors, const JointVector& q);
   void see_feet(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
@@ -62,6 +62,7 @@ class LegInertialEstimator final : public StateEstimator {
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
   Vec3 gyro_before_ = Vec3::Zero();
+  Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero();  // of the last tenth of a second
   Mat3 R_WB_before_ = Mat3::Identity();
   RobotState state_;
   bool started_ = false;

@@ -79,7 +79,8 @@ bool RecordWalk::is_record(std::uint64_t offset) {
   if (length > size_ - offset - kRecordHead) return false;
   const std::string_view content = cursor.rest();
   const bool is_chunk = is_compressed(content) && fits(Opcode::chunk, content, length);
-  if (!is_chunk && !fits(opcode, content, length)) return false;
+  const bool is_known = static_cast<std::uint8_t>(opcode) != 0;  // 0 is none: a file's empty tail
+  if (!is_chunk && (!is_known || !fits(opcode, content, length))) return false;
   opcode_ = is_chunk ? Opcode::chunk : opcode;
   length_ = length;
   return true;

@@ -44,6 +44,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
                                   const Dynamics& dynamics) noexcept {
   time_ = state.time;
   event_ = PlanEvent::none;
+  if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   note_calibration_wish(command.calibrate);
   UserCommand user = with_caution(within_strides(command));
@@ -53,7 +54,8 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
-  restarts_ = wants_calibration_ && is_at_rest(state);
+  if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
+  restarts_ = wants_calibration_ && event_ == PlanEvent::none && is_at_rest(state);
   if (restarts_) event_ = PlanEvent::calibration;
   write_plan(user);
   return plan_;
@@ -65,9 +67,8 @@ void Planner::note_calibration_wish(bool asked) {
 }
 
 bool Planner::is_at_rest(const RobotState& state) const {
-  return mode_ == Mode::stand && !calibrating() && !recovering_ &&
-         time_ > stands_from_ + kStandDuration && state.v_WB.norm() < kStill &&
-         state.w_WB_B.norm() < kStill;
+  return !calibrating() && !recovering_ && time_ > stands_from_ + kStandDuration &&
+         state.v_WB.norm() < kStill && state.w_WB_B.norm() < kStill;
 }
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
@@ -164,7 +165,6 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
   if (next.phase() == LegPhase::stance) {
     if (!user.walk) {
       mode_ = Mode::stand;
-      stands_from_ = time_;
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
       next.unload(lift_time_);

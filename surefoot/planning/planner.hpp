@@ -148,7 +148,7 @@ class Planner {
   bool asked_before_ = false;       // for a calibration, at the last tick
   bool wants_calibration_ = false;  // … which has not begun
   bool restarts_ = false;
-  double stands_from_ = 0.0;  // [s]
+  double stands_from_ = 0.0;  // on all feet [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
   int cursor_ = 0;            // place of the next leg in the gait's order

@@ -66,7 +66,9 @@ struct SwingOptions {
   double apex_known = 0.08;        ///< the same for a hind foot that steps onto a footprint [m]
   double horizontal_start = 0.15;  ///< horizontal motion from this share of the swing …
   double horizontal_end = 0.85;    ///< … to this
-  double touchdown_speed = 0.1;    ///< downward, at the end of the swing and in the search [m/s]
+  /// Downward, at the end of the swing and in the search [m/s]. A foot that comes down slowly is
+  /// stopped by so little force, for so long, that its touch is told late.
+  double touchdown_speed = 0.2;
   double search_depth_max = 0.30;  ///< below the expected ground [m]
   double reach_max =
       0.56;  ///< hip to foot that a swing foot is asked for: short of a straight leg [m]

@@ -74,7 +74,7 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
 void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
                                         const Substitution* substitution) {
   const FlushDenormals flush_denormals;
-  const bool is_cold = !options_.warm_start || solution_.status == SolveStatus::invalid_input;
+  const bool is_cold = !options_.warm_start || !has_guess_;
   budget_.start();
   is_swept_ = false;
   if (!fits(hierarchy) || !load(hierarchy)) return reject(hierarchy);
@@ -114,6 +114,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
     memory_of_rows_.remember(k, hierarchy.level(k), s.side + s.level_begin[k]);
   }
   memory_of_rows_.forget_from(hierarchy.num_levels());
+  has_guess_ = true;
 }
 
 const std::vector<LevelBlockers>& LexicographicSolver::blockers() noexcept {
@@ -194,7 +195,7 @@ void LexicographicSolver::reject(const Hierarchy& hierarchy) {
   solution_.x.setZero();
   is_swept_ = false;
   num_sweeps_ = 0;
-  memory_of_rows_.forget();
+  forget();
   clear_levels(solution_, 0);
   solution_.failed_level = first_unsound_level(hierarchy);
 }

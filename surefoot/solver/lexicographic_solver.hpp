@@ -73,7 +73,10 @@ class LexicographicSolver {
   const std::vector<LevelBlockers>& blockers() noexcept;
 
   /// The next solve starts without a guess.
-  void forget() { memory_of_rows_.forget(); }
+  void forget() {
+    memory_of_rows_.forget();
+    has_guess_ = false;
+  }
 
   /// Sweeps of the last solve; more than `max_sweeps` if the cascade solved, 0 if the input was
   /// invalid.
@@ -127,6 +130,7 @@ class LexicographicSolver {
   KeptPoint kept_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities
   int num_sweeps_ = 0, num_descents_ = 0;
+  bool has_guess_ = false;                              // from the last solve
   bool is_swept_ = false;                               // the solution is that of the last sweep
   bool is_orthonormal_ = true;                          // the basis
   double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities

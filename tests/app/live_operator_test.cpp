@@ -106,6 +106,15 @@ TEST_F(LiveOperatorTest, undo_takes_back_change_by_change_and_a_sliders_steps_ar
   EXPECT_EQ(operator_.undo_count(), 0);
 }
 
+TEST_F(LiveOperatorTest, an_undo_is_told_as_one_only_of_what_the_run_had) {
+  EXPECT_EQ(gain("com_xy", "kp", 10.0), "");
+  EXPECT_EQ(operator_.command({.type = Type::friction, .value = 0.3}), "");
+  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
+  EXPECT_EQ(taken().reason, "") << "the gain is new to the run, the friction it never had";
+  EXPECT_EQ(operator_.command({.type = Type::undo}), "");
+  EXPECT_EQ(taken().reason, "undo: ");
+}
+
 TEST_F(LiveOperatorTest, after_its_end_a_run_can_only_be_begun_again) {
   operator_.set_ended("fell");
   const std::string error = push("base", Vec3(0, 1, 0), 0.1);

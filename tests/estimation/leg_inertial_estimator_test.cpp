@@ -116,23 +116,25 @@ TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
 }
 
 TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) {
-  CalibrationOptions askew = kMotion;
-  askew.yaw = 0.4;  // it begins anew with another heading than at first
-  TurningRobot robot(KinematicErrors{}, askew);
+  CalibrationOptions still = kMotion;
+  still.roll = still.pitch = still.yaw = 0.0;
+  TurningRobot robot(KinematicErrors{}, still);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
   RobotState state;
-  while (robot.time() < 2.0) {
+  while (robot.time() < 3.0) {
     robot.tick();
     SensorReading reading = robot.reading();
-    reading.accelerometer.y() += 3.0;  // gone mad …
+    const bool mad = robot.time() < 2.0;
+    if (mad) reading.accelerometer.y() += 3.0;
+    if (mad) reading.gyro.z() += 0.5;
     state = estimator.update(reading, standing());
   }
   ASSERT_GT(tilt_error(state, robot), 0.02);
   const Vec3 p_WB = state.p_WB;
   const double heading = yaw(state.R_WB());
-  ASSERT_GT(std::abs(heading), 0.05);
+  ASSERT_GT(std::abs(heading), 1e-3);
   LegInertialEstimator another(robot.description(), {}, TurningRobot::kPeriod);
-  robot.tick();  // … and well again
+  robot.tick();
   TickContext context = standing();
   context.restarts = true;
   state = estimator.update(robot.reading(), context);
@@ -140,12 +142,12 @@ TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) 
   EXPECT_NEAR(yaw(state.R_WB()), heading, 1e-9);
   RobotState fresh = another.update(robot.reading(), standing());
   const Mat3 turn = rotation_about_z(heading - yaw(fresh.R_WB()));
-  while (robot.time() < 4.0) {
+  while (robot.time() < 5.0) {  // but for what the mean of its last readings remembers
     robot.tick();
     state = estimator.update(robot.reading(), standing());
     fresh = another.update(robot.reading(), standing());
-    ASSERT_LT((state.R_WB() - turn * fresh.R_WB()).norm(), 1e-7) << robot.time();
-    ASSERT_LT((state.v_WB - turn * fresh.v_WB).norm(), 1e-7) << robot.time();
+    ASSERT_LT((state.R_WB() - turn * fresh.R_WB()).norm(), 1e-4) << robot.time();
+    ASSERT_LT((state.v_WB - turn * fresh.v_WB).norm(), 1e-4) << robot.time();
   }
 }
 

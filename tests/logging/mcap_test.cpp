@@ -149,6 +149,29 @@ TEST(Mcap, AFileCutOffAnywhereGivesAllItsWholeChunksAndSaysSo) {
   }
 }
 
+/// What a disk makes of a file that was being written when the power went.
+TEST(Mcap, AnEmptyTailIsNoRecords) {
+  const TemporaryFolder folder;
+  write(folder / "log.mcap", random_messages(200), 2048);
+  const std::string whole = contents(folder / "log.mcap");
+  const auto read_of = [&](const std::string& bytes) {
+    write_file(folder / "cut.mcap", bytes);
+    McapReader reader(folder / "cut.mcap");
+    const std::size_t count = read(reader).size();
+    return std::pair(count, reader.problem());
+  };
+  const std::string half = whole.substr(0, whole.size() / 2);
+  const auto [count, problem] = read_of(half);
+  const auto [count_before_tail, problem_before_tail] = read_of(half + std::string(100000, '\0'));
+  EXPECT_GT(count, 50u);
+  EXPECT_EQ(count_before_tail, count);
+  const std::string cut = "cut off at byte ";
+  const std::size_t at = problem_before_tail.find(cut);
+  ASSERT_NE(at, std::string::npos) << problem_before_tail;
+  const std::size_t byte = std::stoul(problem_before_tail.substr(at + cut.size()));
+  EXPECT_LT(byte, half.size() + 2048) << "the chunk that was cut ends in the tail";
+}
+
 TEST(Mcap, ADamagedByteIsNeverReadAsAMessage) {
   const TemporaryFolder folder;
   const std::vector<Message> messages = random_messages(60);

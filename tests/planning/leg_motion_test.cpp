@@ -294,7 +294,7 @@ TEST(LegMotion, AFootIsNeverAskedForWhatItsLegCannotReach) {
 TEST(LegMotion, ASearchThatIsHeldUpForAMomentGoesOn) {
   Bench bench = searching();
   EXPECT_EQ(bench.rest(0.3, 0.0), LegEvent::none);
-  EXPECT_EQ(bench.follow(1.5, 0.0), LegEvent::none);
+  EXPECT_EQ(bench.follow(0.15 / SwingOptions{}.touchdown_speed, 0.0), LegEvent::none);
   EXPECT_EQ(bench.rest(0.3, 0.0), LegEvent::none);
   EXPECT_EQ(bench.follow(kPeriod, 50.0), LegEvent::touchdown);
 }

@@ -29,8 +29,8 @@ TEST(Planner, WaitsWhileAFootLooksForGroundThatLiesLower) {
 
 TEST(Planner, StaysOverTheOtherFeetWhileItWaits) {
   PlannerOptions options;
-  options.swing.search_depth_max = 2.0;  // a search of 20 s
-  Puppet puppet = walker(options, step_at(0.40, -1.5));
+  options.swing.search_depth_max = 4.0;  // a search of 20 s
+  Puppet puppet = walker(options, step_at(0.40, -3.0));
   run_watched(puppet, 12.0);
   ASSERT_GT(puppet.happenings(PlanEvent::late).size(), 0u);
   EXPECT_EQ(puppet.happenings().back().event, PlanEvent::late) << "it still waits";
@@ -105,6 +105,21 @@ TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
   puppet.user = walking();
   run_watched(puppet, 10.0);
   EXPECT_GT(puppet.planner().steps_taken(), 4);
+}
+
+TEST(Planner, NothingBeginsAnewWhileAFootSearches) {
+  Puppet puppet;
+  puppet.run(3.0);
+  puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? -0.05 : 0.0; };
+  bool searched = false;
+  puppet.run(8.0, [&] {
+    const bool searches = puppet.plan().feet[index(Leg::RH)].phase == LegPhase::search;
+    searched = searched || searches;
+    puppet.user.calibrate = searched;
+    EXPECT_TRUE(!puppet.planner().restarts() || puppet.plan().num_contacts() == 4);
+  });
+  EXPECT_TRUE(searched);
+  EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 1u) << "once it stands again";
 }
 
 TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {

@@ -120,8 +120,9 @@ export class Transport {
       context.fillStyle = style.getPropertyValue(paint);
       context.fillRect(x, height - tall, wide, tall);
     };
-    for (const { at, usual, other } of columnsOf(marks, first, last, Math.max(1, Math.floor(width / COLUMN)))) {
-      const x = at * COLUMN;
+    const count = Math.max(1, Math.floor(width / COLUMN));
+    for (const { at, usual, other } of columnsOf(marks, first, last, count)) {
+      const x = (at * width) / count;
       if (usual > 0) fill("--soft", x + 0.5, 1.5, height * Math.min(0.35 + 0.06 * Math.log2(usual), 0.6));
       if (other !== undefined) fill(PAINTS[other.weight], x, 2.5, height);
     }
