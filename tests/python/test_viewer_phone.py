@@ -73,6 +73,14 @@ def test_what_is_wrong_with_a_log_covers_no_button_and_can_be_taken_away(browser
         assert browser.run(COVERED) == []
         browser.screenshot(SCREENSHOTS / f"damaged_{seen}.png")
         browser.wait("document.querySelector('#plots-progress').textContent === ''", 60)
+        begin = float(text.split("seen: ")[1].split(" s")[0])
+        x, y, width = browser.run("(() => { const b = document.querySelector('.marks').getBoundingClientRect(); return [b.x, b.y + 3, b.width]; })()")
+        browser.mouse("mouseMoved", x + width * begin / browser.run("surefoot.last"), y)
+        hint = "document.querySelector('.mark-hint:not([hidden])')"
+        told = browser.wait(f"{hint}?.textContent")
+        assert told.startswith(f"{begin:.2f} s to ") and told.count(f"{begin:.2f} s") == 1
+        left, right = browser.run(f"(() => {{ const b = {hint}.getBoundingClientRect(); return [b.left, innerWidth - b.right]; }})()")
+        assert min(left, right) >= 0
         tap(browser, "[data-note=damage] .close")
         browser.run("new Promise(done => setTimeout(done, 1000))")  # longer than the page waits to look again
         assert browser.run(note) is None

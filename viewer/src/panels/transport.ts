@@ -165,7 +165,8 @@ export class Transport {
     this.hint.hidden = text === "";
     if (text === "") return;
     say(this.hint, text);
-    const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0.15), 0.85);
-    this.hint.style.left = `${(100 * share).toFixed(1)}%`;
+    const half = 0.5 * this.hint.offsetWidth + 4;
+    const x = Math.min(Math.max(event.clientX, half), innerWidth - half);
+    this.hint.style.left = `${x - (box.left - this.canvas.offsetLeft)}px`;
   }
 }
