@@ -91,7 +91,7 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
   example.truth = parts.plant.truth();
   ring_.emplace(kRingTicks, example);
   begin_again(std::move(begun));
-  begun_ = session_.generation = 0;
+  session_.begun = session_.generation = 0;
 }
 
 void LiveFeed::begin_again(ViewSession begun) {
@@ -102,14 +102,15 @@ void LiveFeed::begin_again(ViewSession begun) {
   session_.orders = std::move(begun.orders);
   session_.tasks = std::move(begun.tasks);
   session_.friction = begun.friction;
-  begun_ = ++session_.generation;
+  session_.begun = ++session_.generation;
   names_ = {session_.channels.level_names, {}};
   finder_.emplace(session_.channels);
   events_.clear();
-  past_events_.clear();
+  past_.clear();
   history_.clear();
   start_.reset();
   ended_.clear();
+  pending_.clear();
   tick_ = 0;
   time_ = 0.0;
   forces_ = OutsideForces();
@@ -155,6 +156,10 @@ void LiveFeed::set_ended(const std::string& reason) {
   hand_over([this, reason] { ended_ = reason; });
 }
 
+void LiveFeed::set_pending(const std::string& text) {
+  hand_over([this, text] { pending_ = text; });
+}
+
 void LiveFeed::set_recording(const std::string& path) {
   hand_over([this, path] { recording_ = path; });
 }
@@ -168,7 +173,7 @@ void LiveFeed::show(const logged::Change& change) {
         .member("kind", std::string_view(kind))
         .member("text", std::string_view(words))
         .end_object();
-    remember(time, text_event(time, "change", words));
+    past_.add_change(time, text_event(time, "change", words));
   });
 }
 
@@ -206,7 +211,7 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
     session_.ticks = tick_;
     return {200, "application/json", to_json(session_)};
   }
-  if (path == "/api/events") return {200, "application/json", events_json()};
+  if (path == "/api/events") return {200, "application/json", past_.json()};
   return path == "/api/frames" ? frames(query) : robot_.get(path);
 }
 
@@ -218,19 +223,6 @@ WebAnswer LiveFeed::frames(const Query& query) const {
   } catch (const Error& error) {
     return refusal(400, error.what());
   }
-}
-
-std::string LiveFeed::events_json() const {
-  std::string text = "[";
-  for (const PastEvent& event : past_events_) text += (text.size() == 1 ? "" : ",") + event.text;
-  return text + "]";
-}
-
-void LiveFeed::remember(double time, std::string event) {
-  while (!past_events_.empty() && past_events_.front().time < history_.first_time()) {
-    past_events_.pop_front();
-  }
-  past_events_.push_back({time, std::move(event)});
 }
 
 // What was new before a tick is taken before it. News that were fetched stand behind all ticks
@@ -259,8 +251,9 @@ std::vector<SharedBlock> LiveFeed::blocks() {
 
 void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
   for (const SharedBlock& block : blocks) {
-    if (block.generation >= begun_) history_.add(block);
+    if (block.generation >= session_.begun) history_.add(block);
   }
+  past_.forget_before(history_.first_time());
 }
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
@@ -271,7 +264,7 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
            session_.channels, frame_);
   const std::size_t known = events_.size();
   finder_->see(frame_, events_);
-  for (std::size_t i = known; i < events_.size(); ++i) remember(frame_.time, events_[i]);
+  for (std::size_t i = known; i < events_.size(); ++i) past_.add(frame_.time, events_[i]);
   pack(frame_, bytes);
   tick_ = tick.number + 1;
   time_ = tick.record.reading.time;
@@ -319,7 +312,8 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("can_command", true)
       .member("recording", std::string_view(recording_))
       .member("generation", session_.generation)
-      .member("undo", operator_.undo_count());
+      .member("undo", operator_.undo_count())
+      .member("pending", std::string_view(pending_));
   const std::optional<UserCommand> wanted = operator_.walk_wanted();
   const UserCommand& walk = wanted.value_or(user_);
   json.key("command").object().member("walk", walk.walk);

@@ -3,6 +3,7 @@
 #include "app/event_finder.hpp"
 #include "app/live_operator.hpp"
 #include "app/operator_forces.hpp"
+#include "app/past_events.hpp"
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
 #include "app/view_tick.hpp"
@@ -44,6 +45,8 @@ class LiveFeed final : public WebContent {
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
+  /// What of the control is wanted and no tick has taken yet; "": nothing.
+  void set_pending(const std::string& text);
   /// The log that is written from the next begin on.
   void set_recording(const std::string& path);
   void show(const logged::Change& change);
@@ -75,9 +78,7 @@ class LiveFeed final : public WebContent {
   void take_news_before(const ViewTick& tick);
   void take(const ViewTick& tick, std::string& bytes);
   void keep(const std::vector<SharedBlock>& blocks);
-  void remember(double time, std::string event);
   [[nodiscard]] WebAnswer frames(const Query& query) const;
-  [[nodiscard]] std::string events_json() const;
   void measure();
 
   LiveOperator& operator_;
@@ -93,17 +94,12 @@ class LiveFeed final : public WebContent {
   ViewSession session_;
   std::deque<News> news_;    // that came and are still to be taken
   std::uint64_t heard_ = 0;  // the last that was taken
-  std::uint32_t begun_ = 0;  // generation with which the present run began
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
   std::vector<std::string> events_, outbox_;
   FrameHistory history_;  // of the present run
-  struct PastEvent {
-    double time;
-    std::string text;  // as /api/events has it
-  };
-  std::deque<PastEvent> past_events_;  // as old as the history
-  std::string ended_, recording_;
+  PastEvents past_;
+  std::string ended_, recording_, pending_;
   ViewFrame frame_;
   std::optional<StartAlignment> start_;
   std::uint32_t tick_ = 0;

@@ -48,6 +48,7 @@ void LiveView::begin(const RunParts& parts) {
   forces_.emplace(operator_.limits(), parts.plant.bodies());
   pulled_ = Pull();
   reset_ = is_pending_ = false;
+  pending_.clear();
   tick_ = 0;
   pace_.begin(0.0, wishes_.speed, Clock::now());
   feed_.begin(parts, present_.stack, present_.friction);
@@ -98,6 +99,7 @@ void LiveView::take(double time) {
   for (const Push& wanted : wishes_.pushes) push(wanted, time);
   wishes_.pushes.clear();
   is_pending_ = true;
+  if (wishes_.paused) tell_pending(pending_text());
   feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
@@ -132,6 +134,22 @@ void LiveView::take_control(double time) {
   }
   const std::string text = change_text(present_.stack, wishes_.control.stack);
   is_pending_ = !text.empty() && !change_stack(wishes_.reason + text, time);
+  tell_pending(is_pending_ ? wishes_.reason + text : "");
+}
+
+// What take_control will do.
+std::string LiveView::pending_text() const {
+  std::string text;
+  if (wishes_.control.friction != present_.friction)
+    text = "friction " + change_text(present_.friction, wishes_.control.friction);
+  const std::string stack = change_text(present_.stack, wishes_.control.stack);
+  if (!text.empty() && !stack.empty()) text += "; ";
+  text += stack;
+  return text.empty() ? "" : wishes_.reason + text;
+}
+
+void LiveView::tell_pending(const std::string& text) {
+  if (text != pending_) feed_.set_pending(pending_ = text);
 }
 
 // False while another change goes on: then it comes later.
@@ -241,6 +259,7 @@ void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
 bool LiveView::wait_for_reset(const std::string& reason) {
   operator_.set_ended(reason);
   feed_.set_ended(reason);
+  tell_pending("");
   while (!interrupted_() && !reset_) {
     if (operator_.take(wishes_)) {
       reset_ = wishes_.reset;

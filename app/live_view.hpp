@@ -42,6 +42,8 @@ class LiveView final : public RunSteering {
   void end_pull(double time);
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
+  [[nodiscard]] std::string pending_text() const;
+  void tell_pending(const std::string& text);
 
   LiveOperator& operator_;
   LiveFeed& feed_;
@@ -57,6 +59,7 @@ class LiveView final : public RunSteering {
   double pull_taken_ = 0.0;  // when the pull was last another one [s]
   bool reset_ = false, was_paused_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
+  std::string pending_;      // of it, as the pages were told
   double speed_ = 1.0;
   std::uint32_t tick_ = 0;
 };

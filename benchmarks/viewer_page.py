@@ -4,7 +4,7 @@
 
 Prints the time from opening the page of a live run to its first picture with a robot, over several loads; then, with all
 overlays on, for one robot and with the overlays of four: the script time of a picture by the clock (median and 99 %), what all script
-had of the processor for each (with what comes between pictures), pictures a second, how far the picture is behind the run, and the
+had of the processor for each (with what comes between pictures), pictures a second, how far the page is behind the run, and the
 run's speed. On a machine that is busy otherwise the clock counts that, too. Here the processor draws.
 
 Then the same without rasterisation: the calls that draw do nothing, and the page takes the machine for one with a graphics card
@@ -57,7 +57,7 @@ DRAWN = """new Promise(done => {
 })"""
 BEHIND = """(async () => {
   const ticks = (await (await fetch('/api/session')).json());
-  return ticks.period * (ticks.ticks - 1 - surefoot.tick);
+  return ticks.period * (ticks.ticks - 1) - surefoot.time;
 })()"""
 
 

@@ -88,6 +88,7 @@ std::string to_json(const ViewSession& session) {
       .member("ticks", session.ticks)
       .member("summarised", session.summarised)
       .member("generation", session.generation)
+      .member("begun", session.begun)
       .member("frame_floats", session.channels.floats)
       .member("friction", session.friction)
       .member("can_command", session.can_command);

@@ -72,6 +72,7 @@ struct ViewSession {
   ViewLimits limits;
   double friction = 0.0;  ///< that the controller assumes
   std::uint32_t generation = 0;
+  std::uint32_t begun = 0;  ///< generation with which the present run began
   bool can_command = false;
 };
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <thread>
 
 namespace surefoot {
@@ -189,6 +190,36 @@ TEST(LiveView, while_it_is_paused_it_makes_the_ticks_that_it_is_told_to) {
   EXPECT_EQ(run.frames.size(), 200u);
 }
 
+TEST(LiveView, what_is_changed_while_it_is_paused_is_told_as_pending_until_a_tick_has_it) {
+  LiveTestRun run({"duration=0.5"});
+  const ViewCommand friction{.type = Type::friction, .value = 0.3};
+  const ViewCommand gain{
+      .type = Type::gain, .level = "com_xy", .task = "com_xy", .name = "kp", .value = 150.0};
+  std::vector<std::string> told;
+  std::deque<std::vector<ViewCommand>> commands{
+      {friction}, {gain}, {{.type = Type::undo}}, {{.type = Type::step, .ticks = 1}}};
+  const auto tell = [&] {
+    told.push_back(json::parse(run.feed.status(1)).at("pending").get<std::string>());
+  };
+  std::function<void()> go_on = [&] {
+    tell();
+    for (const ViewCommand& command : commands.front()) EXPECT_EQ(run.wishes.command(command), "");
+    commands.pop_front();
+    if (!commands.empty()) run.at(20, go_on);
+  };
+  run.at(20, ViewCommand{.type = Type::pause});
+  run.at(20, go_on);
+  run.at(21, tell);
+  run.at(21, ViewCommand{.type = Type::resume});
+  run.run();
+  ASSERT_EQ(told.size(), 5u);
+  EXPECT_EQ(told[0], "");
+  EXPECT_TRUE(test::holds(told[1], "friction") && test::holds(told[1], "→ 0.3")) << told[1];
+  EXPECT_TRUE(test::holds(told[2], "→ 0.3; ") && test::holds(told[2], "→ 150")) << told[2];
+  EXPECT_TRUE(told[3].ends_with("→ 0.3")) << told[3];
+  EXPECT_EQ(told[4], "");
+}
+
 TEST(LiveView, a_reset_begins_the_same_run_again) {
   LiveTestRun run({"duration=0.5"});
   run.at(
@@ -198,12 +229,16 @@ TEST(LiveView, a_reset_begins_the_same_run_again) {
   run.at(150, ViewCommand{.type = Type::reset});
   EXPECT_EQ(run.run().ending, Ending::reset);
   const std::size_t first = run.frames.size();
+  const json before = json::parse(run.feed.get("/api/session", {}).body);
+  EXPECT_EQ(before.at("begun"), 0);
   EXPECT_FALSE(run.feed.welcome().empty());
   EXPECT_EQ(run.run().ending, Ending::finished);
   EXPECT_EQ(first, 150u);
   ASSERT_EQ(run.frames.size(), first + 200);
   EXPECT_EQ(run.frames[first].tick, 0u);
   EXPECT_GT(run.generations[first], run.generations[first - 1]);
+  const json session = json::parse(run.feed.get("/api/session", {}).body);
+  EXPECT_EQ(session.at("begun"), session.at("generation"));
   for (std::size_t i = 0; i < 100; ++i) {
     ASSERT_EQ(run.of("command.torque", 4)[i], run.of("command.torque", 4)[first + i]) << i;
   }

@@ -5,6 +5,7 @@ import subprocess
 import pytest
 
 from browser import Browser
+from live_page import LONG, Served
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
@@ -31,3 +32,10 @@ def browser():
 def log(tmp_path_factory):
     """A recorded run."""
     return record(tmp_path_factory.mktemp("log") / "walk.mcap")
+
+
+@pytest.fixture(scope="module")
+def run():
+    """A walk that goes on, watched by pages without a browser."""
+    with Served("run", "walk_flat", "--view", *LONG) as served:
+        yield served

@@ -15,6 +15,9 @@ import time
 
 from program import PROGRAM
 
+# A run that does not end by itself, with many levels.
+LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
+
 
 class Served:
     """The program while it serves a page on this machine."""

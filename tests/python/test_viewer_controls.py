@@ -7,7 +7,7 @@ import pytest
 
 from browser import SHIFT, wait_for
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, SPY, WALK, pause, sent, show, tap_until
+from viewer_page import SCREENSHOTS, SPY, WALK, pause, phone, sent, show, tap
 
 
 @pytest.fixture(scope="module")
@@ -108,8 +108,8 @@ def test_every_key_of_the_help_does_what_it_says(page):
     page.wait(f"{status}.speed === 2")
     page.press("[")
     page.wait(f"{status}.speed === 1")
-    page.press(" ")
-    page.wait(f"{status}.paused && surefoot.following && surefoot.time === surefoot.last")
+    pause(page)
+    assert page.run("surefoot.following && surefoot.time === surefoot.last")
     newest = page.run("surefoot.tick")
     page.press(".")
     page.wait(f"surefoot.tick === {newest + 1}")
@@ -217,9 +217,7 @@ def test_a_gamepad_that_is_gone_asks_for_nothing_any_more(page):
 
 
 def test_two_fingers_zoom_the_picture_and_one_scrubs(browser, walk):
-    browser.resize(390, 844, scale=2, mobile=True)
-    browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
-    try:
+    with phone(browser):
         show(browser, walk.link)
         stand_still(browser)
         x, y = browser.middle("#canvas")
@@ -231,8 +229,6 @@ def test_two_fingers_zoom_the_picture_and_one_scrubs(browser, walk):
         x, y = browser.middle("#scrub")
         browser.touch([(x + 60 - 20 * step, y) for step in range(6)])
         browser.wait(f"!surefoot.following && surefoot.time < {newest}")
-        tap_until(browser, "#go-live", "surefoot.following")
+        tap(browser, "#go-live")
+        browser.wait("surefoot.following")
         go_on(browser)
-    finally:
-        browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
-        browser.resize(1280, 720)

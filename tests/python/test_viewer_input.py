@@ -13,7 +13,7 @@ import pytest
 from browser import wait_for
 from log_file import messages
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, SPY, WALK, pause, sent, show, tap_until
+from viewer_page import SCREENSHOTS, SPY, WALK, pause, phone, sent, show, tap
 
 @pytest.fixture(scope="module")
 def played(tmp_path_factory):
@@ -126,28 +126,29 @@ def test_a_program_that_stands_still_is_told(browser, played):
 
 
 def test_a_phone_turns_the_view_and_commands_by_touch(browser, played):
-    browser.resize(390, 844, scale=2, mobile=True)
-    browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
-    try:
+    with phone(browser):
         show(browser, played.link)
         for tab in ("hierarchy", "state", "drive", "tune"):
-            browser.tap(f"#tab-{tab}")
+            tap(browser, f"#tab-{tab}")
             browser.wait(f"!document.querySelector('#panel-{tab}').hidden")
             browser.screenshot(SCREENSHOTS / f"phone_{tab}.png")
             assert browser.run("[document.documentElement, document.querySelector('#main')].map(one => one.scrollWidth - one.clientWidth)") == [0, 0]
-        browser.tap("#play")
+        tap(browser, "#play")
         browser.wait("surefoot.status.paused")
-        camera, (x, y) = browser.run("surefoot.camera"), browser.middle("#canvas")
-        browser.touch([(x + 12 * step, y) for step in range(6)])
-        wait_for(lambda: max(abs(a - b) for a, b in zip(camera, browser.run("surefoot.camera"))) > 0.1, "the camera to turn")
-        tap_until(browser, "#tab-drive", "!document.querySelector('#panel-drive').hidden")
-        browser.run("document.querySelector('#stand').scrollIntoView({ block: 'center' })")
-        tap_until(browser, "#stand", "surefoot.status.command.by === 'operator'")
-        browser.press(" ")
+
+        def turned():
+            camera, (x, y) = browser.run("surefoot.camera"), browser.middle("#canvas")
+            browser.touch([(x + 12 * step, y) for step in range(6)])
+            picture = browser.run("surefoot.pictures")
+            browser.wait(f"surefoot.pictures > {picture}")
+            return max(abs(a - b) for a, b in zip(camera, browser.run("surefoot.camera"))) > 0.1
+        wait_for(turned, "the camera to turn", 60)
+        tap(browser, "#tab-drive")
+        browser.wait("!document.querySelector('#panel-drive').hidden")
+        tap(browser, "#stand")
+        browser.wait("surefoot.status.command.by === 'operator'")
+        tap(browser, "#play")
         browser.wait("!surefoot.status.paused")
-    finally:
-        browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
-        browser.resize(1280, 720)
 
 
 def test_all_that_was_changed_stands_in_the_log(played):

@@ -148,3 +148,36 @@ def test_what_is_old_is_grey_and_says_since_when(browser):
         pass
     with Viewer(*WALK, port=port):
         browser.wait("window.surefoot?.tick > 0 && !document.body.classList.contains('stale') && document.querySelector('#stale').hidden", 60)
+
+
+@pytest.mark.parametrize("silent", ["window.fetch = () => new Promise(() => {})", "window.WebSocket = class {}"])
+def test_a_program_that_has_not_answered_yet_is_told_at_once_and_then_what_to_look_at(browser, live, silent):
+    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=silent)["identifier"]
+    try:
+        browser.open("about:blank")
+        browser.open(live.link)
+        browser.wait("document.querySelector('#link-state')?.textContent === 'connecting'")
+        assert browser.run("document.querySelector('#stale:not([hidden])').textContent") == "Connecting to the program …"
+        browser.wait("/^no answer for \\d+ s$/.test(document.querySelector('#link-state').textContent)")
+        browser.wait("document.querySelector('#notes').textContent.includes('Look in its terminal')")
+        browser.screenshot(SCREENSHOTS / "silent.png")
+    finally:
+        browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+
+
+def test_numbers_are_never_newer_than_the_picture(browser, live):
+    show(browser, live.link)
+    browser.click("#tab-state")
+    seen = browser.run("""new Promise(done => {
+      const seen = [];
+      const look = () => {
+        const [state, clock] = ['#state dd', '#clock'].map(one => parseFloat(document.querySelector(one).textContent));
+        seen.push([surefoot.drawn, state, clock]);
+        if (seen.length < 60) setTimeout(look, 20); else done(seen);
+      };
+      look();
+    })""")
+    assert len({drawn for drawn, *_ in seen}) > 1, "it goes on"
+    newer = [(drawn, told) for drawn, *both in seen for told in both if told > drawn + 6e-4]  # rounded
+    assert newer == []
+    browser.click("#tab-hierarchy")

@@ -135,6 +135,7 @@ def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser
             browser.open(walk.link)
             browser.wait("document.querySelector('#notes')?.textContent.includes('1 page watches already, the limit')", 60)
             assert browser.run("document.querySelector('#link-state').textContent") == "turned away"
+            assert "1 page watches already" in browser.run("document.querySelector('#stale:not([hidden])').textContent"), "why the panels are empty"
             browser.screenshot(SCREENSHOTS / "turned_away.png")
         browser.wait("document.querySelector('#link-state')?.textContent === 'connected' && surefoot.tick > 0", 40)
         browser.wait("!document.querySelector('#notes').textContent.includes('limit')", 40)
@@ -305,6 +306,9 @@ def test_any_channel_is_found_and_plotted(browser, replayed):
     assert "hierarchy.level.friction_cone.residual" in browser.run("document.querySelector('.found').textContent")
     browser.run("document.querySelector('.found button').click()")
     browser.wait(f"document.querySelectorAll('.plot').length === {plots + 1}")
+    header = replayed.json("api/session")["header"]
+    unit = header["level_units"][header["level_names"].index("friction_cone")]
+    assert browser.run("[...document.querySelectorAll('.plot-title')].at(-1).textContent") == f"hierarchy.level.friction_cone.residual [{unit}]"
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])

@@ -1,5 +1,6 @@
 """The viewer's page in a browser, as its user has it: opened, paused, looked at."""
 
+import contextlib
 import os
 import pathlib
 import time
@@ -49,10 +50,29 @@ def sent(browser, type):
     return [one for one in browser.run("sent") if one["type"] == type]
 
 
-def tap_until(browser, selector, condition):
-    """A browser that is busy loses taps which come close behind a drag; a user taps again."""
-    def tapped():
+@contextlib.contextmanager
+def phone(browser):
+    """A phone's page, with fingers; afterwards a desktop's again."""
+    browser.resize(390, 844, scale=2, mobile=True)
+    browser.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    try:
+        yield browser
+    finally:
+        browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+        browser.resize(1280, 720)
+
+
+def tap(browser, selector):
+    """Taps what is seen there, once the page holds still, until the page has heard of it: a busy browser loses taps, and a user taps again."""
+    one = f"document.querySelector({selector!r})"
+    browser.run(f"{one}.scrollIntoView({{ block: 'nearest' }})")
+    browser.run(f"window.tapped = false; {one}.addEventListener('click', () => (window.tapped = true), {{ once: true, capture: true }})")
+    place = f"(() => {{ const b = {one}.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; }})()"
+    hit = f"(([x, y]) => {one}.contains(document.elementFromPoint(x, y)))({place})"
+
+    def heard():
+        browser.wait(hit)
         browser.tap(selector)
-        time.sleep(0.5)
-        return browser.run(condition)
-    wait_for(tapped, condition, 60)
+        with contextlib.suppress(AssertionError):
+            return browser.wait("tapped", 3)
+    wait_for(heard, f"a tap on {selector}", 60)

@@ -35,6 +35,7 @@ export class App {
   readonly world: World | undefined;
   readonly notes: Notes;
   readonly link: LiveLink | undefined;
+  /** That of the picture: what is told in numbers is of the same time. */
   frame: Frame | undefined;
   pictures = 0;
   /** Time from the page's beginning to the first picture with a robot [ms]. */
@@ -55,8 +56,11 @@ export class App {
   private last = performance.now();
   private drawn = performance.now();
   private sinceText = Infinity;
-  private told = "";
-  private shownTime = NaN;
+  private sinceNumbers = Infinity;
+  /** Whose numbers stand in the panels. */
+  private told: Frame | undefined;
+  private toldLevels = "";
+  private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
 
   constructor(
@@ -71,6 +75,7 @@ export class App {
     const link = live ? new LiveLink(new LiveSource(schema), session) : new ReplayLink(schema, session);
     this.player = new Player(link.source, live);
     if (link instanceof LiveLink) this.link = link;
+    this.progress = () => link.progress;
     this.commands = new Commands(this.link?.connection, token);
     this.world = this.makeWorld(urdf);
 
@@ -223,13 +228,14 @@ export class App {
   /** More of a log has come. */
   refresh(): void {
     this.plots.refresh();
-    this.shownTime = NaN;
+    this.told = undefined;
   }
 
   /** The session is another one: levels, rows or tasks changed, or the run began again. */
   use(session: Session, schema: Schema): void {
     this.session = session;
     this.plots.use(schema);
+    this.told = undefined;
     this.tune.show(session);
     this.hierarchy.newest = orderOf(session);
   }
@@ -237,12 +243,14 @@ export class App {
   /** The run begins again: nothing of it is known yet. */
   restart(): void {
     this.player.restart();
-    this.shownTime = NaN;
+    this.frame = undefined;
     this.world?.clear();
     this.hierarchy.clear();
     this.state.clear();
     this.plots.clear();
-    this.told = "";
+    this.tune.changes.clear();
+    this.transport.clear();
+    this.toldLevels = "";
   }
 
   /** Replies, changes and state of a live run. */
@@ -259,17 +267,16 @@ export class App {
     player.advance(dt, this.link?.rate ?? 0);
     player.source.expect(player.time, player.playing ? player.speed : 0);
     const frame = player.source.at(player.time);
-    const moved = player.time !== this.shownTime;
-    this.frame = frame;
     this.gamepad.update(dt);
     const drawn = this.draw(begin, frame);
-    if (frame !== undefined) {
-      if (drawn && this.pictures++ === 0) this.firstPicture = performance.now();
-      this.shownTime = player.time;
+    if (drawn && frame !== undefined) {
+      this.frame = frame;
+      if (this.pictures++ === 0) this.firstPicture = performance.now();
     }
     this.hierarchy.paused = this.link?.status?.paused ?? false;
-    this.plots.update(dt, moved, frame);
-    this.texts(dt, frame);
+    this.plots.update(dt, this.frame);
+    this.texts(dt);
+    this.numbers(dt);
     if (drawn) this.costs.add(performance.now() - begin);
   }
 
@@ -287,14 +294,24 @@ export class App {
     return true;
   }
 
-  private texts(dt: number, frame: Frame | undefined): void {
+  private texts(dt: number): void {
     this.sinceText += dt;
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
     this.transport.update(this.link?.status);
+    this.plots.showProgress(this.progress());
     say(part("loading"), this.world?.library.progress ?? "");
     say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
-    if (frame === undefined) return;
+  }
+
+  /** The picture's frame in numbers, in the same step as the picture: neither is newer than the other, however slowly it is drawn. */
+  private numbers(dt: number): void {
+    const { frame } = this;
+    this.sinceNumbers += dt;
+    if (frame === undefined || frame === this.told || this.sinceNumbers < TEXT_PERIOD) return;
+    this.sinceNumbers = 0;
+    this.told = frame;
+    this.transport.tell(frame);
     this.hierarchy.show(frame);
     this.state.show(frame);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
@@ -304,8 +321,8 @@ export class App {
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
     const text = accountOf(levelStates(frame)).line;
-    if (text === this.told) return;
-    this.told = text;
+    if (text === this.toldLevels) return;
+    this.toldLevels = text;
     say(part("events"), text);
   }
 }

@@ -6,7 +6,7 @@ import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
 import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
-import { showStale, staleText } from "./panels/stale.ts";
+import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
@@ -37,7 +37,7 @@ export class LiveLink {
     private session: Session,
   ) {
     this.generation = session.generation;
-    source.begin(session.first_tick, this.openBefore);
+    source.begin(session.begun, session.first_tick, this.openBefore);
     this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
   }
 
@@ -93,7 +93,7 @@ export class LiveLink {
     this.reading = true;
     try {
       this.use(await fetchSession());
-      if (comesBack) this.source.begin(this.session.first_tick, this.openBefore);
+      if (comesBack) this.source.begin(this.session.begun, this.session.first_tick, this.openBefore);
       this.reading = false;
       this.readWaiting();
     } catch (error) {
@@ -128,11 +128,12 @@ export class LiveLink {
         this.status = message;
         if (this.generations.begins(message.generation)) this.beginAgain(message);
         drive.show(message);
-        tune.showUndo(message.undo);
+        tune.showStatus(message);
+        this.showPending(message);
         this.showState();
         break;
       case "change":
-        tune.addChange(message.time, message.text);
+        tune.changes.add(message);
         if (!message.text.startsWith("pull")) app.notes.say(message.text);
         this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change" });
         break;
@@ -171,8 +172,15 @@ export class LiveLink {
     badge.dataset["state"] = silence > 0 ? "lost" : state;
     const words = { open: "connected", lost: this.connection.reason === "" ? "connection lost" : "turned away", connecting: "connecting" };
     say(badge, silence > 0 ? `no answer for ${silence} s` : words[state]);
-    const lost = silence > 0 || state === "lost";
-    showStale(lost && !Number.isNaN(this.source.last) ? staleText(this.source.last, this.connection.quiet) : "");
+    showLink(linkText(this.connection, this.source.last), silence > 0 || state === "lost");
+    if (silence > 0) this.app?.notes.keep("silent", NO_ANSWER, "error");
+    else this.app?.notes.take("silent");
+  }
+
+  /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
+  private showPending({ paused, pending }: Status): void {
+    if (paused && pending !== "") this.app?.notes.keep("pending", `With the next tick: ${pending}`);
+    else this.app?.notes.take("pending");
   }
 
   private turn(state: ConnectionState): void {
@@ -185,14 +193,14 @@ export class LiveLink {
       app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
       app.notes.take("lost");
-      void this.recall();
-      if (this.lostBefore) void this.comeBack();
+      void (this.lostBefore ? this.comeBack() : this.recall());
     }
   }
 
   /** The program may be another one now: everything is read anew, and what came meanwhile is asked for. */
   private async comeBack(): Promise<void> {
     await this.readSession(true);
+    await this.recall();
     this.app?.notes.say("Connected again.");
   }
 
@@ -200,10 +208,17 @@ export class LiveLink {
   private async recall(): Promise<void> {
     try {
       const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
-      this.source.remember(marksOf(events, this.source.schema.events));
+      const marks = marksOf(events, this.source.schema.events);
+      this.source.remember(marks);
+      this.app?.handlers().tune.changes.remember(marks.filter(({ kind }) => kind === "change"));
     } catch (error) {
       console.warn(error); // that the connection is lost is shown
     }
+  }
+
+  /** How far what is looked at has come, in words. */
+  get progress(): string {
+    return "";
   }
 
   /** Speed against the wall clock, lost ticks, why the run has ended. */

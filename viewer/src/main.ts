@@ -6,7 +6,8 @@ import { App } from "./app.ts";
 import { Notes } from "./panels/notes.ts";
 import { part, say } from "./panels/dom.ts";
 import { ask, textOf } from "./protocol/ask.ts";
-import { backoff } from "./protocol/connection.ts";
+import { NO_ANSWER } from "./panels/stale.ts";
+import { backoff, silenceOf } from "./protocol/connection.ts";
 import { fetchSession } from "./protocol/session.ts";
 import { expose } from "./test_window.ts";
 
@@ -15,18 +16,30 @@ function tokenOfLink(): string {
   return new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
 }
 
+function showLost(words: string): void {
+  say(part("link-state"), words);
+  part("link-state").dataset["state"] = "lost";
+}
+
 async function start(): Promise<void> {
   const notes = new Notes();
+  const asked = performance.now();
+  const waiting = setInterval(() => {
+    const silence = silenceOf(asked, performance.now());
+    if (silence === 0) return;
+    showLost(`no answer for ${silence} s`);
+    notes.keep("silent", NO_ANSWER, "error");
+  }, 500);
   for (let attempt = 0; ; ++attempt) {
     try {
       const [session, urdf] = await Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
-      notes.take("start");
+      clearInterval(waiting);
+      for (const key of ["silent", "start"]) notes.take(key);
       expose(new App(session, urdf, tokenOfLink(), notes));
       return;
     } catch (error) {
       console.warn(error);
-      say(part("link-state"), "no connection");
-      part("link-state").dataset["state"] = "lost";
+      showLost("no connection");
       notes.keep("start", `The run can't be shown: ${(error as Error).message}. The page tries again by itself.`, "error");
       await new Promise((resolve) => setTimeout(resolve, backoff(attempt)));
     }

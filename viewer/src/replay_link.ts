@@ -2,7 +2,9 @@ import type { App } from "./app.ts";
 import { marksOf } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import type { Schema } from "./data/schema.ts";
+import { damageText, readText } from "./data/log_words.ts";
 import { part, say } from "./panels/dom.ts";
+import { showLink } from "./panels/stale.ts";
 import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
@@ -10,6 +12,8 @@ import { fetchSession, type Session } from "./protocol/session.ts";
 const SUMMARY_PERIOD = 700;
 /** How often it is looked whether the program that serves a log is still there [ms]. */
 const SERVER_PERIOD = 2000;
+/** What takes longer to come than this is told [ms]. */
+const LONG = 1000;
 /** After which it does not answer [ms]. */
 const SERVER_SILENCE = 3000;
 
@@ -19,6 +23,10 @@ export class ReplayLink {
   private app: App | undefined;
   /** While the program does not answer: until it does. */
   private awaited: Promise<void> | undefined;
+  /** Ticks from the first on that are summarised. */
+  private summarised = 0;
+  /** When everything that was asked for had come, last. */
+  private idle = performance.now();
 
   constructor(
     private readonly schema: Schema,
@@ -39,8 +47,20 @@ export class ReplayLink {
       if (error instanceof NoAnswer) void this.awaitServer();
       else app.notes.keep("log", `The log can't be read: ${error.message}`, "error");
     };
+    showLink("", false);
+    say(part("link-state"), "");
+    delete part("link-state").dataset["state"];
     void this.summarise();
     void this.lookForServer();
+  }
+
+  /** How far what is looked at has come, in words; "": it is here. */
+  get progress(): string {
+    const { ticks, period } = this.session;
+    const now = performance.now();
+    if (this.source.cache.pending === 0) this.idle = now;
+    if (this.summarised < ticks) return readText(this.summarised * period, ticks * period);
+    return now - this.idle > LONG ? "Loading …" : "";
   }
 
   /** Asks for nothing while the program does not answer. */
@@ -82,6 +102,7 @@ export class ReplayLink {
     const app = this.app as App;
     for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
       const { summarised, damage, orders } = session;
+      this.summarised = summarised;
       this.source.summarise(summarised);
       this.schema.orders = orders;
       if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
@@ -107,7 +128,3 @@ async function nextSession(before: Session, failed: () => void = () => {}): Prom
   }
 }
 
-function damageText(damage: string[]): string {
-  const more = damage.length > 1 ? ` And ${damage.length - 1} more pieces; the time bar marks them.` : "";
-  return `This log is damaged: ${damage[0]}.${more} The rest of it can be seen.`;
-}

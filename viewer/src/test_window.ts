@@ -5,6 +5,7 @@ import { levelStates, type LevelState } from "./data/hierarchy.ts";
 /** What tests and measurements may look at: the state of the page. */
 export interface SurefootWindow {
   readonly time: number;
+  /** Of the picture, as are the channels and the levels. */
   readonly tick: number;
   /** Times of the first and last frame there is [s]. */
   readonly first: number;

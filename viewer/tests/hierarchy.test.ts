@@ -74,3 +74,8 @@ test("a level without rows asks for nothing, and where none has rows nothing is 
   assert.equal(states[0]?.status, "no rows");
   assert.deepEqual(accountOf(states), { kind: "none", line: "No level is solved at this tick.", more: [] });
 });
+
+test("a level's residual is plotted with the unit of its rows", () => {
+  const schema = schemaOf({ "hierarchy.level.first.residual": 1, "hierarchy.level.second.residual": 1, "hierarchy.level.second.iterations": 1 });
+  assert.deepEqual(schema.channels.map(({ unit }) => unit), ["N", "m/s²", ""]);
+});

@@ -5,7 +5,7 @@ import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
 import { Generations } from "../src/data/generations.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
-import { staleText } from "../src/panels/stale.ts";
+import { linkText, staleText } from "../src/panels/stale.ts";
 import { schemaOf } from "./make.ts";
 
 const PERIOD = 0.0025;
@@ -72,7 +72,7 @@ test("a program is silent when nothing came for three seconds", () => {
 function opened(begins: number, oldest = 0): { source: LiveSource; asked: number[][]; goOn: (to: number) => void } {
   const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
   const asked: number[][] = [];
-  source.begin(oldest, (first, ticks) => {
+  source.begin(0, oldest, (first, ticks) => {
     asked.push([first, ticks]);
     const before = new LiveSource(source.schema);
     for (let tick = first; tick < first + ticks; ++tick) before.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
@@ -123,6 +123,28 @@ test("what happened is known once, in the order of time, whoever tells it first"
   source.mark(at(7), at(8));
   source.remember([at(1), at(7)]);
   assert.deepEqual(source.marks.map(({ time }) => time), [1, 7, 8]);
+});
+
+test("a page that was away learns of a reset meanwhile, and keeps what happened where there was none", () => {
+  const { source } = opened(400);
+  source.mark({ time: 1.5, text: "push", leg: "", kind: "change" });
+  let restarts = 0;
+  source.onRestart = () => ++restarts;
+  const nothing = (): LiveSource => new LiveSource(source.schema);
+  source.begin(0, 0, nothing);
+  assert.deepEqual([restarts, source.marks.length], [0, 1]);
+  source.begin(7, 0, nothing);
+  assert.deepEqual([restarts, source.marks.length], [1, 0]);
+});
+
+test("why there are no numbers is said above them", () => {
+  const link = { state: "connecting", silence: 0, quiet: 0, reason: "" } as const;
+  assert.equal(linkText(link, NaN), "Connecting to the program …");
+  assert.equal(linkText({ ...link, silence: 3 }, NaN), "No numbers yet: the program does not answer.");
+  assert.equal(linkText({ ...link, state: "lost", reason: "8 pages watch already" }, NaN), "No numbers here: 8 pages watch already.");
+  assert.equal(linkText({ ...link, state: "open" }, NaN), "");
+  assert.equal(linkText({ ...link, state: "open" }, 1), "");
+  assert.equal(linkText({ ...link, state: "open", silence: 4, quiet: 4 }, 1), staleText(1, 4));
 });
 
 test("old numbers say how old they are", () => {

@@ -26,6 +26,8 @@ test("a hint tells the weightiest, and how many more there are", () => {
   assert.equal(hintOf(marks, 1, 0.5), "1.20 s command mode: hold, and 2 more near it");
   assert.equal(hintOf(marks, 5, 0.5), "5.00 s LF lift-off");
   assert.equal(hintOf(marks, 8, 0.5), "");
+  const hole: Mark = { time: 12.4, text: "12.40 s to 12.61 s can't be read: why", leg: "", kind: "damage" };
+  assert.equal(hintOf([hole], 12.4, 0.5), "12.40 s to 12.61 s can't be read: why");
 });
 
 test("what is no part of a usual walk has more weight than what is", () => {

@@ -99,6 +99,33 @@ test("a piece that could not be had is asked for again, and the reason is told",
   assert.equal(source.cache.get({ stride: 1, index: 0, minMax: false })?.size, TILE_FRAMES);
 });
 
+test("an overview that was on its way while more was summarised is asked for again, and stands until that comes", async () => {
+  let known = 6000;
+  const answers: (() => void)[] = [];
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, () => {
+    const frames: RawFrame[] = [];
+    for (let tick = 0; tick < known; tick += 40) frames.push({ tick, time: tick * PERIOD, values: [0] });
+    return new Promise((resolve) => answers.push(() => resolve(blockOf(frames))));
+  });
+  const key = { stride: 64, index: 0, minMax: true };
+  const lastOf = (): number | undefined => source.cache.get(key)?.last;
+  const answer = async (): Promise<void> => {
+    answers.shift()?.();
+    await new Promise((resolve) => setTimeout(resolve, 1));
+  };
+  source.summarise(known);
+  lastOf();
+  known = TICKS;
+  source.summarise(known);
+  await answer();
+  assert.equal(lastOf(), 5960 * PERIOD, "what has come by now");
+  assert.equal(lastOf(), 5960 * PERIOD);
+  assert.equal(answers.length, 1, "asked for once more");
+  await answer();
+  assert.equal(lastOf(), 19960 * PERIOD);
+  assert.equal(answers.length, 0);
+});
+
 test("an overview that came before all of it was summarised is asked for again", async () => {
   let known = 6000;
   const source = new ReplaySource(schema, PERIOD, 0, TICKS, (url) => {

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
 import { briefOf, metaOf } from "../src/panels/level_card.ts";
-import { clockText } from "../src/panels/transport.ts";
+import { clockText, nextSpeed, speedText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
@@ -17,6 +17,14 @@ test("a clock never exceeds the whole", () => {
     assert.equal(time, all);
   }
   assert.equal(clockText(9.885, undefined), "9.885 s");
+});
+
+test("any speed that the program takes has a text and a next one of the menu", () => {
+  assert.deepEqual([1 / 32, 0.5, 1, 8, 3, 0.3].map(speedText), ["1/32×", "1/2×", "1×", "8×", "3×", "0.3×"]);
+  const speeds = [0.5, 1, 2, 4, 8];
+  assert.deepEqual([1, -1, 2, 9].map((steps) => nextSpeed(speeds, 3, steps)), [4, 2, 8, 8]);
+  assert.deepEqual([nextSpeed(speeds, 1, 1), nextSpeed(speeds, 1, -1)], [2, 0.5]);
+  assert.equal(nextSpeed(speeds, 8, 1), undefined);
 });
 
 test("the friction that was given and what the controller believes are two things", () => {
@@ -36,7 +44,7 @@ test("a level's second line says what matters most: who holds it back, its limit
 
 test("sizes and times are told in words", () => {
   assert.equal(metaOf(level), "2 rows · leaves 24 degrees of freedom to the levels below · 1 iteration");
-  assert.equal(effortOf(11, 119, [level]), "Solver 11.0 µs, 1 iteration; whole tick 119 µs");
-  assert.equal(effortOf(0, 1.23, [{ rows: 0, iterations: 0 }]), "Whole tick 1.23 µs");
+  assert.equal(effortOf(11, 119, [level]), "All levels: 11.0 µs, 1 iteration · tick: 119 µs");
+  assert.equal(effortOf(0, 1.23, [{ rows: 0, iterations: 0 }]), "Tick: 1.23 µs");
   assert.equal(effortOf(NaN, NaN, [level]), "1 iteration");
 });

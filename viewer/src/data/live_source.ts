@@ -20,15 +20,20 @@ export class LiveSource implements FrameSource {
   private before: FrameSource | undefined;
   private oldest = Infinity;
   private openBefore: OpenBefore | undefined;
+  private run: number | undefined;
 
   constructor(public schema: Schema) {}
 
-  /** What comes from now on is behind ticks that can be asked for, from `oldest` on. What came before is forgotten. */
-  begin(oldest: number, openBefore: OpenBefore): void {
+  /** What comes from now on is of this `run`, behind ticks that can be asked for, from `oldest` on. Frames that came before are forgotten. */
+  begin(run: number, oldest: number, openBefore: OpenBefore): void {
+    const restarts = this.run !== undefined && this.run !== run;
+    this.run = run;
     this.ring.clear();
     this.before = undefined;
+    if (restarts) this.marks = [];
     this.oldest = oldest;
     this.openBefore = openBefore;
+    if (restarts) this.onRestart();
   }
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {

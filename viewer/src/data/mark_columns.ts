@@ -51,5 +51,6 @@ export function hintOf(marks: Mark[], time: number, reach: number): string {
   const [mark] = near;
   if (mark === undefined) return "";
   const more = near.length > 1 ? `, and ${near.length - 1} more near it` : "";
+  if (mark.kind === "damage") return `${mark.text}${more}`; // which says from when to when itself
   return `${mark.time.toFixed(2)} s ${mark.leg === "" ? "" : `${mark.leg} `}${mark.text}${more}`;
 }

@@ -38,7 +38,7 @@ export class ReplaySource implements FrameSource {
 
   /** More of the log is summarised by now: `ticks` from the first on. */
   summarise(ticks: number): void {
-    this.cache.dropUnfinished();
+    this.cache.renewUnfinished();
     this.cache.summarised = ticks >= this.ticks ? Infinity : ticks;
   }
 

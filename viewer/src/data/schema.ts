@@ -19,6 +19,13 @@ function ofLegs(name: (leg: string) => string): string[] {
   return LEGS.map(name);
 }
 
+/** A level's residual has the unit of its rows, which the header says. */
+function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
+  const level = /^hierarchy\.level\.(.+)\.residual$/.exec(channel.name)?.[1];
+  const unit = level === undefined ? undefined : header.level_units[header.level_names.indexOf(level)];
+  return unit === undefined || channel.unit !== "" ? channel : { ...channel, unit };
+}
+
 /** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
 export class Schema {
   readonly channels: ChannelInfo[];
@@ -35,7 +42,7 @@ export class Schema {
   private readonly byName = new Map<string, ChannelInfo>();
 
   constructor(session: Session) {
-    this.channels = session.channels;
+    this.channels = session.channels.map((channel) => withUnit(channel, session));
     this.frameFloats = session.frame_floats;
     this.period = session.period;
     this.levels = session.header.level_names;

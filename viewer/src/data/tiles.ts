@@ -19,7 +19,10 @@ export class TileCache {
   private readonly tiles = new Map<string, FrameTable>();
   private readonly wanted = new Map<string, TileKey>();
   private readonly running = new Set<string>();
+  /** Asked for before all of them was summarised. */
   private readonly unfinished = new Set<string>();
+  /** Of these, more is known by now: they stand until what is asked for again has come. */
+  private readonly stale = new Set<string>();
   private readonly capacity: number;
   /** Ticks from the first on that are summarised: what long strides are answered from. */
   summarised = Infinity;
@@ -42,26 +45,25 @@ export class TileCache {
     return key.minMax ? (TILE_FRAMES / 2) * key.stride : TILE_FRAMES * key.stride;
   }
 
-  /** The tile if it is here; otherwise it is asked for. */
+  /** The tile if it is here; otherwise, and where more of it is known by now, it is asked for. */
   get(key: TileKey): FrameTable | undefined {
     const name = `${key.stride}:${key.index}:${key.minMax}`;
     const tile = this.tiles.get(name);
     if (tile !== undefined) {
       this.tiles.delete(name); // the most recently used is last
       this.tiles.set(name, tile);
-      return tile;
     }
-    if (!this.running.has(name)) {
+    if ((tile === undefined || this.stale.has(name)) && !this.running.has(name)) {
       this.wanted.delete(name);
       this.wanted.set(name, key);
       this.pump();
     }
-    return undefined;
+    return tile;
   }
 
-  /** Throws pieces away that came before all of them was known. */
-  dropUnfinished(): void {
-    for (const name of this.unfinished) this.tiles.delete(name);
+  /** More is summarised: pieces that were asked for before all of them was known, also those on their way, are asked for again. */
+  renewUnfinished(): void {
+    for (const name of this.unfinished) this.stale.add(name);
     this.unfinished.clear();
   }
 
@@ -83,6 +85,7 @@ export class TileCache {
     const from = this.firstTick + key.index * TileCache.span(key);
     const query = `from=${from}&count=${TILE_FRAMES}&stride=${key.stride}${key.minMax ? "&min_max=1" : ""}`;
     const end = (key.index + 1) * TileCache.span(key);
+    this.stale.delete(name);
     if (key.stride > 1 && end > this.summarised) this.unfinished.add(name);
     try {
       const block = await this.fetchBlock(`/api/frames?${query}`);
@@ -93,6 +96,7 @@ export class TileCache {
       this.keep(name, tile);
       this.onTile();
     } catch (error) {
+      this.stale.add(name);
       this.onError(error as Error);
       await new Promise((resolve) => setTimeout(resolve, 1000)); // asked for again, but not at once
     }

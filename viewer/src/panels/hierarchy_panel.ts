@@ -76,8 +76,8 @@ export class HierarchyPanel {
 
 /** What the tick cost: `solve` and `total` [µs], NaN where they aren't known. */
 export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[]): string {
-  if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Whole tick ${digits(total)} µs`;
+  if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Tick: ${digits(total)} µs`;
   const iterations = counted(states.reduce((sum, state) => sum + (state.iterations || 0), 0), "iteration");
   if (Number.isNaN(solve + total)) return iterations;
-  return `Solver ${digits(solve)} µs, ${iterations}; whole tick ${digits(total)} µs`;
+  return `All levels: ${digits(solve)} µs, ${iterations} · tick: ${digits(total)} µs`;
 }

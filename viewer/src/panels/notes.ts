@@ -4,10 +4,12 @@ import { h, part, say } from "./dom.ts";
 const MOST_SHORT = 5;
 type Kind = "error" | "plain";
 
-/** Short messages in a corner of the picture. Those with a key stay until they are taken away. */
+/** Short messages in a corner of the picture. Those with a key stay until they are taken away, or somebody has read them. */
 export class Notes {
   private readonly root = part("notes");
   private readonly kept = new Map<string, Note>();
+  /** Texts that somebody took away. */
+  private readonly dismissed = new Map<string, string>();
   private short: Note[] = [];
 
   /** What is said again while it still stands there is counted. */
@@ -28,10 +30,11 @@ export class Notes {
   }
 
   keep(key: string, text: string, kind: Kind = "plain"): void {
+    if (this.dismissed.get(key) === text) return;
     let note = this.kept.get(key);
     if (note === undefined || note.kind !== kind) {
       this.take(key);
-      note = new Note(kind, key);
+      note = new Note(kind, key, () => this.dismiss(key));
       this.kept.set(key, note);
       this.root.prepend(note.root);
     }
@@ -41,6 +44,13 @@ export class Notes {
   take(key: string): void {
     this.kept.get(key)?.root.remove();
     this.kept.delete(key);
+    this.dismissed.delete(key);
+  }
+
+  private dismiss(key: string): void {
+    const text = this.kept.get(key)?.text ?? "";
+    this.take(key);
+    this.dismissed.set(key, text);
   }
 }
 
@@ -55,8 +65,9 @@ class Note {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private drop: () => void = () => {};
 
-  constructor(readonly kind: Kind, key?: string) {
-    this.root = h("p", { class: `note ${kind} ${key === undefined ? "short" : "kept"}`, "data-note": key }, this.words, this.times, this.more);
+  constructor(readonly kind: Kind, key?: string, dismiss?: () => void) {
+    const close = dismiss && h("button", { class: "small close", "aria-label": "take this message away", onclick: dismiss }, "×");
+    this.root = h("p", { class: `note ${kind} ${key === undefined ? "short" : "kept"}`, "data-note": key }, this.words, this.times, this.more, close);
   }
 
   /** In the page already, so that it is known how much of the text there is room for. */

@@ -3,7 +3,7 @@ import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
 import { LEGS } from "../data/schema.ts";
 import type { Series } from "../data/source.ts";
-import { h } from "./dom.ts";
+import { h, say } from "./dom.ts";
 import { Plot } from "./plot.ts";
 
 /** Plots are drawn anew this often while time goes on [s]. */
@@ -25,6 +25,11 @@ export class PlotsPanel {
   private span: number;
   private from = NaN;
   private since = Infinity;
+  private sincePicture = Infinity;
+  /** Times of the player and of the picture when the plots were drawn last. */
+  private drawn = NaN;
+  private pictured = NaN;
+  private readonly progress = h("span", { class: "soft", id: "plots-progress" });
 
   constructor(root: HTMLElement, private readonly player: Player, schema: Schema) {
     this.schema = schema;
@@ -44,7 +49,7 @@ export class PlotsPanel {
     document.addEventListener("pointerdown", (event) => {
       if (!root.contains(event.target as Node)) this.found.hidden = true;
     });
-    root.append(h("div", { class: "plot-tools" }, this.search, this.spanSelect, this.found), this.row);
+    root.append(h("div", { class: "plot-tools" }, this.search, this.spanSelect, this.progress, this.found), this.row);
     new ResizeObserver(() => this.plots.forEach((plot) => plot.resize())).observe(this.row);
     this.addFirst();
   }
@@ -149,14 +154,28 @@ export class PlotsPanel {
     this.since = Infinity;
   }
 
-  update(dt: number, moved: boolean, frame: Frame | undefined): void {
+  /** How far what they show has come; "": it is here. */
+  showProgress(text: string): void {
+    say(this.progress, text);
+  }
+
+  /** `frame`: that of the picture. */
+  update(dt: number, frame: Frame | undefined): void {
+    const { time } = this.player;
+    const pictured = frame?.time ?? time;
+    const isNew = pictured !== this.pictured; // drawn in the same step as the picture
     this.since += dt;
-    if (this.since < PERIOD || !(moved || this.since === Infinity) || Number.isNaN(this.player.time)) return;
+    this.sincePicture += dt;
+    if ((isNew ? this.sincePicture : this.since) < PERIOD || Number.isNaN(time)) return;
+    if (!isNew && time === this.drawn && this.since !== Infinity) return;
     if (this.row.offsetParent === null) return;
     this.since = 0;
+    if (isNew) this.sincePicture = 0;
+    this.drawn = time;
+    this.pictured = pictured;
     const [from, to] = this.range();
     for (const plot of this.plots) {
-      plot.draw(this.player.source, from, to, this.player.time);
+      plot.draw(this.player.source, from, to, pictured);
       if (frame !== undefined) plot.tell(frame);
     }
   }

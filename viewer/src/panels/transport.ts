@@ -1,3 +1,4 @@
+import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
 import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
 import { Wish } from "../data/wish.ts";
@@ -15,9 +16,16 @@ export interface TransportActions {
   reset: () => void;
 }
 
-/** Text of a speed factor: 1/32× … 8×. */
+/** Text of a speed factor: 1/32× … 8×, and what else may have been asked for. */
 export function speedText(factor: number): string {
-  return factor < 1 ? `1/${Math.round(1 / factor)}×` : `${factor}×`;
+  const part = Math.round(1 / factor);
+  return factor < 1 && Math.abs(part * factor - 1) < 1e-6 ? `1/${part}×` : `${Number(factor.toFixed(3))}×`;
+}
+
+/** The next speed of the menu above or below what is. */
+export function nextSpeed(speeds: number[], now: number, steps: number): number | undefined {
+  const further = steps > 0 ? speeds.filter((speed) => speed > now) : speeds.filter((speed) => speed < now).reverse();
+  return further[Math.min(Math.abs(steps), further.length) - 1];
 }
 
 /** The time that is shown, of a log with the whole, as finely: [s]. */
@@ -30,6 +38,8 @@ export function clockText(time: number, whole: number | undefined): string {
 export class Transport {
   private readonly playButton: HTMLButtonElement;
   private readonly speedSelect: HTMLSelectElement;
+  /** A speed that is none of the menu's, while the run has it. */
+  private readonly otherSpeed = h("option", { hidden: true });
   private readonly liveButton: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
   private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
@@ -52,7 +62,8 @@ export class Transport {
       onchange: () => this.ask(Number(this.speedSelect.value)),
     });
     for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
-    this.speedSelect.value = "1";
+    this.speedSelect.append(this.otherSpeed);
+    this.showSpeed(1);
     this.liveButton = button("Live", "to the newest picture (l)", () => player.goLive(), "go-live");
     this.slider = h("input", {
       type: "range", id: "scrub", min: 0, max: 1, step: "any", "aria-label": "time of the run in seconds",
@@ -75,15 +86,34 @@ export class Transport {
 
   /** The next speed up or down. */
   faster(steps: number): void {
-    const at = this.speeds.indexOf(Number(this.speedSelect.value));
-    const next = this.speeds[Math.min(Math.max(at + steps, 0), this.speeds.length - 1)];
+    const next = nextSpeed(this.speeds, Number(this.speedSelect.value), steps);
     if (next !== undefined) this.ask(next);
   }
 
   private ask(speed: number): void {
     if (this.player.live && this.player.following) this.wish.ask(speed);
-    this.speedSelect.value = String(speed);
+    this.showSpeed(speed);
     this.actions.speed(speed);
+  }
+
+  private showSpeed(speed: number): void {
+    this.otherSpeed.hidden = this.speeds.includes(speed);
+    if (!this.otherSpeed.hidden) {
+      this.otherSpeed.value = String(speed);
+      say(this.otherSpeed, speedText(speed));
+    }
+    this.speedSelect.value = String(speed);
+  }
+
+  /** The time of the picture. */
+  tell({ time }: Frame): void {
+    const { live, source } = this.player;
+    say(this.clock, clockText(time, live ? undefined : source.last));
+  }
+
+  /** No time, until there is a picture again. */
+  clear(): void {
+    say(this.clock, "");
   }
 
   update(status: Status | undefined): void {
@@ -93,14 +123,13 @@ export class Transport {
     const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
-    if (document.activeElement !== this.speedSelect) this.speedSelect.value = String(speed);
+    if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);
-    if (Number.isNaN(first)) return say(this.clock, "");
+    if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
     this.slider.value = String(player.time);
     this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(2)} seconds`);
-    say(this.clock, clockText(player.time, player.live ? undefined : last));
     const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
@@ -136,7 +165,8 @@ export class Transport {
     this.hint.hidden = text === "";
     if (text === "") return;
     say(this.hint, text);
-    const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0.15), 0.85);
-    this.hint.style.left = `${(100 * share).toFixed(1)}%`;
+    const half = 0.5 * this.hint.offsetWidth + 4;
+    const x = Math.min(Math.max(event.clientX, half), innerWidth - half);
+    this.hint.style.left = `${x - (box.left - this.canvas.offsetLeft)}px`;
   }
 }

@@ -2,6 +2,8 @@ import type { Commands } from "../protocol/commands.ts";
 import type { Session, TaskInfo, TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
 import { Wish } from "../data/wish.ts";
+import type { Status } from "../protocol/connection.ts";
+import { ChangeList } from "./change_list.ts";
 import { h, plain, say } from "./dom.ts";
 import { takeNumber } from "./number_field.ts";
 
@@ -20,12 +22,13 @@ export class TunePanel {
   private readonly tables = h("div", { class: "gains" });
   private readonly tasks = new Map<string, TaskTable>();
   private readonly undoButton: HTMLButtonElement;
-  private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
-  private readonly none = h("p", { class: "soft" }, "No change so far.");
+  readonly changes = new ChangeList();
   private readonly friction: HTMLInputElement;
   private readonly belief = h("p", { class: "soft", id: "friction-belief" });
   private frictionNow = NaN;
   private readonly frictionWish = new Wish<number>();
+  /** Something is wanted that no tick has taken yet. */
+  private waits = false;
 
   constructor(root: HTMLElement, private readonly commands: Commands, private readonly report: Report) {
     this.undoButton = h("button", { id: "undo", title: "undo the last change (u)", onclick: () => this.undo() }, "Undo");
@@ -36,8 +39,8 @@ export class TunePanel {
     root.append(
       h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction), this.undoButton),
       this.belief,
+      h("h2", {}, "Changes"), this.changes.root,
       h("h2", {}, "Gains"), this.tables,
-      h("h2", {}, "Changes"), this.none, this.list,
     );
   }
 
@@ -77,19 +80,20 @@ export class TunePanel {
   }
 
   private showFriction(): void {
-    if (document.activeElement !== this.friction) this.friction.value = String(this.frictionWish.or(this.frictionNow));
+    if (document.activeElement !== this.friction) this.friction.value = String(this.frictionWish.or(this.frictionNow, this.waits));
   }
 
   /** `friction`: that each foot is believed to find. */
   showBelief(friction: number[]): void {
     say(this.belief, beliefText(friction, this.frictionNow));
-    this.showFriction();
   }
 
-  showUndo(steps: number): void {
-    const text = steps > 0 ? `Undo (${steps})` : "Undo";
-    if (this.undoButton.textContent !== text) this.undoButton.textContent = text;
-    this.undoButton.disabled = !this.commands.allowed || steps === 0;
+  showStatus({ undo, pending }: Pick<Status, "undo" | "pending">): void {
+    say(this.undoButton, undo > 0 ? `Undo (${undo})` : "Undo");
+    this.undoButton.disabled = !this.commands.allowed || undo === 0;
+    this.waits = pending !== "";
+    this.changes.wait(pending);
+    this.showFriction();
   }
 
   private table(task: TaskInfo, place: number): TaskTable {
@@ -99,12 +103,6 @@ export class TunePanel {
     this.tasks.set(key, table);
     table.show(task, place);
     return table;
-  }
-
-  addChange(time: number, text: string): void {
-    this.none.hidden = true;
-    this.list.prepend(h("li", {}, h("span", { class: "soft" }, `${time.toFixed(2)} s `), text));
-    while (this.list.children.length > 200) this.list.lastElementChild?.remove();
   }
 }
 
@@ -152,10 +150,11 @@ class GainField {
   constructor(task: TaskInfo, number: TaskNumber, allowed: boolean, send: SendGain) {
     this.now = number.value;
     const unit = unitText(number.unit);
+    const hint = [number.about, `from ${number.min} to ${number.max}${unit === "" ? "" : ` ${unit}`}`].filter((text) => text !== "").join("; ");
     this.input = h("input", {
       type: "number", min: number.min, max: number.max, step: "any", disabled: !allowed,
       "data-gain": `${task.level_name}.${task.task}.${number.name}`,
-      title: [number.about, `from ${number.min} to ${number.max}${unit === "" ? "" : ` ${unit}`}`].filter((text) => text !== "").join("; "),
+      title: hint,
       onchange: () => {
         const value = takeNumber(this.input, this.now);
         this.said = this.input.value;
@@ -164,7 +163,8 @@ class GainField {
         send({ level: task.level_name, task: task.task, name: number.name, value }, () => this.refuse());
       },
     });
-    this.root = h("label", { class: "field" }, plain(number.name), h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, unit)));
+    const name = h("span", {}, plain(number.name), h("small", { class: "hint" }, hint));
+    this.root = h("label", { class: "field" }, name, h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, unit)));
   }
 
   show(value: number): void {

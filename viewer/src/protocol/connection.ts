@@ -15,6 +15,8 @@ export interface Status {
   generation: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
   undo: number;
+  /** What of the control is wanted and no tick has taken yet; "": nothing. */
+  pending: string;
   push: OutsideForce | null;
   pull: OutsideForce | null;
   /** The pull is held at less than was asked for. */
@@ -92,7 +94,7 @@ export class Connection {
 
   private socket: WebSocket | undefined;
   private attempt = 0;
-  private heard = 0;
+  private heard = performance.now();
 
   constructor(private readonly url: string) {}
 
@@ -101,9 +103,9 @@ export class Connection {
     return Math.max(0, Math.floor((performance.now() - this.heard) / 1000));
   }
 
-  /** Seconds for which an open connection has brought nothing; 0 where that is usual. */
+  /** Seconds for which a connection that is open, or is being opened first, has brought nothing; 0 where that is usual. */
   get silence(): number {
-    return this.state === "open" ? silenceOf(this.heard, performance.now()) : 0;
+    return this.state === "lost" ? 0 : silenceOf(this.heard, performance.now());
   }
 
   open(): void {

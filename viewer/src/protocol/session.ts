@@ -121,6 +121,8 @@ export interface Session {
   limits: Limits;
   orders: Order[];
   generation: number;
+  /** Generation with which the present run began: another one after each reset. */
+  begun: number;
   /** That the operator gave the controller. */
   friction: number;
   tasks: TaskInfo[];

@@ -1,0 +1,23 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { damageText, readText } from "../src/data/log_words.ts";
+
+const hole = "12.40 s to 12.61 s can't be read: the checksum of a chunk is wrong";
+const unknown = "2 pieces of the log can't be read, nor from when they are";
+
+test("damage is told with what can still be done, and with pieces of a known time first", () => {
+  assert.equal(damageText([hole]), `This log is damaged, the rest of it can be seen: ${hole}.`);
+  assert.equal(damageText([unknown, hole, `timings of ${hole}`]), `This log is damaged, the rest of it can be seen: ${hole}; timings of ${hole}; ${unknown}.`);
+});
+
+test("a log full of holes is not told hole by hole", () => {
+  const holes = Array.from({ length: 100 }, (_, k) => `${k}.00 s to ${k}.50 s can't be read: why`);
+  const text = damageText([unknown, ...holes]);
+  assert.ok(text.includes("0.00 s to 0.50 s") && !text.includes("50.00 s"));
+  assert.ok(text.endsWith("; and 89 more."));
+});
+
+test("how much of a log is read never says more than there is", () => {
+  assert.equal(readText(17.03, 60), "Reading the log: 17 s of 60 s");
+  assert.equal(readText(1.98, 2), "Reading the log: 1 s of 2 s");
+});
