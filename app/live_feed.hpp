@@ -76,7 +76,6 @@ class LiveFeed final : public WebContent {
   void take(const ViewTick& tick, std::string& bytes);
   void keep(const std::vector<SharedBlock>& blocks);
   void remember(double time, std::string event);
-  [[nodiscard]] WebAnswer frames(const Query& query) const;
   [[nodiscard]] std::string events_json() const;
   void measure();
 
@@ -105,6 +104,7 @@ class LiveFeed final : public WebContent {
   std::deque<PastEvent> past_events_;  // as old as the history
   std::string ended_, recording_;
   ViewFrame frame_;
+  std::optional<FrictionCone> cone_;  // of the run's stack
   std::optional<StartAlignment> start_;
   std::uint32_t tick_ = 0;
   double time_ = 0.0;

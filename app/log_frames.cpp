@@ -44,7 +44,7 @@ struct LogFrames::Decoded {
 };
 
 LogFrames::LogFrames(const std::string& path, const LogHeader& header)
-    : path_(path), file_(path), period_(header.control_period) {
+    : path_(path), file_(path), period_(header.control_period), cone_(friction_cone_of(header)) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
   find_ticks(path);
@@ -89,7 +89,7 @@ void LogFrames::learn_channels(const std::string& path) {
     try {
       file_.read(places_[i], [&](const McapMessage& message) { tick.take(message); });
     } catch (const Error& error) {
-      problem = "; " + std::string(error.what());
+      problem = "; " + without_path(error);
     }
     if (tick.has_truth) truth = tick.truth;
     is_whole = tick.is_whole;
@@ -138,6 +138,7 @@ LogChunk LogFrames::decode(std::size_t number) {
     to_frame({.number = tick_at(time),
               .record = tick.record,
               .hierarchy = tick.hierarchy,
+              .cone = cone_,
               .truth = tick.has_truth ? &tick.truth : nullptr,
               .timing = timing == decoded.timings.end() ? nullptr : &timing->second,
               .start = start_ ? &*start_ : nullptr},
