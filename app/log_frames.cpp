@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_format.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t kKeptChunks = 32;
-constexpr std::uint64_t kLongest = 10'000'000'000;  // a chunk [ns]; the recorder's last a second
 
 /// A tick as its messages come.
 struct GrowingTick {
@@ -61,7 +61,7 @@ void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
     const McapChunk& chunk = file_.chunks()[i];
-    if (chunk.last_time < chunk.first_time || chunk.last_time - chunk.first_time > kLongest) {
+    if (!mcap::can_be_times(chunk.first_time, chunk.last_time)) {
       ++num_lost_;
     } else if (!timings_.empty() ||
                (!places_.empty() && chunk.first_time <= place(places_.size() - 1).first_time)) {

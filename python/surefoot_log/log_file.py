@@ -15,7 +15,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.reader import make_reader
-from mcap.records import Attachment, Channel, Chunk, Footer, Schema
+from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Schema
 
 from surefoot_campaign.errors import InputError
 from surefoot_log import chunk
@@ -30,7 +30,8 @@ ZSTD = b"\x04\0\0\0zstd"
 BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compression's name [bytes]
 SOUGHT = 1 << 20  # bytes at once
 TOLD = 4  # places of damage
-KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.FOOTER: Footer, Opcode.SCHEMA: Schema}
+KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.DATA_END: DataEnd, Opcode.FOOTER: Footer,
+         Opcode.SCHEMA: Schema}
 
 
 @cache
@@ -132,11 +133,11 @@ class LogFile:
         self.path = pathlib.Path(path)
         self.attachments, self.channels, self.schemas = {}, {}, {}
         self.losses = []  # places that could not be read, and why
-        self._at, self._end, self._closed, self._has_learned = 0, "", False, False
+        self._at, self._end, self._closed, self._has_learned, self._has_all_data = 0, "", False, False, False
         self._check_magic()
         if next(self._records(), None) is None and not self._closed:
-            self._end = self._place("cut off", self._at)
-        self.header = self._header(next(iter(self.losses), self._end))
+            self._end = f"cut off at byte {self._at}"
+        self.header = self._header()
 
     def _check_magic(self):
         valid = "a log made by surefoot (.mcap) would be valid"
@@ -152,10 +153,13 @@ class LogFile:
         if start != MAGIC[: len(start)]:
             raise InputError(f"{self.path}: not an MCAP file; {valid}")
 
-    def _header(self, damage):
+    def _header(self):
         text = self.attachments.get(HEADER)
-        if text is None and damage:
-            raise InputError(f"{self.path}: {damage}, before its header was whole, so that nothing of the run can be read; "
+        elsewhere = "the messages in it can be read by other readers of MCAP, but not by surefoot: record the run anew"
+        if text is None and self.losses:
+            raise InputError(f"{self.path}: {self.losses[0]}, so that its {HEADER} is lost, which says what run it is; {elsewhere}")
+        if text is None and self._end:
+            raise InputError(f"{self.path}: {self._end}, before its header was whole, so that nothing of the run can be read; "
                              "record the run anew")
         if text is None:
             raise InputError(f"{self.path}: an MCAP file, but it does not begin with a header of surefoot; "
@@ -163,8 +167,8 @@ class LogFile:
         try:
             header = json.loads(text)
             version = str(header["log_version"])
-        except (ValueError, KeyError, TypeError) as error:
-            raise InputError(f"{self.path}: its {HEADER} is not what it should be: {error}") from None
+        except (ValueError, KeyError, TypeError):
+            raise InputError(f"{self.path}: its {HEADER}, which says what run it is, is damaged; {elsewhere}") from None
         if version.split(".")[0] != log_version().split(".")[0]:
             raise InputError(f"{self.path}: log version {version}; this program reads {log_version()}. "
                              "Read it with the version of surefoot that made it, or record the run anew")
@@ -217,14 +221,16 @@ class LogFile:
 
     @property
     def problem(self):
-        """What is lost so far, and where the file was cut off; empty if nothing is."""
+        """What is lost so far, and where the file was cut off, without the file's name; empty if nothing is."""
         parts = []
         if self.losses:
             more = f" and {len(self.losses) - TOLD} more places" if len(self.losses) > TOLD else ""
             parts.append(f"{', '.join(self.losses[:TOLD])}{more}; what stood there is lost, the rest was read")
         if self._end:
-            parts.append(f"{self._end}; everything before it was read")
-        return f"{self.path}: {'; '.join(parts)}" if parts else ""
+            lost = (", behind all of the run: only the index of the file is lost" if self._has_all_data
+                    else ": what came behind it is lost, everything before it was read")
+            parts.append(self._end + lost)
+        return "; ".join(parts)
 
     def _keep(self, record):
         if isinstance(record, Attachment):
@@ -233,6 +239,8 @@ class LogFile:
             self.schemas[record.id] = record
         elif isinstance(record, Channel):
             self.channels[record.id] = record
+        elif isinstance(record, DataEnd):
+            self._has_all_data = True
         elif isinstance(record, Footer):
             self._closed = True
 
@@ -246,7 +254,7 @@ class LogFile:
             except chunk.Damaged as damage:
                 self._lose(str(damage), self._at, record)
         if not self._closed:
-            self._end = self._place("cut off", self._at)
+            self._end = f"cut off at byte {self._at}"
 
     def by_time(self, topics=None):
         """The messages of all or some topics, time by time: each time [ns] with its messages. What stands apart behind all

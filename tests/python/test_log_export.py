@@ -133,7 +133,7 @@ def test_csv_has_the_unit_of_each_column_behind_its_name(log, table, tmp_path):
 @pytest.mark.parametrize("share", [0.3, 0.6, 0.9])
 def test_of_a_log_that_was_cut_off_the_beginning_is_exported_with_a_warning(log, table, tmp_path, share):
     result = exported(cut(log, tmp_path, share), "--parquet", tmp_path / "cut.parquet", "--topics", "state")
-    assert "warning: the log is not whole" in result.stderr and "at byte" in result.stderr
+    assert result.stderr.count(f"cut{share}.mcap: the log is not whole: cut off at byte") == 1
     part = pyarrow.parquet.read_table(tmp_path / "cut.parquet")
     assert 0 < part.num_rows < TICKS
     assert part.equals(table.select(part.column_names).slice(0, part.num_rows))
