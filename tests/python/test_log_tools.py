@@ -361,3 +361,12 @@ def test_verify_runs_the_runs_own_estimator_again(tmp_path):
     found = of_json("replay", changed(file, tmp_path, "/readings", 100, push), "--verify", status=1)
     assert found["first"]["tick"] in (100, 101) and found["different_ticks"] > 100
     assert found["different_messages"]["/state"]["first"] <= found["first"]["time"]
+
+
+def test_a_report_of_a_log_that_lacks_its_index_shows_all_of_the_run_and_says_what_is_lost(log, tmp_path):
+    file = cut_at(log, tmp_path, log.stat().st_size - 1)
+    assert surefoot("report", file, "--out", tmp_path / "page").returncode == 0
+    (page,) = (tmp_path / "page").glob("*.html")
+    text = page.read_text()
+    assert "only the index of the file is lost. This shows what could be read of it, to 2 s." in text
+    assert str(tmp_path) not in text
