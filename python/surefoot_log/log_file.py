@@ -29,6 +29,8 @@ HEAD = struct.Struct("<BQ")
 ZSTD = b"\x04\0\0\0zstd"
 BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compression's name [bytes]
 SOUGHT = 1 << 20  # bytes at once
+DATA_END = HEAD.size + 4  # the record before the index [bytes]
+FOOTER = HEAD.size + 20 + len(MAGIC)  # with what stands behind it [bytes]
 TOLD = 4  # places of damage
 KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.DATA_END: DataEnd, Opcode.FOOTER: Footer,
          Opcode.SCHEMA: Schema}
@@ -54,11 +56,13 @@ def fits(opcode, start, length):
 
 
 class Walk:
-    """The records of a file outside of chunks, by their heads alone. Where a head can't be one, it goes on at the next chunk that it
-    finds; a chunk is known by its sizes and its compression, also where its opcode is damaged."""
+    """The records of a file outside of chunks, by their heads alone. Where a head can't be one, it goes on at the next record that the
+    file's index has, of a file without one at the next chunk that it finds; a chunk is known by its sizes and its compression, also
+    where its opcode is damaged."""
 
     def __init__(self, file, size):
         self._file, self._size, self._next = file, size, len(MAGIC)
+        self._index = None  # where it was needed
 
     def record_at(self, at):
         """Opcode and length; None where none can begin."""
@@ -73,6 +77,25 @@ class Walk:
         if content[BEFORE_COMPRESSION:].startswith(ZSTD) and fits(Opcode.CHUNK, content, length):
             return Opcode.CHUNK, length
         return (opcode, length) if opcode != 0 and fits(opcode, content, length) else None
+
+    def record_behind(self, at):
+        """Where the next record begins that can be one; None without one. What looks like a chunk within another record's data is none:
+        where there is an index, it alone counts."""
+        if self._index is None:
+            self._index = self._read_index()
+        known = (place for place in self._index if place > at and self.record_at(place))
+        return next(known, None) if self._index else self.chunk_behind(at)
+
+    def _read_index(self):
+        """Where the records stand that a closed file names behind its data, in order, and that index itself."""
+        summary = summary_of(self._file)
+        if summary is None:
+            return []
+        self._file.seek(self._size - FOOTER)
+        (begin,) = struct.unpack_from("<Q", self._file.read(FOOTER), HEAD.size)
+        places = [index.chunk_start_offset for index in summary.chunk_indexes]
+        places += [index.offset for index in summary.attachment_indexes + summary.metadata_indexes]
+        return sorted([*places, begin - DATA_END, begin])
 
     def chunk_behind(self, at):
         """Where the next compressed chunk begins; None without one."""
@@ -94,12 +117,22 @@ class Walk:
         while self._next < self._size:
             at, record = self._next, self.record_at(self._next)
             if record is None:
-                at = self.chunk_behind(at)
+                at = self.record_behind(at)
                 if at is None:
                     return
                 record = self.record_at(at)
             skipped, self._next = at - self._next, at + HEAD.size + record[1]
             yield skipped, at, *record
+
+
+def summary_of(file):
+    """What stands behind a file's data; None where it can't be read or names no chunk."""
+    file.seek(0)
+    try:
+        summary = make_reader(file).get_summary()
+    except (McapError, EOFError, ValueError, OSError, struct.error):
+        return None
+    return summary if summary is not None and summary.chunk_indexes else None
 
 
 def read_record(opcode, file, length):
@@ -300,12 +333,8 @@ class LogFile:
         return set(starts.values())
 
     def _summary(self):
-        try:
-            with open(self.path, "rb") as file:
-                summary = make_reader(file).get_summary()
-        except (McapError, EOFError, ValueError, OSError, struct.error):
-            return None
-        return summary if summary is not None and summary.chunk_indexes else None
+        with open(self.path, "rb") as file:
+            return summary_of(file)
 
     def schema_record(self, topic):
         """Of a topic whose messages came."""

@@ -190,6 +190,15 @@ def test_of_a_log_whose_chunk_has_a_damaged_head_the_rest_is_exported(log, table
     assert part.num_rows > TICKS - 100 and part["time"][-1].as_py() == table["time"][-1].as_py()
 
 
+def test_what_stands_behind_a_last_chunk_with_a_damaged_head_is_read(log, tmp_path):
+    with open(log, "rb") as file:
+        last = max(chunk.chunk_start_offset for chunk in make_reader(file).get_summary().chunk_indexes)
+    read = LogFile(damaged_at(log, tmp_path, last + 3))
+    assert sum(message.topic == "/plan" for message in read.messages()) == TICKS
+    assert read.attachments["summary.json"] == attachment(log, "summary.json")
+    assert read.problem.startswith(f"a record's head is damaged at byte {last} of ") and "cut off" not in read.problem
+
+
 def test_what_is_no_log_is_refused_by_name(log, tmp_path):
     out = tmp_path / "out.csv"
     (tmp_path / "empty").touch()
