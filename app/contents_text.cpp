@@ -1,5 +1,6 @@
 #include "app/contents_text.hpp"
 
+#include "app/clock_text.hpp"
 #include "app/results_table.hpp"
 #include "surefoot/view/outcome.hpp"
 
@@ -85,19 +86,20 @@ Json losses_json(const std::vector<McapLoss>& losses) {
 
 std::string facts(const LogContents& contents) {
   const LogHeader& header = contents.header;
-  Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
-                              (header.description.empty() ? "" : ": " + header.description)},
-             {"robot",
-              header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
-             {"result", result(contents)},
-             {"duration", duration(contents)},
-             {"lost", lost(contents)},
-             {"recorded by", "surefoot " + header.version +
-                                 (header.commit.empty() ? "" : ", commit " + header.commit) +
-                                 "; log version " + contents.log_version},
-             {"again by", header.command},
-             {"steered", steered(contents)},
-             {"drawn", drawn(header)}};
+  Table rows{
+      {"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
+                       (header.description.empty() ? "" : ": " + header.description)},
+      {"robot",
+       header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
+      {"result", result(contents)},
+      {"duration", duration(contents)},
+      {"lost", lost(contents)},
+      {"recorded by",
+       "surefoot " + header.version + (header.commit.empty() ? "" : ", commit " + header.commit) +
+           "; log version " + (contents.log_version.empty() ? "not known" : contents.log_version)},
+      {"again by", header.command},
+      {"steered", steered(contents)},
+      {"drawn", drawn(header)}};
   for (const std::string& note : header.notes) rows.push_back({"note", note});
   std::string out;
   for (const std::vector<std::string>& row : rows)
@@ -135,6 +137,7 @@ std::string contents_text(const std::string& path, const LogContents& contents) 
                     (contents.problem.empty() ? ", whole\n" : ", not whole\n");
   if (!contents.problem.empty()) out += "  " + contents.problem + "\n";
   out += "\n" + facts(contents) + "\n";
+  if (const std::string clock = clock_text(contents.clock); !clock.empty()) out += clock + "\n";
   if (!contents.topics.empty()) out += topics(contents) + "\n";
   return out + attachments(contents);
 }
@@ -170,6 +173,7 @@ Json contents_json(const std::string& path, const LogContents& contents) {
   json["attachments"] = Json::object();
   for (const AttachmentContents& one : contents.attachments)
     json["attachments"][one.name] = one.bytes;
+  add_clock(contents.clock, json);
   json["summary"] = result_json(contents);
   if (!contents.problem.empty()) json["problem"] = contents.problem;
   if (!contents.losses.empty())

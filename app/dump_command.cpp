@@ -111,7 +111,7 @@ void dump_log(const DumpArguments& arguments, Dump& dump, std::ostream& err) {
     if (!replay.is_same() && std::isnan(different_from)) different_from = time;
   }
   if (replay.gap())
-    err << "surefoot: warning: " << replay.problem()
+    err << "surefoot: warning: " << arguments.source << ": " << replay.problem()
         << "; behind that no tick can be computed again\n";
   if (std::isnan(different_from)) return;
   err << "surefoot: warning: " << arguments.source << ": from " << different_from

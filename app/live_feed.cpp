@@ -86,7 +86,14 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
   begun.orders = {{0, parts.header.level_names}};
   begun.tasks = view_tasks(stack, parts.header.level_names);
   begun.friction = friction;
-  if (ring_) return hand_over([this, begun] { begin_again(begun); });
+  const auto cone = friction_cone_of(stack);
+  if (ring_) {
+    return hand_over([this, begun, cone] {
+      cone_ = cone;
+      begin_again(begun);
+    });
+  }
+  cone_ = cone;
   ViewTick example;  // nobody serves yet
   example.truth = parts.plant.truth();
   ring_.emplace(kRingTicks, example);
@@ -212,17 +219,10 @@ WebAnswer LiveFeed::get(std::string_view path, const Query& query) {
     return {200, "application/json", to_json(session_)};
   }
   if (path == "/api/events") return {200, "application/json", past_.json()};
-  return path == "/api/frames" ? frames(query) : robot_.get(path);
-}
-
-WebAnswer LiveFeed::frames(const Query& query) const {
-  try {
-    return {200, "application/octet-stream",
-            history_.block(read_frame_request(query), session_.generation, session_.channels.floats,
-                           session_.period)};
-  } catch (const Error& error) {
-    return refusal(400, error.what());
-  }
+  if (path != "/api/frames") return robot_.get(path);
+  return answer_frames(query, [this](const FrameRequest& asked) {
+    return history_.block(asked, session_.generation, session_.channels.floats, session_.period);
+  });
 }
 
 // What was new before a tick is taken before it. News that were fetched stand behind all ticks
@@ -259,8 +259,8 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
   HierarchyNamer namer(names_);
-  to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), &tick.truth, &tick.timing,
-            start_ ? &*start_ : nullptr},
+  to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
+            &tick.timing, start_ ? &*start_ : nullptr},
            session_.channels, frame_);
   const std::size_t known = events_.size();
   finder_->see(frame_, events_);

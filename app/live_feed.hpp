@@ -78,7 +78,6 @@ class LiveFeed final : public WebContent {
   void take_news_before(const ViewTick& tick);
   void take(const ViewTick& tick, std::string& bytes);
   void keep(const std::vector<SharedBlock>& blocks);
-  [[nodiscard]] WebAnswer frames(const Query& query) const;
   void measure();
 
   LiveOperator& operator_;
@@ -101,6 +100,7 @@ class LiveFeed final : public WebContent {
   PastEvents past_;
   std::string ended_, recording_, pending_;
   ViewFrame frame_;
+  std::optional<FrictionCone> cone_;  // of the run's stack
   std::optional<StartAlignment> start_;
   std::uint32_t tick_ = 0;
   double time_ = 0.0;

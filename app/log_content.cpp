@@ -69,11 +69,9 @@ WebAnswer LogContent::get(std::string_view path, const Query& query) {
   if (path == "/api/session") return {200, "application/json", session()};
   if (path == "/api/events") return {200, "application/json", summary_.events_json()};
   if (path != "/api/frames") return robot_.get(path);
-  try {
-    return frames(query);
-  } catch (const Error& error) {
-    return refusal(400, error.what());
-  }
+  return answer_frames(query, [this](const FrameRequest& asked) {
+    return asked.min_max ? ranges(asked) : plain_frames(asked);
+  });
 }
 
 std::string LogContent::session() {
@@ -82,11 +80,6 @@ std::string LogContent::session() {
   session.damage = summary_.damage();
   for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
   return to_json(session);
-}
-
-WebAnswer LogContent::frames(const Query& query) {
-  const FrameRequest asked = read_frame_request(query);
-  return {200, "application/octet-stream", asked.min_max ? ranges(asked) : plain_frames(asked)};
 }
 
 std::string LogContent::plain_frames(const FrameRequest& asked) {

@@ -27,7 +27,6 @@ class LogContent final : public WebContent {
   LogContent(const std::string& path, const LogHeader& header);
   void describe(const std::string& path, const LogHeader& header);
   [[nodiscard]] std::string session();
-  [[nodiscard]] WebAnswer frames(const Query& query);
   [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
   [[nodiscard]] std::string kept_frames(const FrameRequest& asked);
   [[nodiscard]] std::string ranges(const FrameRequest& asked);

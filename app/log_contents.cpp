@@ -1,9 +1,9 @@
 #include "app/log_contents.hpp"
 
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/tick_clock.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -20,10 +20,10 @@ TopicContents& topic_of(const McapMessage& message, std::vector<TopicContents>& 
   return topics.back();
 }
 
-/// Counts the whole ticks, and by their times those that are missing.
+/// Counts the whole ticks, and those that are lost.
 class Ticks {
  public:
-  explicit Ticks(double period) : period_(period) {}
+  explicit Ticks(double period) : clock_(period) {}
 
   /// A tick is whole from its readings to its command.
   void add(const McapMessage& message, LogContents& contents) {
@@ -31,26 +31,25 @@ class Ticks {
     if (topic == "/readings") begun_ = message.log_time;
     if (topic != "/command" || begun_ != message.log_time) return;
     const double time = seconds(message.log_time);
+    clock_.add(time);
     if (contents.ticks++ == 0) contents.first_time = time;
     contents.last_time = time;
-    contents.lost_ticks += missing_before(time);
-    next_ = time + period_;
+  }
+
+  void add(const McapLoss& loss) {
+    if (loss.may_hold_messages) clock_.lose();
   }
 
   /// Those behind the last that were in a lost chunk.
-  void add(const McapLoss& loss, LogContents& contents) {
-    const double behind = seconds(loss.last_time) + period_;
-    if (!loss.has_times || behind < next_) return;
-    contents.lost_ticks += missing_before(behind);
-    next_ = behind;
+  void end(LogContents& contents) {
+    for (const McapLoss& loss : contents.losses)
+      if (loss.has_times) clock_.end(seconds(loss.last_time));
+    contents.lost_ticks = clock_.lost();
+    contents.clock = clock_.skips();
   }
 
  private:
-  [[nodiscard]] std::uint64_t missing_before(double time) const {
-    return static_cast<std::uint64_t>(std::max(0L, std::lround((time - next_) / period_)));
-  }
-
-  double period_, next_ = 0.0;  // time of the tick that comes next [s]
+  TickClock clock_;
   std::uint64_t begun_ =
       std::numeric_limits<std::uint64_t>::max();  // time of the last readings [ns]
 };
@@ -64,7 +63,9 @@ LogContents read_contents(const std::string& path) {
   contents.file_bytes = std::filesystem::file_size(path);
   McapReader file(path);
   Ticks ticks(contents.header.control_period);
+  std::size_t known_losses = 0;
   for (McapMessage message; file.next(message);) {
+    while (known_losses < file.losses().size()) ticks.add(file.losses()[known_losses++]);
     TopicContents& topic = topic_of(message, contents.topics);
     ++topic.messages;
     topic.bytes += message.data.size();
@@ -72,7 +73,7 @@ LogContents read_contents(const std::string& path) {
     ticks.add(message, contents);
   }
   contents.losses = file.losses();
-  for (const McapLoss& loss : contents.losses) ticks.add(loss, contents);
+  ticks.end(contents);
   for (const auto& [name, data] : file.attachments())
     contents.attachments.push_back({name, data.size()});
   const auto summary = file.attachments().find("summary.json");

@@ -2,6 +2,7 @@
 
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
+#include "surefoot/logging/tick_clock.hpp"
 
 #include <cstdint>
 #include <string>
@@ -35,6 +36,7 @@ struct LogContents {
   std::string problem;  ///< why not all of it could be read; empty if it is whole
   std::vector<McapLoss> losses;
   std::uint64_t lost_ticks = 0;  ///< that are known to be missing
+  ClockSkips clock;
 };
 
 /// Reads a log through. Throws FileError as LogReader does.

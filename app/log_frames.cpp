@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/mcap_format.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t kKeptChunks = 32;
-constexpr std::uint64_t kLongest = 10'000'000'000;  // a chunk [ns]; the recorder's last a second
 
 /// A tick as its messages come.
 struct GrowingTick {
@@ -44,7 +44,7 @@ struct LogFrames::Decoded {
 };
 
 LogFrames::LogFrames(const std::string& path, const LogHeader& header)
-    : path_(path), file_(path), period_(header.control_period) {
+    : path_(path), file_(path), period_(header.control_period), cone_(friction_cone_of(header)) {
   if (!(period_ > 0.0)) throw FileError(path + ": the header's control_period is no time");
   channels_.level_names = header.level_names;
   find_ticks(path);
@@ -61,7 +61,7 @@ void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
     const McapChunk& chunk = file_.chunks()[i];
-    if (chunk.last_time < chunk.first_time || chunk.last_time - chunk.first_time > kLongest) {
+    if (!mcap::can_be_times(chunk.first_time, chunk.last_time)) {
       ++num_lost_;
     } else if (!timings_.empty() ||
                (!places_.empty() && chunk.first_time <= place(places_.size() - 1).first_time)) {
@@ -89,7 +89,7 @@ void LogFrames::learn_channels(const std::string& path) {
     try {
       file_.read(places_[i], [&](const McapMessage& message) { tick.take(message); });
     } catch (const Error& error) {
-      problem = "; " + std::string(error.what());
+      problem = "; " + without_path(error);
     }
     if (tick.has_truth) truth = tick.truth;
     is_whole = tick.is_whole;
@@ -138,6 +138,7 @@ LogChunk LogFrames::decode(std::size_t number) {
     to_frame({.number = tick_at(time),
               .record = tick.record,
               .hierarchy = tick.hierarchy,
+              .cone = cone_,
               .truth = tick.has_truth ? &tick.truth : nullptr,
               .timing = timing == decoded.timings.end() ? nullptr : &timing->second,
               .start = start_ ? &*start_ : nullptr},

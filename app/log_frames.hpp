@@ -64,6 +64,7 @@ class LogFrames {
   std::string path_;
   McapChunks file_;
   double period_;
+  std::optional<FrictionCone> cone_;
   ViewChannels channels_;
   std::optional<StartAlignment> start_;
   std::vector<std::size_t> places_;   // chunks of ticks

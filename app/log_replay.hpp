@@ -63,6 +63,7 @@ class LogReplay {
   [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
   /// After the last tick: whether the run may have had more behind all that can be read.
   [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
+  [[nodiscard]] const ClockSkips& clock_skips() const { return log_.clock_skips(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 

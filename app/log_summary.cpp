@@ -101,10 +101,7 @@ void LogSummary::coarsen() {
 }
 
 void LogSummary::add(const logged::Change& change) {
-  const bool is_pull = change.kind == "pull", pulls = is_pull && !change.force.isZero();
-  const bool goes_on = pulls && is_pulled_;
-  if (is_pull) is_pulled_ = pulls;
-  if (!goes_on) events_.push_back(text_event(change.time, "change", change.text));
+  if (told_.tells(change)) events_.push_back(text_event(change.time, "change", change.text));
   if (change.stack.empty()) return;
   try {
     add_order(change);

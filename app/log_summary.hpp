@@ -2,6 +2,7 @@
 
 #include "app/event_finder.hpp"
 #include "app/log_frames.hpp"
+#include "app/operator_text.hpp"
 #include "surefoot/view/view_session.hpp"
 
 #include <atomic>
@@ -56,7 +57,7 @@ class LogSummary {
 
   LogFrames frames_;
   EventFinder finder_;
-  bool is_pulled_ = false;  // by the operator
+  ToldChanges told_;
 
   std::mutex mutex_;  // of what follows
   std::vector<Range> ranges_;

@@ -63,6 +63,7 @@ Verification verify_log(const std::string& path) {
   result.problem = replay.problem();
   result.gap = replay.gap();
   result.may_go_on = replay.may_go_on();
+  result.clock = replay.clock_skips();
   if (result.ticks == 0 && !result.gap)
     throw FileError(path + ": the log holds no tick, so there is nothing to run again" +
                     (result.problem.empty() ? "" : "; " + result.problem));

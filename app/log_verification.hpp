@@ -40,10 +40,12 @@ struct Verification {
   std::string problem;        ///< why not all of the log could be read; empty if it is whole
   std::optional<LogGap> gap;  ///< behind which nothing could be compared
   bool may_go_on = false;     ///< the run may have had more, which is not in the log any more
+  ClockSkips clock;
 
   /// Of what was compared.
   [[nodiscard]] bool is_same() const { return different_ticks == 0; }
   [[nodiscard]] bool is_all() const { return !gap && !may_go_on; }
+  [[nodiscard]] bool is_whole() const { return problem.empty(); }
 };
 
 /// Runs the controller of a log again on the logged readings, with the run's own estimator, and

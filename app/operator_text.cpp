@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -34,6 +35,12 @@ std::string direction_text(const Vec3& force, double yaw) {
   tell(seen.y(), "to the left", "to the right");
   tell(seen.z(), "upwards", "downwards");
   return out;
+}
+
+bool ToldChanges::tells(const logged::Change& change) {
+  if (change.kind != "pull") return true;
+  const bool goes_on = std::exchange(is_pulled_, !change.force.isZero());
+  return !goes_on || !is_pulled_;
 }
 
 std::string operator_text(const logged::Change& change, double yaw) {

@@ -21,9 +21,9 @@ same situations, not where it would have walked.
 
 Of a damaged log both go as far as its first gap, behind which no controller can be computed again.
 
-Exit codes: 0 the page was closed, all torques are the same, or --stack was answered; 1 a torque is
-not the same; 2 the input is wrong, or the port not free; 4 of a log that is cut off or damaged, all
-torques that could be compared are the same.
+Exit codes: 0 the page was closed, all torques of a whole log are the same, or --stack was answered;
+1 a torque is not the same; 2 the input is wrong, or the port not free; 4 the log is not whole, cut
+off or damaged anywhere, and all torques that could be compared are the same.
 
 Examples:
   surefoot replay run.mcap

@@ -104,7 +104,7 @@ int verify(const ReplayArguments& arguments, std::ostream& out) {
     out << verification_text(arguments.log, result) << std::flush;
   }
   if (!result.is_same()) return kFailed;
-  return result.is_all() ? kPassed : kNotCompared;
+  return result.is_all() && result.is_whole() ? kPassed : kNotWhole;
 }
 
 StackComparison compare(const ReplayArguments& arguments) {

@@ -1,5 +1,6 @@
 #include "app/replay_text.hpp"
 
+#include "app/clock_text.hpp"
 #include "app/results_table.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/logging/visible_residual.hpp"
@@ -56,6 +57,10 @@ std::string not_compared(const Verification& result) {
     out +=
         "What the run had after its last tick here could not be compared: it is not in the log.\n";
   return out;
+}
+
+std::string all_compared(const Verification& result) {
+  return result.is_all() && !result.is_whole() ? "All of its ticks were compared.\n" : "";
 }
 
 std::string place(const LogHeader& header, const TorqueDifference& difference) {
@@ -160,13 +165,14 @@ std::string verification_text(const std::string& path, const Verification& resul
     return out +
            (result.is_all() ? "every torque is the same to the bit.\n"
                             : "so far every torque is the same to the bit.\n") +
-           not_compared(result) + not_whole(result.problem);
+           clock_text(result.clock) + not_compared(result) + all_compared(result) +
+           not_whole(result.problem);
   }
   out += std::to_string(result.different_ticks) + " have another torque or mode.\n";
   if (result.first) out += "  first:   " + place(result.header, *result.first);
   if (result.largest) out += "  largest: " + place(result.header, *result.largest);
-  return out + first_cause(result) + another_build(result.header) + not_compared(result) +
-         not_whole(result.problem);
+  return out + first_cause(result) + another_build(result.header) + clock_text(result.clock) +
+         not_compared(result) + all_compared(result) + not_whole(result.problem);
 }
 
 Json verification_json(const std::string& path, const Verification& result) {
@@ -188,6 +194,7 @@ Json verification_json(const std::string& path, const Verification& result) {
     if (topic.ticks > 0)
       json["different_messages"][topic.topic] = {{"ticks", topic.ticks}, {"first", topic.first}};
   json["all_compared"] = result.is_all();
+  add_clock(result.clock, json);
   if (result.gap) json["gap"] = gap_json(*result.gap);
   if (!result.problem.empty()) json["problem"] = result.problem;
   return json;

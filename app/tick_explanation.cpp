@@ -70,6 +70,7 @@ class Search {
       nearest_ = tick_.reading.time;
     }
     found_.header = log_.header();
+    found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
     found_.header.attachments.clear();
     if (!(std::abs(nearest_ - time_) <= 0.5001 * found_.header.control_period)) refuse();
     found_.row_names = log_.row_names();
@@ -97,15 +98,11 @@ class Search {
                              leg ? std::string(kLegNames[index(*leg)]) : "", false});
   }
 
-  /// Stands before the tick that has it first. A pull follows the operator's hand, up to 20 times a
-  /// second: its begin and its end are told.
+  /// Stands before the tick that has it first.
   void take_change(const McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
-    const bool is_pull = change.kind == "pull", pulls = is_pull && !change.force.isZero();
-    const bool goes_on = pulls && is_pulled_;
-    if (is_pull) is_pulled_ = pulls;
-    if (goes_on || change.time > time_ + kEventWindow) return;
+    if (!told_.tells(change) || change.time > time_ + kEventWindow) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", true});
   }
 
@@ -126,15 +123,17 @@ class Search {
     const std::string problem = whole.problem().empty() ? "" : "; " + whole.problem();
     if (std::isnan(first)) throw Error(path_ + ": the log holds no tick" + problem);
     const bool is_inside = first <= time_ && time_ <= last;
-    throw Error(path_ + ": --at is " + number(time_, "%.6g") +
-                (is_inside ? " s, where no tick can be read" : " s") + "; the log goes from " +
-                number(first, "%.6g") + " s to " + number(last, "%.6g") + " s" + problem);
+    const char* why = problem.empty() ? " s, where the clock skips: the controller was not called"
+                                      : " s, where no tick can be read";
+    throw Error(path_ + ": --at is " + number(time_, "%.6g") + (is_inside ? why : " s") +
+                "; the log goes from " + number(first, "%.6g") + " s to " + number(last, "%.6g") +
+                " s" + problem);
   }
 
   std::string path_;
   double time_, nearest_ = kNaN;
   double yaw_ = kNaN;  // believed at the last tick
-  bool is_pulled_ = false;
+  ToldChanges told_;
   LogReader log_;
   TickRecord tick_;
   TickExplanation found_;
@@ -244,10 +243,10 @@ std::string gave_way_sentence(const TickExplanation& explanation) {
   return text + ".";
 }
 
-double friction_use(const Vec3& force, const Vec3& normal, double friction) {
-  const double along_normal = normal.dot(force);
-  if (along_normal < kLoaded || friction <= 0.0) return kNaN;
-  return (force - along_normal * normal).norm() / (friction * along_normal);
+double true_friction_use(const TrueContact& contact) {
+  const double along_normal = contact.normal.dot(contact.force);
+  if (along_normal < kLoaded || contact.friction <= 0.0) return kNaN;
+  return (contact.force - along_normal * contact.normal).norm() / (contact.friction * along_normal);
 }
 
 }  // namespace surefoot

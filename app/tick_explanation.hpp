@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commanded_force.hpp"
 #include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
@@ -24,6 +25,7 @@ struct NearbyEvent {
 struct TickExplanation {
   LogHeader header;  ///< without its attachments
   TickRecord tick;
+  CommandedForces forces;            ///< of the tick
   std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
   std::optional<GroundTruth> truth;  ///< of logs that have it
   std::optional<AlignedEstimate> estimate;                                 ///< the same
@@ -60,7 +62,8 @@ struct LevelThatGaveWay {
 /// RH (0.1)."
 [[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
 
-/// Share of its friction cone that a ground force uses; NaN of a foot without load.
-[[nodiscard]] double friction_use(const Vec3& force, const Vec3& normal, double friction);
+/// Share of the round friction cone of the true ground that its force uses; NaN of a foot without
+/// load.
+[[nodiscard]] double true_friction_use(const TrueContact& contact);
 
 }  // namespace surefoot

@@ -41,19 +41,17 @@ Json gave_way_json(const TickExplanation& explanation) {
 
 Json feet_json(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const Vec3 normal = tick.plan.R_WC.col(2);
   Json feet = Json::object();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const FootPlan& foot = tick.plan.feet[k];
     Json one = {{"phase", logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]},
-                {"normal_force", normal.dot(tick.model.force[k])},
-                {"friction_use", number(friction_use(tick.model.force[k], normal, foot.friction))}};
+                {"normal_force", number(explanation.forces.normal[k])},
+                {"friction_use", number(explanation.forces.friction_use[k])}};
     if (explanation.truth) {
       const TrueContact& contact = explanation.truth->feet[k];
       one["true_normal_force"] = contact.normal.dot(contact.force);
-      one["true_friction_use"] =
-          number(friction_use(contact.force, contact.normal, contact.friction));
+      one["true_friction_use"] = number(true_friction_use(contact));
     }
     feet[kLegNames[k]] = std::move(one);
   }

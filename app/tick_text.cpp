@@ -107,29 +107,26 @@ std::string facts(const TickExplanation& explanation) {
 
 std::string feet_table(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const Vec3 normal = tick.plan.R_WC.col(2);
-  Table table{{"foot", "phase", "normal force", "of at most", "friction used", "slides"}};
+  Table table{{"foot", "phase", "normal force", "of at most", "pyramid used", "slides"}};
   if (explanation.truth) {
     for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
   }
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const FootPlan& foot = tick.plan.feet[k];
-    const Vec3& force = tick.model.force[k];
     const bool carries = in_contact(foot.phase);
-    const double use = friction_use(force, normal, foot.friction);
     table.push_back({std::string(kLegNames[k]),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
-                     carries ? text("%.1f N", normal.dot(force)) : "–",
+                     known(rounded(explanation.forces.normal[k], 0.1), "%.1f N"),
                      carries ? text("%.0f N", foot.force_max) : "–",
-                     carries ? known(100.0 * use, "%.0f %%") : "–",
+                     known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
     if (!explanation.truth) continue;
     const TrueContact& contact = explanation.truth->feet[k];
-    table.back().push_back(contact.touching ? text("%.1f N", contact.normal.dot(contact.force))
-                                            : "in the air");
-    table.back().push_back(
-        known(100.0 * friction_use(contact.force, contact.normal, contact.friction), "%.0f %%"));
+    table.back().push_back(contact.touching
+                               ? text("%.1f N", rounded(contact.normal.dot(contact.force), 0.1))
+                               : "in the air");
+    table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
   return aligned(table);
 }

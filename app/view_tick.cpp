@@ -52,6 +52,7 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("model", logged::Model());
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
+  lister.add("commanded", CommandedForces());
   lister.add("timings", TickTiming());
   lister.add("truth", truth);
   lister.add("estimate", AlignedEstimate());
@@ -71,6 +72,7 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(logged::model_of(tick.record));
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
+  writer.add(commanded_forces(tick.cone, tick.record));
   writer.add(tick.timing == nullptr ? kNoTiming : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
   if (tick.truth != nullptr && tick.start != nullptr)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commanded_force.hpp"
 #include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/signals/tick_record.hpp"
@@ -11,8 +12,8 @@
 
 namespace surefoot {
 
-/// The channels of a run: every field of the log, under its topic, and `estimate`. `truth` has the
-/// sizes of MuJoCo's vectors.
+/// The channels of a run: every field of the log, under its topic, and `commanded` and `estimate`,
+/// which follow from them. `truth` has the sizes of MuJoCo's vectors.
 [[nodiscard]] ViewChannels tick_channels(const std::vector<std::string>& level_names,
                                          const GroundTruth& truth);
 
@@ -20,7 +21,8 @@ namespace surefoot {
 struct KnownTick {
   std::uint32_t number = 0;
   const TickRecord& record;
-  const logged::Hierarchy& hierarchy;  ///< of the record, with names
+  const logged::Hierarchy& hierarchy;       ///< of the record, with names
+  const std::optional<FrictionCone>& cone;  ///< of its stack
   const GroundTruth* truth = nullptr;
   const TickTiming* timing = nullptr;
   const StartAlignment* start = nullptr;

@@ -8,9 +8,9 @@ from mcap.reader import make_reader
 
 HEAD = """# The fields of the log
 
-Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a test holds it against the program. What holds
-for all fields, and what the topics are for, stands in [log.md](log.md). `<leg>` is LF, RF, LH or RH; `[]` are the elements
-of a list.
+Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a test holds it against the program. What
+holds for all fields, and what the topics are for, stands in [log.md](log.md). `<leg>` is LF, RF, LH or RH; `[]` are the
+elements of a list.
 """
 LEGS = {"LF", "RF", "LH", "RH"}
 UNIT = re.compile(r"\s*\[([^\]]*)\]")

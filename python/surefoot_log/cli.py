@@ -89,7 +89,7 @@ def tell(text):
 
 def tell_problem(log):
     if log.problem:
-        tell(f"warning: the log is not whole: {log.problem}")
+        tell(f"warning: {log.path}: the log is not whole: {log.problem}")
 
 
 def export(typed):

@@ -15,7 +15,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.reader import make_reader
-from mcap.records import Attachment, Channel, Chunk, Footer, Schema
+from mcap.records import Attachment, Channel, Chunk, DataEnd, Footer, Schema
 
 from surefoot_campaign.errors import InputError
 from surefoot_log import chunk
@@ -29,8 +29,11 @@ HEAD = struct.Struct("<BQ")
 ZSTD = b"\x04\0\0\0zstd"
 BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compression's name [bytes]
 SOUGHT = 1 << 20  # bytes at once
+DATA_END = HEAD.size + 4  # the record before the index [bytes]
+FOOTER = HEAD.size + 20 + len(MAGIC)  # with what stands behind it [bytes]
 TOLD = 4  # places of damage
-KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.FOOTER: Footer, Opcode.SCHEMA: Schema}
+KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.DATA_END: DataEnd, Opcode.FOOTER: Footer,
+         Opcode.SCHEMA: Schema}
 
 
 @cache
@@ -53,11 +56,13 @@ def fits(opcode, start, length):
 
 
 class Walk:
-    """The records of a file outside of chunks, by their heads alone. Where a head can't be one, it goes on at the next chunk that it
-    finds; a chunk is known by its sizes and its compression, also where its opcode is damaged."""
+    """The records of a file outside of chunks, by their heads alone. Where a head can't be one, it goes on at the next record that the
+    file's index has, of a file without one at the next chunk that it finds; a chunk is known by its sizes and its compression, also
+    where its opcode is damaged."""
 
     def __init__(self, file, size):
         self._file, self._size, self._next = file, size, len(MAGIC)
+        self._index = None  # where it was needed
 
     def record_at(self, at):
         """Opcode and length; None where none can begin."""
@@ -72,6 +77,25 @@ class Walk:
         if content[BEFORE_COMPRESSION:].startswith(ZSTD) and fits(Opcode.CHUNK, content, length):
             return Opcode.CHUNK, length
         return (opcode, length) if opcode != 0 and fits(opcode, content, length) else None
+
+    def record_behind(self, at):
+        """Where the next record begins that can be one; None without one. What looks like a chunk within another record's data is none:
+        where there is an index, it alone counts."""
+        if self._index is None:
+            self._index = self._read_index()
+        known = (place for place in self._index if place > at and self.record_at(place))
+        return next(known, None) if self._index else self.chunk_behind(at)
+
+    def _read_index(self):
+        """Where the records stand that a closed file names behind its data, in order, and that index itself."""
+        summary = summary_of(self._file)
+        if summary is None:
+            return []
+        self._file.seek(self._size - FOOTER)
+        (begin,) = struct.unpack_from("<Q", self._file.read(FOOTER), HEAD.size)
+        places = [index.chunk_start_offset for index in summary.chunk_indexes]
+        places += [index.offset for index in summary.attachment_indexes + summary.metadata_indexes]
+        return sorted([*places, begin - DATA_END, begin])
 
     def chunk_behind(self, at):
         """Where the next compressed chunk begins; None without one."""
@@ -93,12 +117,22 @@ class Walk:
         while self._next < self._size:
             at, record = self._next, self.record_at(self._next)
             if record is None:
-                at = self.chunk_behind(at)
+                at = self.record_behind(at)
                 if at is None:
                     return
                 record = self.record_at(at)
             skipped, self._next = at - self._next, at + HEAD.size + record[1]
             yield skipped, at, *record
+
+
+def summary_of(file):
+    """What stands behind a file's data; None where it can't be read or names no chunk."""
+    file.seek(0)
+    try:
+        summary = make_reader(file).get_summary()
+    except (McapError, EOFError, ValueError, OSError, struct.error):
+        return None
+    return summary if summary is not None and summary.chunk_indexes else None
 
 
 def read_record(opcode, file, length):
@@ -132,11 +166,11 @@ class LogFile:
         self.path = pathlib.Path(path)
         self.attachments, self.channels, self.schemas = {}, {}, {}
         self.losses = []  # places that could not be read, and why
-        self._at, self._end, self._closed, self._has_learned = 0, "", False, False
+        self._at, self._end, self._closed, self._has_learned, self._has_all_data = 0, "", False, False, False
         self._check_magic()
         if next(self._records(), None) is None and not self._closed:
-            self._end = self._place("cut off", self._at)
-        self.header = self._header(next(iter(self.losses), self._end))
+            self._end = f"cut off at byte {self._at}"
+        self.header = self._header()
 
     def _check_magic(self):
         valid = "a log made by surefoot (.mcap) would be valid"
@@ -152,10 +186,13 @@ class LogFile:
         if start != MAGIC[: len(start)]:
             raise InputError(f"{self.path}: not an MCAP file; {valid}")
 
-    def _header(self, damage):
+    def _header(self):
         text = self.attachments.get(HEADER)
-        if text is None and damage:
-            raise InputError(f"{self.path}: {damage}, before its header was whole, so that nothing of the run can be read; "
+        elsewhere = "the messages in it can be read by other readers of MCAP, but not by surefoot: record the run anew"
+        if text is None and self.losses:
+            raise InputError(f"{self.path}: {self.losses[0]}, so that its {HEADER} is lost, which says what run it is; {elsewhere}")
+        if text is None and self._end:
+            raise InputError(f"{self.path}: {self._end}, before its header was whole, so that nothing of the run can be read; "
                              "record the run anew")
         if text is None:
             raise InputError(f"{self.path}: an MCAP file, but it does not begin with a header of surefoot; "
@@ -163,8 +200,8 @@ class LogFile:
         try:
             header = json.loads(text)
             version = str(header["log_version"])
-        except (ValueError, KeyError, TypeError) as error:
-            raise InputError(f"{self.path}: its {HEADER} is not what it should be: {error}") from None
+        except (ValueError, KeyError, TypeError):
+            raise InputError(f"{self.path}: its {HEADER}, which says what run it is, is damaged; {elsewhere}") from None
         if version.split(".")[0] != log_version().split(".")[0]:
             raise InputError(f"{self.path}: log version {version}; this program reads {log_version()}. "
                              "Read it with the version of surefoot that made it, or record the run anew")
@@ -217,14 +254,16 @@ class LogFile:
 
     @property
     def problem(self):
-        """What is lost so far, and where the file was cut off; empty if nothing is."""
+        """What is lost so far, and where the file was cut off, without the file's name; empty if nothing is."""
         parts = []
         if self.losses:
             more = f" and {len(self.losses) - TOLD} more places" if len(self.losses) > TOLD else ""
             parts.append(f"{', '.join(self.losses[:TOLD])}{more}; what stood there is lost, the rest was read")
         if self._end:
-            parts.append(f"{self._end}; everything before it was read")
-        return f"{self.path}: {'; '.join(parts)}" if parts else ""
+            lost = (", behind all of the run: only the index of the file is lost" if self._has_all_data
+                    else ": what came behind it is lost, everything before it was read")
+            parts.append(self._end + lost)
+        return "; ".join(parts)
 
     def _keep(self, record):
         if isinstance(record, Attachment):
@@ -233,6 +272,8 @@ class LogFile:
             self.schemas[record.id] = record
         elif isinstance(record, Channel):
             self.channels[record.id] = record
+        elif isinstance(record, DataEnd):
+            self._has_all_data = True
         elif isinstance(record, Footer):
             self._closed = True
 
@@ -246,7 +287,7 @@ class LogFile:
             except chunk.Damaged as damage:
                 self._lose(str(damage), self._at, record)
         if not self._closed:
-            self._end = self._place("cut off", self._at)
+            self._end = f"cut off at byte {self._at}"
 
     def by_time(self, topics=None):
         """The messages of all or some topics, time by time: each time [ns] with its messages. What stands apart behind all
@@ -292,12 +333,8 @@ class LogFile:
         return set(starts.values())
 
     def _summary(self):
-        try:
-            with open(self.path, "rb") as file:
-                summary = make_reader(file).get_summary()
-        except (McapError, EOFError, ValueError, OSError, struct.error):
-            return None
-        return summary if summary is not None and summary.chunk_indexes else None
+        with open(self.path, "rb") as file:
+            return summary_of(file)
 
     def schema_record(self, topic):
         """Of a topic whose messages came."""

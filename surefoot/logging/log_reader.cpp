@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace surefoot {
@@ -16,20 +15,41 @@ using nlohmann::json;
 
 constexpr std::string_view kHeaderName = "header.json";
 constexpr std::string_view kSummaryName = "summary.json";
-constexpr std::array<std::string_view, 7> kBehindReadings{
-    "/health", "/user", "/state", "/plan", "/model", "/hierarchy", "/command"};  // of a tick
+
+/// A member of the header that is missing or is not of its kind.
+struct BadMember {
+  std::string name;
+};
 
 double number(const json& value) { return value.is_null() ? kNaN : value.get<double>(); }
 
+/// What `parse` makes of a member.
+auto member(const json& object, const char* name, const auto& parse) {
+  try {
+    return parse(object.at(name));
+  } catch (const json::exception&) {
+    throw BadMember{name};
+  }
+}
+
+template <typename T>
+T member(const json& object, const char* name) {
+  return member(object, name, [](const json& value) { return value.get<T>(); });
+}
+
+double number_member(const json& object, const char* name) { return member(object, name, number); }
+
 LogRobot parse_robot(const json& robot) {
   LogRobot result;
-  result.name = robot.at("name").get<std::string>();
+  result.name = member<std::string>(robot, "name");
+  const auto names = member<json>(robot, "joint_names");
+  const auto limits = member<json>(robot, "torque_limit");
   for (std::size_t i = 0; i < kNumJoints; ++i) {
-    result.joint_names[i] = robot.at("joint_names").at(i).get<std::string>();
-    result.torque_limit[static_cast<Eigen::Index>(i)] = number(robot.at("torque_limit").at(i));
+    result.joint_names[i] = names.at(i).get<std::string>();
+    result.torque_limit[static_cast<Eigen::Index>(i)] = number(limits.at(i));
   }
-  result.mass = number(robot.at("mass"));
-  result.foot_radius = number(robot.at("foot_radius"));
+  result.mass = number_member(robot, "mass");
+  result.foot_radius = number_member(robot, "foot_radius");
   return result;
 }
 
@@ -68,24 +88,54 @@ void parse_newer(const json& header, LogHeader& result) {
   }
 }
 
+LogLimbLimits parse_limb(const json& limb) {
+  return {member<int>(limb, "level"), member<std::string>(limb, "form"), number_member(limb, "min"),
+          number_member(limb, "max")};
+}
+
 LogHeader parse_header(const json& header) {
   LogHeader result;
-  result.version = header.at("version").get<std::string>();
-  result.scenario = header.at("scenario").get<std::string>();
-  result.stack = header.at("stack").get<std::string>();
-  result.estimation = header.at("estimation").get<std::string>();
-  if (!header.at("options").is_null()) result.options = header.at("options").dump();
-  result.seed = header.at("seed").get<std::uint64_t>();
-  result.control_period = number(header.at("control_period"));
-  result.level_names = header.at("level_names").get<std::vector<std::string>>();
-  result.event_names = header.at("event_names").get<std::vector<std::string>>();
-  result.robot = parse_robot(header.at("robot"));
-  const json& limb = header.at("limb");
-  result.limb = {limb.at("level").get<int>(), limb.at("form").get<std::string>(),
-                 number(limb.at("min")), number(limb.at("max"))};
-  result.notes = header.at("notes").get<std::vector<std::string>>();
+  result.version = member<std::string>(header, "version");
+  result.scenario = member<std::string>(header, "scenario");
+  result.stack = member<std::string>(header, "stack");
+  result.estimation = member<std::string>(header, "estimation");
+  const json options = member<json>(header, "options");
+  if (!options.is_null()) result.options = options.dump();
+  result.seed = member<std::uint64_t>(header, "seed");
+  result.control_period = number_member(header, "control_period");
+  result.level_names = member<std::vector<std::string>>(header, "level_names");
+  result.event_names = member<std::vector<std::string>>(header, "event_names");
+  result.robot = member(header, "robot", parse_robot);
+  result.limb = member(header, "limb", parse_limb);
+  result.notes = member<std::vector<std::string>>(header, "notes");
   parse_newer(header, result);
   return result;
+}
+
+/// A log's header, of a version that can be read. Throws FileError, with what can still be done.
+LogHeader read_header(const std::string& path, const std::string& text) {
+  const auto refuse = [&](const std::string& what) -> LogHeader {
+    throw FileError(path + ": its header.json, which says what run it is, " + what +
+                    "; the messages in it can be read by other readers of MCAP, but not by "
+                    "surefoot: record the run anew");
+  };
+  try {
+    const json header = json::parse(text);
+    const auto version = member<std::string>(header, "log_version");
+    if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
+      throw FileError(
+          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
+          ". Read it with the version of surefoot that made it, or record the run anew");
+    }
+    return parse_header(header);
+  } catch (const json::parse_error& error) {
+    return refuse("is damaged at its byte " + std::to_string(error.byte) + " of " +
+                  std::to_string(text.size()));
+  } catch (const BadMember& member) {
+    return refuse("lacks " + member.name + ", or has something else in its place");
+  } catch (const json::exception&) {
+    return refuse("has something else in the place of a part of it");
+  }
 }
 
 /// Levels by their numbers in the header, whatever order they had at the tick; those that it does
@@ -186,18 +236,8 @@ LogReader::LogReader(const std::string& path, Other other)
     : path_(path), file_(path), other_(std::move(other)) {
   const auto header = file_.attachments().find(std::string(kHeaderName));
   if (header == file_.attachments().end()) refuse_without_header();
-  try {
-    const json parsed = json::parse(header->second);
-    const auto version = parsed.at("log_version").get<std::string>();
-    if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
-      throw FileError(
-          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
-          ". Read it with the version of surefoot that made it, or record the run anew");
-    }
-    header_ = parse_header(parsed);
-  } catch (const json::exception& error) {
-    throw FileError(path + ": its header.json is not what it should be: " + error.what());
-  }
+  header_ = read_header(path, header->second);
+  clock_ = TickClock(header_.control_period);
   for (const auto& [name, data] : file_.attachments()) {
     if (name != kHeaderName && name != kSummaryName)
       header_.attachments.push_back({name, "", data});
@@ -211,9 +251,15 @@ void LogReader::refuse_without_header() const {
         ": an MCAP file, but it does not begin with a header of surefoot; a log made by "
         "surefoot would be valid");
   }
-  throw FileError(path_ + ": " + file_.damage() +
-                  ", before its header was whole, so that nothing of the run can be read; record "
-                  "the run anew");
+  const std::string lost = path_ + ": " + file_.damage();
+  if (file_.losses().empty())
+    throw FileError(lost +
+                    ", before its header was whole, so that nothing of the run can be read; "
+                    "record the run anew");
+  throw FileError(lost +
+                  ", so that its header.json is lost, which says what run it is; the messages in "
+                  "it can be read by other readers of MCAP, but not by surefoot: record the run "
+                  "anew");
 }
 
 void LogReader::skip_until(double time) {
@@ -237,16 +283,18 @@ bool LogReader::next(TickRecord& tick) {
 // A tick may have begun in what is lost; the next one begins with its readings.
 bool LogReader::is_rest_of_lost_tick(const McapMessage& message) {
   if (known_losses_ != file_.losses().size()) in_lost_tick_ = true;
-  known_losses_ = file_.losses().size();
+  for (; known_losses_ < file_.losses().size(); ++known_losses_) {
+    if (file_.losses()[known_losses_].may_hold_messages) clock_.lose();
+  }
   const std::string& topic = message.channel->topic;
   if (topic == "/readings") in_lost_tick_ = false;
-  return in_lost_tick_ && std::ranges::find(kBehindReadings, topic) != kBehindReadings.end();
+  if (!in_lost_tick_) return false;
+  TickRecord lost;
+  return topic == "/hierarchy" || decode_signal(message, lost);
 }
 
 bool LogReader::end_tick(std::uint64_t time) {
-  const double period = 1e9 * header_.control_period;
-  const double expected = tick_time_ ? static_cast<double>(*tick_time_) + period : 0.0;
-  follows_ = std::abs(static_cast<double>(time) - expected) < 0.5 * period;
+  clock_.add(1e-9 * static_cast<double>(time));
   tick_time_ = time;
   return true;
 }
@@ -259,7 +307,7 @@ bool LogReader::may_go_on() const {
   const bool may_hold_ticks = std::ranges::any_of(file_.losses(), [&](const McapLoss& loss) {
     return loss.has_times ? loss.last_time > last : !has_timings;
   });
-  return may_hold_ticks || (!file_.is_closed() && !has_timings);
+  return may_hold_ticks || (!file_.has_all_data() && !has_timings);
 }
 
 std::uint64_t LogReader::latest_timing() const {

@@ -2,6 +2,7 @@
 
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
+#include "surefoot/logging/tick_clock.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
 #include <functional>
@@ -57,7 +58,9 @@ class LogReader {
 
   /// Whether the last tick is the first of the run or came a control period after the one before:
   /// none between them is lost.
-  [[nodiscard]] bool follows() const { return follows_; }
+  [[nodiscard]] bool follows() const { return clock_.follows(); }
+  /// In the ticks read so far.
+  [[nodiscard]] const ClockSkips& clock_skips() const { return clock_.skips(); }
   /// After the last tick: whether the run may have had more behind it, which are lost.
   [[nodiscard]] bool may_go_on() const;
 
@@ -74,7 +77,7 @@ class LogReader {
   LogHeader header_;
   std::uint64_t skipped_until_ = 0;         // [ns]
   std::optional<std::uint64_t> tick_time_;  // of the last tick [ns]
-  bool follows_ = true;
+  TickClock clock_{0.0};
   std::size_t known_losses_ = 0;
   bool in_lost_tick_ = false;
   std::vector<std::int16_t> level_order_;

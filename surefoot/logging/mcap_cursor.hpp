@@ -16,7 +16,7 @@ inline constexpr std::size_t kChunkTimes = 16;  ///< at the begin of a chunk's c
 
 /// What a record claims does not fit into its bytes.
 struct Malformed {
-  const char* what;
+  std::string what;
 };
 
 /// Takes values from the front of some bytes. Throws Malformed beyond their end.

@@ -26,4 +26,11 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F,
 };
 
+/// Whether the head of a chunk can be right that says from when to when its messages are [ns]: a
+/// recorder's chunks last a second.
+[[nodiscard]] constexpr bool can_be_times(std::uint64_t first, std::uint64_t last) {
+  constexpr std::uint64_t kLongest = 10'000'000'000;
+  return last >= first && last - first <= kLongest;
+}
+
 }  // namespace surefoot::mcap

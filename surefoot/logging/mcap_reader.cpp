@@ -19,12 +19,18 @@ using mcap::Malformed;
 using mcap::Opcode;
 
 constexpr std::size_t kToldLosses = 4;
-constexpr std::uint64_t kLongest = 10'000'000'000;  // a chunk [ns]; the recorder's last a second
 
 std::string seconds(std::uint64_t nanoseconds) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4f", 1e-9 * static_cast<double>(nanoseconds));
   return text.data();
+}
+
+/// Of an attachment, as far as it can be told: what is damaged may be its name.
+std::string told(const std::string& name) {
+  const bool is_name = !name.empty() && name.size() < 80 &&
+                       std::ranges::all_of(name, [](char c) { return c > ' ' && c <= '~'; });
+  return is_name ? "the attachment " + name : "an attachment";
 }
 
 }  // namespace
@@ -77,7 +83,8 @@ bool McapReader::read_record() {
     if (file_.skipped() > 0) {
       losses_.push_back({.offset = file_.offset() - file_.skipped(),
                          .size = file_.skipped(),
-                         .why = "a record's head is damaged"});
+                         .why = "a record's head is damaged",
+                         .may_hold_messages = true});
       learn_descriptions();
     }
     record_ = file_.content();
@@ -120,16 +127,17 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
       const std::string_view data = cursor.bytes(cursor.number<std::uint64_t>());
       const auto crc = cursor.number<std::uint32_t>();
       if (crc != 0 && crc != crc32(content.substr(0, content.size() - sizeof(crc)))) {
-        throw Malformed{"the checksum of an attachment is wrong"};
+        throw Malformed{"the checksum of " + told(name) + " is wrong"};
       }
       attachments_[name] = data;
       break;
     }
-    case Opcode::metadata: {
-      const std::string name = cursor.text();
-      metadata_[name] = cursor.map();
+    case Opcode::metadata:
+      take_metadata(content);
       break;
-    }
+    case Opcode::data_end:
+      has_all_data_ = true;
+      break;
     case Opcode::footer:
       close();
       break;
@@ -150,6 +158,16 @@ void McapReader::take_descriptions(mcap::Opcode opcode, std::string_view content
   }
 }
 
+void McapReader::take_metadata(std::string_view content) {
+  try {
+    Cursor cursor(content);
+    const std::string name = cursor.text();
+    metadata_[name] = cursor.map();
+  } catch (const Malformed&) {
+    throw Malformed{"the metadata record is damaged"};
+  }
+}
+
 void McapReader::close() {
   const std::uint64_t end = file_.offset() + kRecordHead + file_.length();
   if (file_.size() - end < mcap::kMagic.size() ||
@@ -163,12 +181,19 @@ void McapReader::close() {
 void McapReader::learn_descriptions() {
   if (std::exchange(has_learned_, true)) return;
   mcap::RecordWalk behind(path_);
-  try {
-    while (behind.next()) {
+  const auto goes_on = [&] {
+    try {
+      return behind.next();
+    } catch (const Malformed&) {  // then with what is known
+      return false;
+    }
+  };
+  while (goes_on()) {
+    try {
       if (behind.opcode() == Opcode::schema || behind.opcode() == Opcode::channel)
         take_descriptions(behind.opcode(), behind.content());
+    } catch (const Malformed&) {  // the others may be good
     }
-  } catch (const Malformed&) {  // then with what is known
   }
 }
 
@@ -195,15 +220,18 @@ bool McapReader::take_from_chunk(McapMessage& message) {
 }
 
 // What is open; the file goes on behind it.
-void McapReader::lose(const char* why) {
+void McapReader::lose(const std::string& why) {
   rest_ = {};
-  McapLoss loss{.offset = file_.offset(), .size = kRecordHead + file_.length(), .why = why};
+  McapLoss loss{
+      .offset = file_.offset(),
+      .size = kRecordHead + file_.length(),
+      .why = why,
+      .may_hold_messages = file_.opcode() == Opcode::chunk || file_.opcode() == Opcode::message};
   if (file_.opcode() == Opcode::chunk) {
     Cursor times(record_);
     loss.first_time = times.number<std::uint64_t>();
     loss.last_time = times.number<std::uint64_t>();
-    loss.has_times =
-        loss.last_time >= loss.first_time && loss.last_time - loss.first_time < kLongest;
+    loss.has_times = mcap::can_be_times(loss.first_time, loss.last_time);
   }
   losses_.push_back(std::move(loss));
   learn_descriptions();
@@ -212,7 +240,7 @@ void McapReader::lose(const char* why) {
 void McapReader::stop(const std::string& why) {
   ended_ = true;
   rest_ = {};
-  end_ = place(why, file_.offset());
+  end_ = why + " at byte " + std::to_string(file_.offset());
 }
 
 std::string McapReader::place(const std::string& why, std::uint64_t offset) const {
@@ -234,8 +262,11 @@ std::string McapReader::problem() const {
   if (losses_.size() > kToldLosses)
     text += " and " + std::to_string(losses_.size() - kToldLosses) + " more places";
   if (!losses_.empty()) text += "; what stood there is lost, the rest was read";
-  if (!end_.empty()) text += (text.empty() ? "" : "; ") + end_ + "; everything before it was read";
-  return text.empty() ? "" : path_ + ": " + text;
+  if (!end_.empty())
+    text += (text.empty() ? "" : "; ") + end_ +
+            (has_all_data_ ? ", behind all of the run: only the index of the file is lost"
+                           : ": what came behind it is lost, everything before it was read");
+  return text;
 }
 
 }  // namespace surefoot

@@ -28,6 +28,7 @@ struct McapMessage {
 struct McapLoss {
   std::uint64_t offset = 0, size = 0;  ///< in the file [bytes]
   std::string why;
+  bool may_hold_messages = false;
   bool has_times = false;                       ///< a chunk that says from when its messages are
   std::uint64_t first_time = 0, last_time = 0;  ///< of them [ns]
 };
@@ -49,8 +50,11 @@ class McapReader {
   [[nodiscard]] const std::vector<McapLoss>& losses() const { return losses_; }
   /// After the last message: the file has its footer.
   [[nodiscard]] bool is_closed() const { return is_closed_; }
-  /// In a sentence without its end: what is lost so far, and after the last message where the file
-  /// was cut off; empty if it is complete.
+  /// After the last message: the file has the mark behind its last chunk and attachment; what may
+  /// be missing is the index.
+  [[nodiscard]] bool has_all_data() const { return has_all_data_; }
+  /// In a sentence without its end, and without the file's name: what is lost so far, and after the
+  /// last message where the file was cut off; empty if it is complete.
   [[nodiscard]] std::string problem() const;
   /// The same of the first place alone: what is wrong, and where.
   [[nodiscard]] std::string damage() const;
@@ -70,11 +74,12 @@ class McapReader {
   bool read_record();
   void take(mcap::Opcode opcode, std::string_view content);
   void take_descriptions(mcap::Opcode opcode, std::string_view content);
+  void take_metadata(std::string_view content);
   bool take_from_chunk(McapMessage& message);
   void open_chunk(std::string_view content);
   void close();
   void learn_descriptions();
-  void lose(const char* why);
+  void lose(const std::string& why);
   void stop(const std::string& why);
   [[nodiscard]] std::string place(const std::string& why, std::uint64_t offset) const;
 
@@ -87,7 +92,7 @@ class McapReader {
   std::map<std::uint16_t, McapChannel> channels_;
   std::map<std::string, std::string> attachments_;
   std::map<std::string, std::map<std::string, std::string>> metadata_;
-  bool is_closed_ = false, ended_ = false, has_learned_ = false;
+  bool is_closed_ = false, ended_ = false, has_learned_ = false, has_all_data_ = false;
   std::vector<McapLoss> losses_;
   std::string end_;  // why and where it ended before its end
 };

@@ -1,5 +1,7 @@
 #include "surefoot/logging/mcap_walk.hpp"
 
+#include "surefoot/logging/crc32.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -11,8 +13,12 @@ constexpr std::string_view kZstd{"\x04\0\0\0zstd", 8};
 constexpr std::uint64_t kBeforeCompression = 28;  // of a chunk's content [bytes]
 constexpr std::uint64_t kBesideName = 40;         // of a chunk's content, without records and name
 constexpr std::uint64_t kLongestName = 16;
-constexpr std::uint64_t kBesideIndex = 6;   // of a message index's content, without its entries
-constexpr std::uint64_t kSought = 1 << 20;  // at once [bytes]
+constexpr std::uint64_t kBesideIndex = 6;  // of a message index's content, without its entries
+constexpr std::uint64_t kLeastSought = 1 << 12;      // at once [bytes], at first …
+constexpr std::uint64_t kMostSought = 1 << 20;       // … and where nothing was found
+constexpr std::uint64_t kFooter = 20;                // content of a footer [bytes]
+constexpr std::uint64_t kDataEnd = kRecordHead + 4;  // the record before the index [bytes]
+constexpr std::uint64_t kLargestIndex = 1 << 28;     // [bytes]
 
 // Whether the sizes in a record's content, of which `start` has the first bytes, fit together.
 bool fits(Opcode opcode, std::string_view start, std::uint64_t length) {
@@ -35,6 +41,18 @@ bool fits(Opcode opcode, std::string_view start, std::uint64_t length) {
 
 bool is_compressed(std::string_view start) {
   return start.size() > kBeforeCompression && start.substr(kBeforeCompression).starts_with(kZstd);
+}
+
+/// Where a record stands that an index entry is about.
+std::optional<std::uint64_t> place_of(Opcode opcode, std::string_view content) {
+  Cursor cursor(content);
+  if (opcode == Opcode::chunk_index) {
+    cursor.bytes(kChunkTimes);
+    return cursor.number<std::uint64_t>();
+  }
+  if (opcode == Opcode::attachment_index || opcode == Opcode::metadata_index)
+    return cursor.number<std::uint64_t>();
+  return std::nullopt;
 }
 
 }  // namespace
@@ -63,7 +81,7 @@ bool RecordWalk::next() {
     return true;
   }
   const std::uint64_t damaged = offset_;
-  if (!find_chunk(damaged + 1)) return false;
+  if (!find_record(damaged + 1)) return false;
   skipped_ = offset_ - damaged;
   next_ = offset_ + kRecordHead + length_;
   return true;
@@ -86,11 +104,58 @@ bool RecordWalk::is_record(std::uint64_t offset) {
   return true;
 }
 
+// The next record from there on that can be one; then it has its place. What looks like a chunk
+// within another record's data is none: where there is an index, it alone counts.
+bool RecordWalk::find_record(std::uint64_t from) {
+  if (!index_) index_ = read_index();
+  if (index_->empty()) return find_chunk(from);
+  for (auto place = std::ranges::lower_bound(*index_, from); place != index_->end(); ++place) {
+    if (!is_record(*place)) continue;
+    offset_ = *place;
+    return true;
+  }
+  return false;
+}
+
+// Where the records stand that a closed file names behind its data, and that index itself; nothing
+// of a file whose index is damaged or was cut off.
+std::vector<std::uint64_t> RecordWalk::read_index() {
+  std::vector<std::uint64_t> places;
+  try {
+    const std::uint64_t behind = kRecordHead + kFooter + kMagic.size();
+    if (size_ < behind) return {};
+    const std::string end = bytes(size_ - behind, behind);
+    Cursor footer(end);
+    const auto [opcode, length] = take_head(footer);
+    const auto begin = footer.number<std::uint64_t>();
+    footer.bytes(sizeof(std::uint64_t));  // of the summary's offsets
+    const auto crc = footer.number<std::uint32_t>();
+    const bool is_footer = opcode == Opcode::footer && length == kFooter && footer.rest() == kMagic;
+    const std::uint64_t summed = size_ - kMagic.size() - sizeof(crc);
+    if (!is_footer || begin == 0 || begin > summed || summed - begin > kLargestIndex) return {};
+    const std::string summary = bytes(begin, summed - begin);
+    if (crc != 0 && crc != crc32(summary)) return {};
+    places.push_back(begin);
+    if (begin > kDataEnd) places.push_back(begin - kDataEnd);
+    for (Cursor rest(std::string_view(summary).substr(0, size_ - behind - begin));
+         !rest.rest().empty();) {
+      const auto [kind, size] = take_head(rest);
+      if (const auto place = place_of(kind, rest.bytes(size))) places.push_back(*place);
+    }
+  } catch (const Malformed&) {
+    return {};
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
 // The next compressed chunk from there on; then it has its place.
 bool RecordWalk::find_chunk(std::uint64_t from) {
   constexpr std::uint64_t kToName = kRecordHead + kBeforeCompression;
-  for (std::uint64_t begin = from + kToName; begin < size_; begin += kSought) {
-    const std::string part = bytes(begin, std::min(kSought + kZstd.size(), size_ - begin));
+  std::uint64_t sought = kLeastSought;
+  for (std::uint64_t begin = from + kToName; begin < size_;
+       begin += sought, sought = std::min(2 * sought, kMostSought)) {
+    const std::string part = bytes(begin, std::min(sought + kZstd.size(), size_ - begin));
     for (std::size_t found = part.find(kZstd); found != std::string::npos;
          found = part.find(kZstd, found + 1)) {
       const std::uint64_t offset = begin + found - kToName;

@@ -4,13 +4,16 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace surefoot::mcap {
 
 /// Walks over the records of a file that stand outside of chunks, by their heads alone. Where a
-/// head can't be one, it goes on at the next chunk that it finds; a chunk is known by its sizes and
-/// its compression, which fit together, also where its opcode is damaged.
+/// head can't be one, it goes on at the next record that the file's index has; of a file without
+/// one at the next chunk that it finds. A chunk is known by its sizes and its compression, which
+/// fit together, also where its opcode is damaged.
 class RecordWalk {
  public:
   /// The file may be unreadable; see `is_open`.
@@ -35,11 +38,14 @@ class RecordWalk {
 
  private:
   [[nodiscard]] bool is_record(std::uint64_t offset);
+  [[nodiscard]] bool find_record(std::uint64_t from);
   [[nodiscard]] bool find_chunk(std::uint64_t from);
+  [[nodiscard]] std::vector<std::uint64_t> read_index();
 
   std::ifstream file_;
   bool is_open_ = false;
   std::uint64_t size_ = 0;
+  std::optional<std::vector<std::uint64_t>> index_;  // of records, in order; once it was needed
   Opcode opcode_{};
   std::uint64_t offset_ = 0, length_ = 0, skipped_ = 0, next_ = kMagic.size();
 };

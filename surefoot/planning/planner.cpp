@@ -18,6 +18,7 @@ constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while
 constexpr double kRecovery = 0.6;      // in which the COM of a pushed robot comes to rest [s]
 constexpr double kStill = 0.02;        // [m/s] and [rad/s]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
+constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
 double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal) {
@@ -57,13 +58,25 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
   restarts_ = wants_calibration_ && event_ == PlanEvent::none && is_at_rest(state);
   if (restarts_) event_ = PlanEvent::calibration;
+  tell_calibration_waits();
   write_plan(user);
   return plan_;
 }
 
 void Planner::note_calibration_wish(bool asked) {
-  if (asked && !asked_before_) wants_calibration_ = true;
+  if (asked && !asked_before_) {
+    wants_calibration_ = true;
+    tells_wait_at_ = time_ + kPatience;
+  }
   asked_before_ = asked;
+}
+
+// Again and again, so that whoever asked sees why nothing happens.
+void Planner::tell_calibration_waits() {
+  const bool waits = wants_calibration_ && !restarts_ && !calibrating();
+  if (!waits || event_ != PlanEvent::none || time_ < tells_wait_at_) return;
+  event_ = PlanEvent::calibration_waits;
+  tells_wait_at_ = time_ + kPatience;
 }
 
 bool Planner::is_at_rest(const RobotState& state) const {

@@ -51,6 +51,7 @@ class Planner {
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
   void note_calibration_wish(bool asked);
+  void tell_calibration_waits();
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
@@ -147,6 +148,7 @@ class Planner {
   double initialised_at_ = 0.0;     // [s]
   bool asked_before_ = false;       // for a calibration, at the last tick
   bool wants_calibration_ = false;  // … which has not begun
+  double tells_wait_at_ = 0.0;      // that it has not [s]
   bool restarts_ = false;
   double stands_from_ = 0.0;  // on all feet [s]
   double yaw_ = 0.0;

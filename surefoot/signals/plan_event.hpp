@@ -9,20 +9,21 @@ enum class PlanEvent : int {
   none = 0,
   lift_off = 1,
   touchdown = 2,
-  probe_same_ground = 3,  ///< the first touch found the ground where the last foothold was
-  probe_edge = 4,         ///< … found it lower or higher: the foot goes on beyond the edge
-  late = 5,               ///< no ground at the expected time: the gait waits, the foot searches
-  no_ground = 6,          ///< none within reach: the foot is taken back
-  lost_contact = 7,       ///< a stance foot lost its ground
-  lift_off_aborted = 8,   ///< the leg did not unload or the balance was not over the others
-  collision = 9,          ///< a hind leg met something above the ground that it steps onto
-  slowed = 10,            ///< the commanded velocity asks for longer strides than the legs have
-  slip = 11,              ///< a standing foot began to slide
-  push_foot_down = 12,    ///< pushed in a swing: the foot comes down at once, where it helps
-  push_reloaded = 13,     ///< pushed before a lift-off: the leg carries again
-  push_step = 14,         ///< pushed with all feet down: a step to recover
-  caught = 15,            ///< a rising foot met something on its way: back, higher, over
-  calibration = 16,       ///< as asked for, the estimate begins anew and calibrates on the spot
+  probe_same_ground = 3,   ///< the first touch found the ground where the last foothold was
+  probe_edge = 4,          ///< … found it lower or higher: the foot goes on beyond the edge
+  late = 5,                ///< no ground at the expected time: the gait waits, the foot searches
+  no_ground = 6,           ///< none within reach: the foot is taken back
+  lost_contact = 7,        ///< a stance foot lost its ground
+  lift_off_aborted = 8,    ///< the leg did not unload or the balance was not over the others
+  collision = 9,           ///< a hind leg met something above the ground that it steps onto
+  slowed = 10,             ///< the commanded velocity asks for longer strides than the legs have
+  slip = 11,               ///< a standing foot began to slide
+  push_foot_down = 12,     ///< pushed in a swing: the foot comes down at once, where it helps
+  push_reloaded = 13,      ///< pushed before a lift-off: the leg carries again
+  push_step = 14,          ///< pushed with all feet down: a step to recover
+  caught = 15,             ///< a rising foot met something on its way: back, higher, over
+  calibration = 16,        ///< as asked for, the estimate begins anew and calibrates on the spot
+  calibration_waits = 17,  ///< it was asked for, but the robot does not come to rest on all feet
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -61,6 +62,8 @@ enum class PlanEvent : int {
       return "foot met something on its way: back, higher and over";
     case PlanEvent::calibration:
       return "estimate begins anew: calibrating on the spot";
+    case PlanEvent::calibration_waits:
+      return "calibration waits: for 1 s at rest on all feet";
   }
   return "unknown";
 }

@@ -15,10 +15,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kInside = 0.8;  // share of a pyramid's half angle by which it leans at most
 
 /// B of Eq. 31 for one foot: four faces, each ≤ 0, and the normal force, for forces in W.
-Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const Mat3& axes, double mu) {
-  const Vec3 heading = axes.col(0);
-  const Vec3 lateral = axes.col(1);
-  const Vec3 normal = axes.col(2);
+Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const FrictionPyramid& pyramid) {
+  const double mu = pyramid.mu;
+  const Vec3 heading = pyramid.axes.col(0);
+  const Vec3 lateral = pyramid.axes.col(1);
+  const Vec3 normal = pyramid.axes.col(2);
   Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> B;
   B.row(0) = heading - mu * normal;
   B.row(1) = -heading - mu * normal;
@@ -41,16 +42,24 @@ Mat3 standing_axes(const Mat3& axes, double mu) {
 
 }  // namespace
 
-void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
+double FrictionPyramid::use(const Vec3& force) const {
+  const Vec3 along = axes.transpose() * force;
+  return along.head<2>().cwiseAbs().maxCoeff() / (mu * along.z());
+}
+
+FrictionPyramid FrictionCone::pyramid(const MotionPlan& plan, Leg leg) const {
   const double inner = options_.pyramid == Pyramid::inner ? 1.0 / std::numbers::sqrt2 : 1.0;
-  const Mat3 axes =
-      options_.axes == Axes::control ? input.plan.R_WC : rotation_about_z(yaw(input.plan.R_WC));
+  const Mat3 axes = options_.axes == Axes::control ? plan.R_WC : rotation_about_z(yaw(plan.R_WC));
+  const double mu = inner * plan.feet[index(leg)].friction;
+  return {standing_axes(axes, mu), mu};
+}
+
+void FrictionCone::write(const TaskInput& input, Level& level) const noexcept {
   for (const Leg leg : kLegs) {
     if (!input.support.in_contact(leg)) continue;
     const FootPlan& foot = input.plan.feet[index(leg)];
     const int force = input.support.first_force(leg);
-    const double mu = inner * foot.friction;
-    const auto B = pyramid_rows(standing_axes(axes, mu), mu);
+    const auto B = pyramid_rows(pyramid(input.plan, leg));
     Rows rows = level.add(kRowsPerLeg, first_id() + kRowsPerLeg * static_cast<int>(leg));
     rows.A.noalias() = B * input.support.Lambda().middleRows<3>(force);
     rows.lower << -kInfinity, -kInfinity, -kInfinity, -kInfinity,

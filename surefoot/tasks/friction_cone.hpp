@@ -4,6 +4,17 @@
 
 namespace surefoot {
 
+/// Four faces that hold the force of a foot.
+struct FrictionPyramid {
+  Mat3 axes = Mat3::Identity();  ///< ĥ, l̂, n̂ as columns, in W
+  double mu = 0.0;               ///< μ'
+
+  [[nodiscard]] Vec3 normal() const { return axes.col(2); }
+  /// Share of it that a force λ in W uses: max(|ĥᵀλ|, |l̂ᵀλ|) / (μ' n̂ᵀλ). 1 at a face, more beyond
+  /// it; not finite where n̂ᵀλ is 0.
+  [[nodiscard]] double use(const Vec3& force) const;
+};
+
 /// Keeps contact forces inside a friction pyramid and their normal part within the plan's limits.
 ///
 ///     |ĥᵀλ_i| ≤ μ_i' n̂ᵀλ_i,   |l̂ᵀλ_i| ≤ μ_i' n̂ᵀλ_i           (Bellicoso 2016, Eq. 29)
@@ -28,6 +39,9 @@ class FrictionCone final : public Task {
   static constexpr int kRowsPerLeg = 5;
 
   explicit FrictionCone(const Options& options) : options_(options) {}
+
+  /// That holds the force of a leg in contact.
+  [[nodiscard]] FrictionPyramid pyramid(const MotionPlan& plan, Leg leg) const;
 
   void write(const TaskInput& input, Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kRowsPerLeg * kNumLegs; }

@@ -1,6 +1,7 @@
 #include "surefoot/view/frame_request.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/view/web_answer.hpp"
 
 #include <charconv>
 #include <limits>
@@ -24,8 +25,6 @@ void number(const WebContent::Query& query, const char* key, std::uint32_t min, 
               std::to_string(min) + " to " + std::to_string(max));
 }
 
-}  // namespace
-
 FrameRequest read_frame_request(const WebContent::Query& query) {
   FrameRequest request;
   std::uint32_t min_max = 0;
@@ -35,6 +34,17 @@ FrameRequest read_frame_request(const WebContent::Query& query) {
   number(query, "min_max", 0, 1, min_max);
   request.min_max = min_max == 1;
   return request;
+}
+
+}  // namespace
+
+WebAnswer answer_frames(const WebContent::Query& query,
+                        const std::function<std::string(const FrameRequest&)>& block) {
+  try {
+    return {200, "application/octet-stream", block(read_frame_request(query))};
+  } catch (const Error& error) {
+    return refusal(400, error.what());
+  }
 }
 
 }  // namespace surefoot

@@ -3,6 +3,8 @@
 #include "surefoot/view/web_server.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <string>
 
 namespace surefoot {
 
@@ -13,7 +15,9 @@ struct FrameRequest {
   bool min_max = false;
 };
 
-/// Throws Error, with what would be valid, where a number of it is none or out of its range.
-[[nodiscard]] FrameRequest read_frame_request(const WebContent::Query& query);
+/// The frames that a query asks for, as `block` gives them; a refusal with what would be valid
+/// where a number of it is none or out of its range, or where `block` throws Error.
+[[nodiscard]] WebAnswer answer_frames(const WebContent::Query& query,
+                                      const std::function<std::string(const FrameRequest&)>& block);
 
 }  // namespace surefoot

@@ -108,8 +108,8 @@ std::string ending(const RunData& run, const Outcome& outcome) {
 
 std::string cut_warning(const RunData& run, const Outcome& outcome) {
   if (!run.problem.empty())
-    return warning("The log is not whole, so this shows only its beginning, to " + end_time(run) +
-                   ". " + run.problem + ".");
+    return warning("The log is not whole: " + run.problem +
+                   ". This shows what could be read of it, to " + end_time(run) + ".");
   if (outcome.interrupted)
     return warning("The run was interrupted at " + end_time(run) +
                    ", so this shows only its beginning, and its criteria are not judged.");

@@ -1,6 +1,7 @@
 #include "app/log_replay.hpp"
 
 #include "app/closed_loop.hpp"
+#include "app/log_verification.hpp"
 #include "app/run_log.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
@@ -107,6 +108,36 @@ TEST(LogReplay, also_of_a_run_whose_levels_were_switched_from_outside) {
   EXPECT_EQ(different, 0);
   EXPECT_EQ(begun, 2);
   EXPECT_NEAR(transition, 14 + 80, 1);
+}
+
+/// Runs a walk whose controller is not called at one tick, as if it had been too late, and records
+/// it.
+void record_walk_without_a_call(const std::string& path) {
+  const Scenario scenario = load_scenario({"walk_flat_ideal", 0, {"duration=2"}});
+  Plant plant(scenario.robot, scenario.plant);
+  Controller controller(scenario.robot, scenario.controller,
+                        std::make_unique<TruthEstimator>(plant.truth()));
+  controller.explain_levels(true);
+  Recorder recorder(path, log_header(scenario, controller, plant, RobotModel(scenario.robot)));
+  JointCommand command;
+  for (int tick = 0; tick < 800; ++tick) {
+    const SensorReading& reading = plant.read();
+    if (tick != 301) {
+      command = controller.step(reading, scenario.user(reading.time));
+      recorder.record(controller.record());
+    }
+    plant.write(command);
+  }
+  recorder.close();
+}
+
+TEST(LogReplay, also_behind_a_tick_at_which_the_controller_was_not_called) {
+  const test::TemporaryFolder folder;
+  record_walk_without_a_call(folder / "run.mcap");
+  const Verification result = verify_log(folder / "run.mcap");
+  EXPECT_EQ(result.ticks, 799);
+  EXPECT_TRUE(result.is_same() && result.is_all() && result.is_whole()) << result.problem;
+  EXPECT_EQ(result.clock.count, 1u);
 }
 
 }  // namespace

@@ -207,15 +207,14 @@ std::vector<std::pair<std::uint64_t, std::size_t>> chunks_of(const std::string& 
 }
 
 // A byte of a chunk, counted from its head, is another; what stood in the chunk is lost alone.
-// `but`: so many chunks at the end are left out.
-void expect_one_chunk_lost(std::uint64_t byte, std::size_t but = 0) {
+void expect_one_chunk_lost(std::uint64_t byte) {
   const TemporaryFolder folder;
   const std::vector<Message> messages = random_messages(200);
   write(folder / "whole.mcap", messages, 2048);
   const std::string whole = contents(folder / "whole.mcap");
   const auto chunks = chunks_of(folder / "whole.mcap");
   ASSERT_GT(chunks.size(), 10u);
-  for (std::size_t i = 0; i + but < chunks.size(); ++i) {
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
     std::string damaged = whole;
     damaged[chunks[i].first + byte] = static_cast<char>(damaged[chunks[i].first + byte] ^ 0x15);
     write_file(folder / "damaged.mcap", damaged);
@@ -238,9 +237,79 @@ TEST(Mcap, ADamagedChunkIsLostAloneAlsoTheOneThatDescribesTheChannels) {
   expect_one_chunk_lost(200);
 }
 
-// The next chunk is found; behind the last there is none, so that it looks like the file's end.
-TEST(Mcap, ADamagedLengthOfAChunkCostsNothingButThatChunkWhereAnotherFollows) {
-  for (const std::uint64_t byte : {1u, 2u, 6u}) expect_one_chunk_lost(byte, 1);
+TEST(Mcap, ADamagedLengthOfAChunkCostsNothingButThatChunk) {
+  for (const std::uint64_t byte : {1u, 2u, 6u}) expect_one_chunk_lost(byte);
+}
+
+// Its index, which says where the next chunk is, was cut off as well.
+TEST(Mcap, WithoutAnIndexTheChunkBehindADamagedOneIsFoundByItsHead) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(200);
+  write(folder / "log.mcap", messages, 2048);
+  const auto chunks = chunks_of(folder / "log.mcap");
+  std::string bytes = contents(folder / "log.mcap");
+  bytes.resize(bytes.size() - 9);
+  bytes[chunks[3].first + 2] ^= '\x15';
+  write_file(folder / "log.mcap", bytes);
+  McapReader reader(folder / "log.mcap");
+  EXPECT_EQ(read(reader).size(), messages.size() - (chunks[3].second - chunks[2].second));
+}
+
+TEST(Mcap, ChunksWithinAnAttachmentAreNone) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(200);
+  write(folder / "inner.mcap", random_messages(50), 2048);
+  {
+    McapWriter writer(folder / "outer.mcap", {.profile = "test", .library = "test"});
+    writer.attach("inner.mcap", "application/octet-stream", contents(folder / "inner.mcap"));
+    const auto channel =
+        writer.add_channel("/outer", writer.add_schema("Any", "jsonschema", "{}"), "json");
+    for (const Message& message : messages) writer.write(channel, message.time, message.data);
+    writer.close();
+  }
+  std::string bytes = contents(folder / "outer.mcap");
+  const std::size_t attachment = bytes.find("inner.mcap") - 4 - 16 - 9;
+  ASSERT_EQ(bytes[attachment], '\x09');
+  bytes[attachment + 6] ^= '\x15';  // of its length
+  write_file(folder / "outer.mcap", bytes);
+  McapReader reader(folder / "outer.mcap");
+  const std::vector<Message> got = read(reader);
+  ASSERT_EQ(got.size(), messages.size());
+  for (const Message& message : got) ASSERT_EQ(message.topic, "/outer");
+  ASSERT_EQ(reader.losses().size(), 1u);
+}
+
+TEST(Mcap, ABadSchemaDoesNotKeepTheChannelsBehindItFromBeingLearnt) {
+  const TemporaryFolder folder;
+  const std::vector<Message> messages = random_messages(200);
+  write(folder / "log.mcap", messages, 2048);
+  const auto chunks = chunks_of(folder / "log.mcap");
+  std::string bytes = contents(folder / "log.mcap");
+  bytes[chunks[0].first + 200] ^= '\x15';                  // which describes the channels
+  bytes[bytes.rfind("jsonschema") - 4 - 3 - 1] ^= '\x7F';  // length of the name of their schema
+  write_file(folder / "log.mcap", bytes);
+  McapReader reader(folder / "log.mcap");
+  EXPECT_EQ(read(reader).size(), messages.size() - chunks[0].second);
+}
+
+TEST(Mcap, OfAFileWithoutItsEndItIsSaidWhatIsLost) {
+  const TemporaryFolder folder;
+  write(folder / "log.mcap", random_messages(200), 2048);
+  const std::string whole = contents(folder / "log.mcap");
+  const auto problem_of = [&](std::size_t length) {
+    write_file(folder / "cut.mcap", whole.substr(0, length));
+    McapReader reader(folder / "cut.mcap");
+    (void)read(reader);
+    return reader.problem();
+  };
+  const std::uint64_t last = chunks_of(folder / "log.mcap").back().first;
+  const std::string at_last = "cut off at byte " + std::to_string(last);
+  EXPECT_EQ(problem_of(last),
+            at_last + ": what came behind it is lost, everything before it was read");
+  EXPECT_EQ(problem_of(last + 20), problem_of(last));
+  EXPECT_NE(problem_of(whole.size() - 1).find(", behind all of the run: only the index"),
+            std::string::npos)
+      << problem_of(whole.size() - 1);
 }
 
 TEST(Mcap, AChunkIsReadAlsoWhereItsOpcodeIsDamaged) {

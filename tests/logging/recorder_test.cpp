@@ -1,10 +1,7 @@
 #include "surefoot/logging/recorder.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "surefoot/logging/log_reader.hpp"
-#include "surefoot/logging/mcap_chunks.hpp"
-#include "surefoot/logging/mcap_writer.hpp"
-#include "surefoot/logging/message_codec.hpp"
+#include "tests/logging/recorded_run.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
@@ -12,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include <bit>
 #include <csignal>
 #include <filesystem>
 #include <set>
@@ -24,93 +20,12 @@ namespace {
 
 using nlohmann::json;
 using test::contents;
+using test::expect_same;
+using test::message_of;
+using test::record;
 using test::SyntheticRun;
 using test::TemporaryFolder;
-using test::write_file;
-
-// Records `ticks` of a synthetic run; the wall-clock times are slower by `delay`.
-std::vector<TickRecord> record(const std::string& path, int ticks, double delay = 0.0,
-                               RecorderOptions options = {}) {
-  Recorder recorder(path, SyntheticRun::header(), options);
-  SyntheticRun run(3, 0.5);
-  std::vector<TickRecord> recorded;
-  for (int i = 0; i < ticks; ++i) {
-    run.step();
-    recorder.record(run.tick);
-    run.timing.total += delay;
-    recorder.record(run.timing);
-    recorded.push_back(run.tick);
-  }
-  recorder.close(R"({"metrics":{}})");
-  return recorded;
-}
-
-// Equal bit by bit, as the log has it: the encoder visits every field.
-template <typename T>
-std::string bits(const T& signal) {
-  std::string out;
-  logged::encode(signal, out);
-  return out;
-}
-
-void expect_same_blockers(const HierarchyReport& a, const HierarchyReport& b) {
-  ASSERT_EQ(a.failed_level, b.failed_level);
-  ASSERT_EQ(a.blocking_is_known, b.blocking_is_known);
-  ASSERT_EQ(a.num_blocking, b.num_blocking);
-  ASSERT_EQ(a.transition_share, b.transition_share);
-  ASSERT_EQ(a.level_switch.begins, b.level_switch.begins);
-  ASSERT_EQ(a.level_switch.duration, b.level_switch.duration);
-  ASSERT_EQ(a.level_switch.change, b.level_switch.change);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(a.num_blocking); ++i) {
-    const BlockingRow &x = a.blocking[i], &y = b.blocking[i];
-    ASSERT_EQ(x.level, y.level);
-    ASSERT_EQ(x.by_level, y.by_level);
-    ASSERT_EQ(x.id, y.id);
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.cost), std::bit_cast<std::uint64_t>(y.cost));
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.multiplier),
-              std::bit_cast<std::uint64_t>(y.multiplier));
-  }
-}
-
-void expect_same(const TickRecord& a, const TickRecord& b) {
-  ASSERT_EQ(bits(a.reading), bits(b.reading));
-  ASSERT_EQ(bits(a.user), bits(b.user));
-  ASSERT_EQ(bits(a.state), bits(b.state));
-  ASSERT_EQ(bits(a.plan), bits(b.plan));
-  ASSERT_EQ(bits(a.model), bits(b.model));
-  ASSERT_EQ(bits(a.command), bits(b.command));
-  ASSERT_EQ(a.hierarchy.num_levels, b.hierarchy.num_levels);
-  ASSERT_EQ(a.hierarchy.num_active, b.hierarchy.num_active);
-  for (std::size_t i = 0; i < kMaxLevels; ++i) {
-    const LevelReport &x = a.hierarchy.levels[i], &y = b.hierarchy.levels[i];
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(x.residual), std::bit_cast<std::uint64_t>(y.residual));
-    ASSERT_EQ(x.num_active, y.num_active);
-    ASSERT_EQ(x.degrees_of_freedom_left, y.degrees_of_freedom_left);
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(a.hierarchy.num_active); ++i) {
-    ASSERT_EQ(a.hierarchy.active[i].level, b.hierarchy.active[i].level);
-    ASSERT_EQ(a.hierarchy.active[i].id, b.hierarchy.active[i].id);
-    ASSERT_EQ(a.hierarchy.active[i].state, b.hierarchy.active[i].state);
-  }
-  expect_same_blockers(a.hierarchy, b.hierarchy);
-}
-
-// Number of ticks that a log gives before its end.
-int ticks_in(LogReader& log) {
-  TickRecord tick;
-  int count = 0;
-  while (log.next(tick)) ++count;
-  return count;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::ticks_in;
 
 TEST(Recorder, WhatWasRecordedIsReadBackBitByBit) {
   const TemporaryFolder folder;
@@ -245,67 +160,6 @@ TEST(Recorder, OnlyAClosedLogHasItsName) {
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
 }
 
-TEST(Recorder, ALogThatWasNotClosedIsReadableUnderItsPartialName) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "run.mcap";
-  {
-    Recorder recorder(path, SyntheticRun::header());
-    SyntheticRun run;
-    for (int i = 0; i < 40; ++i) {
-      run.step();
-      recorder.record(run.tick);
-    }
-  }
-  EXPECT_FALSE(std::filesystem::exists(path));
-  LogReader log(path + ".partial");
-  EXPECT_EQ(ticks_in(log), 40);
-}
-
-TEST(Recorder, ALogCutOffInTheMiddleGivesTheTicksOfItsWholeChunks) {
-  const TemporaryFolder folder;
-  record(folder / "run.mcap", 1200);
-  const std::string whole = contents(folder / "run.mcap");
-  int before = -1;
-  std::set<int> counts;
-  for (std::size_t tenth = 2; tenth <= 10; ++tenth) {
-    write_file(folder / "cut.mcap", whole.substr(0, whole.size() * tenth / 10));
-    LogReader log(folder / "cut.mcap");
-    const int ticks = ticks_in(log);
-    EXPECT_GE(ticks, before);
-    before = ticks;
-    counts.insert(ticks);
-  }
-  EXPECT_EQ(before, 1200);
-  EXPECT_GT(counts.size(), 3u);
-}
-
-TEST(Recorder, OfADamagedLogAllTicksAreReadThatStandWholeInOtherChunks) {
-  const TemporaryFolder folder;
-  const std::vector<TickRecord> recorded = record(folder / "run.mcap", 1200);
-  const std::string whole = contents(folder / "run.mcap");
-  const auto chunks = McapChunks(folder / "run.mcap").chunks();
-  ASSERT_GT(chunks.size(), 5u);
-  for (const McapChunk& chunk : chunks) {
-    std::string bytes = whole;
-    bytes.at(chunk.offset + chunk.size / 2) ^= '\x40';
-    write_file(folder / "damaged.mcap", bytes);
-    LogReader log(folder / "damaged.mcap");
-    TickRecord tick;
-    std::size_t ticks = 0, gaps = 0, place = 0;
-    for (; log.next(tick); ++ticks) {
-      while (place < recorded.size() && recorded[place].reading.time < tick.reading.time) ++place;
-      ASSERT_LT(place, recorded.size());
-      expect_same(recorded[place], tick);
-      gaps += log.follows() ? 0 : 1;
-    }
-    const bool has_ticks = &chunk < &chunks.back() && log.timings().size() == recorded.size();
-    EXPECT_EQ(ticks < recorded.size(), has_ticks);
-    EXPECT_EQ(gaps + (log.may_go_on() ? 1 : 0), has_ticks ? 1u : 0u);
-    EXPECT_FALSE(log.complete());
-    EXPECT_EQ(log.summary(), R"({"metrics":{}})");
-  }
-}
-
 TEST(Recorder, AMissingFolderIsNamed) {
   const TemporaryFolder folder;
   const std::string message =
@@ -373,28 +227,6 @@ TEST(Recorder, ALogWithAHoleIsNeverClosedAsWhole) {
   // There is room again, but ticks are lost.
   EXPECT_EQ(message_of([&] { recorder.close(); }).find(path), 0u);
   EXPECT_FALSE(std::filesystem::exists(path));
-}
-
-TEST(LogReader, AnMcapFileOfSomebodyElseIsRefused) {
-  const TemporaryFolder folder;
-  {
-    McapWriter writer(folder / "other.mcap");
-    writer.close();
-  }
-  const std::string message = message_of([&] { LogReader log(folder / "other.mcap"); });
-  EXPECT_NE(message.find("does not begin with a header of surefoot"), std::string::npos) << message;
-}
-
-TEST(LogReader, AnotherVersionIsRefusedWithBothNumbers) {
-  const TemporaryFolder folder;
-  {
-    McapWriter writer(folder / "new.mcap");
-    writer.attach("header.json", "application/json", R"({"log_version":"3.0"})");
-    writer.close();
-  }
-  const std::string message = message_of([&] { LogReader log(folder / "new.mcap"); });
-  EXPECT_NE(message.find("3.0"), std::string::npos) << message;
-  EXPECT_NE(message.find(std::string(kLogVersion)), std::string::npos) << message;
 }
 
 }  // namespace

@@ -75,6 +75,24 @@ TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 2u) << "asked for again";
 }
 
+TEST(Planner, TellsAgainAndAgainThatACalibrationWaitsForARobotThatNeverRests) {
+  Puppet puppet;
+  puppet.run(3.0);
+  puppet.drift = 0.05;
+  puppet.user.calibrate = true;
+  const double asked_at = puppet.time();
+  puppet.run(35.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::calibration).empty());
+  const std::vector<Happening> told = puppet.happenings(PlanEvent::calibration_waits);
+  ASSERT_EQ(told.size(), 3u);
+  EXPECT_GT(told.front().time, asked_at + 5.0) << "not before a walk would have ended";
+  puppet.drift = 0.0;
+  puppet.run(2.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 1u) << "once it rests";
+  puppet.run(35.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::calibration_waits).size(), 3u);
+}
+
 TEST(Planner, LiftsItsFeetInTheOrderOfTheGait) {
   for (const PerLeg<Leg>& order : {PerLeg<Leg>{Leg::LH, Leg::LF, Leg::RH, Leg::RF},
                                    PerLeg<Leg>{Leg::RF, Leg::LH, Leg::LF, Leg::RH}}) {

@@ -73,6 +73,7 @@ void Puppet::move_body() {
   dynamics_.com.p.z() = torso.height;
   state_.p_WB = dynamics_.com.p;
   state_.v_WB << dynamics_.com.v.head<2>(), torso.height_rate;
+  state_.v_WB.x() += drift;
   state_.q_WB = torso.q_WB;
   state_.w_WB_B = torso.q_WB.conjugate() * torso.w_WB;
 }

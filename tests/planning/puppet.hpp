@@ -55,6 +55,7 @@ class Puppet {
   PerLeg<bool> sticky{};     ///< this foot carries on, whatever it may
   Vec3 push = Vec3::Zero();  ///< what is believed to push the robot [N]
   bool com_follows = true;   ///< otherwise the centre of mass stays where it is
+  double drift = 0.0;        ///< velocity at which the base is believed to go besides [m/s]
 
  private:
   void move_body();

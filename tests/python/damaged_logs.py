@@ -39,6 +39,18 @@ def cut(log, folder, share):
     return path
 
 
+def cut_at(log, folder, length):
+    path = folder / f"cut_at{length}.mcap"
+    path.write_bytes(log.read_bytes()[:length])
+    return path
+
+
+def attachment_place(log, name):
+    """Where the record of an attachment begins."""
+    with open(log, "rb") as file:
+        return next(index.offset for index in make_reader(file).get_summary().attachment_indexes if index.name == name)
+
+
 def damaged(log, folder, share):
     """One byte is another, at that share of its length."""
     return damaged_at(log, folder, int(share * log.stat().st_size), f"damaged{share}")
@@ -76,6 +88,15 @@ def without_chunk(log, folder, number):
     return path, 1e-9 * chunk.message_start_time, 1e-9 * chunk.message_end_time
 
 
+def without_calls(log, folder, first, skipped):
+    """A log whole as a file, as of a controller that was called from tick `first` on, and at one more tick not at all."""
+
+    def called(channel, number, data):
+        return None if number < first or number == skipped else data
+
+    return rewritten(log, folder / "skips.mcap", called)
+
+
 def plain_text(folder):
     path = folder / "text.mcap"
     path.write_text("this is no log\n")
@@ -102,7 +123,7 @@ def steered(log, folder, changes):
 
 
 def rewritten(log, path, data_of=lambda channel, number, data: data, changes=()):
-    """The same messages in the same order, with other data; a change before the tick of its time."""
+    """The same messages in the same order, with other data (None: without this one); a change before the tick of its time."""
     with open(log, "rb") as source, open(path, "wb") as target:
         writer = Writer(target)
         writer.start()
@@ -120,6 +141,8 @@ def rewritten(log, path, data_of=lambda channel, number, data: data, changes=())
                 writer.add_message(own, message.log_time, json.dumps(change).encode(), message.publish_time)
             number = seen[channel.topic] = seen.get(channel.topic, -1) + 1
             data = data_of(channel, number, message.data)
+            if data is None:
+                continue
             writer.add_message(channels[channel.id], message.log_time, data, message.publish_time)
         writer.finish()
     return path

@@ -9,6 +9,8 @@ import subprocess
 import sys
 
 import pytest
+from conftest import record
+from program import surefoot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -70,3 +72,10 @@ def test_the_stairs_of_getting_started_are_walked_down_and_that_is_a_success(tmp
     assert {c["metric"] for c in result["criteria"]} == {"fell", "goal_reached", "max_tilt_rad"}
     table = subprocess.run([program, "run", "stairs.yaml", "--set", "duration=0.1"], cwd=tmp_path, capture_output=True, text=True)
     assert "14 cm" not in table.stdout
+
+
+def test_what_the_readme_says_that_explain_begins_with_is_what_it_prints(tmp_path):
+    (quoted,) = blocks_of("README.md", "text")
+    (time,) = re.findall(r"explain run\.mcap --at ([\d.]+)", (ROOT / "README.md").read_text())
+    record(tmp_path / "run.mcap", scenario="step_down", duration=float(time) + 0.1)
+    assert surefoot("explain", tmp_path / "run.mcap", "--at", time).stdout.splitlines()[2] == quoted.strip()

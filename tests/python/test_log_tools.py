@@ -8,9 +8,9 @@ import time
 
 import pytest
 from conftest import record
-from damaged_logs import changed, cut, damaged, damaged_at, foreign, newer, plain_text, steered, tick_chunks, timings_chunk, without_chunk, without_ticks
+from damaged_logs import attachment_place, changed, cut, cut_at, damaged, damaged_at, foreign, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
 from live_page import Served
-from log_file import OPERATOR, OPERATOR_TOLD, messages
+from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from mcap.reader import make_reader
 from program import complaint, surefoot
 
@@ -179,10 +179,33 @@ def test_verify_counts_the_ticks_behind_a_gap(log, tmp_path, number):
     assert f"({gap['ticks_behind']} ticks from then on)" in answer("replay", file, "--verify", status=4)
 
 
-def test_verify_says_same_where_only_timings_are_lost(log, tmp_path):
-    file = damaged_at(log, tmp_path, timings_chunk(log))
-    found = of_json("replay", file, "--verify")
-    assert found["same"] and found["ticks"] == 800 and "at byte" in found["problem"]
+def test_verify_says_of_a_log_that_is_not_whole_but_has_all_ticks_that_all_are_the_same(log, tmp_path):
+    for file, words in {
+        damaged_at(log, tmp_path, timings_chunk(log)): "at byte",
+        cut_at(log, tmp_path, log.stat().st_size - 1): "only the index of the file is lost",
+        cut_at(log, tmp_path, attachment_place(log, "summary.json")): "what came behind it is lost",
+    }.items():
+        found = of_json("replay", file, "--verify", status=4)
+        assert found["same"] is True and found["all_compared"] and found["ticks"] == 800 and words in found["problem"], file
+        text = answer("replay", file, "--verify", status=4)
+        assert "every torque is the same to the bit.\nAll of its ticks were compared.\nThe log is not whole: " in text
+        assert text.count(str(file)) == 1, "a file is named once"
+
+
+def test_a_clock_that_begins_late_or_skips_in_a_whole_log_is_told_and_nothing_is_called_lost(log, tmp_path):
+    file = without_calls(log, tmp_path, 0, 400)
+    found = of_json("info", file)
+    assert found["whole"] and "lost" not in found and found["ticks"] == 799
+    assert found["clock"] == {"begin": 0, "skips": 1, "first_skip": pytest.approx([0.9975, 1.0025])}
+    words = "The clock goes from 0.9975 s to 1.0025 s without a tick between: nothing is lost there, the controller was not called."
+    assert words in answer("info", file)
+    assert "where the clock skips: the controller was not called" in complaint("explain", file, "--at", 1)
+    # The run's own controller was called there, so that it gives other torques behind it; all of them are compared.
+    result = surefoot("replay", file, "--verify")
+    assert result.returncode in (0, 1) and words in result.stdout and "799 ticks" in result.stdout and "not compared" not in result.stdout
+    late = of_json("info", without_calls(log, tmp_path, 200, -1))
+    assert late["whole"] and late["clock"] == {"begin": 0.5, "skips": 0}
+    assert "The clock begins at 0.5000 s; nothing before it is lost." in answer("info", tmp_path / "skips.mcap")
 
 
 def test_replay_says_in_the_terminal_what_its_log_lacks(log, tmp_path):
@@ -238,11 +261,24 @@ def test_no_damage_ends_a_command_otherwise_than_with_an_answer_or_one_line(log,
     assert result.returncode != 2 or len(result.stderr.strip().splitlines()) == 1
 
 
+@pytest.mark.parametrize("command", [("info",), ("explain", "--at", 0), ("replay", "--verify"), ("report", "--out", "page")])
+def test_a_damaged_header_is_told_in_words_with_what_can_still_be_done(log, tmp_path, command):
+    """The header as a whole, which has a checksum, and one that was made without."""
+    other = written(tmp_path / "other.mcap", {"header.json": attachment(log, "header.json")[:-50]})
+    for file, words in {
+        damaged_at(log, tmp_path, attachment_place(log, "header.json") + 200): "the checksum of the attachment header.json is wrong at byte",
+        other: "its header.json, which says what run it is, is damaged at its byte",
+    }.items():
+        line = complaint(command[0], file, *command[1:], cwd=tmp_path)
+        assert line.count(str(file)) == 1 and words in line and "can be read by other readers of MCAP" in line
+        assert "exception" not in line and "parse" not in line
+
+
 @pytest.mark.parametrize("command", [("explain", "--at", 0), ("replay",), ("replay", "--verify"), ("report", "--out", "page")])
 def test_of_a_log_that_is_cut_off_before_its_first_tick_that_is_said(log, tmp_path, command):
     file = cut(log, tmp_path, 0.01)
     line = complaint(command[0], file, *command[1:], cwd=tmp_path)
-    assert str(file) in line and "cut off" in line
+    assert line.count(str(file)) == 1 and "cut off" in line
 
 
 def test_verify_says_that_every_torque_is_the_same(log):
@@ -325,3 +361,12 @@ def test_verify_runs_the_runs_own_estimator_again(tmp_path):
     found = of_json("replay", changed(file, tmp_path, "/readings", 100, push), "--verify", status=1)
     assert found["first"]["tick"] in (100, 101) and found["different_ticks"] > 100
     assert found["different_messages"]["/state"]["first"] <= found["first"]["time"]
+
+
+def test_a_report_of_a_log_that_lacks_its_index_shows_all_of_the_run_and_says_what_is_lost(log, tmp_path):
+    file = cut_at(log, tmp_path, log.stat().st_size - 1)
+    assert surefoot("report", file, "--out", tmp_path / "page").returncode == 0
+    (page,) = (tmp_path / "page").glob("*.html")
+    text = page.read_text()
+    assert "only the index of the file is lost. This shows what could be read of it, to 2 s." in text
+    assert str(tmp_path) not in text

@@ -171,6 +171,33 @@ TEST(FrictionCone, agrees_with_a_direct_check_of_the_contact_forces) {
   EXPECT_GT(outside, 50);
 }
 
+TEST(FrictionCone, says_what_share_of_the_pyramid_that_it_writes_a_force_uses) {
+  Scene scene;
+  Random random(30);
+  for (const auto pyramid : {FrictionCone::Pyramid::inner, FrictionCone::Pyramid::outer}) {
+    for (const auto axes : {FrictionCone::Axes::control, FrictionCone::Axes::gravity}) {
+      const FrictionCone task({.pyramid = pyramid, .axes = axes});
+      for (const double lean : {0.0, 0.1, 0.3, 0.6}) {  // the last more than friction bears
+        scene.plan.R_WC = Eigen::AngleAxisd(lean, Vec3(0.6, -0.8, 0.0)) *
+                          rotation_about_z(random.uniform(-3.0, 3.0));
+        for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.1, 0.8);
+        const TaskInput input =
+            scene.update(random.standing_state(scene.model.description().q_nominal));
+        const WrittenRows rows = written(task, input);
+        const VecX x = forward_dynamics(input, random_torque(random));
+        const VecX beyond = rows.A * x - rows.upper;
+        for (const Leg leg : kLegs) {
+          const Vec3 force = scene.support.force(leg, x);
+          const FrictionPyramid holds = task.pyramid(scene.plan, leg);
+          const double reach = holds.mu * holds.normal().dot(force);
+          const auto first = FrictionCone::kRowsPerLeg * static_cast<Eigen::Index>(leg);
+          EXPECT_NEAR((holds.use(force) - 1.0) * reach, beyond.segment<4>(first).maxCoeff(), 1e-6);
+        }
+      }
+    }
+  }
+}
+
 /// A pyramid about a normal that leans by `lean`, with friction μ under each foot.
 WrittenRows leaning_pyramids(Scene& scene, double lean, double mu) {
   scene.plan = plan_with_contacts(all_contact_sets().back());

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "surefoot/logging/tick_clock.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace surefoot {
+
+/// Sentences, each on a line, on a clock that does not begin at 0 or skips; empty where it does
+/// neither.
+[[nodiscard]] std::string clock_text(const ClockSkips& clock);
+
+/// The same as the member "clock"; nothing where the text is empty.
+void add_clock(const ClockSkips& clock, nlohmann::ordered_json& json);
+
+}  // namespace surefoot

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "surefoot/control/stack_options.hpp"
+#include "surefoot/logging/log_header.hpp"
+#include "surefoot/logging/message_fields.hpp"
+#include "surefoot/signals/tick_record.hpp"
+#include "surefoot/tasks/friction_cone.hpp"
+
+#include <optional>
+
+namespace surefoot {
+
+/// The forces that a tick's solution asks of the feet, against the pyramids that held them; NaN of
+/// feet that don't carry.
+struct CommandedForces {
+  PerLeg<double> normal{kNaN, kNaN, kNaN, kNaN};        ///< along the pyramid's axis [N]
+  PerLeg<double> friction_use{kNaN, kNaN, kNaN, kNaN};  ///< 1: a face of the pyramid is active
+};
+
+/// The task that holds the forces of a stack; nothing where it has none, or one that this program
+/// does not know.
+[[nodiscard]] std::optional<FrictionCone> friction_cone_of(const StackOptions& stack);
+/// The same of the stack that a log has attached. Its choices can't be changed in a run.
+[[nodiscard]] std::optional<FrictionCone> friction_cone_of(const LogHeader& header);
+
+/// Where the cone is not known, forces are those along the terrain's normal, and friction is NaN.
+[[nodiscard]] CommandedForces commanded_forces(const std::optional<FrictionCone>& cone,
+                                               const TickRecord& tick);
+
+namespace logged {
+
+template <typename Archive, Is<CommandedForces> T>
+void fields(Archive& field, T& forces) {
+  field("normal_force", forces.normal,
+        "of the solution's force on a foot, along its friction pyramid's axis [N]");
+  field("friction_use", forces.friction_use,
+        "share of its friction pyramid that the solution's force on a foot uses; 1: at a face");
+}
+
+}  // namespace logged
+}  // namespace surefoot

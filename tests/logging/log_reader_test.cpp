@@ -1,0 +1,189 @@
+#include "surefoot/logging/log_reader.hpp"
+
+#include "surefoot/logging/mcap_chunks.hpp"
+#include "surefoot/logging/mcap_writer.hpp"
+#include "tests/logging/recorded_run.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::contents;
+using test::expect_same;
+using test::message_of;
+using test::record;
+using test::SyntheticRun;
+using test::TemporaryFolder;
+using test::ticks_in;
+using test::write_file;
+
+TEST(LogReader, ALogThatWasNotClosedIsReadableUnderItsPartialName) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  {
+    Recorder recorder(path, SyntheticRun::header());
+    SyntheticRun run;
+    for (int i = 0; i < 40; ++i) {
+      run.step();
+      recorder.record(run.tick);
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  LogReader log(path + ".partial");
+  EXPECT_EQ(ticks_in(log), 40);
+}
+
+TEST(LogReader, ALogCutOffInTheMiddleGivesTheTicksOfItsWholeChunks) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 1200);
+  const std::string whole = contents(folder / "run.mcap");
+  int before = -1;
+  std::set<int> counts;
+  for (std::size_t tenth = 2; tenth <= 10; ++tenth) {
+    write_file(folder / "cut.mcap", whole.substr(0, whole.size() * tenth / 10));
+    LogReader log(folder / "cut.mcap");
+    const int ticks = ticks_in(log);
+    EXPECT_GE(ticks, before);
+    before = ticks;
+    counts.insert(ticks);
+  }
+  EXPECT_EQ(before, 1200);
+  EXPECT_GT(counts.size(), 3u);
+}
+
+TEST(LogReader, OfADamagedLogAllTicksAreReadThatStandWholeInOtherChunks) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> recorded = record(folder / "run.mcap", 1200);
+  const std::string whole = contents(folder / "run.mcap");
+  const auto chunks = McapChunks(folder / "run.mcap").chunks();
+  ASSERT_GT(chunks.size(), 5u);
+  for (const McapChunk& chunk : chunks) {
+    std::string bytes = whole;
+    bytes.at(chunk.offset + chunk.size / 2) ^= '\x40';
+    write_file(folder / "damaged.mcap", bytes);
+    LogReader log(folder / "damaged.mcap");
+    TickRecord tick;
+    std::size_t ticks = 0, gaps = 0, place = 0;
+    for (; log.next(tick); ++ticks) {
+      while (place < recorded.size() && recorded[place].reading.time < tick.reading.time) ++place;
+      ASSERT_LT(place, recorded.size());
+      expect_same(recorded[place], tick);
+      gaps += log.follows() ? 0 : 1;
+    }
+    const bool has_ticks = &chunk < &chunks.back() && log.timings().size() == recorded.size();
+    EXPECT_EQ(ticks < recorded.size(), has_ticks);
+    EXPECT_EQ(gaps + (log.may_go_on() ? 1 : 0), has_ticks ? 1u : 0u);
+    EXPECT_FALSE(log.complete());
+    EXPECT_EQ(log.summary(), R"({"metrics":{}})");
+  }
+}
+
+/// A run whose controller was first called late, and once not at all.
+void record_with_skips(const std::string& path) {
+  Recorder recorder(path, SyntheticRun::header());
+  SyntheticRun run(3);
+  for (int i = 0; i < 1500; ++i) {
+    run.step();
+    if (i < 200 || i == 700) continue;
+    recorder.record(run.tick);
+    recorder.record(run.timing);
+  }
+  recorder.close();
+}
+
+TEST(LogReader, NothingIsLostWhereTheClockOfAWholeLogSkips) {
+  const TemporaryFolder folder;
+  record_with_skips(folder / "run.mcap");
+  LogReader log(folder / "run.mcap");
+  TickRecord tick;
+  int ticks = 0;
+  for (; log.next(tick); ++ticks) ASSERT_TRUE(log.follows()) << tick.reading.time;
+  EXPECT_EQ(ticks, 1299);
+  EXPECT_FALSE(log.may_go_on());
+  EXPECT_NEAR(log.clock_skips().begin, 0.5, 1e-9);
+  EXPECT_EQ(log.clock_skips().count, 1u);
+  EXPECT_NEAR(log.clock_skips().from, 699 * SyntheticRun::kPeriod, 1e-9);
+  EXPECT_NEAR(log.clock_skips().to, 701 * SyntheticRun::kPeriod, 1e-9);
+}
+
+TEST(LogReader, WhatIsLostIsToldFromAClockThatSkips) {
+  const TemporaryFolder folder;
+  record_with_skips(folder / "run.mcap");
+  const auto chunks = McapChunks(folder / "run.mcap").chunks();
+  const auto holds_the_skip = [](const McapChunk& chunk) {
+    return chunk.first_time < 1'750'000'000 && chunk.last_time > 1'750'000'000;
+  };
+  const auto lost = std::ranges::find_if_not(chunks.begin() + 1, chunks.end(), holds_the_skip);
+  std::string bytes = contents(folder / "run.mcap");
+  bytes.at(lost->offset + lost->size / 2) ^= '\x40';
+  write_file(folder / "run.mcap", bytes);
+  LogReader log(folder / "run.mcap");
+  TickRecord tick;
+  int gaps = 0;
+  while (log.next(tick)) gaps += log.follows() ? 0 : 1;
+  EXPECT_EQ(gaps, 1);
+  EXPECT_EQ(log.clock_skips().count, 1u);
+}
+
+/// What is said of a log with this header.
+std::string refusal_of(const std::string& header) {
+  const TemporaryFolder folder;
+  {
+    McapWriter writer(folder / "run.mcap");
+    writer.attach("header.json", "application/json", header);
+    writer.close();
+  }
+  return message_of([&] { LogReader log(folder / "run.mcap"); });
+}
+
+TEST(LogReader, ADamagedHeaderIsToldInWordsWithWhatCanStillBeDone) {
+  const std::string whole = to_json(SyntheticRun::header());
+  EXPECT_EQ(refusal_of(whole), "");
+  const std::string cut = refusal_of(whole.substr(0, 300));
+  EXPECT_NE(cut.find("run.mcap: its header.json, which says what run it is, is damaged at its byte "
+                     "301 of 300; the messages in it can be read by other readers"),
+            std::string::npos)
+      << cut;
+  for (const std::string name : {"seed", "joint_names", "level_names", "limb"}) {
+    std::string other = whole;
+    const std::size_t place = other.find("\"" + name + "\"");
+    ASSERT_NE(place, std::string::npos);
+    other[place + 1] = '#';
+    const std::string told = refusal_of(other);
+    EXPECT_NE(told.find("lacks " + name + ", or has something else"), std::string::npos) << told;
+    EXPECT_EQ(told.find("exception"), std::string::npos) << told;
+  }
+}
+
+TEST(LogReader, AnMcapFileOfSomebodyElseIsRefused) {
+  const TemporaryFolder folder;
+  {
+    McapWriter writer(folder / "other.mcap");
+    writer.close();
+  }
+  const std::string message = message_of([&] { LogReader log(folder / "other.mcap"); });
+  EXPECT_NE(message.find("does not begin with a header of surefoot"), std::string::npos) << message;
+}
+
+TEST(LogReader, AnotherVersionIsRefusedWithBothNumbers) {
+  const TemporaryFolder folder;
+  {
+    McapWriter writer(folder / "new.mcap");
+    writer.attach("header.json", "application/json", R"({"log_version":"3.0"})");
+    writer.close();
+  }
+  const std::string message = message_of([&] { LogReader log(folder / "new.mcap"); });
+  EXPECT_NE(message.find("3.0"), std::string::npos) << message;
+  EXPECT_NE(message.find(std::string(kLogVersion)), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace surefoot
