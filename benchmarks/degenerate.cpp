@@ -11,6 +11,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
+#include "tests/solver/guess.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <algorithm>
@@ -24,7 +25,6 @@ namespace surefoot {
 namespace {
 
 using test::HierarchyData;
-using test::LevelData;
 using test::RandomMatrices;
 using Histogram = std::map<int, long>;
 
@@ -43,19 +43,6 @@ HierarchyData degenerate(RandomMatrices& random, Eigen::Index unknowns) {
                                                       .integer_share = random.uniform(0.5, 1.0)});
   levels.push_back(test::equalities(Eigen::MatrixXd::Identity(unknowns, unknowns),
                                     3.0 * random.vector(unknowns)));
-  return levels;
-}
-
-/// Rows of zeros that are violated on a random side: solved, they leave a random guess.
-HierarchyData guess(RandomMatrices& random, HierarchyData levels) {
-  for (LevelData& level : levels) {
-    level.A.setZero();
-    for (Eigen::Index i = 0; i < level.lower.size(); ++i) {
-      const int side = random.integer(-1, 1);
-      level.lower[i] = side < 0 ? 1.0 : -2.0;
-      level.upper[i] = side > 0 ? -1.0 : 2.0;
-    }
-  }
   return levels;
 }
 
@@ -78,7 +65,8 @@ class Trial {
     ++cascade_[iterations(cascade.solution())];
     check(seed, "cold", hierarchy, solver.solve(hierarchy));
     ++cold_[solver.num_sweeps()];
-    (void)solver.solve(test::make_hierarchy(unknowns, guess(random, levels)));
+    const auto any_side = [&](std::size_t, Eigen::Index) { return random.integer(-1, 1); };
+    (void)solver.solve(test::make_hierarchy(unknowns, test::guess(levels, any_side)));
     check(seed, "random guess", hierarchy, solver.solve(hierarchy));
     ++warm_[solver.num_sweeps()];
     const double distance = (solver.solution().x - cascade.solution().x).norm();

@@ -1,6 +1,6 @@
 #include "surefoot/solver/active_set_search.hpp"
 
-#include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>

@@ -24,6 +24,9 @@ class ActiveSetSearch {
   /// Whether s, swept over the levels [first, num_levels), is optimal; `s.value` must be valid.
   [[nodiscard]] bool is_optimal(Sweep& s, const SweepKernels& kernels, int first);
 
+  /// ‖x‖ of the last `is_optimal`.
+  [[nodiscard]] double x_size() const { return size_; }
+
   /// Whether the last `is_optimal` asked what the length of y pulls at.
   [[nodiscard]] bool has_judged_norm() const { return has_judged_norm_; }
 

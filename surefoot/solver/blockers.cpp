@@ -1,10 +1,12 @@
 #include "surefoot/solver/blockers.hpp"
 
+#include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace surefoot {
@@ -18,14 +20,6 @@ constexpr double kSmall = 1e-9;
 constexpr double kRank = 1e-8;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-Index most_rows(const Hierarchy& capacity) {
-  Index rows = 0;
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
-    rows = std::max(rows, capacity.level(k).max_rows());
-  }
-  return rows;
-}
 
 double violation(const Sweep& s, int row) {
   return signed_violation(s.value[row], s.lower[row], s.upper[row]);
@@ -46,17 +40,36 @@ bool has_square_level(const Sweep& s, int num_columns) {
   return false;
 }
 
+struct LevelRange {
+  int begin, end;
+};
+
+/// Does another row of these levels, which takes no part but is at its bound, forbid to move this
+/// one further to this side? It is the same but for its length.
+bool has_twin(const Sweep& s, int row, int side, LevelRange levels) {
+  const Eigen::Map<const Eigen::VectorXd> a(s.a[row], s.unknowns);
+  for (int i = s.level_begin[levels.begin]; i < s.level_begin[levels.end]; ++i) {
+    if (s.side[i] != 0 || std::abs(s.state[i]) != 1) continue;
+    const Eigen::Map<const Eigen::VectorXd> other(s.a[i], s.unknowns);
+    const double ratio = a.dot(other) / (s.scale[row] * s.scale[row]);
+    if (s.state[i] * side * ratio <= 0.0) continue;
+    if ((other - ratio * a).norm() <= kRank * s.scale[i]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 BlockerSearch::BlockerSearch(const Hierarchy& capacity)
     : levels_(capacity.num_levels()),
-      violation_(most_rows(capacity)),
+      violation_(max_rows_of_a_level(capacity)),
       gradient_(capacity.unknowns()),
       force_(capacity.unknowns()),
       direction_(capacity.unknowns()),
-      motion_(most_rows(capacity)),
-      basis_(most_rows(capacity), std::min(most_rows(capacity), capacity.unknowns())) {
-  rows_.reserve(at(most_rows(capacity)));
+      motion_(max_rows_of_a_level(capacity)),
+      basis_(max_rows_of_a_level(capacity),
+             std::min(max_rows_of_a_level(capacity), capacity.unknowns())) {
+  rows_.reserve(at(max_rows_of_a_level(capacity)));
 }
 
 void BlockerSearch::forget() {
@@ -71,10 +84,8 @@ void BlockerSearch::find(Sweep& s, const SweepKernels& kernels, int first,
   s_ = &s;
   kernels_ = &kernels;
   search_ = &search;
+  size_ = search.x_size();
   first_ = first;
-  size_ = 0.0;
-  for (int i = 0; i < s.unknowns; ++i) size_ += s.x[i] * s.x[i];
-  size_ = std::sqrt(size_);
   forget();
   turn_missed_rows();
   for (int k = 0; k < s.num_levels; ++k) {
@@ -89,10 +100,7 @@ void BlockerSearch::find(Sweep& s, const SweepKernels& kernels, int first,
 void BlockerSearch::turn_missed_rows() {
   Sweep& s = *s_;
   for (int row = s.level_begin[first_]; row < s.num_rows; ++row) {
-    if (s.side[row] != 0 ||
-        std::abs(violation(s, row)) <= tolerance::kViolated * s.scale[row] * size_) {
-      continue;
-    }
+    if (s.side[row] != 0 || !is_violated(row)) continue;
     if (s.is_identity() || s.base_value[row] == std::numeric_limits<double>::infinity()) {
       kernels_->project(s, &row, 1);
     }
@@ -100,6 +108,10 @@ void BlockerSearch::turn_missed_rows() {
     std::copy_n(s.base + static_cast<std::ptrdiff_t>(row) * s.stride, s.stride, to);
     turn(to);
   }
+}
+
+bool BlockerSearch::is_violated(int row) const {
+  return std::abs(violation(*s_, row)) > tolerance::kViolated * s_->scale[row] * size_;
 }
 
 // row ← row Q.
@@ -121,10 +133,8 @@ void BlockerSearch::collect(int level) {
   is_missed_ = false;
   row_size_ = force_noise_ = 0.0;
   for (int row = s.level_begin[level]; row < s.level_begin[level + 1]; ++row) {
-    const double by = violation(s, row);
-    const bool is_violated = std::abs(by) > tolerance::kViolated * s.scale[row] * size_;
-    if (is_violated || s.lower[row] == s.upper[row]) add_row(row, by);
-    is_missed_ = is_missed_ || is_violated;
+    if (is_violated(row) || s.lower[row] == s.upper[row]) add_row(row, violation(s, row));
+    is_missed_ = is_missed_ || is_violated(row);
   }
 }
 
@@ -148,7 +158,8 @@ void BlockerSearch::explain(int level) {
     const int* next_level = std::upper_bound(s.level_begin, s.level_begin + s.num_levels, row);
     const auto by = static_cast<std::size_t>(next_level - s.level_begin - 1);
     Blocker blocker{{by, row - s.level_begin[by]}, std::abs(force_[column]), 0.0};
-    if (set_direction(column, num_columns)) {
+    const int side = force_[column] > 0.0 ? 1 : -1;
+    if (set_direction(column, num_columns) && !has_twin(s, row, side, {first_, level})) {
       project_motion();
       if (can_move()) blocker.cost = cost();
     }
@@ -226,9 +237,7 @@ bool BlockerSearch::is_held_by_others(int num_columns) const {
       if (!has_column && is_fixed(s.order[i]) && holds(s.order[i])) return true;
     }
     for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {
-      const bool is_left_out = s.side[row] == 0 && std::abs(violation(s, row)) >
-                                                       tolerance::kViolated * s.scale[row] * size_;
-      if (is_left_out && holds(row)) return true;
+      if (s.side[row] == 0 && is_violated(row) && holds(row)) return true;
     }
   }
   return false;

@@ -66,6 +66,7 @@ class BlockerSearch {
   void set_forces(int num_columns);
   void set_free_directions(int num_columns);
   bool set_direction(int column, int num_columns);
+  [[nodiscard]] bool is_violated(int row) const;
   [[nodiscard]] bool is_held_by_others(int num_columns) const;
   [[nodiscard]] bool is_fixed(int row) const;
   void project_motion();

@@ -1,5 +1,6 @@
 #include "surefoot/solver/cascade_solver.hpp"
 
+#include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/denormals.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
@@ -18,20 +19,14 @@ using Index = Eigen::Index;
 CascadeSolver::CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options)
     : options_(options),
       tableau_(capacity.unknowns(), max_rows(capacity)),
-      level_solver_(capacity.unknowns(), max_rows(capacity)) {
-  solution_.x = Eigen::VectorXd::Zero(capacity.unknowns());
-  solution_.levels.resize(capacity.num_levels());
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
-    const auto rows = static_cast<std::size_t>(capacity.level(k).max_rows());
-    solution_.levels[k].rows.assign(rows, RowState::inactive);
-  }
-}
+      level_solver_(capacity.unknowns(), max_rows(capacity)),
+      solution_(empty_solution(capacity)) {}
 
 const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
   const FlushDenormals flush_denormals;
   const double begin = now();
-  if (!is_valid(hierarchy)) {
-    reject(hierarchy);
+  if (!fits(hierarchy, solution_) || first_unsound_level(hierarchy) >= 0) {
+    reject(hierarchy, solution_);
     return solution_;
   }
   solution_.status = SolveStatus::optimal;
@@ -62,29 +57,11 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
   clear_levels(solution_, hierarchy.num_levels());
   const bool is_in_range = std::isfinite(tableau_.x_size);
   if (!is_in_range || !is_finite(solution_, hierarchy.num_levels())) {
-    reject(hierarchy);
+    reject(hierarchy, solution_);
     return solution_;
   }
   solution_.time = now() - begin;
   return solution_;
-}
-
-bool CascadeSolver::is_valid(const Hierarchy& hierarchy) const {
-  if (hierarchy.unknowns() != tableau_.unknowns) return false;
-  if (hierarchy.num_levels() > solution_.levels.size()) return false;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const auto rows = static_cast<std::size_t>(hierarchy.level(k).num_rows());
-    if (rows > solution_.levels[k].rows.size() || !is_sound(hierarchy.level(k))) return false;
-  }
-  return true;
-}
-
-void CascadeSolver::reject(const Hierarchy& hierarchy) {
-  solution_.status = SolveStatus::invalid_input;
-  solution_.failed_level = first_unsound_level(hierarchy);
-  solution_.time = 0.0;
-  solution_.x.setZero();
-  clear_levels(solution_, 0);
 }
 
 int CascadeSolver::max_iterations() const {

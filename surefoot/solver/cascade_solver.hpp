@@ -39,8 +39,6 @@ class CascadeSolver {
   [[nodiscard]] const Solution& solution() const { return solution_; }
 
  private:
-  [[nodiscard]] bool is_valid(const Hierarchy& hierarchy) const;
-  void reject(const Hierarchy& hierarchy);
   [[nodiscard]] double now() const { return options_.clock != nullptr ? options_.clock() : 0.0; }
   [[nodiscard]] int max_iterations() const;
   void describe(const Level& level, LevelResult& result) const;

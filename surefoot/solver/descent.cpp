@@ -1,6 +1,6 @@
 #include "surefoot/solver/descent.hpp"
 
-#include "surefoot/solver/row_states.hpp"
+#include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/sweep_memory.hpp"
 #include "surefoot/solver/tolerances.hpp"
 

@@ -1,10 +1,22 @@
 #include "surefoot/solver/hierarchy.hpp"
 
+#include "surefoot/base/error.hpp"
+
 #include <cassert>
 #include <functional>
 #include <utility>
 
 namespace surefoot {
+namespace {
+
+/// The size of a level, or Error.
+Eigen::Index checked(Eigen::Index size, const std::string& of, const std::string& level) {
+  if (size >= 0) return size;
+  throw Error("level \"" + level + "\" is made for " + std::to_string(size) + " " + of +
+              "; expected 0 or more");
+}
+
+}  // namespace
 
 void Rows::weigh(Eigen::Index i, double weight) {
   assert(weight > 0.0 && "a weight is positive");
@@ -20,7 +32,7 @@ void Rows::weigh(double weight) {
 Level::Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns)
     : name_(std::move(name)),
       name_hash_(std::hash<std::string>{}(name_)),
-      A_(RowMajor::Zero(max_rows, unknowns)),
+      A_(RowMajor::Zero(checked(max_rows, "rows", name_), checked(unknowns, "unknowns", name_))),
       lower_(Eigen::VectorXd::Zero(max_rows)),
       upper_(Eigen::VectorXd::Zero(max_rows)),
       ids_(static_cast<std::size_t>(max_rows), 0) {}

@@ -36,7 +36,7 @@ class Level {
  public:
   using RowMajor = Rows::RowMajor;
 
-  /// Capacity is fixed here; nothing allocates afterwards.
+  /// Capacity is fixed here; nothing allocates afterwards. Throws Error where a size is negative.
   Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns);
 
   void clear() {
@@ -88,7 +88,7 @@ class Hierarchy {
  public:
   explicit Hierarchy(Eigen::Index unknowns) : unknowns_(unknowns) {}
 
-  /// At set-up only: appends a level of fixed capacity and returns its index.
+  /// At set-up only: appends a level of fixed capacity, as Level does, and returns its index.
   std::size_t add_level(std::string name, Eigen::Index max_rows);
 
   [[nodiscard]] Eigen::Index unknowns() const { return unknowns_; }

@@ -1,32 +1,12 @@
 // Between the space of x and that of y: x = basis · (y, 1).
 
-/// Element i: Σ a[i][j] b[j], or with the row itself where there is no b. Vectors of any length.
-template <bool kWithItself>
+/// Element i: a[i] · b, of vectors that are padded.
 SUREFOOT_INLINE Pack products(const double* const* a, const double* b, int size) {
   Pack total[kPack] = {};
-  if (size < kPack) {
-    for (int i = 0; i < kPack; ++i) {
-      for (int j = 0; j < size; ++j) total[i][0] += a[i][j] * (kWithItself ? a[i][j] : b[j]);
-    }
-    return sums(total);
-  }
-  int j = 0;
-  for (; j + kPack <= size; j += kPack) {
-    const Pack other = kWithItself ? Pack{} : loose(b + j);
+  for (int j = 0; j < size; j += kPack) {
+    const Pack other = at(b + j);
 #pragma GCC unroll 8
-    for (int i = 0; i < kPack; ++i) {
-      const Pack here = loose(a[i] + j);
-      total[i] += here * (kWithItself ? here : other);
-    }
-  }
-  if (j == size) return sums(total);
-  // The rest again ends where the vectors end; what has been counted is left out.
-  const int last = size - kPack;
-  const Pack other = kWithItself ? Pack{} : loose(b + last);
-#pragma GCC unroll 8
-  for (int i = 0; i < kPack; ++i) {
-    const Pack here = loose(a[i] + last);
-    total[i] += from(here * (kWithItself ? here : other), j - last);
+    for (int i = 0; i < kPack; ++i) total[i] += at(a[i] + j) * other;
   }
   return sums(total);
 }
@@ -263,6 +243,6 @@ void recover(Sweep& s) {
     for (int k = 0; k < kPack; ++k) {
       list[k] = s.basis + (long)(i + k < s.unknowns ? i + k : s.unknowns - 1) * s.stride;
     }
-    at(s.x + i) = products<false>(list, s.y, s.stride);
+    at(s.x + i) = products(list, s.y, s.stride);
   }
 }

@@ -34,28 +34,23 @@ SUREFOOT_INLINE Pack sum(Pack p) {
 #endif
 }
 
+/// The place of each element.
+#if SUREFOOT_PACK == 8
+constexpr Bits kPlaces = {0, 1, 2, 3, 4, 5, 6, 7};
+#elif SUREFOOT_PACK == 4
+constexpr Bits kPlaces = {0, 1, 2, 3};
+#else
+constexpr Bits kPlaces = {0, 1};
+#endif
+
 /// Keeps the elements from position `first` on.
 SUREFOOT_INLINE Pack from(Pack p, int first) {
-#if SUREFOOT_PACK == 8
-  const Bits position = {0, 1, 2, 3, 4, 5, 6, 7};
-#elif SUREFOOT_PACK == 4
-  const Bits position = {0, 1, 2, 3};
-#else
-  const Bits position = {0, 1};
-#endif
-  return (Pack)((Bits)p & (Bits)(position >= (long long)first));
+  return (Pack)((Bits)p & (Bits)(kPlaces >= (long long)first));
 }
 
 /// p with the element at `place` replaced.
 SUREFOOT_INLINE Pack with(Pack p, int place, double element) {
-#if SUREFOOT_PACK == 8
-  const Bits position = {0, 1, 2, 3, 4, 5, 6, 7};
-#elif SUREFOOT_PACK == 4
-  const Bits position = {0, 1, 2, 3};
-#else
-  const Bits position = {0, 1};
-#endif
-  return position == (long long)place ? Pack{} + element : p;
+  return kPlaces == (long long)place ? Pack{} + element : p;
 }
 
 /// Element i is the sum of p[i], for as many packs as a pack has elements.

@@ -10,16 +10,7 @@ SUREFOOT_INLINE void write_sides(signed char* p, Bits sides) {
 }
 
 /// All ones for the rows from `row` on that there are.
-SUREFOOT_INLINE Bits are_rows(int row, int end) {
-#if SUREFOOT_PACK == 8
-  const Bits position = {0, 1, 2, 3, 4, 5, 6, 7};
-#elif SUREFOOT_PACK == 4
-  const Bits position = {0, 1, 2, 3};
-#else
-  const Bits position = {0, 1};
-#endif
-  return (Bits)(position < (long long)(end - row));
-}
+SUREFOOT_INLINE Bits are_rows(int row, int end) { return (Bits)(kPlaces < (long long)(end - row)); }
 
 SUREFOOT_INLINE bool any(Bits bits) {
   long long all = 0;

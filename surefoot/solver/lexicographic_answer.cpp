@@ -29,6 +29,29 @@ signed char side_of(RowState state) {
 
 }  // namespace
 
+void LexicographicSolver::take(Outcome outcome, const Hierarchy& hierarchy) {
+  solution_.status = SolveStatus::optimal;
+  solution_.failed_level = -1;
+  switch (outcome) {
+    case Outcome::optimal:
+      return take_from_sweep(hierarchy);
+    case Outcome::out_of_budget:
+      take_kept_point();
+      return describe(hierarchy);
+    case Outcome::stuck:
+      take_from_cascade(hierarchy);
+      if (solution_.status == SolveStatus::optimal && polish()) take_from_sweep(hierarchy);
+      num_sweeps_ = options_.max_sweeps + 1;
+  }
+}
+
+// The last sweep has found the optimum.
+void LexicographicSolver::take_from_sweep(const Hierarchy& hierarchy) {
+  describe(hierarchy);
+  count_freedom();
+  is_swept_ = true;
+}
+
 // The end of a budget. The levels before that of the point are finished.
 void LexicographicSolver::take_kept_point() {
   Sweep& s = memory_.sweep;

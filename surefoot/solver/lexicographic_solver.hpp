@@ -19,41 +19,73 @@ struct LexicographicOptions {
   int max_sweeps = 8;      ///< before the cascade takes over; 0: always the cascade, which has no
                            ///< budget: where one is set 0 means 8
   int max_iterations = 0;  ///< of the cascade in a level; 0: its default
-  SolveBudget budget{};    ///< see LexicographicSolver
+  SolveBudget budget{};    ///< what a solve may cost; without one it ends at the optimum
   /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
   const SweepKernels* kernels = nullptr;
-  /// Seconds of any steady clock. The solver has none of its own: what is computed must not depend
-  /// on one. Where one is given, Solution::time is measured with it.
+  /// Seconds of any steady clock, for `budget.seconds` and Solution::time. The solver has none of
+  /// its own: nothing else that it computes can depend on one.
   double (*clock)() = nullptr;
 };
 
-/// The lexicographic optimum of a hierarchy, in microseconds.
+/// Solves strict hierarchies, in microseconds: each level as well as possible, without disturbing
+/// any before it.
 ///
-/// A guess of the active inequality rows makes every level a set of equalities, solved by one
-/// orthogonal factorization from the top to the bottom (see Sweep). The result is checked against
-/// the optimality conditions of all levels: it is the optimum if every inactive row is satisfied
-/// and the first level that pulls at an active row pulls it against its bound. So a guess changes
-/// the time, never the answer. If the check fails the guess is improved (see ActiveSetSearch); if
-/// that doesn't end within `max_sweeps`, the cascade solves the hierarchy (CascadeSolver), whose
-/// number of iterations is bounded and whose result at the bound is safe.
+///     Hierarchy hierarchy(2);                            // two unknowns x, of any unit
+///     hierarchy.add_level("limits", 4);                  // highest priority first, with room for
+///     hierarchy.add_level("wishes", 1);                  // so many rows
+///     LexicographicSolver solver(hierarchy);             // takes all memory that it will need
+///     ...
+///     hierarchy.level(0).clear();                        // at each tick
+///     Rows limit = hierarchy.level(0).add(1, 7);         // one row, known by its id 7
+///     limit.A << 0.0, 1.0;
+///     limit.lower[0] = -10.0;
+///     limit.upper[0] = 10.0;                             // the wishes likewise, then
+///     const Solution& solution = solver.solve(hierarchy);
 ///
-/// Where the hierarchy leaves x open, the shortest x of all optima is returned.
+/// **The problem.** A *row* is lower ≤ a x ≤ upper: an equality where both bounds are the same,
+/// one-sided where one is infinite. By as much as a x is beyond its *bounds* the row is violated. A
+/// *level* has any number of rows and wants the least √Σ violation² of them, among all x with which
+/// no level before it gets worse. So rows that contradict each other are no error: the lower level
+/// gives way, and within a level they meet in their least squares. The length of a row is its
+/// weight in its level (Rows::weigh); between levels no weight counts.
 ///
-/// With a budget the cascade isn't asked, and the search may end within a level. Then the status is
-/// `iteration_cap`, the levels before `failed_level` are optimal, and x is feasible for them. All
-/// that is computed counts. The leading equalities are always solved; beyond them and its budget a
-/// solve costs at most what it had begun, one sweep or one step of the descent.
+/// **What comes back** is x, the shortest where the levels leave it open, and for each level its
+/// residual √Σ violation², the degrees of freedom left below it, and what each of its rows does
+/// (RowState). `status` says what it is worth:
 ///
-/// The last active rows are remembered by the name of their level and their id (Level::id), across
-/// contact switches and reordered levels. All memory is taken at construction; `solve` does not
-/// allocate, throw or lock. The same calls in the same order give the same bits on one machine.
+///     optimal          x is the optimum of all levels
+///     iteration_cap    ended early: levels before `failed_level` are at their optimum, x does not
+///                      disturb them; that level and those after it are not done
+///     invalid_input    NaN, lower > upper, a bound that can't be met (lower = ∞), more unknowns,
+///                      levels or rows than there is room for: x is zero
+///
+/// **Cold and warm.** The first solve knows nothing of which rows will be active (held at a bound,
+/// or violated). Each later one begins with those of the last, found again by the name of their
+/// level and their id, so that levels and rows may come, go and change places. A guess that is
+/// right is confirmed in one sweep over the levels; any other changes the time, never the answer,
+/// since what was found is checked against the optimality conditions of all levels.
+///
+/// **A budget** of flops (the same end on every machine) or seconds ends a solve early, with
+/// `iteration_cap`. Levels of equalities before the first inequality are solved in any case, and
+/// what has begun is finished: one sweep, or one step of the descent.
+///
+/// **Why did a level not get what it asked for?** `blockers` names the rows above that cost it
+/// most, fast enough for every tick; `explain` (explanation.hpp) says it exactly, afterwards. **Is
+/// it really the optimum?** `certify` (certificate.hpp) proves any x, without any solver's code.
+///
+/// `solve` does not allocate, throw or lock, and its number of steps is bounded by the sizes. The
+/// same calls in the same order give the same bits on one machine.
+///
+/// How: the guessed rows make every level a set of equalities, solved by one orthogonal
+/// factorization from the top to the bottom (Sweep). If the check fails the guess is improved
+/// (ActiveSetSearch, Descent); if that doesn't end within `max_sweeps` the cascade solves
+/// (CascadeSolver), but not under a budget. docs/solver.md has the theory.
 class LexicographicSolver {
  public:
-  /// Sizes come from `capacity`: unknowns, number of levels, and the levels' max_rows.
+  /// Takes the memory for as many unknowns, levels, and rows in them, as `capacity` has room for.
   explicit LexicographicSolver(const Hierarchy& capacity, const LexicographicOptions& options = {});
 
-  /// The reference stays valid until the next call. A hierarchy beyond the capacity, with NaN,
-  /// with lower > upper or with a bound that can't be met (lower = ∞) is `invalid_input`.
+  /// The reference stays valid until the next call.
   const Solution& solve(const Hierarchy& hierarchy) noexcept;
 
   /// The same x, sooner, where somebody has solved the first levels already. A substitution whose
@@ -88,26 +120,34 @@ class LexicographicSolver {
  private:
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
   void solve_untimed(const Hierarchy& hierarchy, const Substitution* substitution);
-  [[nodiscard]] bool fits(const Hierarchy& hierarchy) const;
-  [[nodiscard]] bool fits(const Substitution& substitution) const;
-  [[nodiscard]] bool measure_columns(const Substitution& substitution);
   [[nodiscard]] bool load(const Hierarchy& hierarchy);
+  void remember(const Hierarchy& hierarchy);
   void reject(const Hierarchy& hierarchy);
+
+  // lexicographic_basis.cpp
   void sweep_leading_equalities();
+  [[nodiscard]] bool can_use(const Substitution& substitution) const;
+  [[nodiscard]] bool measure_columns(const Substitution& substitution);
   void substitute(const Substitution& substitution);
   void make_basis_orthonormal();
   void forget_projections();
-  enum class Outcome { optimal, stuck, out_of_budget };
+  void project_rows(bool are_all);
 
+  // lexicographic_search.cpp
+  enum class Outcome { optimal, stuck, out_of_budget };
+  [[nodiscard]] Outcome find_optimum();
   [[nodiscard]] Outcome find_active_rows(bool may_descend);
+  void sweep();
   [[nodiscard]] bool begins_far_off();
   [[nodiscard]] Outcome descend();
-  void sweep();
-  void project_rows(bool are_all);
   void keep_point();
+  [[nodiscard]] bool polish();
+
+  // lexicographic_answer.cpp
+  void take(Outcome outcome, const Hierarchy& hierarchy);
+  void take_from_sweep(const Hierarchy& hierarchy);
   void take_kept_point();
   void take_from_cascade(const Hierarchy& hierarchy);
-  [[nodiscard]] bool polish();
   void describe(const Hierarchy& hierarchy);
   void count_freedom();
 

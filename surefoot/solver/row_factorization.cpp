@@ -141,27 +141,8 @@ void RowFactorization::solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& 
   }
   for (Index j = 0; j < rank_; ++j) column_order_[at(j)] = j;
   for (Index s = 0; s < rank_; ++s) {
+    pivot_trapezoid(s);
     const Index left = num_rows_ - s;
-    Index column = s;
-    double longest = -1.0;
-    for (Index j = s; j < rank_; ++j) {
-      const double length = G.col(j).tail(left).squaredNorm();
-      if (length > longest) {
-        longest = length;
-        column = j;
-      }
-    }
-    if (column != s) {
-      G.col(s).swap(G.col(column));
-      std::swap(column_order_[at(s)], column_order_[at(column)]);
-    }
-    Index row = s;
-    G.col(s).tail(left).cwiseAbs().maxCoeff(&row);
-    row += s;
-    if (row != s) {
-      G.row(s).swap(G.row(row));
-      std::swap(c[s], c[row]);
-    }
     auto v = G.col(s).tail(left);
     const Reflection reflection = make_reflection(v);
     for (Index j = s + 1; j < rank_; ++j) {
@@ -176,6 +157,30 @@ void RowFactorization::solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& 
     c[s] = G(s, s) != 0.0 ? sum / G(s, s) : 0.0;
   }
   for (Index s = 0; s < rank_; ++s) q_[column_order_[at(s)]] = c[s];
+}
+
+// The longest column comes to place s, and of its rows the longest element.
+void RowFactorization::pivot_trapezoid(Index s) {
+  auto G = G_.topLeftCorner(num_rows_, rank_);
+  const Index left = num_rows_ - s;
+  Index column = s;
+  double longest = -1.0;
+  for (Index j = s; j < rank_; ++j) {
+    const double length = G.col(j).tail(left).squaredNorm();
+    if (length > longest) {
+      longest = length;
+      column = j;
+    }
+  }
+  if (column != s) {
+    G.col(s).swap(G.col(column));
+    std::swap(column_order_[at(s)], column_order_[at(column)]);
+  }
+  Index row = 0;
+  G.col(s).tail(left).cwiseAbs().maxCoeff(&row);
+  if (row == 0) return;
+  G.row(s).swap(G.row(s + row));
+  std::swap(c_[s], c_[s + row]);
 }
 
 void RowFactorization::apply_on_the_right(Eigen::Ref<Eigen::MatrixXd> T,

@@ -48,6 +48,7 @@ class RowFactorization {
   void downdate_length(Eigen::Index step, Eigen::Index row);
   void solve_triangle(const Eigen::Ref<const Eigen::VectorXd>& r);
   void solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& r);
+  void pivot_trapezoid(Eigen::Index s);
 
   Eigen::Index num_rows_ = 0, num_columns_ = 0, rank_ = 0, num_fixed_ = 0;
   double smallest_pivot_ = 1.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace surefoot {
+
 RowMemory::RowMemory(const Hierarchy& capacity) : levels_(capacity.num_levels()) {
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const auto rows = static_cast<std::size_t>(capacity.level(k).max_rows());
@@ -43,7 +44,7 @@ void RowMemory::recall(std::size_t k, const Level& level, signed char* side) {
   std::fill(side, side + rows, static_cast<signed char>(0));
   if (last == nullptr) return;
   std::size_t next = 0;  // ids mostly come in the same order
-  for (std::size_t i = 0; i < rows && last->num_rows > 0; ++i) {
+  for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t tried = 0; tried < last->num_rows; ++tried) {
       const std::size_t candidate = next;
       next = next + 1 < last->num_rows ? next + 1 : 0;

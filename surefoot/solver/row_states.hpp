@@ -62,6 +62,15 @@ inline void clear_levels(Solution& solution, std::size_t first) {
   }
 }
 
+/// The answer where the input makes no sense, or the optimum is out of range.
+inline void reject(const Hierarchy& hierarchy, Solution& solution) {
+  solution.status = SolveStatus::invalid_input;
+  solution.failed_level = first_unsound_level(hierarchy);
+  solution.time = 0.0;
+  solution.x.setZero();
+  clear_levels(solution, 0);
+}
+
 /// What a row does where it has this value; `tolerance` is the smallest difference that counts.
 inline RowState state_of(double value, double lower, double upper, double tolerance) {
   const double above = value - upper, below = lower - value;
@@ -69,13 +78,6 @@ inline RowState state_of(double value, double lower, double upper, double tolera
   if (above >= -tolerance) return above > tolerance ? RowState::above_upper : RowState::at_upper;
   if (below >= -tolerance) return below > tolerance ? RowState::below_lower : RowState::at_lower;
   return RowState::inactive;
-}
-
-/// Rows that a hierarchy has room for.
-inline Eigen::Index max_rows(const Hierarchy& hierarchy) {
-  Eigen::Index rows = 0;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).max_rows();
-  return rows;
 }
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
 #include "surefoot/solver/soft_levels.hpp"
 
+#include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
@@ -15,17 +16,10 @@ constexpr double kTouching = 1e-9;
 
 }  // namespace
 
-SoftLevels::SoftLevels(const Hierarchy& capacity) : selected_(capacity) {
-  Index most_rows = 0;
-  solution_.x.setZero(capacity.unknowns());
-  solution_.levels.resize(capacity.num_levels());
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
-    const Index rows = capacity.level(k).max_rows();
-    solution_.levels[k].rows.resize(static_cast<std::size_t>(rows));
-    most_rows = std::max(most_rows, rows);
-  }
-  value_.setZero(most_rows);
-}
+SoftLevels::SoftLevels(const Hierarchy& capacity)
+    : selected_(capacity),
+      solution_(empty_solution(capacity)),
+      value_(Eigen::VectorXd::Zero(max_rows_of_a_level(capacity))) {}
 
 const Hierarchy& SoftLevels::select(const Hierarchy& hierarchy, const LevelSet& present) noexcept {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {

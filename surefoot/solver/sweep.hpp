@@ -134,6 +134,12 @@ struct SweepKernels {
   void (*balance_norm)(Sweep&, int last_column);
 };
 
+/// Additions and multiplications that make a triangle of so many rows, at most, with its least
+/// squares.
+constexpr double factorization_flops(int rows, int columns) {
+  return 4.0 * rows * columns * (rows < columns ? rows : columns);
+}
+
 /// The kernels for the fastest instruction set of this processor.
 [[nodiscard]] const SweepKernels& fastest_kernels();
 

@@ -1,5 +1,7 @@
 #include "surefoot/solver/sweep_memory.hpp"
 
+#include "surefoot/solver/capacity.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -53,9 +55,7 @@ std::size_t assign(Sweep& s, double* begin, std::size_t n, std::size_t rows) {
 SweepMemory::SweepMemory(const Hierarchy& capacity, std::size_t more_rows) {
   const auto n = static_cast<std::size_t>(capacity.unknowns());
   const std::size_t levels = capacity.num_levels() + 1;
-  std::size_t rows = more_rows;
-  for (std::size_t k = 0; k < capacity.num_levels(); ++k)
-    rows += static_cast<std::size_t>(capacity.level(k).max_rows());
+  const std::size_t rows = static_cast<std::size_t>(max_rows(capacity)) + more_rows;
 
   doubles_.assign(assign(sweep, nullptr, n, rows) + kAlignment, 0.0);
   const auto misplaced = reinterpret_cast<std::uintptr_t>(doubles_.data()) / sizeof(double);

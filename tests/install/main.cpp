@@ -1,5 +1,5 @@
 #include "surefoot/base/build_info.hpp"
-#include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/lexicographic_solver.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -21,7 +21,7 @@ int main() {
   wish.A.row(0) << 1.0, 0.0;
   wish.set_equal(0, 1.0);
 
-  surefoot::CascadeSolver solver(hierarchy);
+  surefoot::LexicographicSolver solver(hierarchy);
   const surefoot::Solution& solution = solver.solve(hierarchy);
   std::cout << "surefoot " << surefoot::build_info().version << ": x = " << solution.x.transpose()
             << ", missed by " << solution.levels[2].residual << '\n';

@@ -28,6 +28,7 @@ class Loop {
 
   [[nodiscard]] const GroundTruth& truth() const { return plant_.truth(); }
   [[nodiscard]] const TickRecord& record() const { return controller_.record(); }
+  [[nodiscard]] const Hierarchy& hierarchy() const { return controller_.hierarchy(); }
   [[nodiscard]] int steps_taken() const { return controller_.steps_taken(); }
   /// Calls to malloc and its kin in the controller's ticks so far, and in which tick the last was.
   [[nodiscard]] std::size_t allocations() const { return allocations_; }

@@ -97,8 +97,9 @@ TEST(Budget, WithNoTimeAtAllTheLeadingEqualitiesHold) {
   EXPECT_LE(residual(hierarchy.level(1), solution.x), kTolerance);
 }
 
-TEST(Budget, ALevelThatIsCutShortIsBetterThanBefore) {
-  // The level that was being solved has not become worse than where the level before had left it.
+TEST(Budget, ALevelThatIsCutShortLaterIsNoWorse) {
+  // More of a budget never makes the level worse that is being solved.
+  int num_compared = 0;
   for (int seed = 0; seed < 60; ++seed) {
     RandomMatrices random(static_cast<std::uint64_t>(seed));
     const HierarchyData levels = table_one_levels(random, 2 + seed % 3, 1.0);
@@ -110,13 +111,14 @@ TEST(Budget, ALevelThatIsCutShortIsBetterThanBefore) {
       const Solution& solution = solver.solve(hierarchy);
       if (solution.status == SolveStatus::optimal) break;
       const double now = solution.levels[static_cast<std::size_t>(solution.failed_level)].residual;
-      if (solution.failed_level == last_level) {
-        ASSERT_LE(now, last + kTolerance * (1.0 + last)) << "seed " << seed;
-      }
+      const bool is_same_level = solution.failed_level == last_level;
+      ASSERT_TRUE(!is_same_level || now <= last + kTolerance * (1.0 + last)) << "seed " << seed;
+      num_compared += is_same_level ? 1 : 0;
       last = now;
       last_level = solution.failed_level;
     }
   }
+  EXPECT_GT(num_compared, 100);
 }
 
 /// More than one sweep or one step costs: all rows, and the rows that tell where y is, through all

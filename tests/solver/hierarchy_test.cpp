@@ -1,9 +1,12 @@
 #include "surefoot/solver/hierarchy.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/solver/soft_levels.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace surefoot::test {
 namespace {
@@ -65,6 +68,29 @@ TYPED_TEST(LevelCapacity, ACopyOfALevelBeyondItIsInvalidToo) {
   LevelSet all;
   all.set();
   EXPECT_EQ(solver.solve(soft.select(hierarchy, all)).failed_level, 1);
+}
+
+TEST(Hierarchy, OfLessThanNothingIsRefused) {
+  EXPECT_THROW(Hierarchy(-1).add_level("wish", 2), Error);
+  Hierarchy hierarchy(3);
+  try {
+    hierarchy.add_level("wish", -2);
+    FAIL() << "no room for rows";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "level \"wish\" is made for -2 rows; expected 0 or more");
+  }
+  EXPECT_EQ(hierarchy.num_levels(), 0u);
+}
+
+TYPED_TEST(LevelCapacity, WithoutUnknownsEveryRowIsMissedByItsBound) {
+  Hierarchy hierarchy(0);
+  hierarchy.add_level("nothing to move", 2);
+  TypeParam solver(hierarchy);
+  fill(hierarchy.level(0).add(2, 0), 3.0);
+  const Solution& solution = solver.solve(hierarchy);
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_EQ(solution.x.size(), 0);
+  EXPECT_NEAR(solution.levels[0].residual, std::sqrt(18.0), 1e-15);
 }
 
 }  // namespace

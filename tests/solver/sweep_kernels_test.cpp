@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace surefoot::test {
 namespace {
@@ -13,9 +16,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-TEST(SweepKernels, TheFastestOfAllAreThoseThatAreUsed) {
-  ASSERT_GE(all_kernels().size(), 1u);
-  EXPECT_EQ(all_kernels().back(), &fastest_kernels());
+TEST(SweepKernels, TheWidestThatTheProcessorHasAreUsedUnlessOthersAreAskedFor) {
+  const std::vector<const SweepKernels*> all = all_kernels();
+  EXPECT_TRUE(std::ranges::is_sorted(all, std::less_equal{}, &SweepKernels::pack));
+  RandomMatrices random(3);
+  const Hierarchy hierarchy = make_hierarchy(30, table_one_levels(random, 3, 1.0));
+  const auto x = [&](const SweepKernels* kernels) -> VectorXd {
+    return LexicographicSolver(hierarchy, {.kernels = kernels}).solve(hierarchy).x;
+  };
+  EXPECT_EQ(x(nullptr), x(all.back()));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_NE(x(all[i]), x(all[i - 1])) << "sums in another order round otherwise";
+  }
 }
 
 /// Without a last resort: what the sweeps and the search of each instruction set find themselves.

@@ -1,0 +1,131 @@
+// How the active rows are found, by sweeps and the descent.
+#include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+/// Times that a guess is improved before the search starts without one.
+constexpr int kTries = 2;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+LexicographicSolver::Outcome LexicographicSolver::find_optimum() {
+  num_sweeps_ = num_descents_ = 0;
+  if (options_.max_sweeps <= 0) return Outcome::stuck;
+  const bool is_cold = !options_.warm_start || !has_guess_;
+  const bool is_far_off = is_cold && !budget_.is_spent() && begins_far_off();
+  const Outcome outcome = is_far_off ? descend() : Outcome::optimal;
+  return outcome == Outcome::optimal ? find_active_rows(!is_far_off) : outcome;
+}
+
+LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
+  if (budget_.is_limited()) keep_point();
+  bool has_released = false;
+  while (num_sweeps_ < options_.max_sweeps && !budget_.is_spent()) {
+    sweep();
+    const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_);
+    const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
+    if (!is_orthonormal_ && is_open) {
+      make_basis_orthonormal();
+    } else if (is_optimal) {
+      if (has_released || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
+      has_released = true;
+    } else if (may_descend && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
+      may_descend = false;
+      const Outcome outcome = descend();
+      if (outcome != Outcome::optimal) return outcome;
+    } else {
+      search_.improve(memory_.sweep);
+    }
+  }
+  if (!budget_.is_limited()) return Outcome::stuck;
+  if (may_descend && !budget_.is_spent()) (void)descend();
+  return Outcome::out_of_budget;
+}
+
+void LexicographicSolver::sweep() {
+  Sweep& s = memory_.sweep;
+  project_rows(false);
+  s.keep_tolerance = keep_tolerance_;
+  s.smallest_pivot = smallest_pivot_;
+  kernels_.start(s, first_level_, s.num_levels);
+  kernels_.run(s, first_level_, s.num_levels);
+  kernels_.turn_back(s, 0);
+  kernels_.recover(s);
+  kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
+  budget_.spend(factorization_flops(s.num_taking_part, s.columns) +
+                2.0 * s.unknowns * (s.columns + s.num_rows));
+  ++num_sweeps_;
+}
+
+// Without a guess a sweep tries no limit at all. Where the leading equalities alone leave x beyond
+// more than one, this is hardly ever right.
+bool LexicographicSolver::begins_far_off() {
+  Sweep& s = memory_.sweep;
+  double square = 0.0;
+  for (int i = 0; i < s.unknowns; ++i) {
+    s.x[i] = s.is_identity() ? 0.0 : s.basis[i * s.stride + s.columns];
+    square += s.x[i] * s.x[i];
+  }
+  const double rounding = tolerance::kViolated * std::sqrt(square);
+  int num_beyond = 0;
+  for (int k = first_level_; k < s.num_levels && num_beyond < 2; ++k) {
+    const int begin = s.level_begin[k], end = s.level_begin[k + 1];
+    if (begin == end || s.side[begin] == 2) continue;  // limits have levels of their own
+    kernels_.evaluate(s, begin, end);
+    budget_.spend(2.0 * s.unknowns * (end - begin));
+    for (int row = begin; row < end; ++row) {
+      const double beyond = std::max(s.value[row] - s.upper[row], s.lower[row] - s.value[row]);
+      num_beyond += beyond > rounding * s.scale[row] ? 1 : 0;
+    }
+  }
+  return num_beyond > 1;
+}
+
+// The active rows without a guess.
+LexicographicSolver::Outcome LexicographicSolver::descend() {
+  Sweep& s = memory_.sweep;
+  project_rows(true);
+  s.keep_tolerance = keep_tolerance_;
+  s.smallest_pivot = smallest_pivot_;
+  ++num_descents_;
+  const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_);
+  if (budget_.is_limited()) keep_point();
+  if (!has_ended) return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
+  if (is_orthonormal_ || !descent_.has_minimised_norm()) return Outcome::optimal;
+  make_basis_orthonormal();
+  return descend();
+}
+
+// Where the search is: at the end of the descent's last step, or where the leading equalities leave
+// x. A later point replaces an earlier one only if it has finished as many levels.
+void LexicographicSolver::keep_point() {
+  Sweep& s = memory_.sweep;
+  const int level = num_descents_ > 0 ? descent_.level() : first_level_;
+  if (num_descents_ > 1 && level < kept_.level) return;
+  for (int j = 0; j < s.columns; ++j) {
+    s.y[j] = num_descents_ > 0 ? s.base_value[s.num_rows + j] : 0.0;
+  }
+  kernels_.recover(s);
+  std::copy_n(s.x, s.unknowns, kept_.x.data());
+  kept_.level = level;
+  for (int k = first_level_; k < s.num_levels; ++k) {
+    kept_.freedom_left[at(k)] = num_descents_ > 0 ? descent_.freedom_left(k) : s.columns;
+  }
+}
+
+// The shortest x, where the cascade had to say that there is an optimum.
+bool LexicographicSolver::polish() {
+  constexpr int kSweeps = 3;
+  if (options_.max_sweeps <= 0) return false;
+  num_sweeps_ = options_.max_sweeps - kSweeps;
+  return descend() == Outcome::optimal && find_active_rows(false) == Outcome::optimal;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,33 @@
+// Every tick's answer is proven to be the optimum, by what shares no code with the solver.
+#include "surefoot/solver/certificate.hpp"
+
+#include "surefoot/solver/lexicographic_solver.hpp"
+#include "tests/scenarios/loop.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+class CertifiedWalk : public testing::TestWithParam<const char*> {};
+
+TEST_P(CertifiedWalk, HasAProvenOptimumAtEveryTick) {
+  test::Loop loop(test::scenario(GetParam(), {"planner.calibration.duration=0"}, 4));
+  (void)loop.tick();
+  LexicographicSolver solver(loop.hierarchy());
+  int num_active = 0;
+  for (int tick = 1; tick < 2400; ++tick) {
+    (void)loop.tick();
+    const Solution& solution = solver.solve(loop.hierarchy());
+    ASSERT_EQ(solution.status, SolveStatus::optimal) << "tick " << tick;
+    ASSERT_LE(worst_stationarity(certify(loop.hierarchy(), solution.x)), 1e-8) << "tick " << tick;
+    for (const LevelResult& level : solution.levels) num_active += level.num_active();
+  }
+  EXPECT_GE(loop.steps_taken(), 3);
+  EXPECT_GT(num_active, 100) << "limits took part";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, CertifiedWalk, testing::Values("walk_flat", "step_down"));
+
+}  // namespace
+}  // namespace surefoot
