@@ -81,6 +81,7 @@ void read_swing(Section& section, SwingOptions& swing) {
   section.number("apex_known", swing.apex_known, kPositive);
   section.number("horizontal_start", swing.horizontal_start, kShare);
   section.number("horizontal_end", swing.horizontal_end, kShare);
+  section.number("hip_height_min", swing.hip_height_min, kNotNegative);
   section.number("touchdown_speed", swing.touchdown_speed, kPositive);
   section.number("search_depth_max", swing.search_depth_max, kNotNegative);
   section.number("reach_max", swing.reach_max, kPositive);
@@ -146,6 +147,7 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.number("max_step", foothold.max_step, kPositive);
   section.number("stretch_max", foothold.stretch_max, kNotNegative);
   section.number("max_side_step", foothold.max_side_step, kPositive);
+  section.number("void_radius", foothold.void_radius, kPositive);
 }
 
 void read_push(Section& section, PushOptions& push) {

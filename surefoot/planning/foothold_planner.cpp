@@ -44,9 +44,11 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   Vec3 nominal;
   nominal << from.head<2>() + step, 0.0;
   nominal.z() = plane.height(nominal.head<2>());
-  if (is_front(leg) || !options_.hind_use_front_prints) return nominal;
-  return on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from,
-                   R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0));
+  const Vec2 heading = R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0);
+  const bool follows = !is_front(leg) && options_.hind_use_front_prints;
+  const Vec3 wanted =
+      follows ? on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from, heading) : nominal;
+  return beside_voids(wanted, from, plane, heading);
 }
 
 // A front foot does not run away from the hind foot that is to follow in its prints.
@@ -74,7 +76,40 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
   return share;
 }
 
+void FootholdPlanner::avoid(const Vec3& p_WF) {
+  voids_[num_voids_++ % kVoidsKept] = {p_WF.head<2>(), touchdowns_ + kAvoidedFor};
+}
+
+bool FootholdPlanner::is_void(const Vec2& place) const {
+  return std::ranges::any_of(voids_, [&](const Void& known) {
+    return touchdowns_ < known.until && (place - known.place).norm() < options_.void_radius;
+  });
+}
+
+// Half the way there may still be the ground that the foot stands on; then over it, then beside it.
+// Where nothing is left the foot stays where it is: there is ground.
+Vec3 FootholdPlanner::beside_voids(const Vec3& place, const Vec3& from, const TerrainPlane& plane,
+                                   const Vec2& heading) const {
+  if (!is_void(place.head<2>())) return place;
+  const Vec2 step = (place - from).head<2>();
+  const Vec2 way = step.norm() > options_.void_radius ? Vec2(step.normalized()) : heading;
+  const Vec2 aside(-way.y(), way.x());
+  const double far = 2.0 * options_.void_radius;
+  const std::array<Vec2, 5> others{Vec2(0.5 * step), Vec2(step + far * way),
+                                   Vec2(step + far * aside), Vec2(step - far * aside),
+                                   Vec2(step + 2.0 * far * way)};
+  for (const Vec2& other : others) {
+    const Vec2 there = from.head<2>() + other;
+    if (other.norm() > kReachUpward * options_.max_step || is_void(there)) continue;
+    Vec3 result;
+    result << there, plane.height(there);
+    return result;
+  }
+  return from;
+}
+
 void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
+  ++touchdowns_;
   if (!is_front(leg)) return;
   Prints& prints = prints_[is_left(leg) ? 0 : 1];
   prints.points[prints.count++ % kPrintsKept] = p_WF;

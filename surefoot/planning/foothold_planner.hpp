@@ -41,11 +41,16 @@ class FootholdPlanner {
   [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
                                       const StrideLimits& limits, double cycle_duration) const;
 
-  /// A front foot has found ground here.
+  /// A foot has found ground here: a front foot's print.
   void remember(Leg leg, const Vec3& p_WF);
+  /// A foot that was to stand here found no ground within its reach: for the next kAvoidedFor
+  /// touchdowns footholds keep `void_radius` away, and another place is taken instead.
+  void avoid(const Vec3& p_WF);
 
  private:
   static constexpr std::size_t kPrintsKept = 12;
+  static constexpr std::size_t kVoidsKept = 8;
+  static constexpr std::size_t kAvoidedFor = 24;  // touchdowns; then it may be tried again
   struct Prints {
     std::array<Vec3, kPrintsKept> points{};
     std::size_t count = 0;  // ever added; the newest kPrintsKept are kept
@@ -55,10 +60,21 @@ class FootholdPlanner {
   [[nodiscard]] Vec3 towards(const Vec3& print, const Vec3& from) const;
   [[nodiscard]] Vec3 on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                const Vec2& heading) const;
+  [[nodiscard]] bool is_void(const Vec2& place) const;
+  /// The place, or where it is known that there is no ground, another one that the foot can reach.
+  [[nodiscard]] Vec3 beside_voids(const Vec3& place, const Vec3& from, const TerrainPlane& plane,
+                                  const Vec2& heading) const;
 
   StanceOptions stance_;
   FootholdOptions options_;
   std::array<Prints, 2> prints_{};  // left, right
+  struct Void {
+    Vec2 place = Vec2::Zero();
+    std::size_t until = 0;  // touchdowns
+  };
+  std::array<Void, kVoidsKept> voids_{};
+  std::size_t num_voids_ = 0;  // ever added; the newest kVoidsKept are kept
+  std::size_t touchdowns_ = 0;
 };
 
 }  // namespace surefoot

@@ -14,6 +14,7 @@ constexpr int kFirmTicks = 2;          // debounce of a touchdown
 constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
 constexpr double kFastDescent = 0.25;  // too fast for its velocity to be told from a bounce [m/s]
 constexpr double kJolt = 0.01;         // an impact changes a velocity within this [s]
+constexpr double kStopped = 0.5;       // share of a foot's descent that an impact takes, at least
 constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
 constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
@@ -149,9 +150,11 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool arrives = since(time) > kArrivesFrom * curve_.target().duration;
   const bool behind = normal.dot(foot.p - asked.p) > touchdown_.stall_error;
   const bool stalled = arrives && behind && force > touchdown_.stall_force;
-  const bool jolted = is_jolted(normal.dot(foot.v - asked.v), force);
+  const double descent = -normal.dot(asked.v);
+  const double stopped = std::max(touchdown_.bounce_speed, kStopped * descent);
+  const bool jolted = is_jolted(normal.dot(foot.v - asked.v), stopped, force);
   const bool braked = brakes(time);
-  const bool bounced = arrives && jolted && !braked && normal.dot(asked.v) > -kFastDescent;
+  const bool bounced = arrives && jolted && !braked && descent < kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
   const bool strays = !arrives && beside(time, foot.p) > kAstray;
   const bool pressed = force > touchdown_.touchdown_force && !strays;
@@ -170,7 +173,7 @@ bool LegMotion::brakes(double time) {
   return std::abs(brake - usual_brake_) > 0.5 * touchdown_.bounce_speed;
 }
 
-bool LegMotion::is_jolted(double lag, double force) {
+bool LegMotion::is_jolted(double lag, double stopped, double force) {
   const std::size_t most = lags_.size();
   const auto window = std::min(most, static_cast<std::size_t>(std::ceil(kJolt / period_)));
   if (num_lags_ == 0) usual_force_ = force;
@@ -180,7 +183,7 @@ bool LegMotion::is_jolted(double lag, double force) {
     least = std::min(least, lags_[(num_lags_ - i) % most]);
   }
   lags_[num_lags_++ % most] = lag;
-  return lag - least > touchdown_.bounce_speed && force - usual_force_ > touchdown_.bounce_force;
+  return lag - least > stopped && force - usual_force_ > touchdown_.bounce_force;
 }
 
 // The reference waits for a foot that stays behind, and at the end of the leg's reach.
@@ -193,7 +196,8 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   const bool waits = search_pace_ < kWaiting;
   stuck_for_ = std::max(0.0, stuck_for_ + (waits ? period_ : -period_));
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
-  const bool unreachable = stuck_for_ > kUnreachableAfter || depth > swing_.search_depth_max;
+  const bool low = target.normal.dot(hip_.p - foothold_) < swing_.hip_height_min;
+  const bool unreachable = stuck_for_ > kUnreachableAfter || depth > swing_.search_depth_max || low;
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }
 

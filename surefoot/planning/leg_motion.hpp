@@ -65,8 +65,9 @@ class LegMotion {
   /// Distance of the foot from its reference along the ground [m].
   [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
-  /// Has the foot's velocity just changed as by an impact, and does something bear it?
-  [[nodiscard]] bool is_jolted(double lag, double force);
+  /// Has the foot's velocity just changed by `stopped`, as by an impact, and does something bear
+  /// it?
+  [[nodiscard]] bool is_jolted(double lag, double stopped, double force);
   /// Does the reference leave its curve just now: at the end of the reach, or to wait for the foot?
   [[nodiscard]] bool brakes(double time);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);

@@ -180,7 +180,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
       mode_ = Mode::stand;
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
-      next.unload(lift_time_);
+      if (!widens_support(user, dynamics)) next.unload(lift_time_);
     }
     return;
   }

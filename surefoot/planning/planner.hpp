@@ -93,6 +93,9 @@ class Planner {
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
   void begin_swing();
+  /// Where the other feet's triangle is too thin to swing the next leg: another leg goes first, if
+  /// one can and that widens it.
+  [[nodiscard]] bool widens_support(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   /// A foothold, not further from the hip than the leg reaches when the foot lands.
   [[nodiscard]] Vec2 within_reach(Leg leg, const Vec3& goal, double duration,

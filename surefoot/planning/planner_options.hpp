@@ -70,6 +70,8 @@ struct SwingOptions {
   /// stopped by so little force, for so long, that its touch is told late.
   double touchdown_speed = 0.2;
   double search_depth_max = 0.30;  ///< below the expected ground [m]
+  double hip_height_min =
+      0.20;  ///< of the hip over the leg's last foothold: no search takes it further down [m]
   double reach_max =
       0.56;  ///< hip to foot that a swing foot is asked for: short of a straight leg [m]
   double speed_max =
@@ -132,6 +134,7 @@ struct FootholdOptions {
   double max_step = 0.30;     ///< [m]
   double stretch_max = 0.50;  ///< front and hind foot of a side may be further apart by this [m]
   double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
+  double void_radius = 0.06;  ///< no foothold nearer than this to where a foot found no ground [m]
 };
 
 /// Turning on the spot before the first step, for the estimator.

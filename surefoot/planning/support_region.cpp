@@ -15,6 +15,18 @@ constexpr double kSmallestTotal = 1.02;  // a region of one point has no edges t
 
 }  // namespace
 
+double inradius_without(Leg lifted, const PerLeg<Vec2>& feet) {
+  std::array<Vec2, kNumLegs - 1> corner;
+  std::size_t n = 0;
+  for (const Leg k : kLegs) {
+    if (k != lifted) corner[n++] = feet[index(k)];
+  }
+  const Vec2 a = corner[1] - corner[0], b = corner[2] - corner[0];
+  const double circumference = a.norm() + b.norm() + (b - a).norm();
+  const double twice_area = std::abs(a.x() * b.y() - a.y() * b.x());
+  return circumference > kCoincident ? twice_area / circumference : 0.0;
+}
+
 SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
                              const PerLeg<double>& heights)
     : feet_(feet), share_(share), heights_(heights) {

@@ -13,6 +13,10 @@ struct HalfPlane {
   double height = 0.0;  ///< mean height of the two feet that the edge runs between [m]
 };
 
+/// Radius of the largest circle in the triangle of the feet but one: twice its area over its
+/// circumference [m]. No point of the triangle is further from its edges.
+[[nodiscard]] double inradius_without(Leg lifted, const PerLeg<Vec2>& feet);
+
 /// Where the zero-moment point can be while each foot carries at most a share α_i of the weight:
 ///
 ///     { Σ w_i p_i :  0 ≤ w_i ≤ α_i,  Σ w_i = 1 }

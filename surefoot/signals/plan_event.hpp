@@ -24,6 +24,7 @@ enum class PlanEvent : int {
   caught = 15,             ///< a rising foot met something on its way: back, higher, over
   calibration = 16,        ///< as asked for, the estimate begins anew and calibrates on the spot
   calibration_waits = 17,  ///< it was asked for, but the robot does not come to rest on all feet
+  support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -64,6 +65,8 @@ enum class PlanEvent : int {
       return "estimate begins anew: calibrating on the spot";
     case PlanEvent::calibration_waits:
       return "calibration waits: for 1 s at rest on all feet";
+    case PlanEvent::support_widened:
+      return "support too thin for the next swing: another foot steps first";
   }
   return "unknown";
 }

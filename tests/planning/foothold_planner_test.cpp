@@ -346,6 +346,43 @@ TEST(FootholdPlanner, SlowsSidewaysAndTurningStridesMore) {
   EXPECT_NEAR(std::hypot(0.2 * turning / 0.30, 0.3 * turning / 0.10), 1.0, 1e-12);
 }
 
+TEST(FootholdPlanner, KeepsAwayFromWhereThereWasNoGround) {
+  const FootholdOptions options;
+  for (const Leg leg : kLegs) {
+    Walker walker(kWithoutPrints);
+    walker.stand({0.3, -0.2}, 0.7);
+    const UserCommand user = command(0.04);
+    std::vector<Vec3> voids;
+    for (int found_none = 0; found_none < 5; ++found_none) {
+      const Vec3 place = walker.next(leg, user);
+      for (const Vec3& known : voids) {
+        EXPECT_GE((place - known).head<2>().norm(), options.void_radius);
+      }
+      EXPECT_NE(place, walker.feet[index(leg)]) << found_none;
+      EXPECT_LE((place - walker.feet[index(leg)]).norm(), 1.25 * options.max_step);
+      EXPECT_NEAR(place.z(), walker.ground, 1e-12);
+      voids.push_back(place);
+      walker.planner.avoid(place);
+    }
+    for (const Leg other : kLegs) {
+      Walker unaware(kWithoutPrints);
+      unaware.stand({0.3, -0.2}, 0.7);
+      if (other == leg) continue;
+      EXPECT_EQ(walker.next(other, user), unaware.next(other, user));
+    }
+  }
+}
+
+TEST(FootholdPlanner, StepsOnTheSpotWhereNothingElseIsLeftAndTriesAgainLater) {
+  Walker walker(kWithoutPrints);
+  walker.stand({0.0, 0.0}, 0.0);
+  const Vec3 nominal = walker.next(Leg::LF, command(0.04));
+  for (int i = 0; i < 8; ++i) walker.planner.avoid(walker.next(Leg::LF, command(0.04)));
+  EXPECT_EQ(walker.next(Leg::LF, command(0.04)), walker.feet[index(Leg::LF)]);
+  for (int i = 0; i < 24; ++i) walker.planner.remember(Leg::LF, walker.feet[index(Leg::LF)]);
+  EXPECT_EQ(walker.next(Leg::LF, command(0.04)), nominal);
+}
+
 TEST(FootholdPlanner, AHipOutOfReachAllowsNoStride) {
   EXPECT_EQ(share(command(0.1), {}, {.reach = 0.0, .length = 1.0}), 0.0);
 }

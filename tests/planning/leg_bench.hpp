@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace surefoot::test {
@@ -11,6 +12,7 @@ namespace surefoot::test {
 inline constexpr double kPeriod = 0.0025;
 inline const Vec3 kUp = Vec3::UnitZ();
 inline const Vec3 kNoForce = Vec3::Zero();
+inline constexpr double kHipHeight = 0.22;  // low, so that the leg is long enough for all [m]
 
 /// A leg and the foot that it moves.
 struct Bench {
@@ -19,7 +21,9 @@ struct Bench {
       : leg(SwingOptions{}, TouchdownOptions{}, force, kPeriod) {}
 
   LegEvent observe(const Vec3& force) {
-    const Motion<Vec3> hip_motion{hip ? *hip : p + 0.3 * kUp, hip_velocity, Vec3::Zero()};
+    const double ground = std::max(p.z(), leg.foothold().z());
+    const Vec3 over_foot(p.x(), p.y(), ground + kHipHeight);
+    const Motion<Vec3> hip_motion{hip ? *hip : over_foot, hip_velocity, Vec3::Zero()};
     const Vec3 v = foot_velocity ? *foot_velocity : leg.plan(time).v_WF;
     return leg.observe(time, {.hip = hip_motion,
                               .foot = {p, v, Vec3::Zero()},

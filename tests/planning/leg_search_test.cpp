@@ -15,6 +15,15 @@ using test::kUp;
 using test::searching;
 using test::swinging;
 
+TEST(LegMotion, GivesUpWhenTheSearchHasTakenTheHipDownFarEnough) {
+  const SwingOptions options;
+  for (const double lower : {0.001, -0.001}) {
+    Bench bench = searching();
+    bench.hip = bench.leg.foothold() + (options.hip_height_min - lower) * kUp;
+    EXPECT_EQ(bench.follow(2.0 * kPeriod, 0.0) == LegEvent::unreachable, lower > 0.0);
+  }
+}
+
 TEST(LegMotion, GivesUpWhenTheSearchIsDeepEnough) {
   const SwingOptions options;
   Bench bench = swinging();

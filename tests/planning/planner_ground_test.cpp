@@ -61,6 +61,50 @@ TEST(Planner, TakesAFootBackWhereThereIsNoGround) {
   EXPECT_EQ(landed->leg, back.front().leg) << "the foot that was taken back stands again";
 }
 
+/// No ground from x = `edge` to `edge` + `width`.
+Ground ditch(double edge, double width) {
+  return [=](const Vec2& p) { return p.x() > edge && p.x() < edge + width ? kNoGround : 0.0; };
+}
+
+TEST(Planner, ChoosesAnotherPlaceWhereAFootFoundNoGround) {
+  int met = 0;
+  for (const double edge : {0.42, 0.44, 0.46, 0.48, 0.50, 0.52, 0.54}) {
+    Puppet puppet = walker({}, ditch(edge, 0.10));
+    run_watched(puppet, 90.0);
+    met += puppet.happenings(PlanEvent::no_ground).empty() ? 0 : 1;
+    for (const Leg leg : kLegs) EXPECT_GT(puppet.foot(leg).x(), edge) << "crossed, " << edge;
+    for (const Happening& landing : puppet.happenings(PlanEvent::touchdown)) {
+      EXPECT_NEAR(landing.p.z(), 0.0, 1e-3);
+    }
+  }
+  EXPECT_GT(met, 3) << "feet did find none";
+}
+
+TEST(Planner, StaysWhereThereIsNoGroundAnywhereAhead) {
+  const double edge = 0.45;
+  Puppet puppet = walker({}, step_at(edge, kNoGround));
+  run_watched(puppet, 120.0);
+  const std::size_t found_none = puppet.happenings(PlanEvent::no_ground).size();
+  EXPECT_GT(found_none, 2u);
+  EXPECT_LT(found_none, puppet.happenings(PlanEvent::touchdown).size() / 2) << "it knows by now";
+  for (const Leg leg : kLegs) EXPECT_LE(puppet.foot(leg).x(), edge);
+}
+
+TEST(Planner, AnotherFootGoesFirstWhereTheOthersWouldStandInALine) {
+  for (const bool forward : {true, false}) {
+    const Leg close = forward ? Leg::RF : Leg::RH;  // the first to go is the one across
+    Puppet puppet;
+    puppet.place(close, 0.15 * puppet.foot(close).head<2>());  // nearly between two others
+    puppet.run(3.0);
+    puppet.user = walking(forward ? 0.06 : -0.06);
+    run_watched(puppet, 30.0);
+    EXPECT_GT(puppet.happenings(PlanEvent::support_widened).size(), 0u) << index(close);
+    EXPECT_LT(puppet.happenings(PlanEvent::support_widened).size(), 3u) << index(close);
+    EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off_aborted).empty()) << index(close);
+    EXPECT_GT(puppet.planner().steps_taken(), 10) << "the gait goes on";
+  }
+}
+
 TEST(Planner, GroundThatLiesHigherIsMetEarly) {
   Puppet puppet = walker({}, step_at(0.40, 0.05));
   run_watched(puppet, 40.0);

@@ -293,6 +293,7 @@ TEST(Planner, AllocatesNothingInATick) {
     dynamics.com.p.head<2>() = puppet.com();
     for (const Leg leg : kLegs) {
       dynamics.foot[index(leg)].p = puppet.foot(leg);
+      dynamics.hip[index(leg)].p << puppet.foot(leg).head<2>(), 0.3;
       state.foot_force[index(leg)] = puppet.force(leg);
     }
     const MallocCounter counter;

@@ -14,6 +14,12 @@ constexpr double kHeld = 15.0;      // force of such ground on it [N]
 constexpr double kLegLength = 0.3;  // of every leg at any time: none is ever too short [m]
 constexpr double kTouching = 1e-3;  // [m]
 
+/// Its hips go down with its feet: no matter how low.
+PlannerOptions of_any_height(PlannerOptions options) {
+  options.swing.hip_height_min = -std::numeric_limits<double>::infinity();
+  return options;
+}
+
 }  // namespace
 
 Ground level_ground(double height) {
@@ -25,7 +31,7 @@ Ground step_at(double edge, double height) {
 }
 
 Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
-    : ground(std::move(terrain)), planner_(options, kWeight, kPeriod) {
+    : ground(std::move(terrain)), planner_(of_any_height(options), kWeight, kPeriod) {
   const Mat3 R = rotation_about_z(heading);
   double mean = 0.0;
   for (const Leg leg : kLegs) {
@@ -43,6 +49,12 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
   state_.w_WB_B.setZero();
   dynamics_.com.p = state_.p_WB;
   plan_ = planner_.update(user, state_, dynamics_);
+}
+
+void Puppet::place(Leg leg, const Vec2& place) {
+  Vec3& p = dynamics_.foot[index(leg)].p;
+  p << place, ground(place);
+  dynamics_.hip[index(leg)].p = p + kLegLength * Vec3::UnitZ();
 }
 
 void Puppet::run(double duration, const std::function<void()>& each) {

@@ -36,6 +36,8 @@ class Puppet {
   explicit Puppet(const PlannerOptions& options = {}, Ground ground = level_ground(),
                   const Vec2& position = Vec2::Zero(), double heading = 0.0);
 
+  /// Puts a foot elsewhere, as if it had stood there.
+  void place(Leg leg, const Vec2& place);
   /// One period on.
   void tick();
   /// Calls `each()` after every tick.

@@ -35,6 +35,12 @@ Shares random_shares(RandomMatrices& random) {
   return shares;
 }
 
+/// Where the lines that halve a triangle's angles meet.
+Vec2 incenter(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double to_a = (b - c).norm(), to_b = (a - c).norm(), to_c = (a - b).norm();
+  return (to_a * a + to_b * b + to_c * c) / (to_a + to_b + to_c);
+}
+
 Vec2 random_point(RandomMatrices& random) {
   return {random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5)};
 }
@@ -240,6 +246,26 @@ TEST(SupportRegion, OfTwoFeetInOnePlaceAndTwoOthersIsATriangle) {
   const SupportRegion region(feet, {1.0, 1.0, 1.0, 1.0});
   EXPECT_NEAR(region.margin({0.2, 0.3}), 0.2, 1e-12);
   EXPECT_NEAR(region.margin({0.6, 0.6}), -0.2 / std::sqrt(2.0), 1e-12);
+}
+
+TEST(SupportRegion, InradiusIsTheMarginOfTheTrianglesCenter) {
+  RandomMatrices random(31);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Feet feet = random_stance(random);
+    for (const Leg lifted : kLegs) {
+      Shares shares{1.0, 1.0, 1.0, 1.0};
+      shares[index(lifted)] = 0.0;
+      std::vector<Vec2> corners;
+      for (const Leg leg : kLegs) {
+        if (leg != lifted) corners.push_back(feet[index(leg)]);
+      }
+      const Vec2 center = incenter(corners[0], corners[1], corners[2]);
+      EXPECT_NEAR(inradius_without(lifted, feet), SupportRegion(feet, shares).margin(center),
+                  1e-12);
+    }
+  }
+  const Vec2 p(0.1, -0.3);
+  EXPECT_EQ(inradius_without(Leg::LF, {Vec2(5.0, 5.0), p, p, p}), 0.0);
 }
 
 TEST(SupportRegion, WithNoFootDownHasNothingInside) {
