@@ -52,7 +52,8 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.whole = frames_.complete() && !path.ends_with(".partial");
   session_.header = to_json(header);
   session_.period = header.control_period;
-  session_.ticks = frames_.ticks();
+  session_.first_tick = frames_.first_tick();
+  session_.ticks = frames_.end_tick() - frames_.first_tick();
   session_.channels = frames_.channels();
   session_.meshes = robot_.meshes();
   session_.orders = {{0, header.level_names}};
@@ -76,7 +77,7 @@ WebAnswer LogContent::get(std::string_view path, const Query& query) {
 
 std::string LogContent::session() {
   ViewSession session = session_;
-  session.summarised = summary_.ticks();
+  session.summarised = std::max(summary_.end_tick(), session.first_tick) - session.first_tick;
   session.damage = summary_.damage();
   for (ViewOrder& order : summary_.orders()) session.orders.push_back(std::move(order));
   return to_json(session);
@@ -87,7 +88,8 @@ std::string LogContent::plain_frames(const FrameRequest& asked) {
   std::string bytes;
   std::uint32_t frames = 0;
   std::uint64_t tick = asked.from;
-  for (std::uint32_t i = 0; i < asked.count && tick < frames_.ticks(); ++i, tick += asked.stride) {
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
+       ++i, tick += asked.stride) {
     const ViewFrame* frame = frames_.frame(static_cast<std::uint32_t>(tick));
     if (frame == nullptr) continue;
     pack(*frame, bytes);
@@ -102,7 +104,8 @@ std::string LogContent::kept_frames(const FrameRequest& asked) {
   std::uint32_t frames = 0;
   std::uint64_t tick = asked.from;
   ViewFrame frame;
-  for (std::uint32_t i = 0; i < asked.count && tick < frames_.ticks(); ++i, tick += asked.stride) {
+  for (std::uint32_t i = 0; i < asked.count && tick < frames_.end_tick();
+       ++i, tick += asked.stride) {
     const std::uint32_t last = frame.tick;
     if (!summary_.frame_near(static_cast<std::uint32_t>(tick), frame)) continue;
     if (frames > 0 && frame.tick == last) continue;
@@ -119,7 +122,7 @@ std::string LogContent::ranges(const FrameRequest& asked) {
   const bool is_fine = asked.stride < summary_.stretch() &&
                        std::uint64_t{asked.count / 2} * asked.stride <= kMostCompared;
   std::uint64_t tick = asked.from;
-  for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.ticks(); ++i) {
+  for (std::uint32_t i = 0; 2 * i < asked.count && tick < frames_.end_tick(); ++i) {
     const auto first = static_cast<std::uint32_t>(tick);
     const std::uint32_t last = first + asked.stride - 1;
     const bool known =
@@ -137,7 +140,7 @@ std::string LogContent::ranges(const FrameRequest& asked) {
 bool LogContent::range(std::uint32_t first, std::uint32_t last) {
   range_.clear(frames_.channels().floats);
   bool known = false;
-  for (std::uint32_t tick = first; tick <= last && tick < frames_.ticks(); ++tick) {
+  for (std::uint32_t tick = first; tick <= last && tick < frames_.end_tick(); ++tick) {
     const ViewFrame* frame = frames_.frame(tick);
     if (frame == nullptr) continue;
     known = true;

@@ -75,7 +75,8 @@ void LogFrames::find_ticks(const std::string& path) {
     throw FileError(path + ": the log " + (file_.complete() ? "" : "is cut off, and ") +
                     "holds no ticks; record the run anew");
   }
-  ticks_ = ends_.back();
+  if (num_lost_ == 0) first_tick_ = tick_at(place(0).first_time);
+  end_tick_ = ends_.back();
 }
 
 // From the first chunk that can be read and holds a whole tick, whose truth has the sizes of
@@ -102,7 +103,7 @@ void LogFrames::learn_channels(const std::string& path) {
   for (std::size_t i = ends_.size(); i > 0; --i) {  // the last may be cut off
     const auto last = chunk(i - 1);
     if (last->frames.empty()) continue;
-    ticks_ = last->frames.back().tick + 1;
+    end_tick_ = last->frames.back().tick + 1;
     return;
   }
   throw FileError(path + ": no tick of the log can be read; record the run anew" + problem);
@@ -113,6 +114,7 @@ void LogFrames::find_start() {
   LogChunk unused;
   read_ticks(0, decoded, unused);
   if (decoded.ticks.empty()) return;
+  first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
   if (first.is_whole && !first.is_damaged && first.has_truth)
     start_ = start_alignment(first.truth, first.record.state);

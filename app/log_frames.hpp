@@ -32,8 +32,11 @@ class LogFrames {
   LogFrames(const std::string& path, const LogHeader& header);
 
   [[nodiscard]] const ViewChannels& channels() const { return channels_; }
-  /// Whole ticks; they are numbered from 0.
-  [[nodiscard]] std::uint32_t ticks() const { return ticks_; }
+  /// The number of a tick is its time in periods: the first is that at which the clock begins, or 0
+  /// where a piece is lost that may have stood before it.
+  [[nodiscard]] std::uint32_t first_tick() const { return first_tick_; }
+  /// One past the last.
+  [[nodiscard]] std::uint32_t end_tick() const { return end_tick_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] double period() const { return period_; }
 
@@ -71,7 +74,7 @@ class LogFrames {
   std::vector<std::uint32_t> ends_;   // of each of them: one past its last tick
   std::vector<std::size_t> timings_;  // chunks of timings
   std::size_t num_lost_ = 0;
-  std::uint32_t ticks_ = 0;
+  std::uint32_t first_tick_ = 0, end_tick_ = 0;
   std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // the latest first
 };
 

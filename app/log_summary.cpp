@@ -47,7 +47,7 @@ void LogSummary::run() {
     const std::lock_guard lock(mutex_);
     add(*read);
   }
-  if (!stopping_) known_ = frames_.ticks();
+  if (!stopping_) known_ = frames_.end_tick();
 }
 
 void LogSummary::add(const LogChunk& chunk) {
@@ -73,17 +73,22 @@ void LogSummary::add_damage(const LogChunk& chunk) {
   tell("timings of ", chunk.timing_problem);
 }
 
+std::size_t LogSummary::place(std::uint32_t tick) const {
+  return (std::max(tick, frames_.first_tick()) - frames_.first_tick()) / stretch_;
+}
+
 void LogSummary::add(const ViewFrame& frame) {
-  while (frame.tick / stretch_ >= kMostRanges) coarsen();
-  const std::size_t place = frame.tick / stretch_;
-  while (ranges_.size() <= place) {
+  while (place(frame.tick) >= kMostRanges) coarsen();
+  const std::size_t number = place(frame.tick);
+  while (ranges_.size() <= number) {
     ranges_.push_back({std::vector<float>(frame.floats.size(), NAN),
                        std::vector<float>(frame.floats.size(), NAN),
                        {}});
   }
-  if (ranges_[place].first.floats.empty()) ranges_[place].first = frame;
-  widen(frame.floats, ranges_[place].least, less);
-  widen(frame.floats, ranges_[place].greatest, more);
+  Range& range = ranges_[number];
+  if (range.first.floats.empty()) range.first = frame;
+  widen(frame.floats, range.least, less);
+  widen(frame.floats, range.greatest, more);
 }
 
 void LogSummary::coarsen() {
@@ -129,11 +134,11 @@ std::uint32_t LogSummary::stretch() {
 
 bool LogSummary::range(std::uint32_t first, std::uint32_t last, std::vector<float>& least,
                        std::vector<float>& greatest) {
-  if (std::min(last, frames_.ticks() - 1) >= known_) return false;
+  if (last < frames_.first_tick() || std::min(last, frames_.end_tick() - 1) >= known_) return false;
   const std::lock_guard lock(mutex_);
   least.assign(frames_.channels().floats, NAN);
   greatest = least;
-  for (std::size_t i = first / stretch_; i <= last / stretch_ && i < ranges_.size(); ++i) {
+  for (std::size_t i = place(first); i <= place(last) && i < ranges_.size(); ++i) {
     widen(ranges_[i].least, least, less);
     widen(ranges_[i].greatest, greatest, more);
   }
@@ -142,9 +147,9 @@ bool LogSummary::range(std::uint32_t first, std::uint32_t last, std::vector<floa
 
 bool LogSummary::frame_near(std::uint32_t tick, ViewFrame& frame) {
   const std::lock_guard lock(mutex_);
-  const std::size_t place = tick / stretch_;
-  if (place >= ranges_.size() || ranges_[place].first.floats.empty()) return false;
-  frame = ranges_[place].first;
+  const std::size_t number = place(tick);
+  if (number >= ranges_.size() || ranges_[number].first.floats.empty()) return false;
+  frame = ranges_[number].first;
   return true;
 }
 

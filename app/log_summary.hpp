@@ -23,8 +23,8 @@ class LogSummary {
   LogSummary(const std::string& path, const LogHeader& header);
   ~LogSummary();
 
-  /// Ticks that are known by now.
-  [[nodiscard]] std::uint32_t ticks() const { return known_.load(); }
+  /// One past the last tick that is known by now.
+  [[nodiscard]] std::uint32_t end_tick() const { return known_.load(); }
   /// Ticks of a stretch: more, the longer the log is.
   [[nodiscard]] std::uint32_t stretch();
   /// Least and greatest of every channel over the stretches that ticks `first` to `last` lie in;
@@ -48,6 +48,8 @@ class LogSummary {
   };
 
   void run();
+  /// Of the stretch of a tick.
+  [[nodiscard]] std::size_t place(std::uint32_t tick) const;
   void add(const ViewFrame& frame);
   void add(const LogChunk& chunk);
   void add(const logged::Change& change);

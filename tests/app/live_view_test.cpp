@@ -125,7 +125,7 @@ TEST(LiveView, pages_of_a_run_and_of_its_log_are_told_of_the_same_events) {
     live.insert(live.end(), events.begin(), events.end());
   }
   LogSummary summary(folder / "run.mcap", LogReader(folder / "run.mcap").header());
-  while (summary.ticks() < 2400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (summary.end_tick() < 2400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const json logged = json::parse(summary.events_json());
   EXPECT_EQ(json(live), logged);
   const auto has_leg = [](const json& event) {

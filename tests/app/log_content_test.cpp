@@ -29,13 +29,14 @@ class DamagedLog : public testing::Test {
  protected:
   void SetUp() override { record(kTicks); }
 
-  void record(int ticks, const std::string& stack = "") {
+  void record(int ticks, const std::string& stack = "", int first = 0) {
     Recorder recorder(path(), SyntheticRun::header());
     const auto changes = recorder.add_channel("/changes", "surefoot.Change",
                                               logged::schema<logged::Change>("surefoot.Change"));
     SyntheticRun run(3);
     for (int i = 0; i < ticks; ++i) {
       run.step();
+      if (i < first) continue;
       if (i == 700 && !stack.empty()) {
         const logged::Change change{.time = run.tick.reading.time,
                                     .kind = "stack",
@@ -130,6 +131,24 @@ TEST_F(DamagedLog, also_where_it_is_the_first_that_describes_the_channels) {
   ASSERT_FALSE(read.empty());
   EXPECT_GT(read.size(), kTicks / 2);
   EXPECT_GT(read.front().tick, 0u);
+}
+
+TEST_F(DamagedLog, one_whose_clock_begins_late_begins_there) {
+  constexpr int kFirst = 700;
+  record(6000, "", kFirst);
+  LogContent content(path());
+  const json session = whole_session(content);
+  EXPECT_EQ(session.at("first_tick"), kFirst);
+  EXPECT_EQ(session.at("ticks"), 6000 - kFirst);
+  EXPECT_EQ(session.at("damage"), json::array());
+  const auto read = frames(content, kFirst, 4096);
+  ASSERT_EQ(read.size(), 4096u);
+  EXPECT_EQ(read.front().tick, kFirst);
+  EXPECT_EQ(read.front().time, SyntheticRun::kPeriod * kFirst);
+  const auto coarse = frames(content, kFirst, 512, 12);
+  ASSERT_EQ(coarse.size(), (6000u - kFirst + 63) / 64);
+  EXPECT_EQ(coarse.front().tick, kFirst);
+  EXPECT_EQ(frames(content, kFirst, 512, 32, true).size(), 2u * ((6000 - kFirst + 31) / 32));
 }
 
 TEST_F(DamagedLog, damaged_timings_cost_no_tick) {

@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from damaged_logs import without_calls
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, pause, show
+from viewer_page import SCREENSHOTS, WALK, go_to, pause, show
 
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 THEMES = ("light", "dark")
@@ -121,6 +122,18 @@ def test_the_clock_of_a_log_ends_at_its_total(browser, log):
         browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
         browser.wait("surefoot.time === surefoot.last")
         browser.wait("/^(\\d+\\.\\d+) \\/ \\1 s$/.test(document.querySelector('#clock').textContent)")
+
+
+def test_a_log_whose_clock_begins_late_begins_there(browser, log, tmp_path):
+    with Viewer("replay", without_calls(log, tmp_path, 200, -1)) as replay:
+        session = replay.json("api/session")
+        first, end = session["first_tick"], session["first_tick"] + session["ticks"]
+        assert first == 200 and end > 600
+        show(browser, replay.link)
+        assert browser.run("[surefoot.first, surefoot.last]") == pytest.approx([0.0025 * first, 0.0025 * (end - 1)])
+        assert browser.run("Number(document.querySelector('#scrub').min)") == pytest.approx(0.5)
+        go_to(browser, first)
+        go_to(browser, end - 1)
 
 
 def test_friction_that_a_foot_lost_is_not_the_friction_that_was_asked_for(browser):

@@ -42,6 +42,15 @@ def still(browser, script):
     return shown == browser.run(script) and shown[0] == shown[1] and shown[2]
 
 
+def go_to(browser, tick, period=0.0025):
+    """Stops a log at a tick."""
+    browser.run("surefoot.playing && document.querySelector('#play').click()")
+    browser.wait("!surefoot.playing")
+    browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {tick * period + 1e-4};
+      scrub.dispatchEvent(new Event('input')); }})()""")
+    browser.wait(f"surefoot.tick === {tick} && Math.abs(surefoot.drawn - {tick * period}) < 1e-6")
+
+
 def channel(browser, name):
     return browser.run(f"surefoot.channel({name!r})")
 
