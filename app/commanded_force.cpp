@@ -12,6 +12,12 @@ constexpr double kLoaded = 1.0;  // [N]
 
 }  // namespace
 
+PerLeg<Quat> CommandedForces::no_axes() {
+  PerLeg<Quat> axes;
+  axes.fill(Quat(kNaN, kNaN, kNaN, kNaN));
+  return axes;
+}
+
 std::optional<FrictionCone> friction_cone_of(const StackOptions& stack) {
   for (const LevelSpec& level : stack.levels) {
     for (const TaskSpec& spec : level.tasks) {
@@ -44,6 +50,8 @@ CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const 
       continue;
     }
     const FrictionPyramid pyramid = cone->pyramid(tick.plan, leg);
+    result.q_WP[k] = Quat(pyramid.axes);
+    result.pyramid_friction[k] = pyramid.mu;
     result.normal[k] = pyramid.normal().dot(force);
     if (result.normal[k] > kLoaded && pyramid.mu > 0.0) result.friction_use[k] = pyramid.use(force);
   }

@@ -13,8 +13,12 @@ namespace surefoot {
 /// The forces that a tick's solution asks of the feet, against the pyramids that held them; NaN of
 /// feet that don't carry.
 struct CommandedForces {
-  PerLeg<double> normal{kNaN, kNaN, kNaN, kNaN};        ///< along the pyramid's axis [N]
-  PerLeg<double> friction_use{kNaN, kNaN, kNaN, kNaN};  ///< 1: a face of the pyramid is active
+  PerLeg<double> normal{kNaN, kNaN, kNaN, kNaN};            ///< along the pyramid's axis [N]
+  PerLeg<double> friction_use{kNaN, kNaN, kNaN, kNaN};      ///< 1: a face of the pyramid is active
+  PerLeg<Quat> q_WP = no_axes();                            ///< axes of the pyramid P in W
+  PerLeg<double> pyramid_friction{kNaN, kNaN, kNaN, kNaN};  ///< its μ'
+
+  [[nodiscard]] static PerLeg<Quat> no_axes();
 };
 
 /// The task that holds the forces of a stack; nothing where it has none, or one that this program
@@ -35,6 +39,11 @@ void fields(Archive& field, T& forces) {
         "of the solution's force on a foot, along its friction pyramid's axis [N]");
   field("friction_use", forces.friction_use,
         "share of its friction pyramid that the solution's force on a foot uses; 1: at a face");
+  field("q_WP", forces.q_WP,
+        "axes of the friction pyramid P that held a foot's force, z along the pyramid: turns P "
+        "coordinates into W");
+  field("pyramid_friction", forces.pyramid_friction,
+        "μ' of that pyramid: it holds forces with |f_x| and |f_y| up to μ' f_z in P");
 }
 
 }  // namespace logged

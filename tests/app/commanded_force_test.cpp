@@ -75,6 +75,36 @@ TEST(CommandedForces, also_of_pyramids_about_the_vertical_around_the_cone) {
        "tasks.friction_cone.axes=gravity", "tasks.friction_cone.pyramid=outer"});
 }
 
+/// A plan whose control frame leans by an angle about an axis in the plane, all feet down.
+TickRecord leaning(double angle, double friction) {
+  TickRecord tick;
+  const Eigen::AngleAxisd lean(angle, Vec3(0.6, 0.8, 0.0));
+  tick.plan.R_WC = (lean * Eigen::AngleAxisd(0.7, Vec3::UnitZ())).toRotationMatrix();
+  for (FootPlan& foot : tick.plan.feet) {
+    foot.phase = LegPhase::stance;
+    foot.friction = friction;
+  }
+  for (Vec3& force : tick.model.force) force = Vec3(8.0, -5.0, 60.0);
+  return tick;
+}
+
+TEST(CommandedForces, tell_the_pyramid_that_held_them) {
+  for (const double angle : {0.0, 0.1, 0.3, 0.6}) {
+    for (const auto axes : {FrictionCone::Axes::control, FrictionCone::Axes::gravity}) {
+      const TickRecord tick = leaning(angle, 0.4);
+      const FrictionCone cone({.pyramid = FrictionCone::Pyramid::inner, .axes = axes});
+      const CommandedForces forces = commanded_forces(cone, tick);
+      const FrictionPyramid pyramid = cone.pyramid(tick.plan, Leg::LF);
+      EXPECT_EQ(forces.pyramid_friction[0], pyramid.mu);
+      EXPECT_TRUE(forces.q_WP[0].toRotationMatrix().isApprox(pyramid.axes, 1e-12));
+      const Vec3 force_P = forces.q_WP[0].conjugate() * tick.model.force[0];
+      EXPECT_NEAR(force_P.z(), forces.normal[0], 1e-9);
+      EXPECT_NEAR(force_P.head<2>().cwiseAbs().maxCoeff() / (pyramid.mu * force_P.z()),
+                  forces.friction_use[0], 1e-9);
+    }
+  }
+}
+
 TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {
   TickRecord tick;
   for (FootPlan& foot : tick.plan.feet) foot.phase = LegPhase::stance;
@@ -84,6 +114,8 @@ TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {
   const CommandedForces forces = commanded_forces(FrictionCone({}), tick);
   EXPECT_EQ(forces.friction_use[0], 0.0);
   EXPECT_TRUE(std::isnan(forces.normal[1]) && std::isnan(forces.friction_use[1]));
+  EXPECT_TRUE(forces.q_WP[1].coeffs().array().isNaN().all());
+  EXPECT_TRUE(std::isnan(forces.pyramid_friction[1]));
   EXPECT_EQ(forces.normal[2], 0.5);
   EXPECT_TRUE(std::isnan(forces.friction_use[2]));
   EXPECT_TRUE(std::isnan(commanded_forces(std::nullopt, tick).friction_use[0]));

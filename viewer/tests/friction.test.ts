@@ -1,65 +1,75 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frictionState, marginClass, pyramidAxes, pyramidCorners } from "../src/math/friction.ts";
-import { rotate } from "../src/scene/terrain_geometry.ts";
-import { randomNumbers } from "./make.ts";
+import * as THREE from "three";
+import type { Frame } from "../src/data/frame.ts";
+import { percent, pyramidCorners, useClass } from "../src/math/friction.ts";
+import { rotate } from "../src/math/geometry.ts";
+import type { Picture } from "../src/overlays/overlay.ts";
+import { FrictionPyramids } from "../src/overlays/pyramids.ts";
+import { sentences } from "../src/panels/state_panel.ts";
+import { paletteOf } from "../src/scene/palette.ts";
+import { randomNumbers, schemaOf } from "./make.ts";
 
 const close = (a: number, b: number, what = ""): void => assert.ok(Math.abs(a - b) < 1e-9, `${what} ${a} is not ${b}`);
-const FLAT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-/** A random rotation, row by row. */
-function randomRotation(random: () => number): number[] {
+/** A random orientation. */
+function randomTurn(random: () => number): number[] {
   const q = Array.from({ length: 4 }, () => random() - 0.5);
   const size = Math.hypot(...q);
-  const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => rotate(q.map((one) => one / size), axis));
-  return [0, 1, 2].flatMap((row) => columns.map((column) => column[row] as number));
+  return q.map((one) => one / size);
 }
 
-test("a force along the normal has all of its friction left", () => {
-  const state = frictionState([0, 0, 100], [0, 0, 1], 0.5);
-  close(state.margin, 50);
-  close(state.share, 1);
-});
+/** The part of v along an axis of P. */
+const part = (q_WP: number[], v: number[], axis: number[]): number =>
+  rotate(q_WP, axis).reduce((sum, one, i) => sum + one * (v[i] as number), 0);
 
-test("the margin is μ f_n − |f_t| on any ground", () => {
-  const random = randomNumbers(3);
-  for (let run = 0; run < 200; ++run) {
-    const R = randomRotation(random);
-    const local = [random() - 0.5, random() - 0.5, random()] as const;
-    const force = [0, 1, 2].map((i) => local[0] * (R[3 * i] as number) + local[1] * (R[3 * i + 1] as number) + local[2] * (R[3 * i + 2] as number));
-    const state = frictionState(force, [R[2] as number, R[5] as number, R[8] as number], 0.4);
-    close(state.normal, local[2]);
-    close(state.margin, 0.4 * local[2] - Math.hypot(local[0], local[1]));
-  }
-});
-
-test("a foot that pulls at the ground has no friction left", () => {
-  assert.equal(marginClass(frictionState([0, 0, -5], [0, 0, 1], 0.5).share), "bad");
-});
-
-test("classes of the margin go from good over near to bad", () => {
-  assert.deepEqual([0.9, 0.3, 0.05, -1].map(marginClass), ["good", "near", "bad", "bad"]);
+test("classes of what is used go from good over near to bad, which a face is", () => {
+  assert.deepEqual([0, 0.5, 0.7, 0.95, 1, 1.3].map(useClass), ["good", "good", "near", "bad", "bad", "bad"]);
 });
 
 test("the pyramid's corners lie where both tangential parts are at their limit", () => {
   const random = randomNumbers(4);
   for (let run = 0; run < 50; ++run) {
-    const R = randomRotation(random);
-    const part = (p: number[], column: number): number => [0, 1, 2].reduce((sum, i) => sum + (p[i] as number) * (R[3 * i + column] as number), 0);
-    const corners = pyramidCorners(R, 0.3, 80);
+    const q_WP = randomTurn(random);
+    const corners = pyramidCorners(q_WP, 0.3, 80);
     for (const corner of corners) {
-      close(Math.abs(part(corner, 0)), 24);
-      close(Math.abs(part(corner, 1)), 24);
-      close(part(corner, 2), 80);
+      close(Math.abs(part(q_WP, corner, [1, 0, 0])), 24);
+      close(Math.abs(part(q_WP, corner, [0, 1, 0])), 24);
+      close(part(q_WP, corner, [0, 0, 1]), 80);
     }
-    assert.equal(new Set(corners.map((corner) => `${part(corner, 0) > 0} ${part(corner, 1) > 0}`)).size, 4);
+    assert.equal(new Set(corners.map((corner) => `${part(q_WP, corner, [1, 0, 0]) > 0} ${part(q_WP, corner, [0, 1, 0]) > 0}`)).size, 4);
   }
 });
 
-test("axes with gravity keep the heading and stand upright", () => {
-  const tilted = [0.8, -0.6, 0, 0.48, 0.64, -0.6, 0.36, 0.48, 0.8];
-  const axes = pyramidAxes(tilted, true);
-  assert.deepEqual(axes.slice(6), [0, 0, 1]);
-  close(Math.atan2(axes[3] as number, axes[0] as number), Math.atan2(0.48, 0.8));
-  assert.equal(pyramidAxes(FLAT, false), FLAT);
+test("the corners go around the axis counter-clockwise", () => {
+  const [a, b] = pyramidCorners([1, 0, 0, 0], 0.5, 10) as [number[], number[]];
+  assert.deepEqual([a, b], [[5, 5, 10], [-5, 5, 10]]);
+});
+
+test("the state tells what each foot that carries uses of its friction", () => {
+  const schema = schemaOf({ "commanded.friction_use.LF": 1, "commanded.friction_use.RF": 1, "commanded.friction_use.LH": 1, "commanded.friction_use.RH": 1 });
+  const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([0.254, NaN, 1, 1.04]), active: [], blocking: [] };
+  assert.deepEqual(sentences(frame).find(([name]) => name === "Friction used"), ["Friction used", "LF 25 %, LH 100 %, RH 104 %"]);
+  frame.values.fill(NaN);
+  assert.equal(sentences(frame).some(([name]) => name === "Friction used"), false);
+  assert.equal(percent(0), "0 %");
+});
+
+test("the pyramid that is drawn is the one that held the force, with the share that is used", () => {
+  const q_WP = randomTurn(randomNumbers(9));
+  const schema = schemaOf({ "commanded.friction_use.RF": 1, "commanded.normal_force.RF": 1, "commanded.q_WP.RF": 4, "commanded.pyramid_friction.RF": 1, "model.p_WF.RF": 3 });
+  const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([0.93, 200, ...q_WP, 0.3, 1, 2, 3]), active: [], blocking: [] };
+  const put: string[][] = [];
+  const labels = { put: (_: THREE.Vector3, ...told: string[]) => put.push(told) };
+  const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
+  const overlay = new FrictionPyramids();
+  overlay.wear(paletteOf(false));
+  overlay.update(picture as unknown as Picture);
+  assert.deepEqual(put, [["93 %", "use leg1 bad"]]);
+  const [sides] = overlay.root.children[0]?.children as [THREE.Mesh];
+  const drawn = sides.geometry.getAttribute("position").array.slice(0, 15);
+  const tip = [1, 2, 2.97];
+  [tip, ...pyramidCorners(q_WP, 0.3, 0.4).map((corner) => corner.map((one, i) => one + (tip[i] as number)))].flat().forEach((one, i) =>
+    assert.ok(Math.abs(one - (drawn[i] as number)) < 1e-6));
+  assert.deepEqual([...sides.geometry.getAttribute("color").array.slice(0, 3)], [...new Float32Array(new THREE.Color(paletteOf(false).margin.bad).toArray())]);
 });

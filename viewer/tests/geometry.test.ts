@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { centreOfPressure, convexHull, planeHeight, wrap, yawOf, type Point } from "../src/math/geometry.ts";
-import { rotate, TerrainGeometry } from "../src/scene/terrain_geometry.ts";
+import { centreOfPressure, convexHull, planeHeight, rotate, wrap, yawOf, type Point } from "../src/math/geometry.ts";
+import { TerrainGeometry } from "../src/scene/terrain_geometry.ts";
 import { randomNumbers } from "./make.ts";
 
 const close = (a: number, b: number): void => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);

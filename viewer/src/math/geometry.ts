@@ -54,3 +54,13 @@ export function centreOfPressure(points: number[][], forces: number[][]): [numbe
   });
   return total > 1 ? [sum[0] / total, sum[1] / total, sum[2] / total] : undefined;
 }
+
+/** q as w, x, y, z takes v to the other frame. */
+export function rotate(q: number[], v: number[]): [number, number, number] {
+  const [w, x, y, z] = q as [number, number, number, number];
+  const [a, b, c] = v as [number, number, number];
+  const tx = 2 * (y * c - z * b);
+  const ty = 2 * (z * a - x * c);
+  const tz = 2 * (x * b - y * a);
+  return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
+}

@@ -9,13 +9,13 @@ interface Label {
 }
 
 /** Size of a text without asking the browser, which would lay the page out anew [pixels]. */
-const LETTER = 7;
+const LETTER = 8;
 const PADDING = 12;
 const HEIGHT = 16;
 
-/** What is pushed comes before what carries, and that before lengths of legs. */
+/** What is pushed comes before what carries, that before lengths of legs, and shares of friction, which colours tell as well, last. */
 function rankOf(className: string): number {
-  return className === "push" ? 0 : className === "limb" ? 2 : 1;
+  return className === "push" ? 0 : className === "limb" ? 2 : className.startsWith("use ") ? 3 : 1;
 }
 
 /** Short texts over the picture, near points of the scene, none over another. Made once, moved without a new layout, and hidden. */

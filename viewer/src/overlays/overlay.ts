@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import type { Frame } from "../data/frame.ts";
 import type { FrameSource } from "../data/source.ts";
-import type { Header, TaskInfo } from "../protocol/session.ts";
+import type { Header } from "../protocol/session.ts";
 import type { Palette } from "../scene/palette.ts";
 import type { Labels } from "./labels.ts";
 
@@ -10,7 +10,6 @@ export interface Picture {
   frame: Frame;
   source: FrameSource;
   header: Header;
-  tasks: TaskInfo[];
   labels: Labels;
   /** Length of an arrow of 1 N [m/N]. */
   newton: number;

@@ -1,15 +1,17 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import { frictionState, marginClass, pyramidAxes, pyramidCorners } from "../math/friction.ts";
+import { percent, pyramidCorners, useClass } from "../math/friction.ts";
 import type { Palette } from "../scene/palette.ts";
 import { SEEN_THROUGH } from "./arrow.ts";
-import type { Overlay, Picture } from "./overlay.ts";
+import { vector, type Overlay, type Picture } from "./overlay.ts";
 
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
-/** How dense the sides are: the less is left, the denser. */
+/** How dense the sides are: the more is used, the denser. */
 const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
+/** The corner that points outward of each leg, where its number stands. */
+const OUTWARD = [0, 3, 1, 2];
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
 /** Some pyramids, each in its colour and density; sides and edges are drawn in one call each. */
@@ -64,8 +66,8 @@ function attribute(count: number, size: number): THREE.BufferAttribute {
 }
 
 /**
- * The friction pyramids that hold the solution's forces, as high as the normal force: an arrow whose tip lies within
- * the square is within friction. Coloured by μ f_n − |f_t|.
+ * The friction pyramids that held the solution's forces, as high as the normal force: where the tip of a force lies in
+ * the square, friction holds it. Coloured and numbered by the share of the pyramid that is used.
  */
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
@@ -73,35 +75,30 @@ export class FrictionPyramids implements Overlay {
   private readonly pyramids = new Pyramids(LEGS.length);
   private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
   private readonly tip = new THREE.Vector3();
-  private readonly down = new THREE.Vector3();
-  private readonly R: number[] = new Array<number>(9).fill(0);
-  private readonly force = [0, 0, 0];
-  private readonly point = [0, 0, 0];
+  private readonly corner = new THREE.Vector3();
+  private readonly q_WP = [1, 0, 0, 0];
 
   constructor() {
     this.root.add(this.pyramids.root);
   }
 
   wear(palette: Palette): void {
-    for (const margin of ["good", "near", "bad"] as const) this.colours[margin].set(palette.margin[margin]);
+    for (const use of ["good", "near", "bad"] as const) this.colours[use].set(palette.margin[use]);
   }
 
-  update({ frame, header, tasks, newton }: Picture): void {
-    const known = read(frame, "plan.R_WC", this.R);
-    const choices = tasks.find(({ task }) => task === "friction_cone")?.choices;
-    const axes = pyramidAxes(this.R, choices?.["axes"] === "gravity");
-    const inner = choices?.["pyramid"] === "outer" ? 1 : Math.SQRT1_2;
+  update({ frame, header, labels, newton, beliefToWorld }: Picture): void {
     this.pyramids.begin();
     LEGS.forEach((_, k) => {
-      if (!known || !(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1)) return;
-      if (!read(frame, LEG_CHANNELS.force[k] as string, this.force) || !read(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
-      const mu = scalar(frame, LEG_CHANNELS.friction[k] as string);
-      const normal = [axes[2] as number, axes[5] as number, axes[8] as number];
-      const state = frictionState(this.force, normal, mu);
-      if (!(state.normal > 2)) return;
-      const margin = marginClass(state.share);
-      this.tip.fromArray(this.point).sub(this.down.fromArray(normal).multiplyScalar(header.robot.foot_radius));
-      this.pyramids.add(this.tip, pyramidCorners(axes, inner * mu, state.normal * newton), this.colours[margin], DENSITY[margin]);
+      const use = scalar(frame, LEG_CHANNELS.frictionUse[k] as string);
+      if (Number.isNaN(use)) return;
+      if (!read(frame, LEG_CHANNELS.pyramid[k] as string, this.q_WP) || !vector(frame, LEG_CHANNELS.foot[k] as string, this.tip)) return;
+      this.tip.z -= header.robot.foot_radius;
+      const height = scalar(frame, LEG_CHANNELS.normalForce[k] as string) * newton;
+      const corners = pyramidCorners(this.q_WP, scalar(frame, LEG_CHANNELS.pyramidFriction[k] as string), height);
+      const kind = useClass(use);
+      this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
+      this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
+      labels.put(this.corner, percent(use), `use leg${k} ${kind}`);
     });
     this.pyramids.end();
   }

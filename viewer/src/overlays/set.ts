@@ -18,7 +18,7 @@ export interface OverlaySwitch {
 
 const ENTRIES: [id: string, name: string, about: string, on: boolean, make: () => Overlay][] = [
   ["forces", "Contact forces", "of the ground on each foot, in N", true, () => new GroundForces()],
-  ["pyramids", "Friction pyramids", "coloured by the margin μ fₙ − |fₜ|", true, () => new FrictionPyramids()],
+  ["pyramids", "Friction pyramids", "that hold the forces of the solution; 100 % used: at a face", true, () => new FrictionPyramids()],
   ["support", "Support polygon", "hull of the feet that carry", true, () => new SupportPolygon()],
   ["com", "Centre of mass", "with its plumb line; the ring is the plan", true, () => new CentreOfMass()],
   ["zmp", "Zero-moment point", "ring: from the forces; square: of the plan", true, () => new ZeroMomentPoint()],

@@ -49,7 +49,7 @@ export class OverlayMenu {
     this.ghost.checked = this.world.ghostShown = !this.world.ghostShown;
   }
 
-  /** Colours of the legs and of the friction's margin. */
+  /** Colours of the legs and of the share of the friction that is used. */
   legend(): void {
     const { legs, margin } = this.world.palette;
     const entry = (colour: number, text: string, shape = ""): HTMLElement => {
@@ -59,8 +59,8 @@ export class OverlayMenu {
     };
     part("legend").replaceChildren(
       h("span", { class: "legend-group", "data-legend": "legs" }, h("b", {}, "Legs"), ...LEGS.map((leg, k) => entry(legs[k] as number, leg))),
-      h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Friction left"),
-        entry(margin.good, "> 40 %", "pyramid"), entry(margin.near, "10 – 40 %", "pyramid"), entry(margin.bad, "< 10 %", "pyramid")),
+      h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Share of the friction used"),
+        entry(margin.good, "< 60 %", "pyramid"), entry(margin.near, "60 – 90 %", "pyramid"), entry(margin.bad, "> 90 %", "pyramid")),
     );
   }
 }

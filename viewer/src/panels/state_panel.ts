@@ -1,8 +1,9 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
-import { LEGS } from "../data/schema.ts";
+import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { yawOf } from "../math/geometry.ts";
 import { digits } from "../data/numbers.ts";
+import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
 const PHASES: Record<string, string> = { stance: "stands", unloading: "unloads", swing: "swings", search: "searches for ground" };
@@ -23,6 +24,12 @@ export function estimateError(frame: Frame): string {
   return `${digits(100 * distance)} cm and ${digits((Math.abs(heading) * 180) / Math.PI)}° in heading since the start`;
 }
 
+/** What each foot that carries uses of its friction pyramid, in words. */
+function frictionUse(frame: Frame): string {
+  const uses = LEGS.map((leg, k) => [leg, scalar(frame, LEG_CHANNELS.frictionUse[k] as string)] as const);
+  return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
+}
+
 /** One or two levels are told whole, more are counted: the panel of the hierarchy has the rest. */
 function hierarchyText({ line, more }: Account): string {
   return more.length === 0 || more.length > 2 ? line : more.join(" ");
@@ -39,6 +46,7 @@ export function sentences(frame: Frame): [string, string][] {
   return [
     ["Time", `${frame.time.toFixed(4)} s, tick ${frame.tick}`],
     ["Feet", legs.join(", ")],
+    ["Friction used", frictionUse(frame)],
     ["Base", whereabouts(frame, "truth") || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
     ["Velocity", `${digits(Math.hypot(...speed))} m/s`],

@@ -1,3 +1,4 @@
+import { rotate } from "../math/geometry.ts";
 import type { TerrainPiece } from "../protocol/session.ts";
 
 /** Half the edge of the square that stands for an endless plane [m]: hours of walking. */
@@ -89,14 +90,4 @@ export class TerrainGeometry {
       }
     }
   }
-}
-
-/** q as w, x, y, z takes v to the other frame. */
-export function rotate(q: number[], v: number[]): [number, number, number] {
-  const [w, x, y, z] = q as [number, number, number, number];
-  const [a, b, c] = v as [number, number, number];
-  const tx = 2 * (y * c - z * b);
-  const ty = 2 * (z * a - x * c);
-  const tz = 2 * (x * b - y * a);
-  return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }

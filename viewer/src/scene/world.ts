@@ -148,9 +148,9 @@ export class World {
     const trails = this.sinceTrails > TRAIL_PERIOD && (frame.time !== this.shown || this.sinceTrails > 1);
     if (trails) this.sinceTrails = 0;
     this.shown = frame.time;
-    const { header, tasks } = this.session;
+    const { header } = this.session;
     const { labels, newton } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, tasks, labels, newton, trails, held: this.held, beliefToWorld: set.beliefToWorld });
+    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, trails, held: this.held, beliefToWorld: set.beliefToWorld });
   }
 
   /** Draws all overlays as often as for this many robots, side by side. */
