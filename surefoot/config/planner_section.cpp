@@ -181,6 +181,15 @@ void check_switch(const Section& section, const PlannerOptions& options) {
   section.fail("gait", message.str());
 }
 
+/// Or a foot that searches would be taken back at once.
+void check_hip_height(const Section& section, const PlannerOptions& options) {
+  if (options.swing.hip_height_min < options.stance.height) return;
+  std::ostringstream message;
+  message << "hip_height_min is " << options.swing.hip_height_min
+          << " m; it must be below stance.height, " << options.stance.height << " m";
+  section.fail("swing", message.str());
+}
+
 }  // namespace
 
 void read_planner(Section& section, PlannerOptions& options) {
@@ -198,6 +207,7 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
   section.section("push", [&](Section& s) { read_push(s, options.push); });
   check_switch(section, options);
+  check_hip_height(section, options);
 }
 
 }  // namespace surefoot

@@ -196,7 +196,8 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   const bool waits = search_pace_ < kWaiting;
   stuck_for_ = std::max(0.0, stuck_for_ + (waits ? period_ : -period_));
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
-  const bool low = target.normal.dot(hip_.p - foothold_) < swing_.hip_height_min;
+  const bool deeper = target.normal.dot(foothold_ - p_WF) > kReferenceLead;
+  const bool low = deeper && target.normal.dot(hip_.p - foothold_) < swing_.hip_height_min;
   const bool unreachable = stuck_for_ > kUnreachableAfter || depth > swing_.search_depth_max || low;
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }

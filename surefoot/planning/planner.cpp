@@ -180,7 +180,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
       mode_ = Mode::stand;
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
-      if (!widens_support(user, dynamics)) next.unload(lift_time_);
+      if (!lets_another_leg_go_first(user, dynamics)) next.unload(lift_time_);
     }
     return;
   }
@@ -337,6 +337,10 @@ void Planner::write_plan(const UserCommand& user) {
   plan_.terrain_point = plane_.point;
   plan_.calibration = calibration_.stage(time_ - initialised_at_);
   plan_.event = static_cast<int>(event_);
+}
+
+void Planner::go_on_with(Leg k) {
+  while (next_leg() != k) cursor_ = (cursor_ + 1) % kNumLegs;
 }
 
 Leg Planner::next_leg(int ahead) const {

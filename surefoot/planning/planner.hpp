@@ -95,7 +95,7 @@ class Planner {
   void begin_swing();
   /// Where the other feet's triangle is too thin to swing the next leg: another leg goes first, if
   /// one can and that widens it.
-  [[nodiscard]] bool widens_support(const UserCommand& user, const Dynamics& dynamics);
+  [[nodiscard]] bool lets_another_leg_go_first(const UserCommand& user, const Dynamics& dynamics);
   void lift_off(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   /// A foothold, not further from the hip than the leg reaches when the foot lands.
   [[nodiscard]] Vec2 within_reach(Leg leg, const Vec3& goal, double duration,
@@ -119,6 +119,8 @@ class Planner {
   /// Of the feet that stand.
   [[nodiscard]] double mean_friction() const;
   [[nodiscard]] Leg next_leg(int ahead = 0) const;
+  /// The gait's order goes on from this leg.
+  void go_on_with(Leg leg);
   [[nodiscard]] double support_duration(int ahead = 0) const;
   [[nodiscard]] double swing_duration(Leg leg) const;
   [[nodiscard]] double cycle_duration() const;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kMostCollisions = 2;     // of one swing with an edge, before the touch is believed
 constexpr double kRetreatSpeed = 0.5;  // of a foot that found no ground [m/s]
-constexpr double kWorthAStep = 0.01;   // wider with it than without by [m]
+constexpr double kWider = 0.01;        // a support that is worth another leg's step, by [m]
+constexpr double kSamePlace = 1e-3;    // [m]
 
 }  // namespace
 
@@ -126,42 +127,43 @@ bool Planner::touches_the_edge(const Vec3& p_WF) const {
   return goes_over && (p_WF.head<2>() - caught_at_).norm() < 0.5 * options_.reflex.beyond;
 }
 
-// Back to the last foothold: there was ground. The next step goes to another place.
+// Back to the last foothold: there was ground. The next step goes to another place. (A foot whose
+// own ground is gone has no other: it looks for it there again.)
 void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   event_ = PlanEvent::no_ground;
   probing_ = false;
   const Vec3& last = leg(k).foothold();
   const Vec3 sought = leg(k).target().goal;
-  if ((sought - last).norm() > kLevel) foothold_planner_.avoid(sought);
+  if ((sought - last).norm() > kSamePlace) foothold_planner_.avoid(sought);
   const double duration = options_.gait.swing_duration + (p_WF - last).norm() / kRetreatSpeed;
   swing_again(k, {p_WF, last, plane_.normal, duration, options_.swing.apex}, user, dynamics);
 }
 
 // The step of another leg to its nominal place.
-bool Planner::widens_support(const UserCommand& user, const Dynamics& dynamics) {
+bool Planner::lets_another_leg_go_first(const UserCommand& user, const Dynamics& dynamics) {
   const double enough = options_.com.rest_margin;
-  const Leg thin = next_leg();
+  const Leg next = next_leg();
   const PerLeg<Vec3> feet = footholds();
   PerLeg<Vec2> places;
   for (const Leg k : kLegs) places[index(k)] = feet[index(k)].head<2>();
-  double widest = inradius_without(thin, places);
+  double widest = inradius_without(next, places);
   if (widest > enough) return false;
-  widest += kWorthAStep;
-  Leg first = thin;
+  widest += kWider;
+  Leg first = next;
   for (const Leg k : kLegs) {
-    if (k == thin || inradius_without(k, places) < enough) continue;
+    if (k == next || inradius_without(k, places) < enough) continue;
     PerLeg<Vec2> after = places;
     after[index(k)] =
         foothold_planner_.foothold(k, feet, plane_, yaw_, user, cycle_duration()).head<2>();
-    const double width = inradius_without(thin, after);
+    const double width = inradius_without(next, after);
     if (width > widest) first = k;
     widest = std::max(widest, width);
   }
-  if (first == thin) return false;
+  if (first == next) return false;
   event_ = PlanEvent::support_widened;
-  while (next_leg() != first) cursor_ = (cursor_ + 1) % kNumLegs;
-  begin_support(user, options_.gait.start_duration);
+  begin_support(user, pace() * options_.gait.start_duration);
+  go_on_with(first);
   replan_com(user, dynamics);
   return true;
 }

@@ -130,7 +130,7 @@ void Planner::step_to_recover(const UserCommand& user, const Dynamics& dynamics)
   for (const Leg k : kLegs) {
     if (k != best && leg(k).phase() == LegPhase::unloading) leg(k).reload(time_);
   }
-  while (next_leg() != best) cursor_ = (cursor_ + 1) % kNumLegs;  // the gait goes on behind it
+  go_on_with(best);
   const Vec3& p_WF = dynamics.foot[index(best)].p;
   Vec3 goal;
   goal << step.goal, plane_.height(step.goal);

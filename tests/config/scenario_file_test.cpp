@@ -207,6 +207,11 @@ TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
   EXPECT_TRUE(holds(complaint("", {"duration=nan"}), "--set duration=nan: duration"));
 }
 
+TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {
+  EXPECT_TRUE(holds(complaint("", {"planner.swing.hip_height_min=0.5"}),
+                    "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"));
+}
+
 TEST_F(ScenarioFile, refuses_a_switch_of_sides_shorter_than_its_ramps) {
   EXPECT_TRUE(holds(complaint("", {"planner.gait.switch_duration=0.05"}),
                     "switch_duration is 0.05 s; it must last as long as force.ramp_up and "

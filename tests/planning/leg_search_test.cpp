@@ -19,6 +19,7 @@ TEST(LegMotion, GivesUpWhenTheSearchHasTakenTheHipDownFarEnough) {
   const SwingOptions options;
   for (const double lower : {0.001, -0.001}) {
     Bench bench = searching();
+    bench.follow(0.2, 0.0);
     bench.hip = bench.leg.foothold() + (options.hip_height_min - lower) * kUp;
     EXPECT_EQ(bench.follow(2.0 * kPeriod, 0.0) == LegEvent::unreachable, lower > 0.0);
   }
