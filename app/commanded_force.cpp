@@ -1,6 +1,5 @@
 #include "app/commanded_force.hpp"
 
-#include "app/scratch_folder.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/tasks/catalog.hpp"
@@ -31,9 +30,8 @@ std::optional<FrictionCone> friction_cone_of(const StackOptions& stack) {
 std::optional<FrictionCone> friction_cone_of(const LogHeader& header) {
   const std::string* stack = header.attachment("resolved_stack.yaml");
   if (stack == nullptr) return std::nullopt;
-  const ScratchFolder folder;
   try {
-    return friction_cone_of(load_stack(folder.write("stack.yaml", *stack)));
+    return friction_cone_of(parse_stack(*stack, "resolved_stack.yaml"));
   } catch (const Error&) {  // of a program that is another one
     return std::nullopt;
   }

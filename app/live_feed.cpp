@@ -113,6 +113,7 @@ void LiveFeed::begin_again(ViewSession begun) {
   names_ = {session_.channels.level_names, {}};
   finder_.emplace(session_.channels);
   events_.clear();
+  changes_.clear();
   past_.clear();
   history_.clear();
   start_.reset();
@@ -173,7 +174,7 @@ void LiveFeed::set_recording(const std::string& path) {
 
 void LiveFeed::show(const logged::Change& change) {
   hand_over([this, time = change.time, kind = change.kind, words = change.text] {
-    JsonText(outbox_.emplace_back())
+    JsonText(changes_.emplace_back())
         .object()
         .member("type", "change")
         .member("time", time)
@@ -186,7 +187,7 @@ void LiveFeed::show(const logged::Change& change) {
 
 void LiveFeed::tell(const std::string& notice) {
   hand_over([this, notice] {
-    JsonText(outbox_.emplace_back())
+    JsonText(notices_.emplace_back())
         .object()
         .member("type", "notice")
         .member("text", std::string_view(notice))
@@ -292,8 +293,10 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
     next_status_ = now + kStatusInterval;
   }
   // After the status, which says whether they are those of a run that has begun again.
-  std::ranges::move(outbox_, std::back_inserter(messages));
-  outbox_.clear();
+  for (std::vector<std::string>* told : {&changes_, &notices_}) {
+    std::ranges::move(*told, std::back_inserter(messages));
+    told->clear();
+  }
   if (!events_.empty()) messages.push_back(events_message(std::exchange(events_, {})));
   return messages;
 }
@@ -312,6 +315,7 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("can_command", true)
       .member("recording", std::string_view(recording_))
       .member("generation", session_.generation)
+      .member("begun", session_.begun)
       .member("undo", operator_.undo_count())
       .member("pending", std::string_view(pending_));
   const std::optional<UserCommand> wanted = operator_.walk_wanted();

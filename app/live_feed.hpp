@@ -95,8 +95,8 @@ class LiveFeed final : public WebContent {
   std::uint64_t heard_ = 0;  // the last that was taken
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
-  std::vector<std::string> events_, outbox_;
-  FrameHistory history_;  // of the present run
+  std::vector<std::string> events_, changes_, notices_;  // that no page was told yet
+  FrameHistory history_;                                 // of the present run
   PastEvents past_;
   std::string ended_, recording_, pending_;
   ViewFrame frame_;

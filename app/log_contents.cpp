@@ -37,13 +37,16 @@ class Ticks {
   }
 
   void add(const McapLoss& loss) {
-    if (loss.may_hold_messages) clock_.lose();
+    if (loss.may_hold_messages) clock_.lose(first_time(loss));
   }
 
   /// Those behind the last that were in a lost chunk.
   void end(LogContents& contents) {
-    for (const McapLoss& loss : contents.losses)
-      if (loss.has_times) clock_.end(seconds(loss.last_time));
+    for (const McapLoss& loss : contents.losses) {
+      if (!loss.has_times) continue;
+      add(loss);
+      clock_.end(seconds(loss.last_time));
+    }
     contents.lost_ticks = clock_.lost();
     contents.clock = clock_.skips();
   }

@@ -133,12 +133,10 @@ void LogReplay::pass_over_rest() {
 
 // As it was done to the controller at the run.
 void LogReplay::apply_changes() {
-  if (changes_.empty()) return;
-  const ScratchFolder folder;
   for (const logged::Change& change : changes_) {
     if (change.kind == "friction") controller_->set_friction(change.friction);
     if (change.kind != "stack" || !own_stack_) continue;
-    const StackOptions stack = load_stack(folder.write("changed.yaml", change.stack));
+    const StackOptions stack = parse_stack(change.stack, "/changes");
     // Refused only where the program is another one; then `is_same` says so.
     (void)controller_->set_stack(stack, change.duration);
   }

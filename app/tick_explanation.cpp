@@ -70,9 +70,9 @@ class Search {
       nearest_ = tick_.reading.time;
     }
     found_.header = log_.header();
+    if (!(std::abs(nearest_ - time_) <= 0.5001 * found_.header.control_period)) refuse();
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
     found_.header.attachments.clear();
-    if (!(std::abs(nearest_ - time_) <= 0.5001 * found_.header.control_period)) refuse();
     found_.row_names = log_.row_names();
     found_.problem = log_.problem();
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();

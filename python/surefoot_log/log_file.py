@@ -6,6 +6,7 @@ import json
 import pathlib
 import re
 import struct
+import zlib
 from contextlib import suppress
 from functools import cache
 from itertools import groupby
@@ -31,6 +32,7 @@ BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compre
 SOUGHT = 1 << 20  # bytes at once
 DATA_END = HEAD.size + 4  # the record before the index [bytes]
 FOOTER = HEAD.size + 20 + len(MAGIC)  # with what stands behind it [bytes]
+LARGEST_INDEX = 1 << 28  # [bytes]
 TOLD = 4  # places of damage
 KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.DATA_END: DataEnd, Opcode.FOOTER: Footer,
          Opcode.SCHEMA: Schema}
@@ -125,10 +127,22 @@ class Walk:
             yield skipped, at, *record
 
 
+def has_whole_summary(file):
+    """Whether its checksum is right, where it has one."""
+    size = file.seek(0, io.SEEK_END)
+    file.seek(max(0, size - FOOTER))
+    begin, _, crc = struct.unpack_from("<QQI", file.read(FOOTER), HEAD.size)
+    file.seek(begin)
+    summed = size - len(MAGIC) - 4 - begin
+    return crc == 0 or (0 < summed <= LARGEST_INDEX and zlib.crc32(file.read(summed)) == crc)
+
+
 def summary_of(file):
-    """What stands behind a file's data; None where it can't be read or names no chunk."""
-    file.seek(0)
+    """What stands behind a file's data; None where it can't be read, is damaged or names no chunk."""
     try:
+        if not has_whole_summary(file):
+            return None
+        file.seek(0)
         summary = make_reader(file).get_summary()
     except (McapError, EOFError, ValueError, OSError, struct.error):
         return None

@@ -136,18 +136,22 @@ ConfigNode parse_yaml(const std::string& text, const std::string& name) {
   }
 }
 
+ConfigNode parse_yaml_map(const std::string& text, const std::string& name) {
+  ConfigNode tree = parse_yaml(text, name);
+  if (tree.kind != ConfigNode::Kind::map) {
+    throw FileError(tree.where + ": must be YAML of the form `key: value`; this is " +
+                    (tree.kind == ConfigNode::Kind::list ? "a list" : "not"));
+  }
+  return tree;
+}
+
 ConfigNode parse_yaml_file(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::ostringstream text;
   if (std::filesystem::is_directory(file) || !(text << stream.rdbuf())) {
     throw FileError(file.string() + ": this file can't be read, or is empty");
   }
-  ConfigNode tree = parse_yaml(text.str(), file.string());
-  if (tree.kind != ConfigNode::Kind::map) {
-    throw FileError(tree.where + ": must be YAML of the form `key: value`; this is " +
-                    (tree.kind == ConfigNode::Kind::list ? "a list" : "not"));
-  }
-  return tree;
+  return parse_yaml_map(text.str(), file.string());
 }
 
 void merge(ConfigNode& tree, ConfigNode overlay) {

@@ -30,7 +30,10 @@ struct ConfigNode {
 /// Throws FileError on what is not YAML, and on a key that is given twice.
 [[nodiscard]] ConfigNode parse_yaml(const std::string& text, const std::string& name);
 
-/// The same from a file, whose top must be a map. Throws FileError also if it can't be read.
+/// The same of a text whose top must be a map.
+[[nodiscard]] ConfigNode parse_yaml_map(const std::string& text, const std::string& name);
+
+/// The same from a file. Throws FileError also if it can't be read.
 [[nodiscard]] ConfigNode parse_yaml_file(const std::filesystem::path& file);
 
 /// Lays `overlay` over `tree`: maps are merged key by key, everything else is replaced.

@@ -197,11 +197,8 @@ std::vector<LevelSpec> read_base(const Section& top, const ConfigNode& base,
   }
 }
 
-}  // namespace
-
-StackOptions load_stack(const std::string& name_or_path, const std::filesystem::path& beside) {
-  const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
-  const ConfigNode tree = parse_yaml_file(file);
+/// `folder`: where the base may stand.
+StackOptions read_stack(const ConfigNode& tree, const std::filesystem::path& folder) {
   Section top(tree, "");
   StackOptions stack;
   std::string description;
@@ -220,7 +217,7 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   if (without != nullptr && levels != nullptr)
     top.fail("without", "there are levels, too: what they don't name is left out already");
   std::vector<LevelSpec> below;
-  if (base != nullptr) below = read_base(top, *base, file.parent_path());
+  if (base != nullptr) below = read_base(top, *base, folder);
   if (levels != nullptr) {
     read_levels(*levels, below, stack);
   } else {
@@ -229,6 +226,17 @@ StackOptions load_stack(const std::string& name_or_path, const std::filesystem::
   if (without != nullptr) leave_out(*without, stack);
   if (weights != nullptr) top.section("weights", [&](Section& map) { weigh(map, stack); });
   return weighted == nullptr ? stack : merge(*weighted, stack);
+}
+
+}  // namespace
+
+StackOptions load_stack(const std::string& name_or_path, const std::filesystem::path& beside) {
+  const std::filesystem::path file = find_data_file("stacks", name_or_path, beside);
+  return read_stack(parse_yaml_file(file), file.parent_path());
+}
+
+StackOptions parse_stack(const std::string& text, const std::string& name) {
+  return read_stack(parse_yaml_map(text, name), {});
 }
 
 std::vector<std::filesystem::path> stack_files(const std::string& name_or_path,

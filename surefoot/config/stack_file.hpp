@@ -44,6 +44,9 @@ namespace surefoot {
 [[nodiscard]] StackOptions load_stack(const std::string& name_or_path,
                                       const std::filesystem::path& beside = {});
 
+/// The same of a stack file's text; `name` stands for the file in errors. Throws Error.
+[[nodiscard]] StackOptions parse_stack(const std::string& text, const std::string& name);
+
 /// The files that a stack is read from: its own, then that of its base, that one's base, …
 /// Throws Error.
 [[nodiscard]] std::vector<std::filesystem::path> stack_files(

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 namespace surefoot {
 namespace {
@@ -218,18 +220,32 @@ HierarchyReport without_names(const logged::Hierarchy& named,
   return report;
 }
 
+template <typename T>
+struct SignalTopic {
+  std::string_view name;
+  T TickRecord::* signal;
+};
+
+constexpr std::tuple kSignals{
+    SignalTopic{"/readings", &TickRecord::reading}, SignalTopic{"/health", &TickRecord::health},
+    SignalTopic{"/user", &TickRecord::user},        SignalTopic{"/state", &TickRecord::state},
+    SignalTopic{"/plan", &TickRecord::plan},        SignalTopic{"/model", &TickRecord::model},
+    SignalTopic{"/command", &TickRecord::command},
+};
+
+bool is_signal(std::string_view topic) {
+  return std::apply([&](const auto&... one) { return ((topic == one.name) || ...); }, kSignals);
+}
+
 }  // namespace
 
 bool decode_signal(const McapMessage& message, TickRecord& tick) {
-  const std::string& topic = message.channel->topic;
-  const auto decode = [&](std::string_view name, auto& signal) {
-    if (topic != name) return false;
-    logged::Decoder::decode(message.data, signal);
+  const auto decode = [&](const auto& one) {
+    if (message.channel->topic != one.name) return false;
+    logged::Decoder::decode(message.data, tick.*one.signal);
     return true;
   };
-  return decode("/readings", tick.reading) || decode("/health", tick.health) ||
-         decode("/user", tick.user) || decode("/state", tick.state) || decode("/plan", tick.plan) ||
-         decode("/model", tick.model) || decode("/command", tick.command);
+  return std::apply([&](const auto&... one) { return (decode(one) || ...); }, kSignals);
 }
 
 LogReader::LogReader(const std::string& path, Other other)
@@ -284,13 +300,12 @@ bool LogReader::next(TickRecord& tick) {
 bool LogReader::is_rest_of_lost_tick(const McapMessage& message) {
   if (known_losses_ != file_.losses().size()) in_lost_tick_ = true;
   for (; known_losses_ < file_.losses().size(); ++known_losses_) {
-    if (file_.losses()[known_losses_].may_hold_messages) clock_.lose();
+    const McapLoss& loss = file_.losses()[known_losses_];
+    if (loss.may_hold_messages) clock_.lose(first_time(loss));
   }
   const std::string& topic = message.channel->topic;
   if (topic == "/readings") in_lost_tick_ = false;
-  if (!in_lost_tick_) return false;
-  TickRecord lost;
-  return topic == "/hierarchy" || decode_signal(message, lost);
+  return in_lost_tick_ && (topic == "/hierarchy" || is_signal(topic));
 }
 
 bool LogReader::end_tick(std::uint64_t time) {
@@ -305,7 +320,7 @@ bool LogReader::may_go_on() const {
   const bool has_timings = !timings_.empty();
   if (has_timings && latest_timing() > last) return true;
   const bool may_hold_ticks = std::ranges::any_of(file_.losses(), [&](const McapLoss& loss) {
-    return loss.has_times ? loss.last_time > last : !has_timings;
+    return loss.may_hold_messages && (loss.has_times ? loss.last_time > last : !has_timings);
   });
   return may_hold_ticks || (!file_.has_all_data() && !has_timings);
 }

@@ -33,6 +33,25 @@ std::string told(const std::string& name) {
   return is_name ? "the attachment " + name : "an attachment";
 }
 
+/// What was skipped before a record, by what the file's index has there.
+McapLoss skipped_loss(const mcap::RecordWalk& file) {
+  McapLoss loss{.offset = file.offset() - file.skipped(),
+                .size = file.skipped(),
+                .why = "a record's head is damaged",
+                .may_hold_messages = true};
+  const auto records = file.skipped_records();
+  if (records.empty() || records.front().offset != loss.offset) return loss;
+  loss.may_hold_messages = false;
+  for (const mcap::IndexedRecord& record : records) {
+    if (record.opcode != Opcode::chunk) continue;
+    if (!loss.may_hold_messages) loss.first_time = record.first_time;
+    loss.first_time = std::min(loss.first_time, record.first_time);
+    loss.last_time = std::max(loss.last_time, record.last_time);
+    loss.may_hold_messages = loss.has_times = true;
+  }
+  return loss;
+}
+
 }  // namespace
 
 McapReader::McapReader(const std::string& path) : path_(path), file_(path) {
@@ -81,10 +100,7 @@ bool McapReader::read_record() {
   try {
     if (!file_.next()) throw Malformed{"cut off"};
     if (file_.skipped() > 0) {
-      losses_.push_back({.offset = file_.offset() - file_.skipped(),
-                         .size = file_.skipped(),
-                         .why = "a record's head is damaged",
-                         .may_hold_messages = true});
+      losses_.push_back(skipped_loss(file_));
       learn_descriptions();
     }
     record_ = file_.content();

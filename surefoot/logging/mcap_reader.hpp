@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,9 +30,15 @@ struct McapLoss {
   std::uint64_t offset = 0, size = 0;  ///< in the file [bytes]
   std::string why;
   bool may_hold_messages = false;
-  bool has_times = false;                       ///< a chunk that says from when its messages are
+  bool has_times = false;  ///< of chunks of which is known from when their messages are
   std::uint64_t first_time = 0, last_time = 0;  ///< of them [ns]
 };
+
+/// Of the first message that is lost, where it is known [s].
+[[nodiscard]] inline std::optional<double> first_time(const McapLoss& loss) {
+  if (!loss.has_times) return std::nullopt;
+  return 1e-9 * static_cast<double>(loss.first_time);
+}
 
 /// Reads an MCAP file from front to back without its index, so that a file that was cut off or
 /// damaged gives all of its whole chunks: what can't be read is passed over.

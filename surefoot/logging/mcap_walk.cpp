@@ -43,15 +43,18 @@ bool is_compressed(std::string_view start) {
   return start.size() > kBeforeCompression && start.substr(kBeforeCompression).starts_with(kZstd);
 }
 
-/// Where a record stands that an index entry is about.
-std::optional<std::uint64_t> place_of(Opcode opcode, std::string_view content) {
+/// The record that an index entry is about.
+std::optional<IndexedRecord> record_of(Opcode opcode, std::string_view content) {
   Cursor cursor(content);
   if (opcode == Opcode::chunk_index) {
-    cursor.bytes(kChunkTimes);
-    return cursor.number<std::uint64_t>();
+    const auto first = cursor.number<std::uint64_t>();
+    const auto last = cursor.number<std::uint64_t>();
+    return IndexedRecord{cursor.number<std::uint64_t>(), Opcode::chunk, first, last};
   }
-  if (opcode == Opcode::attachment_index || opcode == Opcode::metadata_index)
-    return cursor.number<std::uint64_t>();
+  if (opcode == Opcode::attachment_index)
+    return IndexedRecord{cursor.number<std::uint64_t>(), Opcode::attachment};
+  if (opcode == Opcode::metadata_index)
+    return IndexedRecord{cursor.number<std::uint64_t>(), Opcode::metadata};
   return std::nullopt;
 }
 
@@ -109,18 +112,27 @@ bool RecordWalk::is_record(std::uint64_t offset) {
 bool RecordWalk::find_record(std::uint64_t from) {
   if (!index_) index_ = read_index();
   if (index_->empty()) return find_chunk(from);
-  for (auto place = std::ranges::lower_bound(*index_, from); place != index_->end(); ++place) {
-    if (!is_record(*place)) continue;
-    offset_ = *place;
+  for (auto place = std::ranges::lower_bound(*index_, from, {}, &IndexedRecord::offset);
+       place != index_->end(); ++place) {
+    if (!is_record(place->offset)) continue;
+    offset_ = place->offset;
     return true;
   }
   return false;
 }
 
+std::span<const IndexedRecord> RecordWalk::skipped_records() const {
+  if (!index_) return {};
+  const auto at = [this](std::uint64_t offset) {
+    return std::ranges::lower_bound(*index_, offset, {}, &IndexedRecord::offset);
+  };
+  return {at(offset_ - skipped_), at(offset_)};
+}
+
 // Where the records stand that a closed file names behind its data, and that index itself; nothing
 // of a file whose index is damaged or was cut off.
-std::vector<std::uint64_t> RecordWalk::read_index() {
-  std::vector<std::uint64_t> places;
+std::vector<IndexedRecord> RecordWalk::read_index() {
+  std::vector<IndexedRecord> records;
   try {
     const std::uint64_t behind = kRecordHead + kFooter + kMagic.size();
     if (size_ < behind) return {};
@@ -135,18 +147,18 @@ std::vector<std::uint64_t> RecordWalk::read_index() {
     if (!is_footer || begin == 0 || begin > summed || summed - begin > kLargestIndex) return {};
     const std::string summary = bytes(begin, summed - begin);
     if (crc != 0 && crc != crc32(summary)) return {};
-    places.push_back(begin);
-    if (begin > kDataEnd) places.push_back(begin - kDataEnd);
+    records.push_back({.offset = begin});
+    if (begin > kDataEnd) records.push_back({begin - kDataEnd, Opcode::data_end});
     for (Cursor rest(std::string_view(summary).substr(0, size_ - behind - begin));
          !rest.rest().empty();) {
       const auto [kind, size] = take_head(rest);
-      if (const auto place = place_of(kind, rest.bytes(size))) places.push_back(*place);
+      if (const auto record = record_of(kind, rest.bytes(size))) records.push_back(*record);
     }
   } catch (const Malformed&) {
     return {};
   }
-  std::ranges::sort(places);
-  return places;
+  std::ranges::sort(records, {}, &IndexedRecord::offset);
+  return records;
 }
 
 // The next compressed chunk from there on; then it has its place.

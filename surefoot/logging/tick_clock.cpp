@@ -4,6 +4,11 @@
 
 namespace surefoot {
 
+void TickClock::lose(std::optional<double> from) {
+  loses_ = true;
+  if (!last_ && !begin_) begin_ = from;
+}
+
 void TickClock::add(double time) {
   const double late = time - expected();
   const bool goes_on = !(std::abs(late) >= 0.5 * period_);
@@ -21,6 +26,7 @@ void TickClock::add(double time) {
 }
 
 void TickClock::end(double time) {
+  if (!last_ && !begin_) return;  // the clock may have begun at any time
   const double missing = (time + period_ - expected()) / period_;
   if (!(missing > 0.5)) return;
   lost_ += static_cast<std::uint64_t>(std::llround(missing));

@@ -22,8 +22,9 @@ class TickClock {
   explicit TickClock(double period)
       : period_(period > 0.0 ? period : std::numeric_limits<double>::quiet_NaN()) {}
 
-  /// Something that may have held ticks could not be read.
-  void lose() { loses_ = true; }
+  /// Something that may have held ticks could not be read; `from`: the time of the first of them
+  /// [s], where it is known.
+  void lose(std::optional<double> from);
   /// A tick, by its time [s].
   void add(double time);
   /// A time up to which there would be ticks, at the end of the log [s].
@@ -31,15 +32,16 @@ class TickClock {
 
   /// Nothing is lost between the last two ticks, or before the first.
   [[nodiscard]] bool follows() const { return follows_; }
-  /// Ticks that are lost so far, before the last one.
+  /// Ticks that are lost so far, before the last one; of those before the first one only such
+  /// whose time is known.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   [[nodiscard]] const ClockSkips& skips() const { return skips_; }
 
  private:
-  [[nodiscard]] double expected() const { return last_ ? *last_ + period_ : 0.0; }
+  [[nodiscard]] double expected() const { return last_ ? *last_ + period_ : begin_.value_or(0.0); }
 
   double period_;
-  std::optional<double> last_;
+  std::optional<double> last_, begin_;  // last tick; before the first: of what is lost
   bool loses_ = false, follows_ = true;
   std::uint64_t lost_ = 0;
   ClockSkips skips_;

@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
 
 namespace surefoot {
 namespace {
@@ -103,6 +106,19 @@ TEST(CommandedForces, tell_the_pyramid_that_held_them) {
                   forces.friction_use[0], 1e-9);
     }
   }
+}
+
+TEST(CommandedForces, are_those_of_the_log_also_where_no_temporary_file_can_be_made) {
+  LogHeader header;
+  header.attachments.push_back({"resolved_stack.yaml", "",
+                                "name: own\nlevels:\n  - {task: friction_cone, axes: gravity}\n"});
+  const char* folder = std::getenv("TMPDIR");
+  const std::optional<std::string> before = folder ? std::optional(folder) : std::nullopt;
+  setenv("TMPDIR", "/nowhere", 1);
+  std::optional<FrictionCone> cone;
+  EXPECT_NO_THROW(cone = friction_cone_of(header));
+  before ? setenv("TMPDIR", before->c_str(), 1) : unsetenv("TMPDIR");
+  EXPECT_TRUE(cone);
 }
 
 TEST(CommandedForces, are_not_known_of_feet_that_do_not_carry) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -161,6 +162,28 @@ TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_m
   const std::string status = watched.feed.status(0);
   EXPECT_NE(status.find(R"("tick":0,)"), std::string::npos) << status;
   EXPECT_NE(status.find(R"("generation":1,)"), std::string::npos) << status;
+  EXPECT_NE(status.find(R"("begun":1,)"), std::string::npos) << status;
+}
+
+TEST(LiveFeed, changes_of_a_run_before_are_not_told_with_those_of_the_run_that_has_begun) {
+  WatchedRun watched;
+  const auto changes_told = [&] {
+    (void)watched.feed.blocks();
+    const std::vector<std::string> told = watched.feed.messages(1);
+    return std::ranges::count_if(told, [](const std::string& message) {
+      return message.starts_with(R"({"type":"change")");
+    });
+  };
+  const auto run_with = [&](double friction) {
+    watched.run([&watched, friction] {
+      EXPECT_EQ(watched.feed.command({.type = ViewCommandType::friction, .value = friction}), "");
+    });
+  };
+  run_with(0.4);
+  EXPECT_EQ(changes_told(), 1);
+  run_with(0.3);
+  watched.run();
+  EXPECT_EQ(changes_told(), 0);
 }
 
 }  // namespace

@@ -133,6 +133,47 @@ TEST(LogReader, WhatIsLostIsToldFromAClockThatSkips) {
   EXPECT_EQ(log.clock_skips().count, 1u);
 }
 
+/// Changes a byte of an attachment, counted from where its record begins.
+void damage_attachment(const std::string& path, const std::string& name, std::size_t byte) {
+  constexpr std::size_t kBeforeName = 29;  // the record's head, dates, length of the name [bytes]
+  std::string bytes = contents(path);
+  bytes.at(bytes.find(name) - kBeforeName + byte) ^= '\x40';
+  write_file(path, bytes);
+}
+
+TEST(LogReader, AnAttachmentThatIsLostHidesNoTicksOfAClockThatBeginsLate) {
+  const TemporaryFolder folder;
+  for (const std::size_t byte : {8u, 60u}) {  // in its head, and in what has a checksum
+    record_with_skips(folder / "run.mcap");
+    damage_attachment(folder / "run.mcap", "model.xml", byte);
+    LogReader log(folder / "run.mcap");
+    TickRecord tick;
+    int ticks = 0;
+    for (; log.next(tick); ++ticks) ASSERT_TRUE(log.follows()) << tick.reading.time;
+    EXPECT_EQ(ticks, 1299);
+    EXPECT_FALSE(log.complete());
+    EXPECT_NEAR(log.clock_skips().begin, 0.5, 1e-9);
+  }
+}
+
+TEST(LogReader, AnAttachmentThatIsLostIsNoEndOfARunWithoutTimings) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder(folder / "run.mcap", SyntheticRun::header());
+    SyntheticRun run(3);
+    for (int i = 0; i < 100; ++i) {
+      run.step();
+      recorder.record(run.tick);
+    }
+    recorder.close();
+  }
+  damage_attachment(folder / "run.mcap", "model.xml", 60);
+  LogReader log(folder / "run.mcap");
+  EXPECT_EQ(ticks_in(log), 100);
+  EXPECT_FALSE(log.complete());
+  EXPECT_FALSE(log.may_go_on());
+}
+
 /// What is said of a log with this header.
 std::string refusal_of(const std::string& header) {
   const TemporaryFolder folder;

@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import struct
 
 import numpy as np
 import pyarrow.parquet
@@ -197,6 +198,15 @@ def test_what_stands_behind_a_last_chunk_with_a_damaged_head_is_read(log, tmp_pa
     assert sum(message.topic == "/plan" for message in read.messages()) == TICKS
     assert read.attachments["summary.json"] == attachment(log, "summary.json")
     assert read.problem.startswith(f"a record's head is damaged at byte {last} of ") and "cut off" not in read.problem
+
+
+def test_an_index_whose_checksum_is_wrong_is_not_followed(log, tmp_path):
+    chunk = tick_chunks(log)[3]
+    entry = log.read_bytes().rindex(struct.pack("<Q", chunk.chunk_start_offset) + struct.pack("<Q", chunk.chunk_length))
+    read = LogFile(damaged_at(log, tmp_path, entry + 1))
+    assert LogFile(log).topics() is not None and read.topics() is None
+    first = {topic: message.time for topic, message in read.first_messages().items()}
+    assert first == {topic: message.time for topic, message in LogFile(log).first_messages().items()}
 
 
 def test_what_is_no_log_is_refused_by_name(log, tmp_path):

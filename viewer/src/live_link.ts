@@ -1,5 +1,4 @@
 import type { App } from "./app.ts";
-import { Generations } from "./data/generations.ts";
 import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
@@ -29,8 +28,9 @@ export class LiveLink {
   private waiting: ArrayBuffer[] = [];
   private reading = false;
   private lostBefore = false;
+  /** This page has asked for a reset. */
+  private resets = false;
   private app: App | undefined;
-  private readonly generations = new Generations();
 
   constructor(
     readonly source: LiveSource,
@@ -63,7 +63,7 @@ export class LiveLink {
     this.connection.onBlock = (block) => this.take(block);
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
-    this.source.onRestart = () => app.restart();
+    this.source.onRestart = () => this.beginAgain();
     this.connection.open();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
@@ -71,7 +71,7 @@ export class LiveLink {
   private take(block: ArrayBuffer): void {
     const head = readBlockHead(block);
     this.dropped = head.dropped;
-    if (this.generations.isOld(head.generation)) return;
+    if (this.source.isOld(head.generation)) return;
     if (head.generation !== this.generation || this.reading) {
       this.waiting.push(block);
       if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
@@ -107,7 +107,7 @@ export class LiveLink {
     const isKnown = (block: ArrayBuffer): boolean => readBlockHead(block).generation <= this.generation;
     const known = this.waiting.filter(isKnown);
     this.waiting = this.waiting.filter((block) => !isKnown(block));
-    for (const block of known) if (!this.generations.isOld(readBlockHead(block).generation)) this.read(block);
+    for (const block of known) if (!this.source.isOld(readBlockHead(block).generation)) this.read(block);
     if (this.waiting.length > 0) void this.readSession();
   }
 
@@ -118,6 +118,7 @@ export class LiveLink {
     this.generation = session.generation;
     this.source.schema = schema;
     this.app?.use(session, schema);
+    this.source.follow(session.begun);
   }
 
   private hear(message: ServerMessage): void {
@@ -126,14 +127,14 @@ export class LiveLink {
     switch (message.type) {
       case "status":
         this.status = message;
-        if (this.generations.begins(message.generation)) this.beginAgain(message);
+        this.source.follow(message.begun);
         drive.show(message);
         tune.showStatus(message);
         this.showPending(message);
         this.showState();
         break;
       case "change":
-        tune.changes.add(message);
+        tune.changes.hear(message);
         if (!message.text.startsWith("pull")) app.notes.say(message.text);
         this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change" });
         break;
@@ -150,20 +151,20 @@ export class LiveLink {
 
   /** The run is to begin again. */
   async reset(send: () => Promise<void>): Promise<void> {
-    this.generations.awaitReset();
+    this.resets = true;
     try {
       await send();
     } catch (error) {
-      this.generations.stay();
+      this.resets = false;
       throw error;
     }
   }
 
-  /** Nothing of the run before is shown; one that is paused makes its first tick, so that there is something to see. */
-  private beginAgain(status: Status): void {
-    this.source.clear();
+  /** Nothing of the run before is shown; one that is paused makes its first tick for who has reset it, so that there is something to see. */
+  private beginAgain(): void {
     this.app?.restart();
-    if (status.paused) this.app?.command("step", { ticks: 1 });
+    if (this.resets && this.status?.paused) this.app?.command("step", { ticks: 1 });
+    this.resets = false;
   }
 
   private showState(): void {
@@ -188,7 +189,6 @@ export class LiveLink {
     this.showState();
     if (state === "lost") {
       this.lostBefore = true;
-      this.generations.clear();
       app.handlers().commands.lost();
       app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
@@ -209,8 +209,8 @@ export class LiveLink {
     try {
       const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
       const marks = marksOf(events, this.source.schema.events);
-      this.source.remember(marks);
-      this.app?.handlers().tune.changes.remember(marks.filter(({ kind }) => kind === "change"));
+      this.source.mark(...marks);
+      this.app?.handlers().tune.changes.recall(marks.filter(({ kind }) => kind === "change"));
     } catch (error) {
       console.warn(error); // that the connection is lost is shown
     }

@@ -23,7 +23,7 @@ function showLost(words: string): void {
 
 async function start(): Promise<void> {
   const notes = new Notes();
-  const asked = performance.now();
+  let asked = performance.now();
   const waiting = setInterval(() => {
     const silence = silenceOf(asked, performance.now());
     if (silence === 0) return;
@@ -31,6 +31,7 @@ async function start(): Promise<void> {
     notes.keep("silent", NO_ANSWER, "error");
   }, 500);
   for (let attempt = 0; ; ++attempt) {
+    asked = performance.now();
     try {
       const [session, urdf] = await Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
       clearInterval(waiting);
@@ -40,6 +41,8 @@ async function start(): Promise<void> {
     } catch (error) {
       console.warn(error);
       showLost("no connection");
+      notes.take("silent");
+      asked = Infinity; // it has answered, or there is none to answer
       notes.keep("start", `The run can't be shown: ${(error as Error).message}. The page tries again by itself.`, "error");
       await new Promise((resolve) => setTimeout(resolve, backoff(attempt)));
     }

@@ -3,7 +3,6 @@ import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
 import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
-import { Generations } from "../src/data/generations.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
 import { linkText, staleText } from "../src/panels/stale.ts";
 import { schemaOf } from "./make.ts";
@@ -12,14 +11,18 @@ const PERIOD = 0.0025;
 
 function filled(): LiveSource {
   const source = new LiveSource(schemaOf({ x: 1 }));
+  source.follow(0);
   for (let tick = 0; tick < 1000; ++tick) source.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
   return source;
 }
 
-test("a run that begins again is noticed once, by its first tick", () => {
+test("a run that begins again is noticed once, whoever tells it, before its first tick", () => {
   const source = filled();
   let restarts = 0;
   source.onRestart = () => ++restarts;
+  for (const begun of [0, 3, 3, 0]) source.follow(begun);
+  assert.equal(restarts, 1);
+  assert.ok(Number.isNaN(source.last));
   for (let tick = 0; tick < 3; ++tick) source.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
   assert.equal(restarts, 1);
   assert.equal(source.at(1)?.tick, 2);
@@ -30,7 +33,7 @@ test("after a reset nothing is shown until the first tick, and then that, althou
   const player = new Player(source, true);
   player.advance(0.016, 1);
   player.seek(1);
-  source.clear();
+  source.follow(1);
   player.restart();
   assert.ok(player.following && player.playing);
   player.advance(0.016, 0);
@@ -42,24 +45,20 @@ test("after a reset nothing is shown until the first tick, and then that, althou
 
 test("marks are what the program says happened, for as long as there are frames, and those of this run", () => {
   const source = new LiveSource(schemaOf({ x: 1 }));
+  source.follow(0);
   const mark = (time: number): void => source.mark(...marksOf([[time, 1, "LH"], { time, kind: "mode", text: "command mode: hold" }], source.schema.events));
   for (const time of [5, 200]) source.append(time * 400, time, Float32Array.of(0), undefined);
   mark(1);
   mark(199);
   assert.deepEqual(source.marks, [{ time: 199, text: "lift-off", leg: "LH", kind: "event" }, { time: 199, text: "command mode: hold", leg: "", kind: "mode" }]);
-  source.append(0, 0, Float32Array.of(0), undefined);
+  source.follow(1);
   assert.deepEqual(source.marks, []);
 });
 
-test("a reset that this page asked for is done when the generation rises; what was before is then old", () => {
-  const generations = new Generations();
-  assert.equal(generations.begins(5), false);
-  generations.awaitReset();
-  assert.equal(generations.begins(5), false);
-  assert.equal(generations.isOld(5), false);
-  assert.equal(generations.begins(6), true);
-  assert.equal(generations.begins(7), false);
-  assert.deepEqual([5, 6, 7].map((one) => generations.isOld(one)), [true, false, false]);
+test("frames of a run before a reset are old, those of this run's first control are not", () => {
+  const source = filled();
+  source.follow(6);
+  assert.deepEqual([5, 6, 7].map((one) => source.isOld(one)), [true, false, false]);
 });
 
 test("a program is silent when nothing came for three seconds", () => {
@@ -111,6 +110,7 @@ test("nothing is asked for where the page has all there is, and of a run before 
   assert.deepEqual(opened(0).asked, []);
   assert.deepEqual(opened(500, 500).asked, []);
   const { source } = opened(24000);
+  source.follow(1);
   source.append(0, 0, Float32Array.of(0), undefined);
   assert.deepEqual([source.first, source.last], [0, 0]);
   source.append(1, PERIOD, Float32Array.of(1), undefined);
@@ -121,7 +121,7 @@ test("what happened is known once, in the order of time, whoever tells it first"
   const source = new LiveSource(schemaOf({ x: 1 }));
   const at = (time: number): Parameters<typeof source.mark>[0] => ({ time, text: "push", leg: "", kind: "change" });
   source.mark(at(7), at(8));
-  source.remember([at(1), at(7)]);
+  source.mark(at(1), at(7));
   assert.deepEqual(source.marks.map(({ time }) => time), [1, 7, 8]);
 });
 
@@ -135,6 +135,17 @@ test("a page that was away learns of a reset meanwhile, and keeps what happened 
   assert.deepEqual([restarts, source.marks.length], [0, 1]);
   source.begin(7, 0, nothing);
   assert.deepEqual([restarts, source.marks.length], [1, 0]);
+});
+
+test("a page that was there at a reset keeps what happened after it when the connection is lost", () => {
+  const { source } = opened(400);
+  let restarts = 0;
+  source.onRestart = () => ++restarts;
+  source.follow(7);
+  source.append(0, 0, Float32Array.of(0), undefined);
+  source.mark({ time: 1.5, text: "push", leg: "", kind: "change" });
+  source.begin(7, 0, () => new LiveSource(source.schema));
+  assert.deepEqual([restarts, source.marks.length], [1, 1]);
 });
 
 test("why there are no numbers is said above them", () => {

@@ -4,13 +4,39 @@ export interface Change {
   text: string;
 }
 
-/** What is known, and what was told beside it, in the order of time; the same change twice at one time is two. */
-export function withTold(known: Change[], told: Change[]): Change[] {
-  const rest = [...known];
-  const more = told.filter(({ time, text }) => {
-    const at = rest.findIndex((one) => one.time === time && one.text === text);
-    if (at >= 0) rest.splice(at, 1);
-    return at < 0;
-  });
-  return [...more, ...known].sort((a, b) => a.time - b.time);
+/** What was changed in a run, told twice: each change as it comes to effect, and all so far where one asks. Either may come first; the
+ * same change twice at one time is two. */
+export class Changes {
+  all: Change[] = [];
+  /** Those that were asked for and may still be told by themselves. */
+  private unheard: Change[] = [];
+
+  /** `most`: as many as are kept, the latest. */
+  constructor(private readonly most: number) {}
+
+  hear(change: Change): void {
+    if (!takeOut(this.unheard, change)) this.keep([...this.all, change]);
+  }
+
+  recall(told: Change[]): void {
+    const known = [...this.all];
+    const more = told.filter((change) => !takeOut(known, change));
+    this.unheard.push(...more);
+    this.keep([...more, ...this.all].sort((a, b) => a.time - b.time));
+  }
+
+  clear(): void {
+    this.all = this.unheard = [];
+  }
+
+  private keep(changes: Change[]): void {
+    this.all = changes.slice(-this.most);
+  }
+}
+
+/** Whether the change was among these; it is not any more. */
+function takeOut(changes: Change[], { time, text }: Change): boolean {
+  const at = changes.findIndex((one) => one.time === time && one.text === text);
+  if (at >= 0) changes.splice(at, 1);
+  return at >= 0;
 }

@@ -13,55 +13,57 @@ export type OpenBefore = (first: number, ticks: number) => FrameSource;
 
 /** The last two minutes of a live run: what came, and what the program still knows of the time before. */
 export class LiveSource implements FrameSource {
-  /** Called when frames begin again from an earlier time. */
+  /** Called when the run has begun again, and nothing of the one before is left. */
   onRestart: () => void = () => {};
   marks: Mark[] = [];
   private readonly ring = new FrameRing(LIVE_SECONDS);
   private before: FrameSource | undefined;
   private oldest = Infinity;
   private openBefore: OpenBefore | undefined;
-  private run: number | undefined;
+  private begun: number | undefined;
 
   constructor(public schema: Schema) {}
 
-  /** What comes from now on is of this `run`, behind ticks that can be asked for, from `oldest` on. Frames that came before are forgotten. */
-  begin(run: number, oldest: number, openBefore: OpenBefore): void {
-    const restarts = this.run !== undefined && this.run !== run;
-    this.run = run;
-    this.ring.clear();
-    this.before = undefined;
-    if (restarts) this.marks = [];
+  /** The run that goes on began with generation `begun`: of one before it nothing is left. */
+  follow(begun: number): void {
+    const known = this.begun;
+    if (known !== undefined && begun <= known) return;
+    this.begun = begun;
+    if (known === undefined) return;
+    this.forget();
+    this.oldest = Infinity;
+    this.marks = [];
+    this.onRestart();
+  }
+
+  /** Whether frames of this generation are of a run before. */
+  isOld(generation: number): boolean {
+    return this.begun !== undefined && generation < this.begun;
+  }
+
+  /** What comes from now on is of the run that began with `begun`, behind ticks that can be asked for, from `oldest` on. Frames that came before are forgotten. */
+  begin(begun: number, oldest: number, openBefore: OpenBefore): void {
+    this.follow(begun);
+    this.forget();
     this.oldest = oldest;
     this.openBefore = openBefore;
-    if (restarts) this.onRestart();
   }
 
   append(tick: number, time: number, values: Float32Array, rows: Uint8Array | undefined): void {
-    const restarts = time < this.ring.last;
-    if (restarts) this.clear();
-    else if (this.ring.empty && tick > this.oldest) this.before = this.openBefore?.(this.oldest, tick - this.oldest + 1);
+    if (this.ring.empty && tick > this.oldest) this.before = this.openBefore?.(this.oldest, tick - this.oldest + 1);
     this.ring.append(this.schema, tick, time, values, rows);
     if (this.last - LIVE_SECONDS >= this.ring.first) this.before = undefined;
-    if (restarts) this.onRestart();
   }
 
-  clear(): void {
+  private forget(): void {
     this.ring.clear();
     this.before = undefined;
-    this.oldest = Infinity;
-    this.marks = [];
   }
 
-  /** Something happened; what is from before the frames is forgotten. */
+  /** Something happened, of which some may be known; what is from before the frames is forgotten. */
   mark(...marks: Mark[]): void {
-    this.marks = [...this.marks, ...marks].filter(({ time }) => !(time < this.first));
-  }
-
-  /** All that happened, in the order of time, of which some may be known. */
-  remember(marks: Mark[]): void {
     const all = new Map([...marks, ...this.marks].map((mark) => [`${mark.time} ${mark.kind} ${mark.text} ${mark.leg}`, mark]));
-    this.marks = [];
-    this.mark(...[...all.values()].sort((a, b) => a.time - b.time));
+    this.marks = [...all.values()].filter(({ time }) => !(time < this.first)).sort((a, b) => a.time - b.time);
   }
 
   get first(): number {

@@ -13,6 +13,8 @@ export interface Status {
   ended: string | null;
   recording: string;
   generation: number;
+  /** With which generation the run began that goes on. */
+  begun: number;
   command: { walk: boolean; velocity: number[]; yaw_rate: number; height: number; by: string };
   undo: number;
   /** What of the control is wanted and no tick has taken yet; "": nothing. */
