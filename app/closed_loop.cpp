@@ -8,6 +8,7 @@
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
+#include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
 #include <array>
@@ -40,6 +41,17 @@ std::string reason(Ending ending) {
   return "";
 }
 
+bool is_shown(const ClosedLoopOptions& options) {
+  return !options.record_path.empty() || options.steering != nullptr;
+}
+
+/// What is recorded or watched has the time of each level.
+ControllerOptions controller_options(const Scenario& scenario, const ClosedLoopOptions& options) {
+  ControllerOptions result = scenario.controller;
+  if (is_shown(options)) result.solver.clock = steady_seconds;
+  return result;
+}
+
 /// Everything of one run, wired together.
 class ClosedLoop {
  public:
@@ -48,13 +60,13 @@ class ClosedLoop {
         options_(options),
         model_(scenario.robot),
         plant_(scenario.robot, scenario.plant),
-        controller_(scenario.robot, scenario.controller,
+        controller_(scenario.robot, controller_options(scenario, options),
                     make_estimator(scenario.estimation, {scenario.robot, scenario.controller.period,
                                                          plant_, scenario.estimator})),
         goal_(scenario.goal),
         evaluator_(evaluator_options()) {
     controller_.set_stage_observer(&timer_);
-    controller_.explain_levels(!options.record_path.empty() || options.steering != nullptr);
+    controller_.explain_levels(is_shown(options));
     if (!options.record_path.empty()) {
       recorder_.emplace(options.record_path, log_header(scenario, controller_, plant_, model_));
       truth_log_.emplace(*recorder_);
@@ -125,6 +137,7 @@ class ClosedLoop {
   void judge() {
     TickTiming timing = timer_.timing();
     timing.time = plant_.time();
+    timing.levels = in_microseconds(controller_.level_times());
     evaluator_.add(plant_.truth(), controller_.record());
     events_.add(timing.time, controller_.record().plan);
     evaluator_.add(timing);

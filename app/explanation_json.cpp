@@ -23,17 +23,15 @@ Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount
   return list;
 }
 
-Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& level) {
+Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& level, bool is_swept) {
   Json json = {{"name", level.name}};
   if (!level.unit.empty()) json["unit"] = level.unit;
   json["status"] = level.status;
   json["residual"] = level.residual;
   json["rows"] = level.num_rows;
   json["freedom_left"] = level.freedom_left;
-  if (!is_at_once(levels)) {
-    json["iterations"] = level.iterations;
-    json["time_s"] = level.time;
-  }
+  if (!is_swept) json["iterations"] = level.iterations;
+  if (level.time > 0.0) json["time_s"] = level.time;
   json["missed"] = Json::array();
   for (const MissedRow& row : level.missed)
     json["missed"].push_back({{"row", row.name}, {"by", row.by}});
@@ -50,13 +48,13 @@ Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& s
                       const std::vector<LevelCertificate>& certificates) {
   Json list = Json::array();
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    list.push_back(level_json(levels, levels[k]));
+    list.push_back(level_json(levels, levels[k], solution.is_swept));
     if (!certificates.empty()) list.back()["certificate"] = certificates[k].stationarity;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};
   if (solution.failed_level >= 0) json["failed_level"] = solution.failed_level + 1;
-  json[is_at_once(levels) ? "sweeps" : "iterations"] = num_iterations(levels);
+  json[solution.is_swept ? "sweeps" : "iterations"] = num_iterations(solution);
   json["time_s"] = solution.time;
   json["levels"] = std::move(list);
   return json;

@@ -26,8 +26,9 @@ std::string microseconds(double seconds) {
 
 class Text {
  public:
-  Text(const std::vector<LevelAccount>& levels, const std::vector<LevelCertificate>& certificates)
-      : levels_(levels), certificates_(certificates) {}
+  Text(const std::vector<LevelAccount>& levels, const std::vector<LevelCertificate>& certificates,
+       bool is_swept)
+      : levels_(levels), certificates_(certificates), is_swept_(is_swept) {}
 
   [[nodiscard]] std::string whole() const {
     const std::vector<std::string> lines = split(aligned(heads()));
@@ -61,8 +62,8 @@ class Text {
             std::to_string(level.held.size()),
             std::to_string(level.missed.size()),
             std::to_string(level.freedom_left),
-            is_at_once(levels_) ? "-" : std::to_string(level.iterations),
-            is_at_once(levels_) ? "-" : microseconds(level.time)};
+            is_swept_ ? "–" : std::to_string(level.iterations),
+            level.time > 0.0 ? microseconds(level.time) : "–"};
   }
 
   static std::vector<std::string> split(const std::string& text) {
@@ -136,12 +137,12 @@ class Text {
 
   const std::vector<LevelAccount>& levels_;
   const std::vector<LevelCertificate>& certificates_;
+  bool is_swept_;
 };
 
-std::string headline(const std::vector<LevelAccount>& levels, const Solution& solution) {
-  const bool at_once = is_at_once(levels);
-  const std::string unit = at_once ? " sweep" : " iteration";
-  const int iterations = num_iterations(levels);
+std::string headline(const Solution& solution) {
+  const std::string unit = solution.is_swept ? " sweep" : " iteration";
+  const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
   if (solution.failed_level >= 0)
     text += " in level " + std::to_string(solution.failed_level + 1) +
@@ -154,7 +155,7 @@ std::string headline(const std::vector<LevelAccount>& levels, const Solution& so
 
 std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
                              const std::vector<LevelCertificate>& certificates) {
-  return headline(levels, solution) + Text(levels, certificates).whole();
+  return headline(solution) + Text(levels, certificates, solution.is_swept).whole();
 }
 
 }  // namespace surefoot

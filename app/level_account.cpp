@@ -150,15 +150,10 @@ std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solu
   return accounts;
 }
 
-bool is_at_once(const std::vector<LevelAccount>& levels) {
-  return std::all_of(levels.begin(), levels.end(),
-                     [](const LevelAccount& level) { return level.time == 0.0; });
-}
-
-int num_iterations(const std::vector<LevelAccount>& levels) {
-  if (is_at_once(levels)) return levels.empty() ? 0 : levels.front().iterations;
+int num_iterations(const Solution& solution) {
+  if (solution.is_swept) return solution.levels.empty() ? 0 : solution.levels.front().iterations;
   int sum = 0;
-  for (const LevelAccount& level : levels) sum += level.iterations;
+  for (const LevelResult& level : solution.levels) sum += level.iterations;
   return sum;
 }
 

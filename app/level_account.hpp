@@ -48,7 +48,7 @@ struct LevelAccount {
   long num_rows = 0;
   long freedom_left = 0;
   int iterations = 0;
-  double time = 0.0;                             ///< [s]
+  double time = 0.0;                             ///< [s]; 0: not measured
   std::vector<MissedRow> missed;                 ///< worst first
   std::vector<HeldRow> held;                     ///< in the order of the rows
   std::vector<BlockingLevelAccount> blocked_by;  ///< dearest first
@@ -58,11 +58,8 @@ struct LevelAccount {
 [[nodiscard]] std::vector<LevelAccount> account_for(const NamedHierarchy& question,
                                                     const Solution& solution);
 
-/// All levels were solved together: none has iterations and a time of its own.
-[[nodiscard]] bool is_at_once(const std::vector<LevelAccount>& levels);
-
-/// Of the whole hierarchy; where it was solved at once they are sweeps.
-[[nodiscard]] int num_iterations(const std::vector<LevelAccount>& levels);
+/// Of the whole hierarchy; of one that was swept they are sweeps, and no level has its own.
+[[nodiscard]] int num_iterations(const Solution& solution);
 
 /// Indices of the levels that have no row: they ask for nothing.
 [[nodiscard]] std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy);

@@ -6,6 +6,7 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/json_text.hpp"
+#include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
 
@@ -260,8 +261,9 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
   HierarchyNamer namer(names_);
+  const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
-            &tick.timing, start_ ? &*start_ : nullptr},
+            &timing, start_ ? &*start_ : nullptr},
            session_.channels, frame_);
   const std::size_t known = events_.size();
   finder_->see(frame_, events_);

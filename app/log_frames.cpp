@@ -39,7 +39,7 @@ double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(na
 
 struct LogFrames::Decoded {
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
-  std::map<std::uint64_t, TickTiming> timings;
+  std::map<std::uint64_t, logged::Timing> timings;
   std::string timing_problem;
 };
 
@@ -196,9 +196,9 @@ void LogFrames::read_timings(std::uint64_t first, std::uint64_t last, Decoded& d
       file_.read(chunk, [&](const McapMessage& message) {
         if (message.log_time < first || message.log_time > last) return;
         if (message.channel->topic != "/timings") return;
-        TickTiming timing;
+        logged::Timing timing;
         logged::Decoder::decode(message.data, timing);
-        decoded.timings[message.log_time] = timing;
+        decoded.timings[message.log_time] = std::move(timing);
       });
     } catch (const Error& error) {  // the ticks are still good
       decoded.timing_problem = without_path(error);

@@ -7,6 +7,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
+#include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
@@ -15,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -81,10 +81,6 @@ void check_method(const SolveArguments& arguments) {
   }
 }
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 class SolveCommand {
  public:
   SolveCommand(const SolveArguments& arguments, std::ostream& out, std::ostream& err)
@@ -117,7 +113,7 @@ class SolveCommand {
   }
 
   [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
-    double (*clock)() = arguments_.explain ? seconds : nullptr;
+    double (*clock)() = arguments_.explain ? steady_seconds : nullptr;
     if (is_cascade()) {
       return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
     }

@@ -6,6 +6,8 @@
 #include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/logged_timing.hpp"
+#include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
@@ -46,6 +48,31 @@ std::optional<StartAlignment> read_start(const std::string& path) {
   return start_alignment(*truth, first.state);
 }
 
+std::uint64_t nanoseconds(double time) {
+  return static_cast<std::uint64_t>(std::llround(1e9 * time));
+}
+
+/// The timing at a time; it stands behind all ticks, so that the last chunks come first.
+std::optional<TickTiming> read_timing(const std::string& path, std::uint64_t time,
+                                      const std::vector<std::string>& level_names) {
+  McapChunks file(path);
+  std::optional<logged::Timing> found;
+  for (std::size_t i = file.chunks().size(); i-- > 0 && !found;) {
+    const McapChunk& chunk = file.chunks()[i];
+    if (time < chunk.first_time || time > chunk.last_time) continue;
+    try {
+      file.read(i, [&](const McapMessage& message) {
+        if (message.log_time == time && message.channel->topic == "/timings")
+          logged::Decoder::decode(message.data, found.emplace());
+      });
+    } catch (const Error&) {  // the tick is still good
+      found.reset();
+    }
+  }
+  if (!found) return std::nullopt;
+  return logged::timing_from(*found, level_names);
+}
+
 /// Reads a log up to a little behind a time.
 class Search {
  public:
@@ -74,6 +101,7 @@ class Search {
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
     found_.header.attachments.clear();
     found_.row_names = log_.row_names();
+    found_.timing = read_timing(path_, nanoseconds(nearest_), found_.header.level_names);
     found_.problem = log_.problem();
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
     const auto start = found_.truth ? read_start(path_) : std::nullopt;
@@ -205,6 +233,11 @@ std::string without_solution(const TickRecord& tick) {
 }
 
 }  // namespace
+
+double level_time(const TickExplanation& explanation, std::size_t level) {
+  const bool is_known = explanation.timing && level < kMaxLevels;
+  return is_known ? static_cast<double>(explanation.timing->levels[level]) : kNaN;
+}
 
 TickExplanation read_tick(const std::string& path, double time) { return Search(path, time).run(); }
 

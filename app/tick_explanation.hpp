@@ -26,6 +26,7 @@ struct TickExplanation {
   LogHeader header;  ///< without its attachments
   TickRecord tick;
   CommandedForces forces;            ///< of the tick
+  std::optional<TickTiming> timing;  ///< of logs that have it
   std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
   std::optional<GroundTruth> truth;  ///< of logs that have it
   std::optional<AlignedEstimate> estimate;                                 ///< the same
@@ -40,6 +41,9 @@ inline constexpr double kEventWindow = 1.0;
 /// The tick next to a time. Throws FileError as LogReader does, and Error, with the range, where
 /// the log has no tick at that time.
 [[nodiscard]] TickExplanation read_tick(const std::string& path, double time);
+
+/// That solving a level took, by its number in the header [µs]; NaN: not measured.
+[[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
 
 /// A row of a higher level, and what it cost a level that gave way by itself.
 struct CostlyRow {

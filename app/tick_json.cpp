@@ -72,7 +72,8 @@ Json levels_json(const TickExplanation& explanation) {
                     {"rows", level.num_rows},
                     {"at_bound", level.num_active},
                     {"freedom_left", level.degrees_of_freedom_left},
-                    {"iterations", level.iterations}});
+                    {"iterations", level.iterations},
+                    {"time_us", number(level_time(explanation, k))}});
   }
   return list;
 }

@@ -133,7 +133,7 @@ std::string feet_table(const TickExplanation& explanation) {
 
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations"}};
+  Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
     const auto k = static_cast<std::size_t>(explanation.order[place]);
     const LevelReport& level = report.levels[k];
@@ -144,7 +144,8 @@ std::string level_table(const TickExplanation& explanation) {
                      level.residual > kResidualRounding ? text("%.3g", level.residual) + unit : "0",
                      std::to_string(level.num_rows), std::to_string(level.num_active),
                      std::to_string(level.degrees_of_freedom_left),
-                     std::to_string(level.iterations)});
+                     std::to_string(level.iterations),
+                     known(level_time(explanation, k), "%.1f µs")});
   }
   return aligned(table);
 }

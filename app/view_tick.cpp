@@ -11,7 +11,12 @@ namespace surefoot {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr TickTiming kNoTiming{kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+
+const logged::Timing& no_timing() {
+  static const logged::Timing none{
+      .stages = {kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNoLevelTimes}, .levels = {}};
+  return none;
+}
 
 /// 255 for a level that has no channels.
 std::uint8_t number_of(const std::string& level, const ViewChannels& channels) {
@@ -53,7 +58,7 @@ ViewChannels tick_channels(const std::vector<std::string>& level_names, const Gr
   lister.add("hierarchy", logged::Hierarchy());
   lister.add("command", tick.command);
   lister.add("commanded", CommandedForces());
-  lister.add("timings", TickTiming());
+  lister.add("timings", logged::Timing());
   lister.add("truth", truth);
   lister.add("estimate", AlignedEstimate());
   return channels;
@@ -73,7 +78,7 @@ void to_frame(const KnownTick& tick, const ViewChannels& channels, ViewFrame& fr
   writer.add(tick.hierarchy);
   writer.add(tick.record.command);
   writer.add(commanded_forces(tick.cone, tick.record));
-  writer.add(tick.timing == nullptr ? kNoTiming : *tick.timing);
+  writer.add(tick.timing == nullptr ? no_timing() : *tick.timing);
   if (tick.truth != nullptr) writer.add(*tick.truth);
   if (tick.truth != nullptr && tick.start != nullptr)
     writer.add(aligned(*tick.start, *tick.truth, tick.record.state));

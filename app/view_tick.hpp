@@ -24,7 +24,7 @@ struct KnownTick {
   const logged::Hierarchy& hierarchy;       ///< of the record, with names
   const std::optional<FrictionCone>& cone;  ///< of its stack
   const GroundTruth* truth = nullptr;
-  const TickTiming* timing = nullptr;
+  const logged::Timing* timing = nullptr;
   const StartAlignment* start = nullptr;
 };
 

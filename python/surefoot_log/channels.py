@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 AXES = ("x", "y", "z")
 QUATERNION = ("w", "x", "y", "z")
+LEVEL_LISTS = ("hierarchy.levels", "timings.levels")
 UNIT = re.compile(r"\s*\[([^\]]*)\]")
 ARROW_KINDS = {"number": "number", "integer": "integer", "boolean": "boolean", "string": "text"}
 
@@ -100,7 +101,7 @@ class Flattener:
     def _array(self, name, full, schema, example):
         items, count = schema["items"], schema.get("maxItems", len(example or []))
         if kind_of(items) == "object":
-            return self._level_list(name, items) if full == "hierarchy.levels" else None
+            return self._level_list(name, items) if full in LEVEL_LISTS else None
         if kind_of(items) == "array":
             return self._matrix(full, schema, items)
         if kind_of(items) not in ("number", "integer"):
@@ -121,7 +122,7 @@ class Flattener:
     def _of_level(self, level, schema):
         """Its fields, the residual with the unit of its rows."""
         properties = {key: part for key, part in schema["properties"].items() if key != "name"}
-        if unit := self._units.get(level):
+        if (unit := self._units.get(level)) and "residual" in properties:
             residual = properties["residual"]
             properties["residual"] = residual | {"description": f"{residual.get('description', '')} [{unit}]"}
         return properties

@@ -15,6 +15,7 @@
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -118,6 +119,7 @@ struct Controller::Implementation {
   Safety safety;
   TickRecord record;
   JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
+  std::array<double, kMaxLevels> level_times{};      // [s]
   bool explains_levels = false;
   StageObserver* observer = nullptr;
   double last_time = kNaN;  // of the last state that was believed [s]
@@ -235,6 +237,10 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
   const TaskStack& stack = solved->stack;
   summarise(solution, stack.hierarchy(), record.hierarchy);
+  level_times.fill(0.0);
+  for (std::size_t k = 0; k < std::min(solution.levels.size(), kMaxLevels); ++k) {
+    level_times[k] = solution.levels[k].time;
+  }
   if (explains_levels && !is_changing()) {
     summarise_blockers(solved->solver.blockers(), stack.hierarchy(), record.hierarchy);
   }
@@ -253,6 +259,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 // Nothing happened and nothing was solved: what the last tick said must not be logged once more.
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
+  level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};
   record.hierarchy.num_levels = num_levels;
@@ -298,6 +305,10 @@ bool Controller::set_stack(const StackOptions& stack, double duration) {
 void Controller::set_friction(double friction) { implementation_->planner.set_friction(friction); }
 
 const TickRecord& Controller::record() const { return implementation_->record; }
+
+const std::array<double, kMaxLevels>& Controller::level_times() const {
+  return implementation_->level_times;
+}
 
 const Hierarchy& Controller::hierarchy() const {
   return implementation_->solved->stack.hierarchy();

@@ -14,6 +14,7 @@
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,6 +79,9 @@ class Controller {
 
   /// Everything of the last tick.
   [[nodiscard]] const TickRecord& record() const;
+  /// What solving each level of the last tick took [s], by the clock of the options; 0 without one,
+  /// and of levels that were not solved by themselves. No torque depends on it.
+  [[nodiscard]] const std::array<double, kMaxLevels>& level_times() const;
   /// The rows of the last tick that was believed, as the solver saw them.
   [[nodiscard]] const Hierarchy& hierarchy() const;
   /// Names of the levels, highest priority first.

@@ -11,10 +11,13 @@ HierarchySolver::HierarchySolver(const Hierarchy& capacity, const SolverOptions&
 HierarchySolver::Solver HierarchySolver::make(const Hierarchy& capacity,
                                               const SolverOptions& options) {
   if (options.method == SolverMethod::cascade) {
-    return Solver(std::in_place_type<CascadeSolver>, capacity);
+    CascadeOptions cascade;
+    cascade.clock = options.clock;
+    return Solver(std::in_place_type<CascadeSolver>, capacity, cascade);
   }
   LexicographicOptions lexicographic;
-  lexicographic.budget = options.budget;
+  lexicographic.budget.flops = options.budget.flops;
+  lexicographic.clock = options.clock;
   return Solver(std::in_place_type<LexicographicSolver>, capacity, lexicographic);
 }
 

@@ -37,6 +37,8 @@ struct SolverOptions {
   /// The controller has no clock, so that a replay ends at the same place: only the flops count.
   /// The cascade has none.
   SolveBudget budget{};
+  /// Seconds of any steady clock, for `Controller::level_times` alone: nothing else depends on it.
+  double (*clock)() = nullptr;
 };
 
 }  // namespace surefoot

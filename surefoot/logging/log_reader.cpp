@@ -1,6 +1,7 @@
 #include "surefoot/logging/log_reader.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <nlohmann/json.hpp>
@@ -352,7 +353,9 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
       row_names_.try_emplace({row.by_level, row.id}, named.blocked_by[i].row);
     }
   } else if (topic == "/timings") {
-    logged::Decoder::decode(message.data, timings_.emplace_back());
+    logged::Timing named;
+    logged::Decoder::decode(message.data, named);
+    timings_.push_back(logged::timing_from(named, header_.level_names));
   } else if (other_) {
     other_(message);
   }

@@ -19,6 +19,18 @@ struct Level {
   LevelReport report;
 };
 
+/// What solving one level took, under its name.
+struct LevelTime {
+  std::string name;
+  double solve = kNaN;  ///< [µs]
+};
+
+/// TickTiming, with names of its levels.
+struct Timing {
+  TickTiming stages;
+  std::vector<LevelTime> levels;
+};
+
 /// An inequality row at or beyond a bound, under its name.
 struct Row {
   std::string level, row;
@@ -279,6 +291,19 @@ void fields(Archive& field, T& timing) {
   field("stack", timing.stack, "[µs]");
   field("solve", timing.solve, "[µs]");
   field("total", timing.total, "[µs]");
+}
+
+template <typename Archive, Is<LevelTime> T>
+void fields(Archive& field, T& level) {
+  field("name", level.name, "of the level, highest priority first");
+  field("solve", level.solve,
+        "wall-clock time of the level; null where it was not solved by itself [µs]");
+}
+
+template <typename Archive, Is<Timing> T>
+void fields(Archive& field, T& timing) {
+  fields(field, timing.stages);
+  field("levels", timing.levels, "of solve, level by level; empty where none was measured");
 }
 
 }  // namespace surefoot::logged

@@ -4,6 +4,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/logging/logged_model.hpp"
+#include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
@@ -61,6 +62,7 @@ struct Recorder::Implementation {
   Implementation(const std::string& path, const LogHeader& header, RecorderOptions options)
       : writer(open(path)),
         namer({header.level_names, header.row_name}),
+        orders{{0, header.level_names}},
         queue(std::max<std::size_t>(options.queue_ticks, 1)) {
     write_header(header);
     channels = {.readings = json_channel<SensorReading>("/readings", "surefoot.SensorReading"),
@@ -183,16 +185,26 @@ struct Recorder::Implementation {
   void finish(std::string_view summary) {
     if (failure) std::rethrow_exception(failure);
     writer.flush();
-    const std::uint16_t channel = json_channel<TickTiming>("/timings", "surefoot.TickTiming");
-    for (const TickTiming& timing : timings) message(channel, nanoseconds(timing.time), timing);
+    write_timings();
     writer.attach("summary.json", "application/json", summary);
     writer.close();
+  }
+
+  void write_timings() {
+    const std::uint16_t channel = json_channel<logged::Timing>("/timings", "surefoot.TickTiming");
+    auto order = orders.begin();
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+      while (order + 1 != orders.end() && (order + 1)->first <= i) ++order;
+      message(channel, nanoseconds(timings[i].time), logged::timing_of(timings[i], order->second));
+    }
   }
 
   McapWriter writer;
   HierarchyNamer namer;
   TickChannels channels{};
   std::vector<TickTiming> timings;
+  // Names of the levels, by the first of `timings` that has them.
+  std::vector<std::pair<std::size_t, std::vector<std::string>>> orders;
   std::string text;  // of the message that is being written
 
   std::mutex mutex;
@@ -243,6 +255,7 @@ void Recorder::record(Channel channel, double time, Encode encode) {
 }
 
 void Recorder::rename(LevelNames names) {
+  implementation_->orders.emplace_back(implementation_->timings.size(), names.levels);
   implementation_->push([&](Job& job) {
     job.channel = kNames;
     job.names = std::move(names);

@@ -1,5 +1,7 @@
 #include "surefoot/runtime/stage_timer.hpp"
 
+#include <cmath>
+
 namespace surefoot {
 namespace {
 
@@ -8,6 +10,14 @@ double microseconds(std::chrono::steady_clock::duration duration) {
 }
 
 }  // namespace
+
+LevelTimes in_microseconds(const std::array<double, kMaxLevels>& seconds) noexcept {
+  LevelTimes times = kNoLevelTimes;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (seconds[k] > 0.0) times[k] = static_cast<float>(std::round(1e9 * seconds[k]) / 1e3);
+  }
+  return times;
+}
 
 void StageTimer::tick_begins() noexcept {
   timing_ = TickTiming{};

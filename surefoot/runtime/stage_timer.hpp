@@ -3,9 +3,13 @@
 #include "surefoot/control/controller.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
+#include <array>
 #include <chrono>
 
 namespace surefoot {
+
+/// What a controller's `level_times` [s] are in a TickTiming: 0 is NaN.
+[[nodiscard]] LevelTimes in_microseconds(const std::array<double, kMaxLevels>& seconds) noexcept;
 
 /// Measures the stages of the controller's tick with a steady clock. Allocates nothing.
 class StageTimer final : public StageObserver {

@@ -8,6 +8,9 @@
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/signals/user_command.hpp"
 
+#include <array>
+#include <limits>
+
 namespace surefoot {
 
 /// What the controller's model says of the robot at one tick, in W; of the believed state, not the
@@ -35,6 +38,14 @@ struct TickRecord {
   JointCommand command;
 };
 
+/// Wall-clock time of levels [µs]; NaN: not measured.
+using LevelTimes = std::array<float, kMaxLevels>;
+inline constexpr LevelTimes kNoLevelTimes = [] {
+  LevelTimes times{};
+  times.fill(std::numeric_limits<float>::quiet_NaN());
+  return times;
+}();
+
 /// Wall-clock time of the stages of one tick [µs]; stands apart from TickRecord, which is
 /// deterministic.
 struct TickTiming {
@@ -45,6 +56,8 @@ struct TickTiming {
   double stack = 0.0;
   double solve = 0.0;
   double total = 0.0;
+  /// Of `solve`, in the order of the tick's hierarchy. What no level has alone is in none.
+  LevelTimes levels = kNoLevelTimes;
 };
 
 }  // namespace surefoot

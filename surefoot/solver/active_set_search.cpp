@@ -25,15 +25,18 @@ ActiveSetSearch::ActiveSetSearch(const Hierarchy& capacity) {
   fixed_by_.assign(rows, 0);
 }
 
-bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int first) {
+bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int first,
+                                 LevelTimer& timer) {
   undecided_.clear();
   wrong_.clear();
   size_ = 0.0;
   for (int i = 0; i < s.unknowns; ++i) size_ += s.x[i] * s.x[i];
   size_ = std::sqrt(size_);
+  timer.start();
   for (int k = first; k < s.num_levels; ++k) {
     if (!undecided_.empty()) judge_forces(s, kernels, k);
     judge_own_rows(s, k);
+    timer.lap(k);
   }
   has_judged_norm_ = !undecided_.empty();
   if (has_judged_norm_) judge_norm(s, kernels);

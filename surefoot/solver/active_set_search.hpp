@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/level_timer.hpp"
 #include "surefoot/solver/sweep.hpp"
 
 #include <vector>
@@ -22,7 +23,9 @@ class ActiveSetSearch {
   explicit ActiveSetSearch(const Hierarchy& capacity);
 
   /// Whether s, swept over the levels [first, num_levels), is optimal; `s.value` must be valid.
-  [[nodiscard]] bool is_optimal(Sweep& s, const SweepKernels& kernels, int first);
+  /// Each level is a lap of the timer.
+  [[nodiscard]] bool is_optimal(Sweep& s, const SweepKernels& kernels, int first,
+                                LevelTimer& timer);
 
   /// ‖x‖ of the last `is_optimal`.
   [[nodiscard]] double x_size() const { return size_; }

@@ -36,16 +36,20 @@ Descent::Descent(const Hierarchy& capacity)
   fixed_.reserve(rows_of(capacity));
 }
 
-bool Descent::find_sides(Sweep& s, const SweepKernels& kernels, int first, BudgetWatch& budget) {
+bool Descent::find_sides(Sweep& s, const SweepKernels& kernels, int first, BudgetWatch& budget,
+                         LevelTimer& timer) {
   sweep_ = &s;
   kernels_ = &kernels;
   budget_ = &budget;
   begin(s, first);
+  timer.start();
   for (level_ = first; level_ <= s.num_levels && first_column_ < s.columns; ++level_) {
     enter(level_);
     has_minimised_norm_ = level_ == s.num_levels;
-    if (!minimise()) break;
-    retire();
+    const bool is_minimal = minimise();
+    if (is_minimal) retire();
+    if (!has_minimised_norm_) timer.lap(level_);
+    if (!is_minimal) break;
     freedom_left_[at(level_)] = s.columns - first_column_;
   }
   const bool has_ended = level_ > s.num_levels || first_column_ == s.columns;
@@ -175,7 +179,7 @@ void Descent::factorize_counting() {
   s.order_begin[1] = s.num_taking_part;
   const double keep_tolerance = s.keep_tolerance, smallest_pivot = s.smallest_pivot;
   kernels_->gather(s, first_free());
-  kernels_->run(s, 0, 1);
+  kernels_->run(s, 0, 1, nullptr);
   s.keep_tolerance = keep_tolerance;
   s.smallest_pivot = smallest_pivot;
   has_factorized_ = true;

@@ -3,6 +3,7 @@
 #include "surefoot/solver/budget.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/level_rows.hpp"
+#include "surefoot/solver/level_timer.hpp"
 #include "surefoot/solver/sweep.hpp"
 
 #include <vector>
@@ -25,8 +26,9 @@ class Descent {
   /// levels leave x open, the shortest x is the last level. False where a level takes too many
   /// steps or the budget is spent: then y, which is base_value[num_rows …), is feasible for the
   /// levels before `level`, and optimal for them.
+  /// Each level is a lap of the timer.
   [[nodiscard]] bool find_sides(Sweep& s, const SweepKernels& kernels, int first,
-                                BudgetWatch& budget);
+                                BudgetWatch& budget, LevelTimer& timer);
 
   /// The level at which it has ended.
   [[nodiscard]] int level() const { return level_; }

@@ -323,11 +323,12 @@ void fix(Sweep& s, int begin, int end) {
   lower_rank_tolerance(s);
 }
 
-void run(Sweep& s, int first, int end) {
+void run(Sweep& s, int first, int end, LevelTimer* timer) {
   for (int k = first; k < end; ++k) {
     s.first_column[k] = s.fixed;
     turn_next_levels(s, k, end);
     run_level(s, s.order_begin[k], s.order_begin[k + 1]);
+    if (timer != nullptr) timer->take(k);
   }
   s.first_column[end] = s.fixed;
 }

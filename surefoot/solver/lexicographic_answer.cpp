@@ -66,6 +66,7 @@ void LexicographicSolver::take_kept_point() {
 
 void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
   const Solution& solution = cascade_.solve(hierarchy);
+  solution_.is_swept = false;
   solution_.status = solution.status;
   solution_.failed_level = solution.failed_level;
   solution_.x = solution.x;
@@ -77,7 +78,7 @@ void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
     to.num_rows = from.num_rows;
     to.degrees_of_freedom_left = from.degrees_of_freedom_left;
     to.iterations = from.iterations;
-    to.time = from.time;
+    timer_.add(k, from.time);
     for (std::size_t i = 0; i < at(to.num_rows); ++i) {
       to.rows[i] = from.rows[i];
       s.side[at(s.level_begin[k]) + i] = side_of(from.rows[i]);
@@ -87,6 +88,7 @@ void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
 
 void LexicographicSolver::describe(const Hierarchy& hierarchy) {
   Sweep& s = memory_.sweep;
+  solution_.is_swept = true;
   for (int i = 0; i < s.unknowns; ++i) solution_.x[i] = s.x[i];
   kernels_.evaluate(s, 0, s.level_begin[first_level_]);
   kernels_.judge_rows(s, tolerance::kAtBound * solution_.x.norm());
@@ -101,7 +103,6 @@ void LexicographicSolver::describe(const Hierarchy& hierarchy) {
     result.residual = std::sqrt(sum);
     result.num_rows = rows;
     result.iterations = num_sweeps_;
-    result.time = 0.0;
   }
 }
 

@@ -31,11 +31,14 @@ void LexicographicSolver::sweep_leading_equalities() {
   s.keep_tolerance = options_.rank.keep;
   s.smallest_pivot = 1.0;
   if (first_level_ > 0) {
+    timer_.start();
     const bool are_independent = kernels_.run_together(s, first_level_);
+    if (first_level_ == 1) timer_.lap(0);
     if (!are_independent) {
       s.smallest_pivot = 1.0;
       kernels_.start_leading(s, first_level_);
-      kernels_.run(s, 0, first_level_);
+      timer_.start();
+      kernels_.run(s, 0, first_level_, timer());
     }
     for (int k = 0; k < first_level_; ++k) {
       const int used = are_independent ? s.level_begin[k + 1] : s.first_column[k + 1];

@@ -29,7 +29,7 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
   bool has_released = false;
   while (num_sweeps_ < options_.max_sweeps && !budget_.is_spent()) {
     sweep();
-    const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_);
+    const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_, timer_);
     const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
     if (!is_orthonormal_ && is_open) {
       make_basis_orthonormal();
@@ -55,7 +55,8 @@ void LexicographicSolver::sweep() {
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
   kernels_.start(s, first_level_, s.num_levels);
-  kernels_.run(s, first_level_, s.num_levels);
+  timer_.start();
+  kernels_.run(s, first_level_, s.num_levels, timer());
   kernels_.turn_back(s, 0);
   kernels_.recover(s);
   kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
@@ -95,7 +96,7 @@ LexicographicSolver::Outcome LexicographicSolver::descend() {
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
   ++num_descents_;
-  const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_);
+  const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_, timer_);
   if (budget_.is_limited()) keep_point();
   if (!has_ended) return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
   if (is_orthonormal_ || !descent_.has_minimised_norm()) return Outcome::optimal;

@@ -28,6 +28,7 @@ LexicographicSolver::LexicographicSolver(const Hierarchy& capacity,
           capacity,
           {.rank = options.rank, .max_iterations = options.max_iterations, .clock = options.clock}),
       blockers_(capacity),
+      timer_(capacity.num_levels(), options.clock),
       solution_(empty_solution(capacity)) {
   if (budget_.is_limited() && options_.max_sweeps == 0) {
     options_.max_sweeps = LexicographicOptions{}.max_sweeps;
@@ -49,7 +50,9 @@ const Solution& LexicographicSolver::solve(const Hierarchy& hierarchy,
                                            const Substitution* substitution) noexcept {
   const double start = options_.clock != nullptr ? options_.clock() : 0.0;
   solve_untimed(hierarchy, substitution);
-  if (options_.clock != nullptr) solution_.time = options_.clock() - start;
+  if (options_.clock == nullptr) return solution_;
+  solution_.time = options_.clock() - start;
+  if (solution_.status != SolveStatus::invalid_input) take_times(hierarchy.num_levels());
   return solution_;
 }
 
@@ -57,6 +60,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
                                         const Substitution* substitution) {
   const FlushDenormals flush_denormals;
   budget_.start();
+  timer_.reset();
   is_swept_ = false;
   if (!fits(hierarchy, solution_) || !load(hierarchy)) return reject(hierarchy);
   if (substitution != nullptr && can_use(*substitution) && measure_columns(*substitution)) {
@@ -68,6 +72,10 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
   if (!is_finite(solution_, hierarchy.num_levels())) return reject(hierarchy);
   clear_levels(solution_, hierarchy.num_levels());
   remember(hierarchy);
+}
+
+void LexicographicSolver::take_times(std::size_t num_levels) {
+  for (std::size_t k = 0; k < num_levels; ++k) solution_.levels[k].time = timer_.seconds(k);
 }
 
 const std::vector<LevelBlockers>& LexicographicSolver::blockers() noexcept {

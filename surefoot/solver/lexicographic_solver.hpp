@@ -6,6 +6,7 @@
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/descent.hpp"
 #include "surefoot/solver/hierarchy.hpp"
+#include "surefoot/solver/level_timer.hpp"
 #include "surefoot/solver/row_memory.hpp"
 #include "surefoot/solver/solution.hpp"
 #include "surefoot/solver/substitution.hpp"
@@ -22,8 +23,8 @@ struct LexicographicOptions {
   SolveBudget budget{};    ///< what a solve may cost; without one it ends at the optimum
   /// Those of a certain instruction set, out of `all_kernels`; null: the fastest.
   const SweepKernels* kernels = nullptr;
-  /// Seconds of any steady clock, for `budget.seconds` and Solution::time. The solver has none of
-  /// its own: nothing else that it computes can depend on one.
+  /// Seconds of any steady clock, for `budget.seconds`, Solution::time and LevelResult::time. The
+  /// solver has none of its own: nothing else that it computes can depend on one.
   double (*clock)() = nullptr;
 };
 
@@ -121,6 +122,8 @@ class LexicographicSolver {
   const Solution& solve(const Hierarchy& hierarchy, const Substitution* substitution) noexcept;
   void solve_untimed(const Hierarchy& hierarchy, const Substitution* substitution);
   [[nodiscard]] bool load(const Hierarchy& hierarchy);
+  void take_times(std::size_t num_levels);
+  [[nodiscard]] LevelTimer* timer() { return timer_.has_clock() ? &timer_ : nullptr; }
   void remember(const Hierarchy& hierarchy);
   void reject(const Hierarchy& hierarchy);
 
@@ -160,6 +163,7 @@ class LexicographicSolver {
   BudgetWatch budget_;
   CascadeSolver cascade_;
   BlockerSearch blockers_;
+  LevelTimer timer_;
   Solution solution_;
   // Where the descent has come to: it is the answer at the end of a budget.
   struct KeptPoint {

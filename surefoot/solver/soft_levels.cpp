@@ -74,6 +74,7 @@ void SoftLevels::judge(const Solution& before, const Solution& after) {
     solution_.levels[k].degrees_of_freedom_left =
         std::min(a.degrees_of_freedom_left, b.degrees_of_freedom_left);
     solution_.levels[k].iterations = a.iterations + b.iterations;
+    solution_.levels[k].time = a.time + b.time;
   }
 }
 

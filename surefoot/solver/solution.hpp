@@ -36,7 +36,10 @@ struct LevelResult {
   /// Of the active-set method. LexicographicSolver solves all levels at once: there it is the
   /// number of sweeps, of every level, and only where the cascade had to solve its own.
   int iterations = 0;
-  double time = 0.0;  ///< that the level took [s]; 0 unless the cascade solved it, with a clock
+  /// That solving this level took [s], over all sweeps; 0 without a clock, and where it was not
+  /// solved by itself: several levels of equalities before the first inequality are solved at
+  /// once. What no level has alone, like setting up and the rows' states, counts in none.
+  double time = 0.0;
   std::vector<RowState> rows;  ///< capacity max_rows; the first num_rows are valid
   [[nodiscard]] int num_active() const {
     int count = 0;
@@ -54,6 +57,7 @@ struct Solution {
   Eigen::VectorXd x;
   std::vector<LevelResult> levels;
   int failed_level = -1;  ///< where the status isn't optimal; −1: none, or no single one
+  bool is_swept = false;  ///< found by sweeps, whose number is `iterations` of every level
   double time = 0.0;      ///< that solving took [s]; 0 unless the solver was given a clock
 };
 

@@ -4,6 +4,8 @@
 
 namespace surefoot {
 
+class LevelTimer;
+
 /// Numbers of one sweep of the lexicographic solver over all levels, as plain arrays that the
 /// kernels of any instruction set can work on; `SweepMemory` owns them.
 ///
@@ -99,8 +101,8 @@ struct SweepKernels {
   /// Sweeps over the levels [0, end), in the space of x, without order: where all of their rows
   /// are clearly independent it says nothing, and short rows come first. False where they aren't.
   bool (*run_together)(Sweep&, int end);
-  /// Sweeps over these levels.
-  void (*run)(Sweep&, int first, int end);
+  /// Sweeps over these levels. Each is a lap of the timer, which may be null.
+  void (*run)(Sweep&, int first, int end, LevelTimer* timer);
   /// Gives columns to the rows [begin, end) of the order, without looking at their bounds.
   void (*fix)(Sweep&, int begin, int end);
   /// tableau ← base, for the rows [first_row, end_row).

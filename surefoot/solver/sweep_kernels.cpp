@@ -1,3 +1,4 @@
+#include "surefoot/solver/level_timer.hpp"
 #include "surefoot/solver/sweep.hpp"
 #include "surefoot/solver/tolerances.hpp"
 

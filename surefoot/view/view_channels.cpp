@@ -29,15 +29,6 @@ std::string without_unit(std::string_view about) {
 
 namespace logged {
 
-void ChannelLister::levels() {
-  const std::string outer = name_.substr(0, name_.rfind('.'));
-  for (const std::string& level : table_.level_names) {
-    name_ = outer + ".level." + level;
-    const Level example;
-    fields(*this, example);
-  }
-}
-
 void ChannelLister::add_channel(std::string_view about, std::vector<std::string> labels) {
   const std::size_t size = std::max<std::size_t>(labels.size(), 1);
   table_.channels.push_back({.name = name_,
@@ -68,15 +59,6 @@ std::vector<std::string> ChannelLister::labels(int rows, int columns) {
     }
   }
   return result;
-}
-
-void ChannelWriter::levels(const std::vector<Level>& levels) {
-  const Level unknown{.name = "",
-                      .report = {.residual = kNaN, .degrees_of_freedom_left = -1, .iterations = 0}};
-  for (const std::string& name : table_.level_names) {
-    const auto found = std::ranges::find(levels, name, &Level::name);
-    fields(*this, found == levels.end() ? unknown : *found);
-  }
 }
 
 }  // namespace logged

@@ -32,6 +32,21 @@ struct ViewChannels {
 
 namespace logged {
 
+/// Lists whose elements are found by the name of their level.
+template <typename T>
+inline constexpr bool kIsByLevel =
+    std::same_as<T, std::vector<Level>> || std::same_as<T, std::vector<LevelTime>>;
+
+/// What stands for a level that a tick does not have.
+template <typename OfLevel>
+[[nodiscard]] OfLevel unknown() {
+  return {};
+}
+template <>
+[[nodiscard]] inline Level unknown() {
+  return {.name = "", .report = {.residual = kNaN, .degrees_of_freedom_left = -1, .iterations = 0}};
+}
+
 /// Appends the channels of a signal to a table, by `fields`. The time of a signal is the frame's.
 /// Lists of rows are none: they stand in a frame as entries.
 class ChannelLister {
@@ -74,8 +89,8 @@ class ChannelLister {
       add_channel(about, labels(T::RowsAtCompileTime, T::ColsAtCompileTime));
     } else if constexpr (kIsPerLeg<T>) {
       for (const Leg leg : kLegs) below(kLegNames[index(leg)], content[index(leg)], about);
-    } else if constexpr (std::same_as<T, std::vector<Level>>) {
-      levels();
+    } else if constexpr (kIsByLevel<T>) {
+      levels<typename T::value_type>();
     } else if constexpr (std::same_as<T, std::vector<double>>) {
       table_.list_sizes.push_back(content.size());
       if (!content.empty()) add_channel(about, labels(static_cast<int>(content.size()), 1));
@@ -84,7 +99,15 @@ class ChannelLister {
     }
   }
 
-  void levels();
+  template <typename OfLevel>
+  void levels() {
+    const std::string outer = name_.substr(0, name_.rfind('.'));
+    for (const std::string& level : table_.level_names) {
+      name_ = outer + ".level." + level;
+      const OfLevel example{};
+      fields(*this, example);
+    }
+  }
   void add_channel(std::string_view about, std::vector<std::string> labels);
   [[nodiscard]] static std::vector<std::string> labels(int rows, int columns);
 
@@ -125,7 +148,7 @@ class ChannelWriter {
       }
     } else if constexpr (kIsPerLeg<T>) {
       for (const auto& of_leg : content) value(of_leg);
-    } else if constexpr (std::same_as<T, std::vector<Level>>) {
+    } else if constexpr (kIsByLevel<T>) {
       levels(content);
     } else if constexpr (std::same_as<T, std::vector<double>>) {
       const std::size_t size = table_.list_sizes[next_list_++];
@@ -138,7 +161,13 @@ class ChannelWriter {
   void put(float number) {
     if (next_ < floats_.size()) floats_[next_++] = number;
   }
-  void levels(const std::vector<Level>& levels);
+  template <typename OfLevel>
+  void levels(const std::vector<OfLevel>& levels) {
+    for (const std::string& name : table_.level_names) {
+      const auto found = std::ranges::find(levels, name, &OfLevel::name);
+      fields(*this, found == levels.end() ? unknown<OfLevel>() : *found);
+    }
+  }
 
   const ViewChannels& table_;
   std::span<float> floats_;

@@ -213,7 +213,26 @@ TEST(SolveCommand, ExplainsWithSweepsWhereAllLevelsAreSolvedAtOnce) {
       << text;
   const CommandRun json(kLimitedWish, {.file = "", .explain = true, .json = true});
   EXPECT_GE(json.results.at(0).at("sweeps").get<int>(), 1);
-  EXPECT_FALSE(json.results.at(0)["levels"][0].contains("iterations"));
+  const Json& line = json.results.at(0);
+  double sum = 0.0;
+  for (const Json& level : line["levels"]) {
+    EXPECT_FALSE(level.contains("iterations"));
+    EXPECT_GT(level.at("time_s").get<double>(), 0.0);
+    sum += level["time_s"].get<double>();
+  }
+  EXPECT_LE(sum, line.at("time_s").get<double>() + 1e-9);
+}
+
+TEST(SolveCommand, LevelsThatAreSolvedTogetherHaveNoTimeOfTheirOwn) {
+  const std::string two_facts =
+      R"({"levels":[{"A":[[1,0]],"b":[1]},{"A":[[0,1]],"b":[2]},{"D":[[1,1]],"f":[1]}]})";
+  const CommandRun json(two_facts, {.file = "", .explain = true, .json = true});
+  const Json& levels = json.results.at(0).at("levels");
+  EXPECT_FALSE(levels[0].contains("time_s"));
+  EXPECT_FALSE(levels[1].contains("time_s"));
+  EXPECT_GT(levels[2].at("time_s").get<double>(), 0.0);
+  const std::string text = CommandRun(two_facts, {.file = "", .explain = true}).out.str();
+  EXPECT_TRUE(std::regex_search(text, std::regex("\nlevel 1 +met +[^\n]* – +–\n"))) << text;
 }
 
 TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {

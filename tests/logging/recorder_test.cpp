@@ -1,6 +1,8 @@
 #include "surefoot/logging/recorder.hpp"
 
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/logging/logged_timing.hpp"
+#include "surefoot/logging/message_decoder.hpp"
 #include "tests/logging/recorded_run.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -9,10 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -43,6 +47,60 @@ TEST(Recorder, WhatWasRecordedIsReadBackBitByBit) {
   EXPECT_TRUE(log.complete()) << log.problem();
   EXPECT_EQ(log.timings().size(), 700u);
   EXPECT_EQ(log.summary(), R"({"metrics":{}})");
+}
+
+TEST(Recorder, TheTimesOfLevelsAreReadBackAndThoseThatAreNotKnownStayUnknown) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 40);
+  LogReader log(folder / "run.mcap");
+  ASSERT_EQ(ticks_in(log), 40);
+  SyntheticRun run(3, 0.5);
+  for (const TickTiming& timing : log.timings()) {
+    run.step();
+    EXPECT_EQ(timing.solve, run.timing.solve);
+    for (std::size_t k = 0; k < kMaxLevels; ++k) {
+      if (std::isnan(run.timing.levels[k])) {
+        EXPECT_TRUE(std::isnan(timing.levels[k])) << k;
+      } else {
+        EXPECT_EQ(timing.levels[k], run.timing.levels[k]) << k;
+      }
+    }
+  }
+}
+
+TEST(Recorder, TheTimesOfLevelsStayWithTheirNamesWhereTheirOrderChanges) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  std::vector<std::string> names = header.level_names;
+  std::swap(names[2], names[5]);
+  Recorder recorder(folder / "run.mcap", header, {});
+  SyntheticRun run(3, 0.5);
+  for (const bool is_renamed : {false, true}) {
+    if (is_renamed) recorder.rename({names, header.row_name});
+    run.step();
+    recorder.record(run.tick);
+    run.timing.levels = kNoLevelTimes;
+    run.timing.levels[2] = 1.5F;
+    run.timing.levels[5] = 20.0F;
+    recorder.record(run.timing);
+  }
+  recorder.close("{}");
+  LogReader log(folder / "run.mcap");
+  ASSERT_EQ(ticks_in(log), 2);
+  EXPECT_EQ(log.timings()[0].levels[2], 1.5F);
+  EXPECT_EQ(log.timings()[0].levels[5], 20.0F);
+  EXPECT_EQ(log.timings()[1].levels[2], 20.0F);
+  EXPECT_EQ(log.timings()[1].levels[5], 1.5F);
+}
+
+TEST(Recorder, ATimingOfAnOlderLogHasNoLevels) {
+  logged::Timing timing;
+  logged::Decoder::decode(
+      R"({"time":1,"estimate":2,"plan":3,"model":4,"stack":5,"solve":6,"total":20})", timing);
+  EXPECT_EQ(timing.stages.solve, 6.0);
+  const TickTiming read = logged::timing_from(timing, SyntheticRun::header().level_names);
+  EXPECT_EQ(read.total, 20.0);
+  for (const float time : read.levels) EXPECT_TRUE(std::isnan(time));
 }
 
 TEST(Recorder, TheHeaderIsReadBack) {

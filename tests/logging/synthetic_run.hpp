@@ -81,6 +81,8 @@ class SyntheticRun {
     timing.model = 14.0 + std::abs(noise(1.0));
     timing.stack = 9.0 + std::abs(noise(1.0));
     timing.solve = 160.0 + std::abs(noise(25.0));
+    timing.levels = kNoLevelTimes;
+    for (std::size_t k = 2; k < 7; ++k) timing.levels[k] = static_cast<float>(tick_ % 977) * 0.125F;
     timing.total = timing.estimate + timing.plan + timing.model + timing.stack + timing.solve;
   }
 

@@ -108,6 +108,17 @@ def test_timings_which_stand_behind_all_ticks_are_in_their_rows(log, table):
     assert table["timings.total"].to_pylist() == [timing["total"] for timing in messages(log, "/timings")]
 
 
+def test_what_each_level_took_is_a_column_with_its_unit(log, table):
+    timings = messages(log, "/timings")
+    for place, level in enumerate(timings[0]["levels"]):
+        name = f"timings.level.{level['name']}.solve"
+        assert table[name].to_pylist() == [timing["levels"][place]["solve"] for timing in timings]
+        assert table.schema.field(name).metadata[b"unit"] == "µs".encode()
+    for timing in timings:
+        known = [level["solve"] for level in timing["levels"] if level["solve"] is not None]
+        assert known and all(time > 0 for time in known) and sum(known) <= timing["solve"] + 1e-3 * len(known)
+
+
 def test_csv_reads_back_to_the_same_numbers(log, table, tmp_path):
     exported(log, "--csv", tmp_path / "run.csv", "--topics", "state", "/command", "--every", 7)
     with open(tmp_path / "run.csv", newline="") as file:

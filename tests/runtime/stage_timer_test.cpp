@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 
 namespace surefoot {
 namespace {
@@ -62,6 +65,14 @@ TEST(StageTimer, AStageThatWasLeftOutTookNoTime) {
   EXPECT_EQ(timer.timing().stack, 0.0);
   EXPECT_EQ(timer.timing().solve, 0.0);
   EXPECT_GT(timer.timing().total, 0.0);
+}
+
+TEST(StageTimer, LevelsThatTookNoTimeAreNotKnown) {
+  std::array<double, kMaxLevels> seconds{};
+  seconds[3] = 1.2344e-6;
+  const LevelTimes times = in_microseconds(seconds);
+  for (std::size_t k = 0; k < kMaxLevels; ++k) EXPECT_EQ(std::isnan(times[k]), k != 3);
+  EXPECT_EQ(times[3], 1.234F) << "to a nanosecond";
 }
 
 TEST(StageTimer, AllocatesNothing) {

@@ -229,7 +229,7 @@ double ticking_clock() {
 TEST(Solution, HasTheTimeOfTheClockThatTheSolverWasGiven) {
   EXPECT_EQ(Solved(2, pushed_mass(8.0)).solver.solution().time, 0.0);
   const Solved timed(2, pushed_mass(8.0), {.clock = ticking_clock});
-  EXPECT_EQ(timed.solver.solution().time, 0.25);
+  EXPECT_GE(timed.solver.solution().time, 0.25);
 }
 
 TEST(Solution, OfTheCascadeHasTheTimeOfEachLevelToo) {

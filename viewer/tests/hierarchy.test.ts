@@ -17,6 +17,14 @@ function frameOf(residuals: [number, number], more: { active?: [number, number, 
   return table.frame(0);
 }
 
+test("a level has its time from the tick's timing, and none in a log that has none", () => {
+  const schema = schemaOf({ "hierarchy.level.first.residual": 1, "timings.level.first.solve": 1, "timings.level.second.solve": 1 });
+  const table = new FrameTable(schema, 1);
+  readBlock(blockOf([{ tick: 0, time: 0, values: [0, NaN, 2.5] }]), schema.frameFloats, (...frame) => table.append(...frame));
+  assert.deepEqual(levelStates(table.frame(0)).map(({ time }) => time), [NaN, 2.5]);
+  assert.deepEqual(levelStates(frameOf([0, 0])).map(({ time }) => time), [NaN, NaN]);
+});
+
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
   assert.deepEqual(accountOf(levelStates(frameOf([0, 0]))), { kind: "good", line: "Every level gets what it asks for.", more: [] });

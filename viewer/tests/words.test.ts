@@ -2,12 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
-import { briefOf, metaOf } from "../src/panels/level_card.ts";
+import { briefOf, metaOf, timeOf } from "../src/panels/level_card.ts";
 import { clockText, nextSpeed, speedText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
-  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, active: [], blocked: [],
+  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], blocked: [],
 };
 const above: LevelState = { ...level, level: 0, place: 1, name: "friction_cone" };
 
@@ -47,4 +47,6 @@ test("sizes and times are told in words", () => {
   assert.equal(effortOf(11, 119, [level]), "All levels: 11.0 µs, 1 iteration · tick: 119 µs");
   assert.equal(effortOf(0, 1.23, [{ rows: 0, iterations: 0 }]), "Tick: 1.23 µs");
   assert.equal(effortOf(NaN, NaN, [level]), "1 iteration");
+  assert.deepEqual([3.456, 12.3, NaN].map((time) => timeOf({ rows: 2, time })), ["3.46 µs", "12.3 µs", "–"]);
+  assert.equal(timeOf({ rows: 0, time: 0.1 }), "", "what asks for nothing takes no time worth telling");
 });

@@ -28,6 +28,8 @@ export interface LevelState {
   rows: number;
   freedom: number;
   iterations: number;
+  /** That solving it took [µs]; NaN: not measured. */
+  time: number;
   active: RowNote[];
   blocked: BlockNote[];
 }
@@ -49,6 +51,7 @@ export function levelStates(frame: Frame): LevelState[] {
       level, place: index + 1, name, unit, active, blocked,
       residual: field("residual"), rows: field("num_rows"),
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
+      time: scalar(frame, `timings.level.${name}.solve`),
     };
     return { ...state, status: statusOf(state, schema.visible[level]) };
   });

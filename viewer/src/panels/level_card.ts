@@ -12,6 +12,7 @@ export class LevelCard {
   private readonly status = h("span", { class: "status" });
   private readonly residual = h("span", { class: "residual" });
   private readonly brief = h("span", { class: "brief" });
+  private readonly time = h("span", { class: "level-time", title: "time that solving this level took" });
   private readonly rows = h("p", { class: "rows" });
   private readonly blocked = h("p", { class: "blocked" });
   private readonly meta = h("p", { class: "meta" });
@@ -33,7 +34,7 @@ export class LevelCard {
     this.opener = h("button", { class: "level-name", title: plain(name), "aria-expanded": "false", onclick: () => this.open() }, title);
     this.root = h("li", { class: "level", "data-level": name },
       h("div", { class: "level-head" }, this.sign, this.opener, this.residual),
-      h("div", { class: "level-facts" }, this.status, this.brief),
+      h("div", { class: "level-facts" }, this.status, this.brief, this.time),
       this.rows, this.blocked, this.meta,
       h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
     );
@@ -65,6 +66,7 @@ export class LevelCard {
     say(this.status, state.status);
     say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
     say(this.brief, briefOf(state, all));
+    say(this.time, timeOf(state));
     say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
       `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
@@ -84,6 +86,12 @@ export function briefOf(state: LevelState, all: LevelState[]): string {
   if (above.length > 0) return `held back by ${above.join(", ")}`;
   if (first !== undefined) return `${first.name} ${words(first.state)}${state.active.length > 1 ? `, and ${state.active.length - 1} more` : ""}`;
   return state.rows === 0 ? "" : counted(state.rows, "row");
+}
+
+/** What a level took by itself: "–" where that was not measured. */
+export function timeOf({ rows, time }: Pick<LevelState, "rows" | "time">): string {
+  if (rows === 0) return "";
+  return Number.isNaN(time) ? "–" : quantity(time, "µs");
 }
 
 /** Size of a level, and what it leaves. */
