@@ -94,7 +94,7 @@ def tell_problem(log):
 
 def export(typed):
     made = parser("export", "Write a log as a table, or its scene for Foxglove.", EXPORT_EPILOG)
-    made.add_argument("--csv", metavar="FILE", help="a row a tick, a column a channel, with their names and units above")
+    made.add_argument("--csv", metavar="FILE", help="a row a tick, a column a channel, named with its unit, state.p_WB.x[m]")
     made.add_argument("--parquet", metavar="FILE", help="the same with types, units and descriptions")
     made.add_argument("--foxglove", metavar="FILE.mcap", help="the scene, and the log's topics beside it")
     made.add_argument("--topics", metavar="TOPIC", nargs="+", action="extend", help="of the log; all by default")
