@@ -45,7 +45,7 @@ void Evaluator::Squares::add(double value) {
 double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
 
 void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
-  frame_.update(truth, tick);
+  frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
   slips_.add(truth, tick);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "surefoot/evaluation/belief_frame.hpp"
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
 #include "surefoot/evaluation/path_judge.hpp"
 #include "surefoot/evaluation/slip_judge.hpp"
 #include "surefoot/evaluation/touchdown_judge.hpp"
+#include "surefoot/model/belief_frame.hpp"
 #include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 

@@ -118,7 +118,7 @@ void draw_above(Svg& svg, const Frame& frame, const RunData& run,
   draw_path(svg, frame, run, "line ink",
             [](const TickSample& tick) -> Vec2 { return centre_of_mass(tick).head<2>(); });
   draw_path(svg, frame, run, "line c1 dashed",
-            [](const TickSample& tick) { return tick.plan.com.p; });
+            [](const TickSample& tick) { return tick.desired_com; });
   draw_prints(svg, frame, prints);
   svg.end_clip();
   plot::outline(svg, frame);

@@ -31,9 +31,10 @@ std::string source(const RunData& run) { return run.has_truth ? "true" : "estima
 
 // Torso against its reference as a rotation vector in C: roll, pitch, yaw.
 Vec3 orientation_error(const TickSample& tick) {
-  const Eigen::AngleAxisd error(tick.truth.q_WB * tick.plan.torso.q_WB.conjugate());
+  const Quat desired = Quat(tick.R_belief) * tick.plan.torso.q_WB;
+  const Eigen::AngleAxisd error(tick.truth.q_WB * desired.conjugate());
   const double angle = error.angle() > kPi ? error.angle() - 2.0 * kPi : error.angle();
-  return tick.plan.R_WC.transpose() * (angle * error.axis());
+  return (tick.R_belief * tick.plan.R_WC).transpose() * (angle * error.axis());
 }
 
 double hip_foot_distance(const TickSample& tick, std::size_t leg, bool vertical) {
@@ -124,11 +125,11 @@ bool limb_limits_acted(const RunData& run) { return !limit_spans(run).empty(); }
 
 std::string com_figure(const RunData& run) {
   const auto error = [](const TickSample& tick) {
-    return kMillimetres * (centre_of_mass(tick).head<2>() - tick.plan.com.p).norm();
+    return kMillimetres * (centre_of_mass(tick).head<2>() - tick.desired_com).norm();
   };
   // Forward and lateral as seen from the start.
-  const Vec2 origin = run.ticks.front().plan.com.p;
-  const Mat3 R_WC = run.ticks.front().plan.R_WC;
+  const Vec2 origin = run.ticks.front().desired_com;
+  const Mat3 R_WC = run.ticks.front().R_belief * run.ticks.front().plan.R_WC;
   const auto along = [&](const Vec2& p, int axis) {
     return (p - origin).dot(R_WC.col(axis).head<2>());
   };
@@ -142,7 +143,7 @@ std::string com_figure(const RunData& run) {
                              return along(centre_of_mass(t).head<2>(), axis);
                            })},
                    {"desired", "line c1 dashed",
-                    column(run, [&](const TickSample& t) { return along(t.plan.com.p, axis); })}},
+                    column(run, [&](const TickSample& t) { return along(t.desired_com, axis); })}},
         .height = 120.0};
   };
   return plot::draw({.description = "Desired and " + source(run) +

@@ -4,6 +4,7 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/visible_residual.hpp"
+#include "surefoot/model/belief_frame.hpp"
 
 #include <cmath>
 #include <map>
@@ -137,6 +138,18 @@ bool merge(const std::vector<TruthSample>& truths, std::vector<TickSample>& tick
   return !truths.empty();
 }
 
+// Sensors see neither position nor heading, so the controller's W is laid into the true one by the
+// feet that stand.
+void lay_plans(RunData& run) {
+  BeliefFrame frame;
+  for (TickSample& tick : run.ticks) {
+    if (!std::isnan(tick.truth.time)) frame.update(tick.plan, tick.model.p_WF, tick.truth.p_WF);
+    const Vec2& p = tick.plan.com.p;
+    tick.desired_com = frame.to_truth({p.x(), p.y(), 0.0}).head<2>();
+    tick.R_belief = frame.R();
+  }
+}
+
 }  // namespace
 
 Vec3 centre_of_mass(const TickSample& tick) {
@@ -176,6 +189,7 @@ RunData read_run(const std::string& log_path) {
   run.summary = log.summary();
   run.problem = log.problem();
   run.has_truth = merge(truths, run.ticks);
+  lay_plans(run);
   return run;
 }
 

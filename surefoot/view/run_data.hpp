@@ -30,6 +30,9 @@ struct TickSample {
   MotionPlan plan;
   Vec3 p_WB = Vec3::Constant(kNaN);  ///< base, as the controller believed [m]
   ModelRecord model;
+  /// Of the plan, in the true W (in the controller's, without a truth) [m].
+  Vec2 desired_com = Vec2::Constant(kNaN);
+  Mat3 R_belief = Mat3::Identity();          ///< turns the controller's W into the true one
   JointVector torque = JointVector::Zero();  ///< commanded [N·m]
   CommandMode mode = CommandMode::optimal;
   std::array<double, kMaxLevels> residuals{};

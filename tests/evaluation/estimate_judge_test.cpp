@@ -1,8 +1,8 @@
 #include "surefoot/evaluation/estimate_judge.hpp"
 
-#include "surefoot/evaluation/belief_frame.hpp"
 #include "surefoot/evaluation/touchdown_judge.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/model/belief_frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(BeliefFrame, FindsWhereTheControllersWorldLies) {
     tick.model.p_WF[k] = R.transpose() * (truth.p_WF[k] - p);
   }
   BeliefFrame frame;
-  frame.update(truth, tick);
+  frame.update(tick.plan, tick.model.p_WF, truth.p_WF);
   EXPECT_LT((frame.R() - R).norm(), 1e-12);
   EXPECT_LT(
       (frame.to_truth(R.transpose() * (Vec3(0.1, 0.2, 0.3) - p)) - Vec3(0.1, 0.2, 0.3)).norm(),
@@ -45,7 +45,7 @@ TEST(BeliefFrame, AFootInTheAirPlaysNoPart) {
   tick.model.p_WF[1] += Vec3(0.5, 0.5, 0.5);
   tick.plan.feet[1].phase = LegPhase::swing;
   BeliefFrame frame;
-  frame.update(truth, tick);
+  frame.update(tick.plan, tick.model.p_WF, truth.p_WF);
   EXPECT_LT((frame.R() - Mat3::Identity()).norm(), 1e-12);
 }
 

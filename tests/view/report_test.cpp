@@ -4,6 +4,7 @@
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/view/run_data.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -26,8 +27,18 @@ struct Options {
   double seconds = 5.0;
   bool truth = true;
   bool walked_down = true;
-  double explained = 1.0;  // share of the ticks at which it is known what held levels back
+  double explained = 1.0;     // share of the ticks at which it is known what held levels back
+  Mat3 R = Mat3::Identity();  // the true world, from where the controller believes to be
+  Vec3 p = Vec3::Zero();
 };
+
+GroundTruth elsewhere(GroundTruth truth, const Mat3& R, const Vec3& p) {
+  truth.p_WB = R * truth.p_WB + p;
+  truth.q_WB = Quat(R) * truth.q_WB;
+  truth.p_WCom = R * truth.p_WCom + p;
+  for (Vec3& foot : truth.p_WF) foot = R * foot + p;
+  return truth;
+}
 
 // A log of a synthetic run with everything the report shows.
 void record(const std::string& path, const Options& options,
@@ -40,10 +51,11 @@ void record(const std::string& path, const Options& options,
   for (int i = 0; i < options.seconds / SyntheticRun::kPeriod; ++i) {
     run.step();
     if (i % 100 >= 100.0 * options.explained) run.tick.hierarchy.blocking_is_known = false;
-    if (truth_log) truth_log->record(run.truth);
+    const GroundTruth truth = elsewhere(run.truth, options.R, options.p);
+    if (truth_log) truth_log->record(truth);
     recorder.record(run.tick);
     recorder.record(run.timing);
-    evaluator.add(run.truth, run.tick);
+    evaluator.add(truth, run.tick);
     evaluator.add(run.timing);
   }
   const Metrics metrics = evaluator.metrics({.reason = "completed"});
@@ -305,6 +317,20 @@ TEST(RunData, EachTickHasItsOwnTruth) {
   for (const TickSample& tick : read_run(folder / "run.mcap").ticks) {
     ASSERT_EQ(tick.truth.time, tick.time);
     ASSERT_EQ(tick.truth.p_WCom, tick.model.p_WCom);  // the synthetic run believes the truth
+  }
+}
+
+TEST(RunData, PlansAreWhereTheStandingFeetAre) {
+  const TemporaryFolder folder;
+  const Mat3 R = rotation_about_z(0.4);
+  const Vec3 p(0.5, -2.0, 0.1);
+  record(folder / "here.mcap", {.seconds = 3.0});
+  record(folder / "there.mcap", {.seconds = 3.0, .R = R, .p = p});
+  const RunData here = read_run(folder / "here.mcap"), there = read_run(folder / "there.mcap");
+  for (std::size_t i = 0; i < here.ticks.size(); ++i) {
+    const TickSample &a = here.ticks[i], &b = there.ticks[i];
+    ASSERT_LT((R.topLeftCorner<2, 2>() * a.desired_com + p.head<2>() - b.desired_com).norm(), 1e-9);
+    ASSERT_LT((R * a.R_belief - b.R_belief).norm(), 1e-9);
   }
 }
 

@@ -1,8 +1,9 @@
 import { rotate } from "../math/geometry.ts";
 import type { TerrainPiece } from "../protocol/session.ts";
 
-/** Half the edge of the square that stands for an endless plane [m]: hours of walking. */
-const PLANE_HALF = 2000;
+/** Lines of the grid that stands for an endless plane, on either side of its middle [m]: hours of walking. Over a triangle of
+ * kilometres a picture loses the millimetres by which what is drawn on the ground lies above it. */
+const PLANE_LINES = [0, 2, 4, 6, 9, 14, 20, 40, 100, 300, 2000];
 
 /** Triangles and sharp edges of the ground in W, as plain arrays. */
 export class TerrainGeometry {
@@ -33,8 +34,13 @@ export class TerrainGeometry {
   }
 
   private addPlane(piece: TerrainPiece): void {
-    const h = PLANE_HALF;
-    this.quad(piece, [[-h, -h, 0], [h, -h, 0], [h, h, 0], [-h, h, 0]], [0, 0, 1]);
+    const lines = [...PLANE_LINES.slice(1).map((at) => -at).reverse(), ...PLANE_LINES];
+    for (let i = 1; i < lines.length; ++i) {
+      for (let j = 1; j < lines.length; ++j) {
+        const [x, X, y, Y] = [lines[i - 1], lines[i], lines[j - 1], lines[j]] as [number, number, number, number];
+        this.quad(piece, [[x, y, 0], [X, y, 0], [X, Y, 0], [x, Y, 0]], [0, 0, 1]);
+      }
+    }
   }
 
   private addBox(piece: TerrainPiece): void {

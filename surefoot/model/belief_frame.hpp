@@ -1,7 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/tick_record.hpp"
-#include "surefoot/simulation/ground_truth.hpp"
+#include "surefoot/signals/motion_plan.hpp"
 
 namespace surefoot {
 
@@ -13,7 +12,9 @@ namespace surefoot {
 /// With fewer than two standing feet the frame stays as it was.
 class BeliefFrame {
  public:
-  void update(const GroundTruth& truth, const TickRecord& tick);
+  /// By the feet that stand as planned: where they are believed to be, and where they are [m].
+  void update(const MotionPlan& plan, const PerLeg<Vec3>& believed_p_WF,
+              const PerLeg<Vec3>& true_p_WF);
 
   /// Takes coordinates in the controller's W to the true one.
   [[nodiscard]] const Mat3& R() const { return R_; }

@@ -1,0 +1,31 @@
+#include "surefoot/model/belief_frame.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+void BeliefFrame::update(const MotionPlan& plan, const PerLeg<Vec3>& believed_p_WF,
+                         const PerLeg<Vec3>& true_p_WF) {
+  Vec3 believed = Vec3::Zero(), actual = Vec3::Zero();
+  const int count = plan.num_contacts();
+  if (count < 2) return;
+  for (const Leg leg : kLegs) {
+    if (!plan.contact(leg)) continue;
+    believed += believed_p_WF[index(leg)] / count;
+    actual += true_p_WF[index(leg)] / count;
+  }
+  double sine = 0.0, cosine = 0.0;
+  for (const Leg leg : kLegs) {
+    if (!plan.contact(leg)) continue;
+    const Vec3 a = believed_p_WF[index(leg)] - believed;
+    const Vec3 b = true_p_WF[index(leg)] - actual;
+    sine += a.x() * b.y() - a.y() * b.x();
+    cosine += a.x() * b.x() + a.y() * b.y();
+  }
+  R_ = rotation_about_z(std::atan2(sine, cosine));
+  p_ = actual - R_ * believed;
+}
+
+}  // namespace surefoot
