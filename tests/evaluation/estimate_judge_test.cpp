@@ -2,7 +2,6 @@
 
 #include "surefoot/evaluation/touchdown_judge.hpp"
 #include "surefoot/math/rotation.hpp"
-#include "surefoot/model/belief_frame.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,33 +19,6 @@ GroundTruth standing() {
     truth.feet[k].touching = true;
   }
   return truth;
-}
-
-TEST(BeliefFrame, FindsWhereTheControllersWorldLies) {
-  const GroundTruth truth = standing();
-  const Mat3 R = rotation_about_z(0.8);
-  const Vec3 p(3.0, -2.0, 0.4);
-  TickRecord tick;
-  for (std::size_t k = 0; k < kNumLegs; ++k) {
-    tick.model.p_WF[k] = R.transpose() * (truth.p_WF[k] - p);
-  }
-  BeliefFrame frame;
-  frame.update(tick.plan, tick.model.p_WF, truth.p_WF);
-  EXPECT_LT((frame.R() - R).norm(), 1e-12);
-  EXPECT_LT(
-      (frame.to_truth(R.transpose() * (Vec3(0.1, 0.2, 0.3) - p)) - Vec3(0.1, 0.2, 0.3)).norm(),
-      1e-12);
-}
-
-TEST(BeliefFrame, AFootInTheAirPlaysNoPart) {
-  const GroundTruth truth = standing();
-  TickRecord tick;
-  tick.model.p_WF = truth.p_WF;
-  tick.model.p_WF[1] += Vec3(0.5, 0.5, 0.5);
-  tick.plan.feet[1].phase = LegPhase::swing;
-  BeliefFrame frame;
-  frame.update(tick.plan, tick.model.p_WF, truth.p_WF);
-  EXPECT_LT((frame.R() - Mat3::Identity()).norm(), 1e-12);
 }
 
 TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
