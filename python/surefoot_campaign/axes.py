@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from surefoot_campaign.results import is_number
-from surefoot_campaign.spec import yaml_text
+from surefoot_campaign.spec import CASE, yaml_text
 from surefoot_campaign.units import label, unit_of_parameter
 
 SEEDS_A_BIN = 10  # points of a grid share their draws: more of them fill no bin better
@@ -24,7 +24,7 @@ class Axis:
         """The records of each cell."""
         cells = [[] for _ in self.ticks]
         for record in records:
-            cells[self.of(record.run.parameters[self.parameter])].append(record)
+            cells[self.of(record.run.value(self.parameter))].append(record)
         return cells
 
 
@@ -50,6 +50,9 @@ def drawn_axis(parameter, range_, text, seeds):
 
 
 def axis_of(spec, parameter):
+    if parameter == CASE:
+        names = list(spec.cases)
+        return Axis(CASE, CASE, names, list(range(len(names))), False, True, names.index)
     text = label(parameter, unit_of_parameter(parameter, spec))
     if parameter in spec.grid:
         return grid_axis(parameter, spec.grid[parameter], text)

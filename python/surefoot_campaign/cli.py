@@ -32,6 +32,7 @@ EPILOG = """The spec, in short (docs/campaigns.md has all of it):
   scenario: step_down                                    or a list
   seeds: {first: 1, count: 300}                          or a list
   grid: {terrain.elements.ground.height: [-0.10, -0.14]}
+  cases: {blind: {}, true state: {estimation: truth}}    the others are compared with the first, seed by seed
   draw: {disturbances.payload.mass: [0.0, 6.9]}          uniform, from the seed
   set: {duration: 60}
   timeout: 600                                           s of wall clock a run
@@ -80,7 +81,7 @@ def dry_run(plan, rows, program, arguments, folder):
 
 
 def description(run, spec):
-    values = [f"{key}={run.parameters[key]:.4g}" if isinstance(run.parameters[key], float) else f"{key}={run.parameters[key]}"
+    values = [f"{key}={run.value(key):.4g}" if isinstance(run.value(key), float) else f"{key}={run.value(key)}"
               for key in spec.varied()]  # fmt: skip
     return " ".join([run.scenario, *values, f"seed {run.seed}"])
 

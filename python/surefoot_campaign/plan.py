@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from surefoot_campaign.draws import draw
 from surefoot_campaign.errors import InputError, valid_names
-from surefoot_campaign.spec import yaml_text
+from surefoot_campaign.spec import CASE, yaml_text
 
 
 @dataclass(frozen=True)
@@ -18,10 +18,15 @@ class Run:
     scenario: str  # as the spec names it
     file: str  # as the program finds it
     seed: int
+    case: str  # of the spec; None where it has none
     parameters: dict
     sources_hash: str
     version: str
     point: int  # of the grid, over all scenarios
+
+    def value(self, name):
+        """Of a parameter, or the case: what a figure has along an axis."""
+        return self.case if name == CASE else self.parameters[name]
 
 
 @dataclass
@@ -45,9 +50,10 @@ def scenario_file(spec, name):
 
 
 def grid_points(spec):
-    """The parameters of each point, without what is drawn."""
-    for values in itertools.product(*spec.grid.values()):
-        yield dict(zip(spec.grid, values)) | spec.fixed
+    """Case and parameters of each point, without what is drawn."""
+    for case, of_case in spec.cases.items() or [(None, {})]:
+        for values in itertools.product(*spec.grid.values()):
+            yield case, of_case | dict(zip(spec.grid, values)) | spec.fixed
 
 
 def with_draws(spec, parameters, seed):
@@ -56,14 +62,14 @@ def with_draws(spec, parameters, seed):
 
 
 def in_order(spec, parameters):
-    return {key: parameters[key] for key in spec.parameters()}
+    return {key: parameters[key] for key in spec.parameters() if key in parameters}
 
 
 def explain(spec, scenario, parameters, message):
     """What the program says of a parameter, with the line of the spec that gives it."""
     for key in parameters:
         if message.startswith(f"--set {key}="):
-            section = "grid" if key in spec.grid else "draw" if key in spec.draw else "set"
+            section = next((name for name in ("grid", "draw") if key in getattr(spec, name)), "set" if key in spec.fixed else "cases")
             # The program's words are "--set key=value: what is wrong".
             given = message.removeprefix("--set ")
             return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"
@@ -78,7 +84,7 @@ def check_all(spec, program, jobs):
     if spec.draw:
         ends.append({key: range_.upper for key, range_ in spec.draw.items()})
 
-    def check(scenario, parameters):
+    def check(scenario, _case, parameters):
         checks = []
         for end in ends:
             try:
@@ -87,7 +93,7 @@ def check_all(spec, program, jobs):
                 raise InputError(explain(spec, scenario, parameters | end, str(error))) from None
         return checks[0]
 
-    points = [(scenario, parameters) for scenario in spec.scenarios for parameters in grid_points(spec)]
+    points = [(scenario, *point) for scenario in spec.scenarios for point in grid_points(spec)]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         futures = [pool.submit(check, *point) for point in points]
         try:
@@ -109,7 +115,7 @@ def make_plan(spec, program, jobs):
     points, checks = check_all(spec, program, jobs)
     check_judge(spec, checks[0].metrics)
     runs, of_id = [], {}
-    for number, ((scenario, parameters), check) in enumerate(zip(points, checks)):
+    for number, ((scenario, case, parameters), check) in enumerate(zip(points, checks)):
         for seed in spec.seeds:
             full = with_draws(spec, parameters, seed)
             run = Run(
@@ -117,6 +123,7 @@ def make_plan(spec, program, jobs):
                 scenario=scenario,
                 file=scenario_file(spec, scenario),
                 seed=seed,
+                case=case,
                 parameters=full,
                 sources_hash=check.sources_hash,
                 version=check.version,

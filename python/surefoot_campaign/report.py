@@ -6,8 +6,9 @@ import io
 import json
 
 from surefoot_campaign.outcome import OUTCOMES
+from surefoot_campaign.pairs import pairs, pairs_rows
 from surefoot_campaign.results import Table, csv_text, is_number
-from surefoot_campaign.spec import yaml_text
+from surefoot_campaign.spec import CASE, yaml_text
 from surefoot_campaign.statistics import median, rate_of
 from surefoot_campaign.worst import worst, worst_text
 
@@ -18,6 +19,11 @@ def points(plan, records):
     for record in records:
         of_point[record.run.point].append(record)
     return [of_point[number] for number in sorted(of_point)]
+
+
+def columns(plan):
+    """What tells the points of a scenario apart."""
+    return [CASE] * bool(plan.spec.cases) + list(plan.spec.grid)
 
 
 def rate_json(records):
@@ -33,7 +39,7 @@ def judged(plan, records):
 
 def point_json(plan, records):
     run = records[0].run
-    parameters = {key: run.parameters[key] for key in plan.spec.grid}
+    parameters = ({CASE: run.case} if plan.spec.cases else {}) | {key: run.parameters[key] for key in plan.spec.grid}
     outcomes = collections.Counter(record.row["outcome"] for record in records)
     counts = {outcome: outcomes[outcome] for outcome in OUTCOMES}
     return {"scenario": run.scenario, "parameters": parameters, **rate_json(records), "outcomes": counts, "judge": judged(plan, records)}
@@ -58,6 +64,7 @@ def summary(plan, records, program, table):
             }
             for record in worst(plan, records)
         ],
+        "pairs": pairs(plan, records),
         "digest": table.digest(),
     }
 
@@ -66,7 +73,7 @@ def rates_csv(plan, found):
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(
-        ["scenario", *plan.spec.grid, "successes", "trials", "rate", "low", "high", *OUTCOMES[1:]]
+        ["scenario", *columns(plan), "successes", "trials", "rate", "low", "high", *OUTCOMES[1:]]
         + [f"{plan.spec.judge}.median", f"{plan.spec.judge}.worst"]
     )
     for point in found["points"]:
@@ -110,7 +117,7 @@ def aligned(rows):
 def short_table(plan, found, folder):
     """A line for each point of the grid, the worst run, and where the rest is."""
     judge = plan.spec.judge
-    rows = [["scenario", *plan.spec.grid, "succeeded", "rate", "95 %", f"{judge} median", "worst", ""]]
+    rows = [["scenario", *columns(plan), "succeeded", "rate", "95 %", f"{judge} median", "worst", ""]]
     for point in found["points"]:
         values = [yaml_text(value) for value in point["parameters"].values()]
         measured = [number(point["judge"]["median"]), number(point["judge"]["worst"])]
@@ -120,4 +127,6 @@ def short_table(plan, found, folder):
         first = found["worst"][0]
         measured = f", {judge} {number(first[judge])}" if first[judge] is not None else ""
         text += f"\nworst: {first['outcome'].replace('_', ' ')}, {first['reason']}{measured}\n  {first['command']}\n"
+    if found["pairs"]:
+        text += "\nseed by seed against " + f'"{found["pairs"][0]["against"]}":\n' + aligned(pairs_rows(found["pairs"], judge))
     return text + f"\nall of it: {folder}/  digest {found['digest']}\n"

@@ -5,7 +5,7 @@ import hashlib
 import io
 from dataclasses import dataclass
 
-from surefoot_campaign.spec import yaml_text
+from surefoot_campaign.spec import CASE, yaml_text
 
 # Of a result: what other columns say already.
 LEFT_OUT = {"scenario", "stack", "seed", "version", "succeeded", "reason", "sources_hash", "estimation", "foot_force_sensor"}
@@ -53,6 +53,8 @@ def cells_of(record):
     run, row = record.run, record.row
     result = row["result"] or {}
     cells = {"id": run.id, "scenario": run.scenario, "seed": run.seed, "version": run.version}
+    if run.case is not None:
+        cells[CASE] = run.case
     cells |= {key: value if is_number(value) or isinstance(value, bool) else yaml_text(value) for key, value in run.parameters.items()}
     cells |= {"outcome": row["outcome"], "reason": row["reason"], "missed": missed(result)}
     return cells | flat(result) | {WALL_TIME: row["wall_time_s"]}

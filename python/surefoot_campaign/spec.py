@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_campaign.yaml_tree import read_yaml
 
-KEYS = ["name", "scenario", "seeds", "grid", "draw", "set", "timeout", "judge", "units"]
+KEYS = ["name", "scenario", "seeds", "cases", "grid", "draw", "set", "timeout", "judge", "units"]
+CASE = "case"  # what tables and figures call the column of `cases:`
 TIMEOUT = 600.0  # s
 JUDGE = "com_error_max_m"
 MAX_SEED = 999_999_999  # of the program's --seed
@@ -36,6 +37,7 @@ class Spec:
     name: str
     scenarios: list  # as written
     seeds: list
+    cases: dict = field(default_factory=dict)  # name -> {parameter: value}; the first is what the others are compared with
     grid: dict = field(default_factory=dict)  # parameter -> values
     draw: dict = field(default_factory=dict)  # parameter -> Range
     fixed: dict = field(default_factory=dict)  # parameter -> value; `set:` of the file
@@ -45,12 +47,14 @@ class Spec:
     lines: dict = field(default_factory=dict)  # parameter or key -> line in the file
 
     def parameters(self):
-        """Every parameter, in the order of the file: those that vary first."""
-        return [*self.grid, *self.draw, *self.fixed]
+        """Every parameter, in the order of the file: those that vary first. Those of cases need not be in every run."""
+        of_cases = dict.fromkeys(name for values in self.cases.values() for name in values)
+        return [*of_cases, *self.grid, *self.draw, *self.fixed]
 
     def varied(self):
-        """Those that take more than one value."""
-        return [name for name, values in self.grid.items() if len(values) > 1] + list(self.draw)
+        """Those that take more than one value, the case among them."""
+        of_grid = [name for name, values in self.grid.items() if len(values) > 1]
+        return [CASE] * bool(self.cases) + of_grid + list(self.draw)
 
     def where(self, key):
         return f"{self.path}:{self.lines[key]}" if key in self.lines else str(self.path)
@@ -79,6 +83,7 @@ class Reader:
             name=self.name(),
             scenarios=self.scenarios(),
             seeds=self.seeds(),
+            cases=self.cases(),
             grid={key: self.values("grid." + key, node) for key, node in self.map("grid").items()},
             draw={key: self.range("draw." + key, node) for key, node in self.map("draw").items()},
             fixed={key: self.plain("set." + key, node) for key, node in self.map("set").items()},
@@ -108,10 +113,27 @@ class Reader:
                     self.fail(
                         entry.line,
                         f"{key}.{name}",
-                        f"this parameter stands at line {self.lines[name]} already; once is valid, in grid, draw or set",
+                        f"this parameter stands at line {self.lines[name]} already; once is valid, in cases, grid, draw or set",
                     )
                 self.lines[name] = entry.line
         return node.value
+
+    def cases(self):
+        """Maps of values by name. A parameter may stand in several of them, but nowhere else."""
+        node = self.tree.value.get("cases")
+        if node is None:
+            return {}
+        if not isinstance(node.value, dict) or len(node.value) < 2:
+            self.fail(node.line, "cases", "must be a map of at least two cases, `name: {path.to.key: value}`; {} changes nothing")
+        cases = {}
+        for name, entry in node.value.items():
+            if not isinstance(entry.value, dict):
+                self.fail(entry.line, f"cases.{name}", "must be a map, {path.to.key: value}; {} changes nothing")
+            cases[name] = {key: self.plain(f"cases.{name}.{key}", value) for key, value in entry.value.items()}
+            if cases[name] in list(cases.values())[:-1]:
+                self.fail(entry.line, f"cases.{name}", "another case has the same values")
+            self.lines |= {key: value.line for key, value in entry.value.items()}
+        return cases
 
     def name(self):
         if "name" not in self.tree.value:

@@ -49,3 +49,16 @@ def quantile(values, share):
 
 def median(values):
     return quantile(values, 0.5)
+
+
+def median_interval(values):
+    """A 95 % interval of the median from the values' ranks (binomial, no distribution assumed); None of fewer than six."""
+    count = len(values)
+    tail, rank = 0.5**count, 0  # P(X <= rank) of X ~ B(count, 1/2)
+    if tail > 0.025:
+        return None
+    while tail + math.comb(count, rank + 1) * 0.5**count <= 0.025:
+        rank += 1
+        tail += math.comb(count, rank) * 0.5**count
+    values = sorted(values)
+    return [values[rank], values[count - 1 - rank]]

@@ -233,6 +233,42 @@ def test_the_worst_failed_first_and_then_by_the_metric_that_the_spec_names(folde
     assert len(failed) > 1 and failed == sorted(failed, reverse=True)
 
 
+CASES = """\
+scenario: [fake, other]
+seeds: {first: 1, count: 8}
+cases:
+  as it is: {}
+  heavy: {mass: 8, gait: walk}
+  one crashes: {mode: crash, broken_seed: 3}
+"""
+
+
+def test_cases_are_compared_with_the_first_seed_by_seed(tmp_path):
+    folder = CampaignFolder(tmp_path, plots=True).write(CASES)
+    found = folder.result(status=1)
+    of_seed = {(row["scenario"], row["case"], row["seed"]): row for row in table(folder)}
+    assert len(of_seed) == 2 * 3 * 8
+    assert {row["mass"] for (_, case, _), row in of_seed.items() if case == "as it is"} == {""}
+    assert [(point["scenario"], point["parameters"]["case"]) for point in found["pairs"]] == [
+        (scenario, case) for scenario in ("fake", "other") for case in ("heavy", "one crashes")
+    ]
+    for point in found["pairs"]:
+        couples = [[of_seed[point["scenario"], case, str(seed)] for case in ("as it is", point["parameters"]["case"])]
+                   for seed in range(1, 9)]  # fmt: skip
+        won = [[row["outcome"] == "succeeded" for row in couple] for couple in couples]
+        assert (point["seeds"], point["mended"], point["broken"]) == (8, won.count([False, True]), won.count([True, False]))
+    crashed = found["pairs"][1]
+    assert crashed["broken"] == 1 and crashed["difference"]["median"] == 0.0
+    assert {"case.png", "case.svg"} <= {file.name for file in (folder.out / "plots").iterdir()}
+    text = folder.run().stdout
+    assert 'seed by seed against "as it is":' in text and "heavy" in text
+
+
+def test_a_parameter_of_a_case_that_the_program_does_not_know_is_told_with_its_line(tmp_path):
+    text = CASES.replace("{mass: 8", "{masss: 8")
+    assert "spec.yaml:5: cases: masss=8: masss: unknown key" in CampaignFolder(tmp_path).write(text).complaint()
+
+
 def test_plots_are_there_for_each_parameter_and_each_pair(tmp_path):
     folder = CampaignFolder(tmp_path, plots=True).write()
     folder.result()

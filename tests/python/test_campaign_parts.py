@@ -13,7 +13,7 @@ from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
 from surefoot_campaign.spec import load_spec, yaml_text
-from surefoot_campaign.statistics import Z, quantile, wilson_interval
+from surefoot_campaign.statistics import Z, median_interval, quantile, wilson_interval
 from surefoot_campaign.units import label, metric_label, unit_of_parameter
 
 
@@ -41,6 +41,13 @@ def test_quantiles_lie_between_the_values():
     assert quantile([], 0.5) is None
     assert quantile([3.0], 0.95) == 3.0
     assert quantile([4.0, 1.0, 2.0, 3.0], 0.5) == 2.5
+
+
+def test_the_interval_of_a_median_has_the_ranks_of_the_binomial_tables():
+    """Conover, Practical Nonparametric Statistics, table A3 with p = 1/2: n = 6, 10, 20, 100."""
+    assert median_interval(list(range(5))) is None
+    for count, rank in ((6, 0), (10, 1), (20, 5), (100, 39)):
+        assert median_interval(list(range(count))[::-1]) == [rank, count - 1 - rank]
 
 
 def test_draws_are_uniform_and_those_of_different_names_have_nothing_to_do_with_each_other():
@@ -72,6 +79,11 @@ WRONG = {
     "scenario: fake\n": "s.yaml:1: seeds: this key is missing",
     "scenario: []\nseeds: [1]\n": "s.yaml:1: scenario: the list is empty",
     "scenario: [fake, fake]\nseeds: [1]\n": "s.yaml:1: scenario: fake is given twice",
+    HEAD + "cases: {a: {x: 1}}\n": "s.yaml:3: cases: must be a map of at least two cases",
+    HEAD + "cases: {a: {}, b: 3}\n": "s.yaml:3: cases.b: must be a map",
+    HEAD + "cases: {a: {x: 1}, b: {x: 1}}\n": "s.yaml:3: cases.b: another case has the same values",
+    HEAD + "cases: {a: {}, b: {x: {y: 1}}}\n": "s.yaml:3: cases.b.x: must be a value",
+    HEAD + "cases: {a: {}, b: {x: 1}}\ngrid: {x: [1, 2]}\n": "s.yaml:4: grid.x: this parameter stands at line 3 already",
     "scenario: fake\nseeds: []\n": "s.yaml:2: seeds: there are none",
     "scenario: fake\nseeds: {count: 0}\n": "s.yaml:2: seeds.count: 0 is not a whole number of at least 1",
     "scenario: fake\nseeds: {first: -1, count: 2}\n": "s.yaml:2: seeds.first: -1 is not a whole number of at least 0",
