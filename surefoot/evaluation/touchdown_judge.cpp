@@ -17,7 +17,7 @@ void TouchdownJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
   for (const Leg leg : kLegs) {
     Foot& foot = feet_[index(leg)];
     const bool contact = plan.contact(leg);
-    if (truth.feet[index(leg)].touching) {
+    if (truth.feet[index(leg)].touched) {
       const bool is_new = !(time - foot.touching_at <= kBounce);
       if (is_new || foot.was_contact) foot.touched_at = time;
       foot.touching_at = time;

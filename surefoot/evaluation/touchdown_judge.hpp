@@ -10,8 +10,8 @@ namespace surefoot {
 
 /// Holds the touchdowns that the controller notices against those that happen. A touchdown is
 /// noticed when a leg's phase becomes stance; it is false if the foot did not touch within 20 ms
-/// before. Its latency runs from the foot's first touch, gaps of up to 50 ms, as a bouncing foot
-/// makes them, left aside.
+/// before, not even for a single physics step. Its latency runs from the foot's first touch, gaps
+/// of up to 50 ms, as a bouncing foot makes them, left aside.
 class TouchdownJudge {
  public:
   void add(const GroundTruth& truth, const MotionPlan& plan);

@@ -9,6 +9,8 @@ namespace surefoot::logged {
 template <typename Archive, Is<TrueContact> T>
 void fields(Archive& field, T& contact) {
   field("touching", contact.touching, "the foot touches the ground");
+  field("touched", contact.touched,
+        "it touches, or did in a physics step since the tick before: a bounce can be over by then");
   field("force", contact.force, "of the ground on the foot, in W [N]");
   field("normal", contact.normal, "mean normal of its contacts, in W");
   field("point", contact.point, "mean contact point in W [m]");

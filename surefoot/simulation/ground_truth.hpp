@@ -9,6 +9,7 @@ namespace surefoot {
 /// What really touches the ground at a foot.
 struct TrueContact {
   bool touching = false;
+  bool touched = false;         ///< touches, or did in a physics step since the tick before
   Vec3 force = Vec3::Zero();    ///< of the ground on the foot, summed over its contacts, in W [N]
   Vec3 normal = Vec3::UnitZ();  ///< force-weighted mean normal, in W
   Vec3 point = Vec3::Zero();    ///< force-weighted mean contact point, in W [m]

@@ -85,6 +85,7 @@ struct Plant::Implementation {
   Actuators actuators;
   Sensors sensors;
   SensorLink link;
+  PerLeg<bool> touched{};  ///< feet that did in a physics step since the tick before
   GroundTruth truth;
   SensorReading sampled;
   std::int64_t tick = 0;
@@ -150,6 +151,7 @@ void Plant::Implementation::physics_step() {
   const Quat q_WB = simulation::base_orientation(data, parts);
   const Vec3 v_before = simulation::base_velocity(data, parts);
   mj_step2(&model, &data);
+  simulation::note_touches(model, data, parts, touched);
   const Vec3 acceleration = (simulation::base_velocity(data, parts) - v_before) / options.timestep;
   sensors.accumulate(q_WB.conjugate() * (acceleration + Vec3(0.0, 0.0, kGravity)));
   actuators.advance(simulation::joint_positions(data, parts));
@@ -164,6 +166,10 @@ void Plant::Implementation::observe() {
   check_state();
   truth.time = static_cast<double>(tick) * options.control_period;
   simulation::extract_truth(model, data, parts, truth);
+  for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+    truth.feet[leg].touched = truth.feet[leg].touching || touched[leg];
+  }
+  touched = {};
   sensors.read(truth, sampled);
   link.transmit(sampled);
 }

@@ -116,6 +116,22 @@ void extract_feet(const mjModel& model, const mjData& data, const RobotParts& pa
 
 }  // namespace
 
+void note_touches(const mjModel& model, const mjData& data, const RobotParts& parts,
+                  PerLeg<bool>& touched) noexcept {
+  for (int id = 0; id < data.ncon; ++id) {
+    const mjContact& contact = data.contact[id];
+    if (contact.efc_address < 0) continue;
+    const GeomOwner& first = parts.owner[static_cast<std::size_t>(contact.geom[0])];
+    const GeomOwner& second = parts.owner[static_cast<std::size_t>(contact.geom[1])];
+    if ((first.part == Part::terrain) == (second.part == Part::terrain)) continue;
+    const GeomOwner& owner = first.part == Part::terrain ? second : first;
+    if (owner.part != Part::foot) continue;
+    mjtNum force[6];
+    mj_contactForce(&model, &data, id, force);
+    if (force[0] > 0.0) touched[static_cast<std::size_t>(owner.leg)] = true;
+  }
+}
+
 JointVector joint_positions(const mjData& data, const RobotParts& parts) noexcept {
   JointVector q;
   for (std::size_t i = 0; i < kNumJoints; ++i) {

@@ -10,6 +10,11 @@ namespace surefoot::simulation {
 void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
                    GroundTruth& truth) noexcept;
 
+/// Marks the feet that the ground pushed on in the physics step that was made last; `data.contact`
+/// must still be of that step.
+void note_touches(const mjModel& model, const mjData& data, const RobotParts& parts,
+                  PerLeg<bool>& touched) noexcept;
+
 /// Joint positions and velocities in our order.
 [[nodiscard]] JointVector joint_positions(const mjData& data, const RobotParts& parts) noexcept;
 [[nodiscard]] JointVector joint_velocities(const mjData& data, const RobotParts& parts) noexcept;

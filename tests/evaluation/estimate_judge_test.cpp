@@ -16,7 +16,7 @@ GroundTruth standing() {
   GroundTruth truth;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     truth.p_WF[k] = Vec3(k < 2 ? 0.3 : -0.3, kSides[k], 0.03);
-    truth.feet[k].touching = true;
+    truth.feet[k].touching = truth.feet[k].touched = true;
   }
   return truth;
 }
@@ -66,7 +66,7 @@ TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {
 /// A foot that swings; each tick says whether it touches and whether the plan lets it stand.
 struct Steps {
   void tick(bool touching, bool stands) {
-    truth.feet[0].touching = touching;
+    truth.feet[0].touching = truth.feet[0].touched = touching;
     plan.feet[0].phase = stands ? LegPhase::stance : LegPhase::search;
     judge.add(truth, plan);
     truth.time += 0.0025;
@@ -103,6 +103,18 @@ TEST(TouchdownJudge, AFootInTheAirThatIsBelievedToStandIsAFalseTouchdown) {
   steps.tick(false, true);
   EXPECT_EQ(steps.metrics().false_touchdowns, 1);
   EXPECT_TRUE(std::isnan(steps.metrics().touchdown_latency_p95_s));
+}
+
+TEST(TouchdownJudge, ATouchThatWasOverBeforeTheTickIsOne) {
+  Steps steps;
+  steps.ticks(40, true, true);
+  steps.ticks(100, false, false);
+  steps.truth.feet[0].touched = true;
+  steps.judge.add(steps.truth, steps.plan);
+  steps.truth.time += 0.0025;
+  steps.ticks(3, false, false);
+  steps.tick(false, true);
+  EXPECT_EQ(steps.metrics().false_touchdowns, 0);
 }
 
 TEST(TouchdownJudge, ATouchEarlierInTheSwingDoesNotCount) {

@@ -194,6 +194,38 @@ TEST(Contact, AFootThatRollsDoesNotSlip) {
   EXPECT_LT(fastest_slip, 0.2 * fastest_center);
 }
 
+// A bounce lasts a few physics steps and can begin and end between two ticks.
+TEST(Contact, AFootTouchedIfItDidInAnyPhysicsStepOfTheTick) {
+  PlantOptions options = test::standing_options();
+  options.initial.settle = 0.0;
+  options.initial.position.z() = 0.60;
+  constexpr int kSteps = 5, kTicks = 200;
+  options.control_period = kSteps * options.timestep;
+  Plant plant(test::anymal_b(), options);
+  options.control_period = options.timestep;
+  Plant fine(test::anymal_b(), options);
+  const JointCommand limp{};
+  int missed = 0, seen = 0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    PerLeg<bool> touched{};
+    for (int step = 0; step <= kSteps; ++step) {
+      for (const Leg leg : kLegs) {
+        touched[index(leg)] |= fine.truth().feet[index(leg)].touching;
+      }
+      if (step < kSteps) fine.write(limp);
+    }
+    plant.write(limp);
+    for (const Leg leg : kLegs) {
+      const TrueContact& foot = plant.truth().feet[index(leg)];
+      EXPECT_EQ(foot.touched, touched[index(leg)]) << "tick " << tick;
+      seen += foot.touched;
+      missed += foot.touched && !foot.touching;
+    }
+  }
+  EXPECT_GT(missed, 0) << "no foot bounced between two ticks";
+  EXPECT_GT(seen, missed);
+}
+
 TEST(Contact, AFallIsSeenAsTheTorsoTouchingTheGround) {
   Plant plant(test::anymal_b(), test::standing_options());
   EXPECT_FALSE(plant.truth().torso_contact);
