@@ -7,6 +7,7 @@
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -82,6 +83,9 @@ class ComPlanner {
   [[nodiscard]] double end_time() const;
   /// How far the ZMP of the plan had to leave the (unshrunk) region [m].
   [[nodiscard]] double zmp_slack() const { return zmp_slack_; }
+  /// What the last plan was made from, and the answer: for those who check it.
+  [[nodiscard]] const Hierarchy& hierarchy() const { return last_problem().hierarchy; }
+  [[nodiscard]] const Solution& solution() const { return last_problem().solver.solution(); }
   /// Share of the weight that a foot can carry `t` after the begin of a phase.
   [[nodiscard]] double share(const SupportPhase& phase, std::size_t leg, double t) const;
 
@@ -94,6 +98,9 @@ class ComPlanner {
         : hierarchy(std::move(h)), solver(hierarchy, {.rank = kRank, .warm_start = false}) {}
   };
   static Hierarchy make_hierarchy(int phases);
+  [[nodiscard]] const Problem& last_problem() const {
+    return *problems_[static_cast<std::size_t>(std::max(planned_, 1) - 1)];
+  }
 
   /// Coarse: what hardly moves a row of the plan isn't worth bending a spline for.
   static constexpr RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};

@@ -33,13 +33,27 @@ LevelRows::LevelRows(Index max_rows)
       residual_(Eigen::VectorXd::Zero(max_rows)),
       counting_residual_(Eigen::VectorXd::Zero(max_rows)) {}
 
+void LevelRows::enter(const RowValues& values) {
+  std::fill_n(moved_side_.begin(), values.num_rows - values.level_begin, Side::inside);
+}
+
+// At a bound, where two pieces meet, it is the one that the last search ended in: its next step
+// would lead there at once.
+Side LevelRows::present_side(const RowValues& values, Index i) const {
+  const Index row = values.level_begin + i;
+  const Side side = side_of(values, row), last = moved_side_[at(i)];
+  if (side != Side::inside || last == Side::inside || last == Side::equality) return side;
+  const double bound = last == Side::above ? values.upper[row] : values.lower[row];
+  return std::abs(values.value[row] - bound) <= values.noise(row) ? last : side;
+}
+
 void LevelRows::update(const RowValues& values) {
   num_rows_ = values.num_rows - values.level_begin;
   num_counting_ = 0;
   has_inequalities_ = false;
   for (Index i = 0; i < num_rows_; ++i) {
     const Index row = values.level_begin + i;
-    const Side side = side_of(values, row);
+    const Side side = present_side(values, i);
     side_[at(i)] = side;
     residual_[i] = residual(values, i, side, 0.0);
     has_inequalities_ = has_inequalities_ || side != Side::equality;
@@ -122,6 +136,10 @@ double LevelRows::minimum_along(const RowValues& values, double limit) {
     target = newton_step(values, step);
   }
   return step;
+}
+
+bool LevelRows::has_crossed() const {
+  return !std::equal(side_.begin(), side_.begin() + num_rows_, moved_side_.begin());
 }
 
 bool LevelRows::is_stationary(const RowValues& values, double length) const {

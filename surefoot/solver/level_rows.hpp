@@ -38,6 +38,9 @@ class LevelRows {
 
   explicit LevelRows(Eigen::Index max_rows);
 
+  /// Before the first update of a level.
+  void enter(const RowValues& values);
+
   /// Reads sides and residuals off the values of them.
   void update(const RowValues& values);
 
@@ -58,10 +61,14 @@ class LevelRows {
   /// Length of the step along the motion to the exact minimum of φ, at most `limit`.
   [[nodiscard]] double minimum_along(const RowValues& values, double limit);
 
+  /// The last `minimum_along` ended in another piece than it began in.
+  [[nodiscard]] bool has_crossed() const;
+
   /// After `minimum_along` and the move: nothing is left to gain with the constraints now held.
   [[nodiscard]] bool is_stationary(const RowValues& values, double length) const;
 
  private:
+  [[nodiscard]] Side present_side(const RowValues& values, Eigen::Index i) const;
   [[nodiscard]] double residual(const RowValues& values, Eigen::Index i, Side side,
                                 double step) const;
   [[nodiscard]] double break_point(const RowValues& values, Eigen::Index i, double step) const;

@@ -38,6 +38,7 @@ bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
   may_turn_ = true;
   num_factorized_ = -1;
   zero_steps_ = 0;
+  rows_.enter(tableau.row_values());
   force_scale_ = force_noise_ = 0.0;
   for (iterations_ = 0; iterations_ < max_iterations; ++iterations_) {
     rows_.update(tableau.row_values());
@@ -68,8 +69,9 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
     hold(tableau, block);
     return Move::blocked;
   }
-  // φ is smooth: only rounding can keep a direction of descent from descending.
-  if (!has_moved) return Move::stationary;
+  // φ is smooth: a direction of descent that does not descend has met the next piece, or rounding.
+  if (!has_moved)
+    return rows_.has_crossed() && !is_cycling() ? Move::piece_changed : Move::stationary;
   return rows_.is_stationary(tableau.row_values(), length) ? Move::stationary : Move::piece_changed;
 }
 

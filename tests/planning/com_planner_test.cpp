@@ -1,4 +1,5 @@
 // What a plan of the centre of mass is.
+#include "surefoot/solver/certificate.hpp"
 #include "tests/planning/com_plans.hpp"
 
 #include <Eigen/Cholesky>
@@ -70,6 +71,73 @@ TEST(ComPlanner, TheCapturePointRestsInTheTriangleOfEverySwing) {
       EXPECT_GT(phase.must_rest ? margin : kInfinity, 0.5 * ComPlannerOptions{}.rest_margin);
     });
   });
+}
+
+/// The first two swings of a walk, from a stance and in the times that one began with.
+Phases first_swings() {
+  SupportPhase phase = standing(1.6966556840573368, nominal_feet());
+  phase.feet = {Vec2(0.34392903031212496, 0.22248471347493165),
+                Vec2(0.3432923728855794, -0.21560000511786873),
+                Vec2(-0.32056328666397005, 0.22315737558626841),
+                Vec2(-0.33399491779732515, -0.21576909048892395)};
+  phase.heights = {0.0016297014027423715, 0.0018094502902183882, -0.00081923523898253664,
+                   9.2132675750741799e-06};
+  phase.loaded_for.fill(1009.5);
+  Phases phases;
+  const auto add = [&](double duration, bool must_rest) {
+    phase.duration = duration;
+    phase.must_rest = must_rest;
+    phases.push_back(phase);
+    elapse(phase);
+  };
+  const auto land = [&](Leg leg, const Vec2& foot, double height) {
+    phase.down[index(leg)] = true;
+    phase.feet[index(leg)] = foot;
+    phase.heights[index(leg)] = height;
+    phase.loaded_for[index(leg)] = 0.0;
+    phase.lifts_in[index(leg)] = kInfinity;
+  };
+  phase.lifts_in[index(Leg::LH)] = phase.duration;
+  add(phase.duration, false);
+  phase.down[index(Leg::LH)] = false;
+  add(0.35, true);
+  land(Leg::LH, {-0.034334200315897678, 0.22356824836360184}, 0.0059382558286768458);
+  phase.lifts_in[index(Leg::LF)] = 0.15;
+  add(0.15, false);
+  phase.down[index(Leg::LF)] = false;
+  add(0.35, true);
+  land(Leg::LF, {0.69722307127112049, 0.2236709665579352}, 0.0092484478317083271);
+  add(0.3, false);
+  return phases;
+}
+
+// Rows of neighbouring samples nearly say the same: a solver that stops where two pieces of its
+// objective meet leads the COM of the first of these plans 80 m away.
+TEST(ComPlanner, EveryPlanIsOptimal) {
+  RandomMatrices random(7);
+  ComPlanner planner(ComPlannerOptions{.zmp_margin = 0.055},
+                     ForceOptions{.ramp_up = 0.06, .ramp_down = 0.07}, 298.96363929222008);
+  constexpr int kPlans = 200;
+  for (int trial = 0; trial < kPlans; ++trial) {
+    Phases phases = first_swings();
+    const double size = trial == 0 ? 0.0 : 0.02;
+    const double later = trial == 0 ? 0.0 : random.uniform(-1.2, 0.3);
+    phases.front().duration += later;
+    phases.front().lifts_in[index(Leg::LH)] += later;
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+      const Vec2 shift(random.uniform(-size, size), random.uniform(-size, size));
+      for (SupportPhase& phase : phases) phase.feet[leg] += shift;
+    }
+    planner.clear();
+    for (const SupportPhase& phase : phases) planner.add(phase);
+    planner.plan(9.5,
+                 {Vec2(0.014549859590972594, 0.00060189375878823368),
+                  Vec2(-0.00022765192236675642, -0.00034386842946236318), Vec2::Zero()},
+                 0.44354665222145256, {0.2, 0.0});
+    const double worst = worst_stationarity(certify(planner.hierarchy(), planner.solution().x));
+    EXPECT_LT(worst, 1e-8) << "trial " << trial;
+    EXPECT_LT(planner.at(planner.end_time()).p.norm(), 0.5) << "trial " << trial;
+  }
 }
 
 TEST(ComPlanner, HoldsStillAtItsEnd) {
