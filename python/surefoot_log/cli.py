@@ -5,6 +5,7 @@ import json
 import pathlib
 import signal
 import sys
+import time
 
 from surefoot_campaign.command_line import Parser, interrupt, whole_number
 from surefoot_campaign.errors import InputError, valid_names
@@ -150,7 +151,7 @@ def video(typed):
 
     log = LogFile(arguments.log)
     film = pictures.make_film(log, arguments.out, arguments.size, arguments.rate, arguments.speed, arguments.first, arguments.last,
-                              count_images if sys.stderr.isatty() else None)  # fmt: skip
+                              ImageCount(sys.stderr))  # fmt: skip
     for note in film.notes:
         tell(f"note: {note}")
     tell_problem(log)
@@ -158,9 +159,36 @@ def video(typed):
     return DONE
 
 
-def count_images(done, all_of_them):
-    """One line on a terminal, which the last one ends."""
-    print(f"\rimage {done} of {all_of_them}", end="\n" if done == all_of_them else "", file=sys.stderr, flush=True)
+class ImageCount:
+    """How far a film is and what is left of its time: on a terminal one line that the last image ends; elsewhere a line after the
+    first images, by which the time is known, and one every so often. Called with 0 images before the first."""
+
+    SAMPLE, EVERY = 2.0, 30.0  # s
+
+    def __init__(self, stream, clock=time.monotonic):
+        self._stream, self._clock, self._terminal, self._next = stream, clock, stream.isatty(), self.SAMPLE
+
+    def __call__(self, done, all_of_them):
+        if done == 0:
+            self._begun = self._clock()
+            if not self._terminal:
+                self._say(f"surefoot: a film of {all_of_them} images is made\n")
+            return
+        passed = self._clock() - self._begun
+        text = f"image {done} of {all_of_them}, about {duration_text(passed * (all_of_them - done) / done)} left"
+        if self._terminal:
+            self._say(f"\r{text}\033[K" + ("\n" if done == all_of_them else ""))
+        elif passed >= self._next and done < all_of_them:
+            self._next = passed + self.EVERY
+            self._say(f"surefoot: {text}\n")
+
+    def _say(self, text):
+        self._stream.write(text)
+        self._stream.flush()
+
+
+def duration_text(seconds):
+    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
 
 
 def report_pictures(typed):

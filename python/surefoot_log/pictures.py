@@ -75,6 +75,8 @@ def with_lasting_words(pairs):
 def write_film(run, paint, path, span, rate, speed, size, progress=None):
     captions = Captions(size[1], run.header)
     times = times_of(span.first, span.last, rate, speed)
+    if progress is not None:
+        progress(0, len(times))
     with Film(path, size, rate) as film:
         for i, frame in enumerate(with_lasting_words(nearest(run.frames, times))):
             film.add(captions.draw(paint(frame), frame, title_of(run.header), speed))
