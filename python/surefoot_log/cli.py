@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import math
 import pathlib
 import signal
 import sys
@@ -13,6 +14,7 @@ from surefoot_log.log_file import LogFile
 
 DONE, WRONG_INPUT = 0, 2
 LARGEST = (3840, 2160)  # pixels
+FASTEST = 400  # images a second
 
 EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual; in CSV with
 their unit behind them, plan.feet.LF.p_WF.x[m], in Parquet with unit and description as metadata. Lists that
@@ -45,6 +47,22 @@ def positive(text):
     if not 0.0 < value < 1e3:
         raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0')
     return int(value) if value == int(value) else value
+
+
+def time_of_run(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a time; a number of seconds is valid')
+    return value
+
+
+def image_rate(text):
+    if not (text.isdecimal() and 1 <= int(text) <= FASTEST):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number from 1 to {FASTEST}')
+    return int(text)
 
 
 def image_size(text):
@@ -139,10 +157,10 @@ def write_foxglove(arguments, topics):
 def video(typed):
     made = parser("video", "Film a log, without a screen.", VIDEO_EPILOG)
     made.add_argument("--out", metavar="FILE.mp4", required=True, help="the film: H.264 in MP4")
-    made.add_argument("--from", dest="first", type=float, metavar="S", help="time at which it begins [s]; by default that of the log")
-    made.add_argument("--to", dest="last", type=float, metavar="S", help="time at which it ends [s]; by default that of the log")
+    made.add_argument("--from", dest="first", type=time_of_run, metavar="S", help="time at which it begins [s]; by default that of the log")
+    made.add_argument("--to", dest="last", type=time_of_run, metavar="S", help="time at which it ends [s]; by default that of the log")
     made.add_argument("--size", type=image_size, metavar="WxH", default=(1280, 720), help="in pixels; 1280x720 by default")
-    made.add_argument("--rate", type=whole_number, metavar="N", default=25, help="images a second; 25 by default")
+    made.add_argument("--rate", type=image_rate, metavar="N", default=25, help="images a second; 25 by default")
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
     check_writable(arguments.out, arguments.log)

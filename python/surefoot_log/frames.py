@@ -59,15 +59,21 @@ class Run:
     header: dict
     frames: list
     has_truth: bool
+    last: float  # time of the last tick, which may be none of the frames [s]
 
 
 def read_frames(log, every=1):
     """One frame of so many ticks."""
     maker = FrameMaker(log.header, every)
-    frames = [frame for _, messages in log.by_time(TOPICS) if (frame := maker.frame(messages)) is not None]
+    frames, last = [], 0.0
+    for time, messages in log.by_time(TOPICS):
+        frame = maker.frame(messages)
+        if frame is not None:
+            frames.append(frame)
+        last = max(last, 1e-9 * time)
     if not frames:
         raise nothing_to_show(log)
-    return Run(log.header, frames, maker.has_truth)
+    return Run(log.header, frames, maker.has_truth, last)
 
 
 def nothing_to_show(log):

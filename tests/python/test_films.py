@@ -27,6 +27,17 @@ def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tm
     assert list(tmp_path.iterdir()) == [file]
 
 
+@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"]])
+def test_a_time_or_a_rate_that_is_none_is_refused_before_the_work(log, tmp_path, wrong):
+    assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", tmp_path / "x.mp4", *wrong)
+
+
+def test_a_film_may_begin_at_the_very_last_tick(log, tmp_path):
+    done = log_command("video", log, "--out", tmp_path / "x.mp4", "--from", "1.9975", "--size", "96x64")
+    assert done.returncode == 0 and len(frames_of(tmp_path / "x.mp4")[0]) == 1, done.stderr
+    assert "to 1.9975 s" in complaint_of("video", log, "--out", tmp_path / "x.mp4", "--from", "1.9985")
+
+
 def test_who_waits_for_a_film_is_told_its_length_and_what_is_left_in_a_pipe_too():
     clock, stream = [0.0], io.StringIO()
     count = ImageCount(stream, lambda: clock[0])

@@ -119,6 +119,7 @@ def test_explain_tells_the_range_of_a_log_that_has_no_such_tick(log, tmp_path):
     assert "the log goes from 0 s to " in line and "cut off at byte" in line
     assert "--at" in complaint("explain", log) and "--at" in complaint("explain", log, "--at", "soon")
     assert "--at is not a time" in complaint("explain", log, "--at", "nan")
+    assert '"" is not a time' in complaint("explain", log, "--at", "")
 
 
 @pytest.mark.parametrize("share", [0.35, 0.7])
