@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/solver/solution.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 namespace surefoot {
@@ -10,6 +11,10 @@ namespace {
 constexpr double kLoaded = 1.0;  // [N]
 
 }  // namespace
+
+bool was_solved(const HierarchyReport& report) {
+  return report.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
+}
 
 PerLeg<Quat> CommandedForces::no_axes() {
   PerLeg<Quat> axes;
@@ -39,6 +44,7 @@ std::optional<FrictionCone> friction_cone_of(const LogHeader& header) {
 
 CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const TickRecord& tick) {
   CommandedForces result;
+  if (!was_solved(tick.hierarchy)) return result;
   for (const Leg leg : kLegs) {
     if (!tick.plan.contact(leg)) continue;
     const std::size_t k = index(leg);

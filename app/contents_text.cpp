@@ -57,8 +57,9 @@ std::string drawn(const LogHeader& header) {
 std::string steered(const LogContents& contents) {
   for (const TopicContents& topic : contents.topics) {
     if (topic.topic != "/changes") continue;
-    return std::to_string(topic.messages) +
-           " changes and pushes while it ran (/changes): the command above alone gives another run";
+    return (contents.problem.empty() ? "" : "at least ") + std::to_string(topic.messages) +
+           " changes and pushes while it ran (/changes): the command above alone gives another "
+           "run; replay --verify repeats this one";
   }
   return "";
 }
@@ -98,6 +99,7 @@ std::string facts(const LogContents& contents) {
        "surefoot " + header.version + (header.commit.empty() ? "" : ", commit " + header.commit) +
            "; log version " + (contents.log_version.empty() ? "not known" : contents.log_version)},
       {"again by", header.command},
+      {"", contents.problem.empty() ? "" : "that run goes on where this log is cut off or damaged"},
       {"steered", steered(contents)},
       {"drawn", drawn(header)}};
   for (const std::string& note : header.notes) rows.push_back({"note", note});

@@ -23,8 +23,13 @@ void check(const ViewArguments& arguments) {
   }
 }
 
-void tell_link(const std::string& link, const std::string& how_it_ends) {
+void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen) {
   std::fprintf(stderr, "\n  open   %s\n  %s\n\n", link.c_str(), how_it_ends.c_str());
+  if (listen.empty() || listen.starts_with("127.") || listen == "::1") return;
+  std::fprintf(stderr,
+               "surefoot: warning: --listen %s: everyone who can reach this address can watch, and "
+               "who has the whole link, with its token, can command; nothing is encrypted\n\n",
+               listen.c_str());
 }
 
 namespace {
@@ -55,7 +60,7 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
                                     .token = arguments.token,
                                     .max_clients = arguments.clients},
                    feed);
-    tell_link(server->link(), "^C     ends the run");
+    tell_link(server->link(), "^C     ends the run", arguments.listen);
   };
   const std::string first_log = options.record_path;
   while (true) {

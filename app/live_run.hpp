@@ -38,6 +38,6 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
                     const std::function<void(const RunResult&)>& ended);
 
 /// Tells where the page is, on standard error.
-void tell_link(const std::string& link, const std::string& how_it_ends);
+void tell_link(const std::string& link, const std::string& how_it_ends, const std::string& listen);
 
 }  // namespace surefoot

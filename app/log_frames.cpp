@@ -40,7 +40,6 @@ double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(na
 struct LogFrames::Decoded {
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
   std::map<std::uint64_t, logged::Timing> timings;
-  std::string timing_problem;
 };
 
 LogFrames::LogFrames(const std::string& path, const LogHeader& header)
@@ -55,7 +54,8 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
   return static_cast<std::uint32_t>(std::llround(seconds(time) / period_));
 }
 
-// Ticks come by their time; where it goes back the timings begin, which stand apart. A chunk whose
+// Ticks come by their time; where it goes back the timings begin, which stand apart: in chunks of
+// their own, but another writer leaves the last ticks and the first timings in one. A chunk whose
 // times can't be is left out: its header is damaged.
 void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
@@ -63,11 +63,11 @@ void LogFrames::find_ticks(const std::string& path) {
     const McapChunk& chunk = file_.chunks()[i];
     if (!mcap::can_be_times(chunk.first_time, chunk.last_time)) {
       ++num_lost_;
-    } else if (!timings_.empty() ||
-               (!places_.empty() && chunk.first_time <= place(places_.size() - 1).first_time)) {
-      timings_.push_back(i);
-    } else {
-      places_.push_back(i);
+    } else if (places_.empty() || chunk.last_time > places_.back().last) {
+      places_.push_back({.chunk = i,
+                         .before = places_.empty() ? 0 : places_.back().last,
+                         .last = chunk.last_time,
+                         .has_before = !places_.empty()});
       ends_.push_back(tick_at(chunk.last_time) + 1);
     }
   }
@@ -75,25 +75,25 @@ void LogFrames::find_ticks(const std::string& path) {
     throw FileError(path + ": the log " + (file_.complete() ? "" : "is cut off, and ") +
                     "holds no ticks; record the run anew");
   }
-  if (num_lost_ == 0) first_tick_ = tick_at(place(0).first_time);
+  if (num_lost_ == 0) first_tick_ = tick_at(file_.chunks()[places_[0].chunk].first_time);
   end_tick_ = ends_.back();
 }
 
-// From the first chunk that can be read and holds a whole tick, whose truth has the sizes of
+// From the first place that can be read and holds a whole tick, whose truth has the sizes of
 // MuJoCo's vectors.
 void LogFrames::learn_channels(const std::string& path) {
   GroundTruth truth;
   bool is_whole = false;
   std::string problem;
-  for (std::size_t i = 0; i < ends_.size() && !is_whole; ++i) {
-    GrowingTick tick;
-    try {
-      file_.read(places_[i], [&](const McapMessage& message) { tick.take(message); });
-    } catch (const Error& error) {
-      problem = "; " + without_path(error);
+  for (std::size_t i = 0; i < places_.size() && !is_whole; ++i) {
+    Decoded decoded;
+    LogChunk unused;
+    read_place(i, decoded, unused);
+    if (!unused.problem.empty()) problem = "; " + unused.problem;
+    for (const auto& [time, tick] : decoded.ticks) {
+      if (tick.has_truth) truth = tick.truth;
+      is_whole = is_whole || (tick.is_whole && !tick.is_damaged);
     }
-    if (tick.has_truth) truth = tick.truth;
-    is_whole = tick.is_whole;
   }
   if (!is_whole) {
     throw FileError(path + ": the log holds no whole tick; record the run anew" + problem);
@@ -112,7 +112,7 @@ void LogFrames::learn_channels(const std::string& path) {
 void LogFrames::find_start() {
   Decoded decoded;
   LogChunk unused;
-  read_ticks(0, decoded, unused);
+  read_place(0, decoded, unused);
   if (decoded.ticks.empty()) return;
   first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
@@ -126,14 +126,12 @@ std::size_t LogFrames::chunk_of(std::uint32_t tick) const {
 }
 
 LogChunk LogFrames::decode(std::size_t number) {
-  const McapChunk& span = place(number);
+  const Place& place = places_[number];
   LogChunk chunk;
-  chunk.from = seconds(span.first_time);
-  chunk.to = seconds(span.last_time);
+  chunk.from = seconds(std::max(place.before, file_.chunks()[place.chunk].first_time));
+  chunk.to = seconds(place.last);
   Decoded decoded;
-  read_ticks(number, decoded, chunk);
-  read_timings(span.first_time, span.last_time, decoded);
-  chunk.timing_problem = decoded.timing_problem;
+  read_place(number, decoded, chunk);
   for (const auto& [time, tick] : decoded.ticks) {
     if (!tick.is_whole || tick.is_damaged) continue;
     const auto timing = decoded.timings.find(time);
@@ -155,14 +153,33 @@ std::string LogFrames::without_path(const Error& error) const {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
-// A tick's messages may go on in the next chunk; then it belongs to the chunk where they begin.
-void LogFrames::read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk) {
-  const std::uint64_t last = place(number).last_time;
-  const bool has_before = number > 0;
-  const std::uint64_t before = has_before ? place(number - 1).last_time : 0;
-  const auto take = [&](const McapMessage& message) {
-    if ((has_before && message.log_time <= before) || message.log_time > last) return;
-    GrowingTick& tick = decoded.ticks[message.log_time];
+// What belongs to its times may stand in any chunk: a tick may begin or end in the one beside it,
+// and timings stand apart. What can't be read of other places' chunks is told of those.
+void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
+  const Place& place = places_[number];
+  for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
+    const McapChunk& one = file_.chunks()[i];
+    if (!mcap::can_be_times(one.first_time, one.last_time)) continue;
+    const bool is_before = place.has_before && one.last_time <= place.before;
+    if (is_before || one.first_time > place.last) continue;
+    try {
+      read_chunk(i, place, decoded, chunk);
+    } catch (const Error& error) {
+      const bool has_ticks = std::ranges::find(places_, i, &Place::chunk) != places_.end();
+      if (i == place.chunk) chunk.problem = without_path(error);
+      if (!has_ticks) chunk.timing_problem = without_path(error);  // the ticks are still good
+    }
+  }
+}
+
+void LogFrames::read_chunk(std::size_t index, const Place& place, Decoded& decoded,
+                           LogChunk& chunk) {
+  file_.read(index, [&](const McapMessage& message) {
+    const std::uint64_t time = message.log_time;
+    if ((place.has_before && time <= place.before) || time > place.last) return;
+    if (message.channel->topic == "/timings")
+      return logged::Decoder::decode(message.data, decoded.timings[time]);
+    GrowingTick& tick = decoded.ticks[time];
     try {
       tick.take(message);
       if (message.channel->topic != "/changes") return;
@@ -174,36 +191,7 @@ void LogFrames::read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk
       chunk.problem =
           "a message on " + message.channel->topic + " is not what it should be: " + error.what();
     }
-  };
-  try {
-    file_.read(places_[number], take);
-  } catch (const FileError& error) {
-    chunk.problem = without_path(error);
-  }
-  const std::size_t next = number + 1;
-  if (next == places_.size() || place(next).first_time != last) return;
-  try {
-    file_.read(places_[next], take);
-  } catch (const FileError&) {  // told of that chunk
-  }
-}
-
-void LogFrames::read_timings(std::uint64_t first, std::uint64_t last, Decoded& decoded) {
-  for (const std::size_t chunk : timings_) {
-    const McapChunk& place = file_.chunks()[chunk];
-    if (place.last_time < first || place.first_time > last) continue;
-    try {
-      file_.read(chunk, [&](const McapMessage& message) {
-        if (message.log_time < first || message.log_time > last) return;
-        if (message.channel->topic != "/timings") return;
-        logged::Timing timing;
-        logged::Decoder::decode(message.data, timing);
-        decoded.timings[message.log_time] = std::move(timing);
-      });
-    } catch (const Error& error) {  // the ticks are still good
-      decoded.timing_problem = without_path(error);
-    }
-  }
+  });
 }
 
 std::shared_ptr<const LogChunk> LogFrames::chunk(std::size_t number) {

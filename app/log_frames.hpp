@@ -52,17 +52,22 @@ class LogFrames {
  private:
   struct Decoded;
 
-  [[nodiscard]] const McapChunk& place(std::size_t number) const {
-    return file_.chunks()[places_[number]];
-  }
+  /// A chunk that has ticks later than all before it, with the times of these ticks: later than
+  /// `before`, up to `last` [ns].
+  struct Place {
+    std::size_t chunk = 0;
+    std::uint64_t before = 0, last = 0;
+    bool has_before = false;
+  };
+
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
   void find_ticks(const std::string& path);
   void learn_channels(const std::string& path);
   void find_start();
   [[nodiscard]] LogChunk decode(std::size_t number);
   [[nodiscard]] std::string without_path(const Error& error) const;
-  void read_ticks(std::size_t number, Decoded& decoded, LogChunk& chunk);
-  void read_timings(std::uint64_t first, std::uint64_t last, Decoded& decoded);
+  void read_place(std::size_t number, Decoded& decoded, LogChunk& chunk);
+  void read_chunk(std::size_t index, const Place& place, Decoded& decoded, LogChunk& chunk);
 
   std::string path_;
   McapChunks file_;
@@ -70,9 +75,8 @@ class LogFrames {
   std::optional<FrictionCone> cone_;
   ViewChannels channels_;
   std::optional<StartAlignment> start_;
-  std::vector<std::size_t> places_;   // chunks of ticks
-  std::vector<std::uint32_t> ends_;   // of each of them: one past its last tick
-  std::vector<std::size_t> timings_;  // chunks of timings
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> ends_;  // of each of them: one past its last tick
   std::size_t num_lost_ = 0;
   std::uint32_t first_tick_ = 0, end_tick_ = 0;
   std::list<std::pair<std::size_t, std::shared_ptr<const LogChunk>>> recent_;  // the latest first

@@ -38,7 +38,7 @@ void serve_log(const std::string& path, const ViewArguments& arguments) {
                           .max_clients = arguments.clients},
                          content);
   for (const std::string& note : content.notes()) warn(note);
-  tell_link(server.link(), "^C     closes it");
+  tell_link(server.link(), "^C     closes it", arguments.listen);
   for (std::size_t told = 0; !interrupted();) {
     told = tell_damage(content, told);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

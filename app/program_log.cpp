@@ -5,6 +5,7 @@
 #include "app/replay_command.hpp"
 #include "surefoot/base/error.hpp"
 
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -48,6 +49,14 @@ Example:
   surefoot info run.mcap
 )";
 
+/// Empty: it is a number.
+std::string not_a_time(std::string& text) {
+  char* end = nullptr;
+  (void)std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && *end == '\0';
+  return is_number ? "" : "\"" + text + "\" is not a time; a number of seconds is valid";
+}
+
 void add_replay(CLI::App& app, Command& chosen) {
   CLI::App* replay =
       app.add_subcommand("replay", "Show a log in a browser, or run its controller again");
@@ -72,7 +81,9 @@ void add_explain(CLI::App& app, Command& chosen) {
   explain->footer(kExplainFooter);
   const auto arguments = std::make_shared<ExplainArguments>();
   explain->add_option("log", arguments->log, "Log of a run (MCAP)")->required();
-  explain->add_option("--at", arguments->at, "Time of the tick [s]")->required();
+  explain->add_option("--at", arguments->at, "Time of the tick [s]")
+      ->required()
+      ->check(CLI::Validator(not_a_time, ""));
   explain->add_flag("--json", arguments->json, "Print one JSON object instead of text");
   explain->callback([&chosen, arguments] {
     chosen = [arguments] { return run_explain(*arguments, std::cout); };

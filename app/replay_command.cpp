@@ -1,5 +1,6 @@
 #include "app/replay_command.hpp"
 
+#include "app/commanded_force.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_server.hpp"
@@ -85,7 +86,8 @@ class TickTable {
 
   void residuals(const TickRecord& tick, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
-      const bool known = static_cast<std::int32_t>(k) < tick.hierarchy.num_levels;
+      const bool known =
+          was_solved(tick.hierarchy) && static_cast<std::int32_t>(k) < tick.hierarchy.num_levels;
       file_ << ',';
       if (known) file_ << tick.hierarchy.levels[k].residual;
     }

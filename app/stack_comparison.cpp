@@ -1,5 +1,6 @@
 #include "app/stack_comparison.hpp"
 
+#include "app/commanded_force.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_replay.hpp"
 #include "surefoot/base/error.hpp"
@@ -19,10 +20,6 @@ std::optional<double> residual(const TickRecord& tick, const std::vector<std::st
   const auto level = found - names.begin();
   if (found == names.end() || level >= tick.hierarchy.num_levels) return std::nullopt;
   return tick.hierarchy.levels[static_cast<std::size_t>(level)].residual;
-}
-
-bool was_solved(const TickRecord& tick) {
-  return tick.hierarchy.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
 }
 
 bool is_optimal(const TickRecord& tick) {
@@ -58,7 +55,7 @@ class Comparison {
     if (result_.ticks++ == 0) result_.first_time = logged.reading.time;
     result_.last_time = logged.reading.time;
     add_torques(logged, other);
-    if (was_solved(logged) && was_solved(other)) add_residuals(logged, other);
+    if (was_solved(logged.hierarchy) && was_solved(other.hierarchy)) add_residuals(logged, other);
     add_modes(logged, other);
     result_.same_plan = result_.same_plan && plan_text(logged.plan) == plan_text(other.plan);
     if (logged.hierarchy.level_switch.begins) ++result_.logged_switches;

@@ -16,7 +16,7 @@ std::string verb(SampleFault fault) {
     case SampleFault::out_of_range:
       return "left the range";
     case SampleFault::jump:
-      return "jumped";
+      return "changed too fast";
     case SampleFault::repeats:
       return "repeated itself";
   }

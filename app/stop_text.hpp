@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Why the controller stopped for safety at this tick: "IMU stopped", "encoder LF_KFE jumped",
-/// "the torso tilted too far".
+/// Why the controller stopped for safety at this tick: "IMU stopped", "encoder LF_KFE changed
+/// too fast", "the torso tilted too far".
 [[nodiscard]] std::string text_of_stop(const TickRecord& tick);
 
 }  // namespace surefoot

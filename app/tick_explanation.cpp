@@ -21,7 +21,8 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLoaded = 1.0;  // [N]
+constexpr double kLoaded = 1.0;                // [N]
+constexpr double kHalfOfLastDigit = 0.005001;  // of a duration, as it is told [s]
 
 std::string number(double value, const char* format) {
   std::array<char, 32> text{};
@@ -86,7 +87,8 @@ class Search {
     log_.skip_until(time_ - kEventWindow);
     MotionPlan before;
     bool has_before = false;
-    while (log_.next(tick_) && tick_.reading.time <= time_ + kEventWindow) {
+    bool has_ended = false;
+    while (!(has_ended = !log_.next(tick_)) && tick_.reading.time <= time_ + kEventWindow) {
       if (has_before && log_.follows()) add_event(before);
       before = tick_.plan;
       has_before = true;
@@ -97,7 +99,11 @@ class Search {
       nearest_ = tick_.reading.time;
     }
     found_.header = log_.header();
-    if (!(std::abs(nearest_ - time_) <= 0.5001 * found_.header.control_period)) refuse();
+    const double period = found_.header.control_period;
+    found_.asked = time_;
+    found_.is_behind_end = has_ended && time_ > nearest_ + 0.5001 * period &&
+                           time_ <= nearest_ + period + kHalfOfLastDigit;
+    if (!found_.is_behind_end && !(std::abs(nearest_ - time_) <= 0.5001 * period)) refuse();
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
     found_.header.attachments.clear();
     found_.row_names = log_.row_names();
@@ -209,7 +215,7 @@ std::string clause(const LevelThatGaveWay& level, bool is_known) {
   const bool has_cost = level.to.front().cost > kResidualRounding;  // the dearest stands first
   std::vector<std::string> rows;
   for (const CostlyRow& row : level.to)
-    rows.push_back(named(row) + (has_cost ? " (" + number(row.cost) + ")" : ""));
+    rows.push_back(named(row) + (has_cost ? " (" + number(row.cost) + unit + ")" : ""));
   text += " to " + joined(rows);
   if (has_cost) return text;
   return text + (rows.size() == 1 ? ", which costs nothing alone"
@@ -229,7 +235,19 @@ std::string without_solution(const TickRecord& tick) {
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
   return "No hierarchy was solved at this tick: the command is that of the mode " + mode +
-         (why.empty() ? "" : ", because " + why) + ".";
+         ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
+}
+
+/// Of a solve that did not come to its end.
+std::string cut_off(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  const auto& order = explanation.order;
+  const auto place = std::ranges::find(order, static_cast<std::int16_t>(report.failed_level));
+  if (report.status != static_cast<std::int32_t>(SolveStatus::iteration_cap) ||
+      place == order.end())
+    return "";
+  return " The solver was cut off in " + level_name(explanation, *place) +
+         ": of it and the levels below it this says nothing.";
 }
 
 }  // namespace
@@ -243,6 +261,7 @@ TickExplanation read_tick(const std::string& path, double time) { return Search(
 
 std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   std::vector<LevelThatGaveWay> levels;
+  if (!was_solved(explanation.tick.hierarchy)) return levels;
   const HierarchyReport& report = explanation.tick.hierarchy;
   for (const std::int16_t k : explanation.order) {
     const auto level = static_cast<std::size_t>(k);
@@ -264,16 +283,15 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
 
 std::string gave_way_sentence(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  if (tick.hierarchy.status == static_cast<std::int32_t>(SolveStatus::invalid_input))
-    return without_solution(tick);
+  if (!was_solved(tick.hierarchy)) return without_solution(tick);
   std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
   std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
   std::erase_if(levels, &LevelThatGaveWay::restless);
-  if (levels.empty()) return nothing_gave_way(restless);
+  if (levels.empty()) return nothing_gave_way(restless) + cut_off(explanation);
   std::string text;
   for (const LevelThatGaveWay& level : levels)
     text += (text.empty() ? "" : "; ") + clause(level, tick.hierarchy.blocking_is_known);
-  return text + ".";
+  return text + "." + cut_off(explanation);
 }
 
 double true_friction_use(const TrueContact& contact) {

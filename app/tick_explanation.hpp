@@ -32,13 +32,16 @@ struct TickExplanation {
   std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::vector<NearbyEvent> events;  ///< around the tick, in order
+  double asked = kNaN;              ///< [s]
+  bool is_behind_end = false;       ///< the log ends before that; the tick is its last
   std::string problem;              ///< why the log could not be read further; empty if it could
 };
 
 /// How far around a tick events are told [s].
 inline constexpr double kEventWindow = 1.0;
 
-/// The tick next to a time. Throws FileError as LogReader does, and Error, with the range, where
+/// The tick next to a time; the last one for the time at which the log's duration ends, which is
+/// one period behind it. Throws FileError as LogReader does, and Error, with the range, where
 /// the log has no tick at that time.
 [[nodiscard]] TickExplanation read_tick(const std::string& path, double time);
 

@@ -41,13 +41,16 @@ Json gave_way_json(const TickExplanation& explanation) {
 
 Json feet_json(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
+  const bool is_solved = was_solved(tick.hierarchy);
   Json feet = Json::object();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const FootPlan& foot = tick.plan.feet[k];
-    Json one = {{"phase", logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]},
-                {"normal_force", number(explanation.forces.normal[k])},
-                {"friction_use", number(explanation.forces.friction_use[k])}};
+    Json one = {
+        {"phase",
+         is_solved ? Json(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]) : Json()},
+        {"normal_force", number(explanation.forces.normal[k])},
+        {"friction_use", number(explanation.forces.friction_use[k])}};
     if (explanation.truth) {
       const TrueContact& contact = explanation.truth->feet[k];
       one["true_normal_force"] = contact.normal.dot(contact.force);
@@ -61,6 +64,7 @@ Json feet_json(const TickExplanation& explanation) {
 Json levels_json(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
+  if (!was_solved(report)) return list;
   for (const std::int16_t number_of_level : explanation.order) {
     const auto k = static_cast<std::size_t>(number_of_level);
     const LevelReport& level = report.levels[k];
@@ -108,12 +112,15 @@ Json events_json(const TickExplanation& explanation) {
 
 Json tick_json(const std::string& path, const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
+  const bool is_solved = was_solved(tick.hierarchy);
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
   Json json = {{"log", path},
                {"scenario", explanation.header.scenario},
                {"seed", explanation.header.seed},
                {"stack", explanation.header.stack},
+               {"asked", explanation.asked},
                {"time", tick.reading.time},
+               {"solved", is_solved},
                {"sentence", gave_way_sentence(explanation)},
                {"gave_way", gave_way_json(explanation)},
                {"blocking_is_known", tick.hierarchy.blocking_is_known},
@@ -127,8 +134,8 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"health", message(tick.health)},
                {"user", message(tick.user)},
                {"state", message(tick.state)},
-               {"plan", message(tick.plan)},
-               {"model", message(logged::model_of(tick))},
+               {"plan", is_solved ? message(tick.plan) : Json()},
+               {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);

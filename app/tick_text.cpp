@@ -36,6 +36,7 @@ std::string known(double value, const char* format) {
 }
 
 std::string pose(const Vec3& p, const Quat& q) {
+  if (!p.allFinite() || !q.coeffs().allFinite()) return "not known";
   const Mat3 R = q.toRotationMatrix();
   const Vec3 angles = roll_pitch_yaw(R) * kDegrees;
   const double tilt = std::acos(std::clamp(R(2, 2), -1.0, 1.0)) * kDegrees;
@@ -45,6 +46,7 @@ std::string pose(const Vec3& p, const Quat& q) {
 }
 
 std::string velocity(const Vec3& v, const Vec3& w) {
+  if (!v.allFinite() || !w.allFinite()) return "not known";
   return text("%.3f, %.3f, %.3f m/s; turns by %.3f, %.3f, %.3f rad/s", rounded(v.x(), 1e-3),
               rounded(v.y(), 1e-3), rounded(v.z(), 1e-3), rounded(w.x(), 1e-3),
               rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
@@ -70,7 +72,9 @@ std::string faults(const SensorHealth& health) {
   const auto add = [&](const char* group, const GroupHealth& one) {
     if (one.fault == SampleFault::none) return;
     out += (out.empty() ? "" : ", ") + std::string(group) + " " +
-           std::string(logged::kFaultNames[static_cast<std::size_t>(one.fault)]) +
+           (one.fault == SampleFault::jump
+                ? "too fast"
+                : std::string(logged::kFaultNames[static_cast<std::size_t>(one.fault)])) +
            text(" (last good %.4f s ago)", one.age);
   };
   add("encoders", health.encoders);
@@ -105,6 +109,22 @@ std::string facts(const TickExplanation& explanation) {
   return out;
 }
 
+std::string true_force(const TrueContact& contact) {
+  if (!contact.touching) return "in the air";
+  return text("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
+}
+
+/// Of a tick that solved nothing: plan and commanded forces are not of it.
+std::string true_feet_table(const GroundTruth& truth) {
+  Table table{{"foot", "in truth", "friction used"}};
+  for (const Leg leg : kLegs) {
+    const TrueContact& contact = truth.feet[index(leg)];
+    table.push_back({std::string(kLegNames[index(leg)]), true_force(contact),
+                     known(100.0 * true_friction_use(contact), "%.0f %%")});
+  }
+  return aligned(table);
+}
+
 std::string feet_table(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   Table table{{"foot", "phase", "normal force", "of at most", "pyramid used", "slides"}};
@@ -123,9 +143,7 @@ std::string feet_table(const TickExplanation& explanation) {
                      tick.state.slips[k] ? "yes" : "no"});
     if (!explanation.truth) continue;
     const TrueContact& contact = explanation.truth->feet[k];
-    table.back().push_back(contact.touching
-                               ? text("%.1f N", rounded(contact.normal.dot(contact.force), 0.1))
-                               : "in the air");
+    table.back().push_back(true_force(contact));
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
   return aligned(table);
@@ -185,10 +203,17 @@ std::string tick_text(const std::string& path, const TickExplanation& explanatio
   std::string out = path + ": " + header.scenario + ", seed " + std::to_string(header.seed) +
                     ", stack " + header.stack +
                     text(", at %.4f s\n\n", explanation.tick.reading.time);
+  if (explanation.is_behind_end)
+    out += text("The log ends before %.6g s: this is its last tick.\n\n", explanation.asked);
   out += gave_way_sentence(explanation) + "\n\n" + facts(explanation) + "\n";
-  out += feet_table(explanation) + "\n";
-  if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
-  out += at_bounds(explanation) + events(explanation);
+  if (was_solved(explanation.tick.hierarchy)) {
+    out += feet_table(explanation) + "\n";
+    if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
+    out += at_bounds(explanation);
+  } else if (explanation.truth) {
+    out += true_feet_table(*explanation.truth) + "\n";
+  }
+  out += events(explanation);
   if (!explanation.problem.empty()) out += "The log is not whole: " + explanation.problem + ".\n";
   return out;
 }

@@ -22,14 +22,22 @@ def words_of(name):
     return name.replace("_", " ")
 
 
+def also(others):
+    if not others:
+        return ""
+    if len(others) > 2:
+        return f"; {len(others)} more levels give way too"
+    return f"; {' and '.join(words_of(other) for other in others)} {'gives' if len(others) == 1 else 'give'} way too"
+
+
 def sentence(frame, units):
     """What gave way to what, in a line; empty where nothing did."""
     if frame.gave_way is None:
         return ""
-    level, residual, row, by = frame.gave_way
+    level, residual, row, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 100 else ".0f"
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {words_of(by)} {row}"
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {words_of(by)} {row}{also(others)}"
 
 
 class Captions:
@@ -63,7 +71,7 @@ class Captions:
         draw.text((x + 0.7 * unit, y - 1.4 * unit), text, font=font(size, bold), fill=colour, anchor="lm")
 
     def _legs(self, draw, corner, phases):
-        """A field a leg; blue carries, white swings, vermilion searches for ground."""
+        """A field a leg; blue carries, white swings, orange searches for ground."""
         unit, (right, bottom) = self._unit, corner
         for i, leg in enumerate(LEGS):
             phase = phases.get(leg)

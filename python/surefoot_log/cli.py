@@ -2,9 +2,11 @@
 
 import argparse
 import json
+import math
 import pathlib
 import signal
 import sys
+import time
 
 from surefoot_campaign.command_line import Parser, interrupt, whole_number
 from surefoot_campaign.errors import InputError, valid_names
@@ -12,6 +14,7 @@ from surefoot_log.log_file import LogFile
 
 DONE, WRONG_INPUT = 0, 2
 LARGEST = (3840, 2160)  # pixels
+FASTEST = 400  # images a second
 
 EXPORT_EPILOG = """Columns are called as in docs/view_protocol.md: plan.feet.LF.p_WF.x, hierarchy.level.com_xy.residual; in CSV with
 their unit behind them, plan.feet.LF.p_WF.x[m], in Parquet with unit and description as metadata. Lists that
@@ -44,6 +47,22 @@ def positive(text):
     if not 0.0 < value < 1e3:
         raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0')
     return int(value) if value == int(value) else value
+
+
+def time_of_run(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a time; a number of seconds is valid')
+    return value
+
+
+def image_rate(text):
+    if not (text.isdecimal() and 1 <= int(text) <= FASTEST):
+        raise argparse.ArgumentTypeError(f'"{text}" is not a whole number from 1 to {FASTEST}')
+    return int(text)
 
 
 def image_size(text):
@@ -138,10 +157,10 @@ def write_foxglove(arguments, topics):
 def video(typed):
     made = parser("video", "Film a log, without a screen.", VIDEO_EPILOG)
     made.add_argument("--out", metavar="FILE.mp4", required=True, help="the film: H.264 in MP4")
-    made.add_argument("--from", dest="first", type=float, metavar="S", help="time at which it begins [s]; by default that of the log")
-    made.add_argument("--to", dest="last", type=float, metavar="S", help="time at which it ends [s]; by default that of the log")
+    made.add_argument("--from", dest="first", type=time_of_run, metavar="S", help="time at which it begins [s]; by default that of the log")
+    made.add_argument("--to", dest="last", type=time_of_run, metavar="S", help="time at which it ends [s]; by default that of the log")
     made.add_argument("--size", type=image_size, metavar="WxH", default=(1280, 720), help="in pixels; 1280x720 by default")
-    made.add_argument("--rate", type=whole_number, metavar="N", default=25, help="images a second; 25 by default")
+    made.add_argument("--rate", type=image_rate, metavar="N", default=25, help="images a second; 25 by default")
     made.add_argument("--speed", type=positive, metavar="F", default=1, help="so many times as fast as the run; 1 by default")
     arguments = made.parse_args(typed)
     check_writable(arguments.out, arguments.log)
@@ -150,7 +169,7 @@ def video(typed):
 
     log = LogFile(arguments.log)
     film = pictures.make_film(log, arguments.out, arguments.size, arguments.rate, arguments.speed, arguments.first, arguments.last,
-                              count_images if sys.stderr.isatty() else None)  # fmt: skip
+                              ImageCount(sys.stderr))  # fmt: skip
     for note in film.notes:
         tell(f"note: {note}")
     tell_problem(log)
@@ -158,9 +177,36 @@ def video(typed):
     return DONE
 
 
-def count_images(done, all_of_them):
-    """One line on a terminal, which the last one ends."""
-    print(f"\rimage {done} of {all_of_them}", end="\n" if done == all_of_them else "", file=sys.stderr, flush=True)
+class ImageCount:
+    """How far a film is and what is left of its time: on a terminal one line that the last image ends; elsewhere a line after the
+    first images, by which the time is known, and one every so often. Called with 0 images before the first."""
+
+    SAMPLE, EVERY = 2.0, 30.0  # s
+
+    def __init__(self, stream, clock=time.monotonic):
+        self._stream, self._clock, self._terminal, self._next = stream, clock, stream.isatty(), self.SAMPLE
+
+    def __call__(self, done, all_of_them):
+        if done == 0:
+            self._begun = self._clock()
+            if not self._terminal:
+                self._say(f"surefoot: a film of {all_of_them} images is made\n")
+            return
+        passed = self._clock() - self._begun
+        text = f"image {done} of {all_of_them}, about {duration_text(passed * (all_of_them - done) / done)} left"
+        if self._terminal:
+            self._say(f"\r{text}\033[K" + ("\n" if done == all_of_them else ""))
+        elif passed >= self._next and done < all_of_them:
+            self._next = passed + self.EVERY
+            self._say(f"surefoot: {text}\n")
+
+    def _say(self, text):
+        self._stream.write(text)
+        self._stream.flush()
+
+
+def duration_text(seconds):
+    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
 
 
 def report_pictures(typed):

@@ -51,7 +51,7 @@ class Frame:
     phases: dict = field(default_factory=dict)
     event: str = ""
     mode: str = "optimal"
-    gave_way: tuple | None = None  # (level, residual, row that cost most, level of that row)
+    gave_way: tuple | None = None  # (level, residual, row that cost most, level of that row, other levels that gave way)
 
 
 @dataclass
@@ -59,15 +59,21 @@ class Run:
     header: dict
     frames: list
     has_truth: bool
+    last: float  # time of the last tick, which may be none of the frames [s]
 
 
 def read_frames(log, every=1):
     """One frame of so many ticks."""
     maker = FrameMaker(log.header, every)
-    frames = [frame for _, messages in log.by_time(TOPICS) if (frame := maker.frame(messages)) is not None]
+    frames, last = [], 0.0
+    for time, messages in log.by_time(TOPICS):
+        frame = maker.frame(messages)
+        if frame is not None:
+            frames.append(frame)
+        last = max(last, 1e-9 * time)
     if not frames:
         raise nothing_to_show(log)
-    return Run(log.header, frames, maker.has_truth)
+    return Run(log.header, frames, maker.has_truth, last)
 
 
 def nothing_to_show(log):
@@ -141,16 +147,18 @@ def visible_residuals(header):
 
 
 def gave_way(hierarchy, header):
-    """The highest level that did not get what it asked for, and what held it back most."""
+    """The highest level that did not get what it asked for, what held it back most, and the other levels that did not."""
     visible = visible_residuals(header)
+    dearest = {row["level"]: row for row in reversed(hierarchy.get("blocked_by", []))}
+    yielding = {}
     for level in hierarchy.get("levels", []):
         residual, least = level["residual"] or 0.0, visible.get(level["name"], ROUNDING)
-        if least is None or residual <= least:
-            continue
-        for row in hierarchy.get("blocked_by", []):
-            if row["level"] == level["name"]:
-                return level["name"], residual, row["row"], row["by"]
-    return None
+        if least is not None and residual > least:
+            yielding[level["name"]] = residual
+    name = next((name for name in yielding if name in dearest), None)
+    if name is None:
+        return None
+    return name, yielding[name], dearest[name]["row"], dearest[name]["by"], tuple(other for other in yielding if other != name)
 
 
 def friction_of(frame):

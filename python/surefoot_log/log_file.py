@@ -65,6 +65,7 @@ class Walk:
     def __init__(self, file, size):
         self._file, self._size, self._next = file, size, len(MAGIC)
         self._index = None  # where it was needed
+        self._chunks = []  # of the index: where each begins, and its times [ns]
 
     def record_at(self, at):
         """Opcode and length; None where none can begin."""
@@ -95,9 +96,17 @@ class Walk:
             return []
         self._file.seek(self._size - FOOTER)
         (begin,) = struct.unpack_from("<Q", self._file.read(FOOTER), HEAD.size)
-        places = [index.chunk_start_offset for index in summary.chunk_indexes]
+        self._chunks = [(index.chunk_start_offset, index.message_start_time, index.message_end_time) for index in summary.chunk_indexes]
+        places = [place for place, _, _ in self._chunks]
         places += [index.offset for index in summary.attachment_indexes + summary.metadata_indexes]
         return sorted([*places, begin - DATA_END, begin])
+
+    def lost_times(self, begin, end):
+        """Times of the first and last message of what was skipped, as the index has them [ns]; None where it has none there."""
+        if begin not in (self._index or []):
+            return None
+        lost = [times for place, *times in self._chunks if begin <= place < end]
+        return (min(first for first, _ in lost), max(last for _, last in lost)) if lost else None
 
     def chunk_behind(self, at):
         """Where the next compressed chunk begins; None without one."""
@@ -228,7 +237,8 @@ class LogFile:
             self._at = len(MAGIC)
             for skipped, self._at, opcode, length in walk:
                 if skipped:
-                    self._lose("a record's head is damaged", self._at - skipped)
+                    begin = self._at - skipped
+                    self._lose("a record's head is damaged", begin, walk.lost_times(begin, self._at))
                 file.seek(self._at + HEAD.size)
                 try:
                     record = read_record(opcode, file, length)
@@ -246,9 +256,10 @@ class LogFile:
     def _place(self, why, at):
         return f"{why} at byte {at} of {self.path.stat().st_size}"
 
-    def _lose(self, why, at, record=None):
-        times = f" ({1e-9 * record.message_start_time:.4f} s to {1e-9 * record.message_end_time:.4f} s)" if record else ""
-        self.losses.append(self._place(why, at) + times)
+    def _lose(self, why, at, times=None):
+        """`times` of the first and last message there [ns]."""
+        span = f" ({1e-9 * times[0]:.4f} s to {1e-9 * times[1]:.4f} s)" if times else ""
+        self.losses.append(self._place(why, at) + span)
         if not self._has_learned:
             self._has_learned = True
             self._learn_descriptions()
@@ -299,7 +310,7 @@ class LogFile:
             try:
                 yield from chunk.messages(record, self.schemas, self.channels, topics)
             except chunk.Damaged as damage:
-                self._lose(str(damage), self._at, record)
+                self._lose(str(damage), self._at, (record.message_start_time, record.message_end_time))
         if not self._closed:
             self._end = f"cut off at byte {self._at}"
 
@@ -316,7 +327,16 @@ class LogFile:
         """Messages that stand apart, by a file of their own; of the ticks before them only the chunks' heads are read."""
         beside = LogFile(self.path)
         beside.channels, beside.schemas = self.channels, self.schemas
-        yield from beside.messages(topics, BehindTicks())
+        places = self._chunks_with(topics)
+        yield from beside.messages(topics, BehindTicks() if places is None else lambda record: beside._at in places)
+
+    def _chunks_with(self, topics):
+        """Where the chunks begin that hold messages of some topics; None: not known."""
+        summary = self._summary()
+        if summary is None or any(not index.message_index_offsets for index in summary.chunk_indexes):
+            return None
+        wanted = {channel.id for channel in summary.channels.values() if channel.topic in topics}
+        return {index.chunk_start_offset for index in summary.chunk_indexes if wanted & index.message_index_offsets.keys()}
 
     def first_messages(self):
         """Of each topic its first message. Of a log that was closed only the chunks that hold one are decompressed."""

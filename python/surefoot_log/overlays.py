@@ -13,7 +13,7 @@ ABOVE_GROUND = 0.004  # m: what lies on the ground is drawn so far above it
 
 
 def colour_of_use(use):
-    """Of a force by the share of its friction cone: blue, orange at 0.7, vermilion at 1."""
+    """Of a force by the share of its friction cone: blue, yellow at 0.7, orange at 1."""
     use = float(np.clip(use, 0.0, 1.0))
     mix = SAFE + (NEAR - SAFE) * use / 0.7 if use < 0.7 else NEAR + (SLIDES - NEAR) * (use - 0.7) / 0.3
     return (*mix, 1.0)

@@ -75,6 +75,8 @@ def with_lasting_words(pairs):
 def write_film(run, paint, path, span, rate, speed, size, progress=None):
     captions = Captions(size[1], run.header)
     times = times_of(span.first, span.last, rate, speed)
+    if progress is not None:
+        progress(0, len(times))
     with Film(path, size, rate) as film:
         for i, frame in enumerate(with_lasting_words(nearest(run.frames, times))):
             film.add(captions.draw(paint(frame), frame, title_of(run.header), speed))
@@ -85,7 +87,7 @@ def write_film(run, paint, path, span, rate, speed, size, progress=None):
 def make_film(log, path, size=(1280, 720), rate=25, speed=1, first=None, last=None, progress=None):
     """Of the whole log, or of a part of it. Throws InputError where no tick lies in it."""
     run = read_frames(log, every=max(1, int(speed / rate / log.header["control_period"] / 2)))
-    begin, end = run.frames[0].time, run.frames[-1].time
+    begin, end = run.frames[0].time, run.last
     span = Span(begin if first is None else first, end if last is None else last)
     if span.first > end or span.last < begin or span.last < span.first:
         asked = " ".join(f"{name} {value:g}" for name, value in (("--from", first), ("--to", last)) if value is not None)

@@ -67,6 +67,13 @@ bool is_plausible(const RobotState& state) {
          within(state.q, kMostTurned) && within(state.torque, kStrongest);
 }
 
+ModelRecord unknown_model() {
+  const Vec3 unknown = Vec3::Constant(kNaN);
+  ModelRecord model{.p_WCom = unknown, .v_WCom = unknown};
+  for (PerLeg<Vec3>* vectors : {&model.p_WF, &model.p_WH, &model.force}) vectors->fill(unknown);
+  return model;
+}
+
 }  // namespace
 
 struct Controller::Implementation {
@@ -259,10 +266,12 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 // Nothing happened and nothing was solved: what the last tick said must not be logged once more.
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
+  record.model = unknown_model();
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};
   record.hierarchy.num_levels = num_levels;
+  for (LevelReport& level : record.hierarchy.levels) level.residual = kNaN;
   record.hierarchy.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
 }
 

@@ -193,7 +193,8 @@ void fields(Archive& field, T& plan) {
 
 template <typename Archive, Is<ModelRecord> T>
 void fields(Archive& field, T& model) {
-  field("p_WCom", model.p_WCom, "centre of mass in W, of the believed state [m]");
+  field("p_WCom", model.p_WCom,
+        "centre of mass in W, of the believed state; null where nothing was solved [m]");
   field("v_WCom", model.v_WCom, "[m/s]");
   field("p_WF", model.p_WF, "centres of the foot spheres in W [m]");
   field("p_WH", model.p_WH, "hips in W [m]");
@@ -204,7 +205,7 @@ template <typename Archive, Is<Level> T>
 void fields(Archive& field, T& level) {
   field("name", level.name, "of the level, highest priority first");
   field("residual", level.report.residual,
-        "root of the summed squared violations, in the rows' unit");
+        "root of the summed squared violations, in the rows' unit; null where nothing was solved");
   field("degrees_of_freedom_left", level.report.degrees_of_freedom_left,
         "of the null space below this level");
   field("iterations", level.report.iterations, "of the active-set method");

@@ -2,15 +2,23 @@
 
 #include "surefoot/math/rotation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
+namespace {
+
+bool are_known(const PerLeg<Vec3>& points) {
+  return std::ranges::all_of(points, [](const Vec3& p) { return p.allFinite(); });
+}
+
+}  // namespace
 
 void BeliefFrame::update(const MotionPlan& plan, const PerLeg<Vec3>& believed_p_WF,
                          const PerLeg<Vec3>& true_p_WF) {
   Vec3 believed = Vec3::Zero(), actual = Vec3::Zero();
   const int count = plan.num_contacts();
-  if (count < 2) return;
+  if (count < 2 || !are_known(believed_p_WF)) return;
   for (const Leg leg : kLegs) {
     if (!plan.contact(leg)) continue;
     believed += believed_p_WF[index(leg)] / count;

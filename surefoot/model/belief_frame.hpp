@@ -9,7 +9,7 @@ namespace surefoot {
 ///
 ///     min over yaw and p:  Σ |R_z(yaw) p_k + p − p_k,true|²     over the feet k that stand
 ///
-/// With fewer than two standing feet the frame stays as it was.
+/// With fewer than two standing feet, or where nothing is believed, the frame stays as it was.
 class BeliefFrame {
  public:
   /// By the feet that stand as planned: where they are believed to be, and where they are [m].

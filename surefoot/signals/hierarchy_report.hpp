@@ -12,7 +12,7 @@ inline constexpr std::size_t kMaxReportedBlockers = 48;
 
 /// How one level of the hierarchy came out at one tick.
 struct LevelReport {
-  double residual = 0.0;  ///< √Σ violation², in the unit of the level's rows
+  double residual = 0.0;  ///< √Σ violation², in the rows' unit; NaN: not solved
   std::int32_t degrees_of_freedom_left = 0;
   std::int32_t iterations = 0;
   std::int32_t num_rows = 0;

@@ -14,7 +14,7 @@
 namespace surefoot {
 
 /// What the controller's model says of the robot at one tick, in W; of the believed state, not the
-/// true one.
+/// true one. NaN where nothing was solved.
 struct ModelRecord {
   Vec3 p_WCom = Vec3::Zero();  ///< centre of mass [m]
   Vec3 v_WCom = Vec3::Zero();

@@ -27,9 +27,10 @@ std::string unit_of(const RunData& run, std::size_t level) {
 
 bool never_zero(const std::string& task) { return std::isnan(visible_residual(task, "")); }
 
+/// Where a tick solved nothing there is no curve: 0.
 std::vector<double> residuals(const RunData& run, std::size_t level) {
   std::vector<double> result;
-  for (const TickSample& tick : run.ticks) result.push_back(tick.residuals[level]);
+  for (const TickSample& tick : run.ticks) result.push_back(std::fmax(tick.residuals[level], 0.0));
   return result;
 }
 

@@ -23,9 +23,10 @@ std::string strip(const ReportPictures& pictures) {
          "\" src=\"data:image/jpeg;base64," + base64(pictures.strip) +
          "\">\n<figcaption>The robot in the simulation, after the paper's Fig. 5, at " +
          times_of(pictures) +
-         ". Arrows: ground forces, blue well inside their friction cone, orange near it, red at "
-         "it. Green: the region between the feet that carry, at the height of the highest; pink: "
-         "the centre of mass over it. Legs in blue carry, in white swing, in red search for "
+         ". Arrows: ground forces, blue well inside their friction cone, yellow near it, orange "
+         "at it. Green: the region between the feet that carry, at the height of the highest; "
+         "pink: "
+         "the centre of mass over it. Legs in blue carry, in white swing, in orange search for "
          "ground.</figcaption>\n</figure>\n";
 }
 

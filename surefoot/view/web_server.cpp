@@ -173,8 +173,8 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
 WebServerOptions with_token(WebServerOptions options) {
   if (options.token.empty() && !options.listen.empty()) {
     throw Error("--listen " + options.listen +
-                " opens the run to others: it needs --token TOKEN, a secret of your own of at "
-                "least 16 letters and digits");
+                " needs --token TOKEN, a secret of your own of at least 16 letters and digits: "
+                "others may reach that address, and the token alone keeps them from commanding");
   }
   if (options.token.empty()) options.token = random_token();
   check_token(options.token);

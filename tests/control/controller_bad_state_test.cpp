@@ -105,9 +105,11 @@ TEST(Controller, ATickWithoutAStateRepeatsNeitherEventsNorResiduals) {
   EXPECT_EQ(record.hierarchy.num_levels, num_levels);
   EXPECT_EQ(record.hierarchy.num_active, 0);
   for (const LevelReport& level : record.hierarchy.levels) {
-    EXPECT_EQ(level.residual, 0.0);
+    EXPECT_TRUE(std::isnan(level.residual));
     EXPECT_EQ(level.num_rows, 0);
   }
+  EXPECT_TRUE(record.model.p_WCom.array().isNaN().all());
+  for (const Vec3& force : record.model.force) EXPECT_TRUE(force.array().isNaN().all());
   (void)statue.tick();
   EXPECT_EQ(record.hierarchy.status, static_cast<int>(SolveStatus::optimal));
 }

@@ -18,6 +18,26 @@ def written(path, attachments):
     return path
 
 
+def in_other_chunks(log, folder, by_time=True, **options):
+    """The same messages in the chunks of another writer, by their times or in their order."""
+    path = folder / "in_other_chunks.mcap"
+    with open(log, "rb") as file, open(path, "wb") as copy:
+        reader, writer = make_reader(file), Writer(copy, **options)
+        writer.start()
+        for one in reader.iter_attachments():
+            writer.add_attachment(one.create_time, one.log_time, one.name, one.media_type, one.data)
+        for one in reader.iter_metadata():
+            writer.add_metadata(one.name, one.metadata)
+        ids = {}
+        for schema, channel, message in reader.iter_messages(log_time_order=by_time):
+            if channel.id not in ids:
+                made = writer.register_schema(schema.name, schema.encoding, schema.data)
+                ids[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, made, channel.metadata)
+            writer.add_message(ids[channel.id], message.log_time, message.data, message.publish_time, message.sequence)
+        writer.finish()
+    return path
+
+
 def foreign(folder):
     """MCAP, but nothing of ours."""
     return written(folder / "foreign.mcap", {"notes.json": b"{}"})

@@ -1,5 +1,6 @@
 """Films and strips of logs, made by the program of pictures."""
 
+import io
 import os
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from log_tools import complaint_of, log_command
 from pictures_made import cache, frames_of  # noqa: F401, fixtures
 
 from surefoot_log import pictures  # isort: skip
+from surefoot_log.cli import ImageCount  # isort: skip
 from surefoot_log.log_file import LogFile  # isort: skip
 
 
@@ -23,6 +25,28 @@ def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tm
     assert (len(images), rate, images[0].shape) == (6, 10, (96, 128, 3))
     assert np.abs(images[0] - images[-1]).sum() > 0
     assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"]])
+def test_a_time_or_a_rate_that_is_none_is_refused_before_the_work(log, tmp_path, wrong):
+    assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", tmp_path / "x.mp4", *wrong)
+
+
+def test_a_film_may_begin_at_the_very_last_tick(log, tmp_path):
+    done = log_command("video", log, "--out", tmp_path / "x.mp4", "--from", "1.9975", "--size", "96x64")
+    assert done.returncode == 0 and len(frames_of(tmp_path / "x.mp4")[0]) == 1, done.stderr
+    assert "to 1.9975 s" in complaint_of("video", log, "--out", tmp_path / "x.mp4", "--from", "1.9985")
+
+
+def test_who_waits_for_a_film_is_told_its_length_and_what_is_left_in_a_pipe_too():
+    clock, stream = [0.0], io.StringIO()
+    count = ImageCount(stream, lambda: clock[0])
+    for done in range(401):
+        count(done, 400)
+        clock[0] += 0.25
+    lines = stream.getvalue().splitlines()
+    assert lines[:2] == ["surefoot: a film of 400 images is made", "surefoot: image 8 of 400, about 2 min left"]
+    assert len(lines) == 5 and lines[-1].endswith("about 8 s left") and "\r" not in stream.getvalue()
 
 
 def test_a_film_is_the_same_bytes_again(log, tmp_path):

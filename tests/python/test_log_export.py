@@ -10,7 +10,7 @@ import struct
 import numpy as np
 import pyarrow.parquet
 import pytest
-from damaged_logs import cut, damaged_at, foreign, newer, plain_text, steered, tick_chunks, without_chunk, without_ticks
+from damaged_logs import cut, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, without_chunk, without_ticks
 from foxglove_fields import FIELDS, bare, differences, schema_of
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from log_tools import complaint_of, log_command
@@ -198,8 +198,18 @@ def test_of_a_log_whose_chunk_has_a_damaged_head_the_rest_is_exported(log, table
     file = damaged_at(log, tmp_path, chunk.chunk_start_offset + byte)
     result = exported(file, "--parquet", tmp_path / "part.parquet", "--topics", "plan")
     assert ("a record's head is damaged" in result.stderr) == (byte != 0)
+    if byte != 0:
+        first, last = 1e-9 * chunk.message_start_time, 1e-9 * chunk.message_end_time
+        assert f"({first:.4f} s to {last:.4f} s); what stood there is lost" in result.stderr
     part = pyarrow.parquet.read_table(tmp_path / "part.parquet")
     assert part.num_rows > TICKS - 100 and part["time"][-1].as_py() == table["time"][-1].as_py()
+
+
+@pytest.mark.parametrize("by_time", [True, False])
+def test_a_log_that_another_writer_wrote_anew_is_exported_whole(log, table, tmp_path, by_time):
+    file = in_other_chunks(log, tmp_path, by_time)
+    exported(file, "--parquet", tmp_path / "again.parquet")
+    assert pyarrow.parquet.read_table(tmp_path / "again.parquet").equals(table)
 
 
 def test_what_stands_behind_a_last_chunk_with_a_damaged_head_is_read(log, tmp_path):

@@ -104,13 +104,22 @@ def test_explain_names_the_limits_that_act_and_only_these(log):
     assert "No limit acts." in answer("explain", log, "--at", 0.0025 * none)
 
 
+def test_explain_gives_the_last_tick_for_the_end_of_the_duration_and_says_so(log):
+    found = of_json("explain", log, "--at", 2)
+    assert (found["asked"], found["time"]) == (2, 1.9975)
+    assert "The log ends before 2 s: this is its last tick." in answer("explain", log, "--at", 2)
+    assert "last tick" not in answer("explain", log, "--at", 1.9975)
+
+
 def test_explain_tells_the_range_of_a_log_that_has_no_such_tick(log, tmp_path):
     assert "--at is 7 s; the log goes from 0 s to 1.9975 s" in complaint("explain", log, "--at", 7)
     assert "--at is -1 s" in complaint("explain", log, "--at", -1)
+    assert "--at is 2.01 s" in complaint("explain", log, "--at", 2.01)
     line = complaint("explain", cut(log, tmp_path, 0.5), "--at", 1.99)
     assert "the log goes from 0 s to " in line and "cut off at byte" in line
     assert "--at" in complaint("explain", log) and "--at" in complaint("explain", log, "--at", "soon")
     assert "--at is not a time" in complaint("explain", log, "--at", "nan")
+    assert '"" is not a time' in complaint("explain", log, "--at", "")
 
 
 @pytest.mark.parametrize("share", [0.35, 0.7])

@@ -60,10 +60,14 @@ def test_the_hull_of_points_goes_around_them():
 
 def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     frame = frame_at(0.0, 1.25, phases={"LF": "swing", "RF": "stance", "LH": "search", "RH": "unloading"})
-    frame.gave_way = ("com_xy", 0.314, "LF_KFE", "torque_limits")
+    frame.gave_way = ("com_xy", 0.314, "LF_KFE", "torque_limits", ())
     assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² to torque limits LF_KFE"
-    frame.gave_way = ("com_xy", 161.4, "LF_KFE", "torque_limits")
-    assert captions.sentence(frame, {}) == "com xy gives way by 161 to torque limits LF_KFE"
+    frame.gave_way = ("com_xy", 161.4, "LF_KFE", "torque_limits", ("torso_yaw",))
+    assert captions.sentence(frame, {}) == "com xy gives way by 161 to torque limits LF_KFE; torso yaw gives way too"
+    frame.gave_way = (*frame.gave_way[:4], ("torso_yaw", "torso_height"))
+    assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
+    frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
+    assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
     from PIL import Image
 
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
@@ -79,7 +83,13 @@ def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
     rows = [{"level": "com", "row": "LF", "by": "limits"}]
     assert gave_way({"levels": levels, "blocked_by": rows}, header) is None
     levels[0]["residual"] = 0.03
-    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits")
+    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ())
+    levels.append({"name": "torso", "residual": 1.0})
+    header["level_visible"].append(0.05)
+    header["level_names"].append("torso")
+    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ("torso",))
+    levels[0]["residual"] = None
+    assert gave_way({"levels": levels, "blocked_by": rows}, header) is None, "nothing was solved, or what holds it is not known"
     del header["level_visible"]
     levels[0]["residual"] = 0.01
     assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from damaged_logs import changed, damaged
+from damaged_logs import changed, damaged, in_other_chunks
 from live_page import Frames, Refused, Served
 from program import PROGRAM, complaint
 
@@ -158,3 +158,12 @@ def test_a_log_that_was_cut_off_shows_what_is_left(tmp_path, log):
         assert 200 < session["ticks"] < 2400 and session["whole"] is False
         last = session["ticks"] - 1
         assert Frames(session, [served.get(f"/api/frames?from={last}&count=10&stride=1")[2]]).ticks == [last]
+
+
+@pytest.mark.parametrize("options", [{"by_time": True}, {"by_time": False}, {"by_time": False, "chunk_size": 20000}], ids=str)
+def test_a_log_that_another_writer_wrote_anew_has_all_its_ticks_and_their_timings(replay, log, tmp_path, options):
+    with Served("replay", in_other_chunks(log, tmp_path, **options)) as served:
+        session = served.session()
+        assert (session["first_tick"], session["ticks"], session["damage"]) == (0, 2400, [])
+        query = "/api/frames?from=2390&count=10&stride=1"
+        assert served.get(query)[2] == replay.get(query)[2]
