@@ -15,7 +15,6 @@ export class AccountView {
   show({ kind, line, more }: Account): void {
     this.root.dataset["kind"] = kind;
     say(this.line, line);
-    this.line.title = line;
     this.button.hidden = more.length === 0;
     this.list.hidden = this.button.hidden || this.button.getAttribute("aria-expanded") !== "true";
     while (this.list.children.length > more.length) this.list.lastElementChild?.remove();
