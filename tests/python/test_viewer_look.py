@@ -92,8 +92,10 @@ def test_names_of_the_levels_are_whole_and_all_levels_are_seen(browser, live):
         assert browser.run(cut) == [], look
         if "desktop" in look:
             assert browser.run("(() => { const p = document.querySelector('#panels'); return p.scrollHeight - p.clientHeight; })()") <= 0, look
-    heights = browser.run("[...document.querySelectorAll('.level')].map(one => one.offsetHeight)")
+    heights = browser.run("[...document.querySelectorAll('.level:not(.held)')].map(one => one.offsetHeight)")
     assert len(set(heights)) == 1, "whatever a level says"
+    held = "[...document.querySelectorAll('.held .brief')].filter(one => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight + 1).map(one => one.textContent)"
+    assert browser.run(held) == [], "who holds a level back is told whole"
     browser.run("document.querySelector('.level .level-name').click()")
     assert "degrees of freedom to the levels below" in browser.run("document.querySelector('.level.open').innerText")
 

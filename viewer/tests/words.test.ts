@@ -36,7 +36,7 @@ test("the friction that was given and what the controller believes are two thing
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
   const active = [{ name: "LF_KFE", level: 1, state: 1 }, { name: "RF_KFE", level: 1, state: -1 }];
-  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE (upper) and 1 more");
+  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE (upper) +1");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
   assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
   assert.equal(briefOf({ ...level, status: "minimised", blocked }, [above, level]), "held back by friction cone");

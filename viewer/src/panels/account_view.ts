@@ -9,7 +9,7 @@ export class AccountView {
   private readonly list = h("ul", { id: "account-more", hidden: true });
 
   constructor() {
-    this.root = h("div", { class: "account", id: "account" }, this.line, this.button, this.list);
+    this.root = h("div", { class: "account", id: "account" }, this.button, this.line, this.list);
   }
 
   show({ kind, line, more }: Account): void {

@@ -68,6 +68,7 @@ export class LevelCard {
   show(state: LevelState, all: LevelState[]): void {
     const kind = state.status.replaceAll(" ", "-");
     if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
+    this.root.classList.toggle("held", blockers(state).length > 0);
     say(this.sign, SIGNS[state.status]);
     say(this.status, state.status);
     say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
@@ -99,7 +100,7 @@ export function briefOf(state: LevelState, all: LevelState[]): string {
   const [first] = state.active;
   const above = [...new Set(blockers(state).map(({ by }) => nameOf(all, by)))];
   if (above.length > 0) return `${state.status === "gives way" ? "to" : "held back by"} ${above.join(", ")}`;
-  if (first !== undefined) return `${first.name} ${sideOf(first.state)}${state.active.length > 1 ? ` and ${state.active.length - 1} more` : ""}`;
+  if (first !== undefined) return `${first.name} ${sideOf(first.state)}${state.active.length > 1 ? ` +${state.active.length - 1}` : ""}`;
   return state.rows === 0 ? "" : counted(state.rows, "row");
 }
 

@@ -108,7 +108,7 @@ export class Plot {
       cursor: { sync: { key: "surefoot" }, drag: { setScale: false, x: false, y: false }, points: { size: 5 } },
       scales: { x: { time: false, range: (_u, low, high) => [low, high] } },
       axes: [{ ...axis, size: 22, gap: 2, values: (_u, marks) => marks.map((t) => `${+t.toFixed(3)} s`) },
-             { ...axis, size: 52, gap: 3, values: (_u, marks) => marks.map((y) => `${+y.toPrecision(4)}`) }],
+             { ...axis, size: 52, gap: 3, space: 22, values: (_u, marks) => marks.map((y) => `${+y.toPrecision(4)}`) }],
       legend: { show: false },
       series: [{}, ...this.shown.map(({ style: line }) => ({ stroke: colour(line.colour), dash: line.dash, width: 1.4, points: { show: false } }))],
       hooks: { draw: [(u) => this.drawTime(u, colour("--ink"))], ready: [(u) => this.listen(u)] },

@@ -82,8 +82,8 @@ export class PlotsPanel {
   }
 
   private addFirst(): void {
-    this.add(LEGS.map((leg) => ({ channel: `truth.feet.${leg}.force`, index: 2 })), "vertical forces on the feet");
-    this.add([0, 1, 2].map((index) => ({ channel: "state.v_WB", index })), "base velocity, believed");
+    this.add(LEGS.map((leg) => ({ channel: `truth.feet.${leg}.force`, index: 2 })), "vertical foot forces");
+    this.add([0, 1, 2].map((index) => ({ channel: "state.v_WB", index })), "velocity, believed");
   }
 
   private add(series: Series[], title?: string): Plot | undefined {
