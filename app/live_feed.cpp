@@ -85,7 +85,7 @@ void LiveFeed::begin(const RunParts& parts, const StackOptions& stack, double fr
   begun.rows = parts.controller.row_names();
   begun.bodies = parts.plant.bodies();
   begun.orders = {{0, parts.header.level_names}};
-  begun.tasks = view_tasks(stack, parts.header.level_names);
+  begun.tasks = view_tasks(stack, parts.header.level_names, operator_.reach());
   begun.friction = friction;
   const auto cone = friction_cone_of(stack);
   if (ring_) {
@@ -145,7 +145,7 @@ void LiveFeed::put(std::uint32_t number, const TickRecord& tick, const GroundTru
 
 void LiveFeed::set_control(const StackOptions& stack, double friction, std::uint32_t tick) {
   hand_over([this, stack, friction, tick] {
-    session_.tasks = view_tasks(stack, session_.channels.level_names);
+    session_.tasks = view_tasks(stack, session_.channels.level_names, operator_.reach());
     session_.friction = friction;
     names_ = {level_names(stack), {}};
     if (session_.orders.back().levels != names_.levels) {

@@ -66,7 +66,8 @@ void check_order(const StackOptions& stack) {
 LiveOperator::LiveOperator(const Scenario& scenario, ViewLimits limits)
     : scenario_control_{with_defaults(scenario.controller.stack),
                         scenario.controller.planner.force.friction},
-      limits_(limits) {
+      limits_(limits),
+      reach_(reach_of(RobotModel(scenario.robot))) {
   wishes_.control = scenario_control_;
 }
 
@@ -194,7 +195,7 @@ void LiveOperator::gain(const ViewCommand& command) {
     throw Error("the task " + command.task + " has no number \"" + command.name + "\"; " +
                 valid_names(command.name, names));
   }
-  const ViewNumber range = view_number(task.task, command.name, number->second);
+  const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
   check((command.task + " " + command.name).c_str(), command.value, range.min, range.max,
         range.unit.c_str());
   number->second = command.value;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/config/scenario.hpp"
+#include "surefoot/control/stack_reach.hpp"
 #include "surefoot/signals/user_command.hpp"
 #include "surefoot/simulation/plant_options.hpp"
 #include "surefoot/view/view_command.hpp"
@@ -70,6 +71,7 @@ class LiveOperator {
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
   [[nodiscard]] int undo_count() const { return undo_count_.load(); }
   [[nodiscard]] const ViewLimits& limits() const { return limits_; }
+  [[nodiscard]] const StackReach& reach() const { return reach_; }
 
  private:
   struct Undo {
@@ -91,6 +93,7 @@ class LiveOperator {
 
   const WantedControl scenario_control_;
   const ViewLimits limits_;
+  const StackReach reach_;
   std::vector<std::string> bodies_;
   std::mutex mutex_;  // of all below
   OperatorWishes wishes_;

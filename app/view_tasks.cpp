@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <ranges>
 #include <sstream>
 #include <utility>
@@ -30,6 +31,13 @@ double largest(const std::string& task, const TaskParameter& parameter) {
     if (is_legal(task, std::string(parameter.name), factor * usual)) return factor * usual;
   }
   return parameter.default_value;
+}
+
+/// Within the robot's reach, in whole millimetres.
+double within(const StackReach& reach, const std::string& task, const std::string& name,
+              double value) {
+  const double greatest = reach.greatest(task, name);
+  return value <= greatest ? value : std::floor(1e3 * greatest) / 1e3;
 }
 
 using Names = std::vector<std::string>;
@@ -76,7 +84,8 @@ std::string title(const LevelSpec& level, const TaskSpec& task) {
 
 }  // namespace
 
-ViewNumber view_number(const std::string& task, const std::string& name, double value) {
+ViewNumber view_number(const std::string& task, const std::string& name, double value,
+                       const StackReach& reach) {
   const auto& parameters = task_info(task).parameters;
   const auto parameter = std::ranges::find(parameters, name, &TaskParameter::name);
   if (parameter == parameters.end()) {
@@ -87,11 +96,12 @@ ViewNumber view_number(const std::string& task, const std::string& name, double 
           .about = std::string(parameter->help),
           .value = value,
           .min = parameter->minimum,
-          .max = std::max(largest(task, *parameter), value)};
+          .max = std::max(within(reach, task, name, largest(task, *parameter)), value)};
 }
 
 std::vector<ViewTask> view_tasks(const StackOptions& stack,
-                                 const std::vector<std::string>& level_names) {
+                                 const std::vector<std::string>& level_names,
+                                 const StackReach& reach) {
   std::vector<ViewTask> tasks;
   for (const LevelSpec& level : stack.levels) {
     const auto number = std::ranges::find(level_names, level.name) - level_names.begin();
@@ -100,10 +110,11 @@ std::vector<ViewTask> view_tasks(const StackOptions& stack,
       view.level = static_cast<std::size_t>(number);
       view.level_name = level.name;
       view.task = task.task;
+      view.keeps_physics = keeps_physics(level);
       view.choices = task.choices;
       for (const TaskParameter& parameter : task_info(task.task).parameters) {
         const std::string name(parameter.name);
-        view.numbers.push_back(view_number(task.task, name, task.numbers.at(name)));
+        view.numbers.push_back(view_number(task.task, name, task.numbers.at(name), reach));
       }
     }
   }

@@ -13,6 +13,7 @@
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/switch_section.hpp"
+#include "surefoot/control/stack_reach.hpp"
 #include "surefoot/math/random_bits.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/check_options.hpp"
@@ -308,6 +309,18 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   }
 }
 
+/// Bounds of the stack are of this robot. Told of the scenario's own numbers, or else of its stack.
+void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOptions& stack) {
+  try {
+    surefoot::check_reach(stack, reach_of(model));
+  } catch (const Error& error) {
+    const ConfigNode* tasks = tree.find("tasks");
+    const ConfigNode* named = tree.find("stack");
+    if (tasks != nullptr) fail_at(*tasks, "tasks", error.what());
+    fail_at(named == nullptr ? tree : *named, "stack", error.what());
+  }
+}
+
 }  // namespace
 
 const UserCommand& Scenario::user(double time) const {
@@ -344,6 +357,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
   const RobotModel model(scenario.robot);
+  check_reach(tree, model, scenario.controller.stack);
   try {
     scenario.plant.initial.q = stance_posture(model, scenario.controller.planner.stance);
   } catch (const Error& error) {

@@ -28,7 +28,8 @@ void task_member(JsonText& json, const ViewTask& task) {
   json.object()
       .member("level", task.level)
       .member("level_name", std::string_view(task.level_name))
-      .member("task", std::string_view(task.task));
+      .member("task", std::string_view(task.task))
+      .member("keeps_physics", task.keeps_physics);
   json.key("numbers").array();
   for (const ViewNumber& number : task.numbers) {
     json.object()

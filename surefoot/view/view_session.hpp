@@ -35,6 +35,7 @@ struct ViewNumber {
 struct ViewTask {
   std::size_t level = 0;  ///< in `header.level_names`
   std::string level_name, task;
+  bool keeps_physics = false;  ///< its level does, and stands above all that can be moved
   std::vector<ViewNumber> numbers;
   std::map<std::string, std::string> choices;  ///< e.g. axes: gravity
 };

@@ -76,6 +76,19 @@ TEST_F(LiveOperatorTest, what_is_wrong_with_a_command_is_told_with_what_would_be
   EXPECT_TRUE(test::holds(operator_.command({.type = Type::undo}), "nothing to undo"));
 }
 
+TEST_F(LiveOperatorTest, a_bound_beyond_the_robots_reach_is_refused_as_a_scenario_with_it_is) {
+  EXPECT_TRUE(test::holds(gain("limb_extension_limits", "max", 5.2), "valid is 0 to 0.571 m"));
+  EXPECT_TRUE(test::holds(gain("limb_extension_limits", "min", 0.6), "valid is 0 to "));
+  EXPECT_EQ(gain("limb_extension_limits", "max", 0.57), "");
+  EXPECT_TRUE(test::holds(
+      test::message_of([] {
+        (void)load_scenario({"walk_flat_ideal",
+                             0,
+                             {"stack=terrain_adaptation", "tasks.limb_extension_limits.max=5.2"}});
+      }),
+      "tasks: limb_extension_limits: max is 5.2, but this robot reaches only 0.5713 m"));
+}
+
 TEST_F(LiveOperatorTest, an_order_must_have_all_levels_and_those_of_the_physics_above) {
   std::vector<std::string> order;
   for (const LevelSpec& level : scenario_.controller.stack.levels) order.push_back(level.name);

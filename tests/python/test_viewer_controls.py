@@ -206,6 +206,41 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     wait_for(lambda: page.run(names) == order, "the order that was", 60)
 
 
+def test_steering_by_keys_is_told_in_one_note_that_renews_itself(page):
+    notes = "[...document.querySelectorAll('.note')].filter(one => one.textContent.includes('commands')).map(one => one.textContent)"
+    page.press("x")
+    for steps in range(1, 7):
+        page.press("w")
+        page.wait(f"Math.abs(surefoot.status.command.velocity[0] - 0.01 * {steps}) < 1e-9")
+    wait_for(lambda: any("(0.06, 0)" in note for note in page.run(notes)), "the note of the last step")
+    assert len(page.run(notes)) == 1
+    page.press("g")
+    page.wait("surefoot.status.command.by === 'scenario'")
+    wait_for(lambda: any("the scenario commands" in note for note in page.run(notes)), "the note of who commands now")
+    assert len(page.run(notes)) == 1
+
+
+def test_levels_that_keep_the_physics_have_no_buttons_to_move_them_and_say_why(page):
+    movers = """Object.fromEntries([...document.querySelectorAll('.level')].map(level =>
+      [level.dataset.level, [...level.querySelectorAll('.movers button')].map(one => [one.disabled, one.title])]))"""
+    of = page.run(movers)
+    for name in ("equations_of_motion", "no_contact_motion", "torque_limits", "friction_cone"):
+        assert [disabled for disabled, _ in of[name]] == [True, True]
+        assert all("keeps the physics" in title for _, title in of[name])
+        assert not page.run(f"document.querySelector('[data-level={name}]').draggable")
+    assert [disabled for disabled, _ in of["com_xy"]] == [True, False] and "keeps the physics" in of["com_xy"][0][1]
+    assert of["swing_foot"] == [[False, "one up"], [False, "one down"]]
+
+
+def test_a_bound_that_no_leg_reaches_is_refused_in_words(page):
+    page.click("#tab-tune")
+    field = "document.querySelector('[data-gain=\"limb_extension_limits.limb_extension_limits.max\"]')"
+    before = page.run(f"{field}.value")
+    page.run(f"{field}.value = '5.2'; {field}.dispatchEvent(new Event('change'))")
+    page.wait("[...document.querySelectorAll('.note.error')].some(one => one.textContent.includes('limb_extension_limits max is 5.2; valid is 0 to 0.571 m'))")
+    page.wait(f"{field}.value === '{before}'")
+
+
 def test_a_gamepad_that_is_gone_asks_for_nothing_any_more(page):
     page.run("""(() => { window.pad = { connected: true, axes: [0, -0.8, 0, 0], buttons: [] }; navigator.getGamepads = () => [null, pad]; })()""")
     command = "surefoot.status.command"

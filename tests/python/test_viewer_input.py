@@ -160,20 +160,6 @@ def test_all_that_was_changed_stands_in_the_log(played):
     assert "the pull ends after" in kinds["pull"]
 
 
-def test_lines_of_a_plot_have_colours_of_their_own(browser, log):
-    with Viewer("replay", log) as viewer:
-        show(browser, viewer.link)
-        browser.run("""(() => { const field = document.querySelector('#channel-search'); field.value = 'state.qd';
-          field.dispatchEvent(new Event('input')); document.querySelector('.found button').click(); })()""")
-        for theme in ("light", "dark"):
-            browser.prefer(theme)
-            browser.wait(f"document.documentElement.dataset.theme === '{theme}'")
-            plots = browser.run("[...document.querySelectorAll('.plot')].map(plot => [...plot.querySelectorAll('.legend i')].map(one => getComputedStyle(one).backgroundColor))")
-            assert max(map(len, plots)) == 6
-            assert all(len(set(colours)) == len(colours) for colours in plots), plots
-    browser.prefer("light")
-
-
 def test_a_server_of_a_log_that_is_gone_is_told_and_found_again(browser, log):
     with Viewer("replay", log) as first:
         show(browser, first.link)

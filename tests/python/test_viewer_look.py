@@ -53,6 +53,8 @@ def test_after_a_fall_what_is_said_is_a_line_and_more_of_it_when_asked_for(brows
             browser.wait(f"{note}?.textContent.includes('the run has ended')")
             heights = "[...document.querySelectorAll('.note.error, #account')].map(one => one.offsetHeight)"
             assert [height < 48 for height in browser.run(heights)] == [True, True], look
+            cut = "[...document.querySelectorAll('.account-line, .facts')].filter(one => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight + 1)"
+            assert browser.run(f"{cut}.map(one => one.textContent)") == [], look
         browser.press("p")
         browser.wait(f"{note} !== null")
         browser.run(f"{note}.querySelector('button').click()")
@@ -90,8 +92,10 @@ def test_names_of_the_levels_are_whole_and_all_levels_are_seen(browser, live):
         assert browser.run(cut) == [], look
         if "desktop" in look:
             assert browser.run("(() => { const p = document.querySelector('#panels'); return p.scrollHeight - p.clientHeight; })()") <= 0, look
-    heights = browser.run("[...document.querySelectorAll('.level')].map(one => one.offsetHeight)")
+    heights = browser.run("[...document.querySelectorAll('.level:not(.held)')].map(one => one.offsetHeight)")
     assert len(set(heights)) == 1, "whatever a level says"
+    held = "[...document.querySelectorAll('.held .brief')].filter(one => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight + 1).map(one => one.textContent)"
+    assert browser.run(held) == [], "who holds a level back is told whole"
     browser.run("document.querySelector('.level .level-name').click()")
     assert "degrees of freedom to the levels below" in browser.run("document.querySelector('.level.open').innerText")
 
@@ -99,12 +103,63 @@ def test_names_of_the_levels_are_whole_and_all_levels_are_seen(browser, live):
 def test_the_account_agrees_with_the_levels(browser, live):
     show(browser, live.link)
     said = """(() => [document.querySelector('#account').innerText, document.querySelector('#account').dataset.kind,
-      [...document.querySelectorAll('.level .brief')].map(one => one.textContent).filter(text => text.startsWith('held back'))])()"""
+      [...document.querySelectorAll('.level .brief')].map(one => one.textContent).filter(text => /^(held back by|to) /.test(text))])()"""
     for _ in range(10):
         picture = browser.run("surefoot.pictures")
         browser.wait(f"surefoot.pictures > {picture}")
         line, kind, held = browser.run(said)
         assert (kind == "good" and "Every level gets what it asks for" in line) == (held == []), (line, held)
+
+
+def test_what_gives_way_is_told_whole(browser, log):
+    """Whatever the line says, with the longest names of levels that there are."""
+    line = "document.querySelector('.account-line')"
+    with Viewer("replay", log) as replay:
+        show(browser, replay.link)
+        go_to(browser, 400)
+        for look in every_look(browser, "account"):
+            browser.run(f"{line}.textContent = 'contact force minimisation gives way to limb extension limits and joint position limits.'")
+            whole = f"[{line}.scrollWidth <= {line}.clientWidth, {line}.scrollHeight <= {line}.clientHeight + 1, getComputedStyle({line}).textOverflow]"
+            assert browser.run(whole) == [True, True, "clip"], look
+
+
+def test_the_menu_of_overlays_is_whole_and_closes_by_escape_and_by_a_press_elsewhere(browser, live):
+    show(browser, live.link)
+    menu = "document.querySelector('#overlays')"
+    is_open = f"({menu}.checkVisibility() && document.querySelector('#overlays-open').getAttribute('aria-expanded') === 'true')"
+    for width, height in ((1280, 720), (1280, 400), (844, 390), (390, 844)):
+        browser.resize(width, height)
+        browser.wait(f"innerHeight === {height}")
+        browser.click("#overlays-open")
+        browser.wait(is_open)
+        top, bottom, room, all_of_it = browser.run(f"(() => {{ const b = {menu}.getBoundingClientRect(); return [b.top, innerHeight - b.bottom, {menu}.clientHeight, {menu}.scrollHeight]; }})()")
+        assert min(top, bottom) >= 0 and room >= min(all_of_it, 0.5 * height), (width, height)
+        browser.run("document.querySelector('#overlays label:last-of-type').scrollIntoView()")
+        hit = "(() => { const one = [...document.querySelectorAll('#overlays label')].at(-1), b = one.getBoundingClientRect(); return one.contains(document.elementFromPoint(b.x + 30, b.y + b.height / 2)); })()"
+        assert browser.run(hit), (width, height)
+        browser.screenshot(SCREENSHOTS / f"overlays_{width}x{height}.png")
+        browser.press("Escape")
+        assert not browser.run(is_open), "Escape"
+        browser.click("#overlays-open")
+        browser.wait(is_open)
+        browser.click("#title")
+        assert not browser.run(is_open), "a press elsewhere"
+        browser.click("#overlays-open")
+        browser.wait(is_open)
+        browser.click("#overlays-open")
+        assert not browser.run(is_open), "its own button"
+    browser.resize(*SIZES["desktop"])
+
+
+def test_a_panel_opens_at_its_top_and_one_that_was_left_where_it_was(browser, live):
+    show(browser, live.link)
+    browser.click("#tab-tune")
+    scrolled = "document.querySelector('#panels').scrollTop"
+    browser.run(f"{scrolled} = 300")
+    browser.click("#tab-state")
+    assert browser.run(scrolled) == 0
+    browser.click("#tab-tune")
+    assert browser.run(scrolled) == 300
 
 
 def test_meshes_that_are_still_to_come_are_counted(browser, live):

@@ -94,6 +94,7 @@ export class App {
       reset: () => this.reset(),
     });
     this.hierarchy.canReorder = this.commands.allowed;
+    this.hierarchy.fix(session.tasks.filter((task) => task.keeps_physics).map((task) => task.level_name));
     this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
     this.tune.onUndo = () => this.hierarchy.wish.drop();

@@ -64,6 +64,8 @@ export class LiveLink {
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
     this.source.onRestart = () => this.beginAgain();
+    this.source.fetchTicks = (first, ticks) => ask(`/api/frames?from=${first}&count=${ticks}&stride=1`);
+    this.source.onFilled = () => app.refresh();
     this.connection.open();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
@@ -135,7 +137,7 @@ export class LiveLink {
         break;
       case "change":
         tune.changes.hear(message);
-        if (!message.text.startsWith("pull")) app.notes.say(message.text);
+        if (message.kind !== "pull") app.notes.say(message.text, "plain", message.kind === "walk" ? "walk" : undefined);
         this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change" });
         break;
       case "events":
@@ -226,7 +228,7 @@ export class LiveLink {
     const facts: string[] = [];
     if (this.status !== undefined && this.rate > 0) facts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
     const lost = this.dropped + this.skipped;
-    if (lost > 0) facts.push(`${lost} ticks lost on the way`);
+    if (lost > 0) facts.push(`${lost} ticks not sent in time`);
     if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
     return facts;
   }

@@ -73,7 +73,7 @@ test("however many levels give way, to however many rows, the account is one lin
     Array.from({ length: count }, (_, k) => ({ ...level, name: `level_${k}`, blocked: Array.from({ length: 30 }, () => ({ by: 0, row: "b", cost: 1 })) }));
   assert.equal(accountOf(many(1)).line, "level 0 gives way to a level above.");
   assert.equal(accountOf(many(2)).line, "level 0 and level 1 give way.");
-  assert.equal(accountOf(many(3)).line, "3 levels give way: level 0, level 1 and level 2.");
+  assert.equal(accountOf(many(3)).line, "3 levels give way, the first of them level 0.");
   assert.equal(accountOf(many(11)).more.length, 11);
 });
 

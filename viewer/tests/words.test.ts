@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
-import { briefOf, metaOf, timeOf } from "../src/panels/level_card.ts";
+import { briefOf, hindranceOf, metaOf, timeOf } from "../src/panels/level_card.ts";
 import { clockText, nextSpeed, speedText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
@@ -36,10 +36,20 @@ test("the friction that was given and what the controller believes are two thing
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
   const active = [{ name: "LF_KFE", level: 1, state: 1 }, { name: "RF_KFE", level: 1, state: -1 }];
-  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE at its upper bound, and 1 more");
+  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE (upper) +1");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
-  assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "held back by friction cone");
+  assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
+  assert.equal(briefOf({ ...level, status: "minimised", blocked }, [above, level]), "held back by friction cone");
   assert.equal(briefOf({ ...level, status: "met", blocked }, [above, level]), "2 rows", "what is met is not held back");
+});
+
+test("a level that can't be moved says why", () => {
+  const order = ["dynamics", "friction", "com", "torso"];
+  const of = (index: number, steps: number): string => hindranceOf(order, new Set(["dynamics", "friction"]), index, steps);
+  for (const index of [0, 1]) for (const steps of [-1, 1]) assert.match(of(index, steps), /keeps the physics/);
+  assert.equal(of(2, -1), "the level above keeps the physics and stays there");
+  assert.deepEqual([of(2, 1), of(3, -1)], ["", ""]);
+  assert.equal(of(3, 1), "is the lowest");
 });
 
 test("sizes and times are told in words", () => {

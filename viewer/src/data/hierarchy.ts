@@ -84,7 +84,7 @@ export function accountOf(states: LevelState[]): Account {
 
 function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
   const names = yielding.map(plainName);
-  if (yielding.length > 2) return `${yielding.length} levels give way: ${listed(names)}.`;
+  if (yielding.length > 2) return `${yielding.length} levels give way, the first of them ${names[0]}.`;
   if (yielding.length === 2) return `${listed(names)} give way.`;
   const above = [...new Set(yielding[0]?.blocked.map(({ by }) => nameOf(states, by)))];
   return `${names.join()} gives way${above.length === 0 ? "" : ` to ${listed(above)}`}.`;

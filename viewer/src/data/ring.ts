@@ -22,12 +22,22 @@ export class FrameRing {
   }
 
   private nextSegment(schema: Schema, time: number): FrameTable {
-    const oldest = this.segments[0];
-    if (oldest === undefined || time - oldest.last < this.seconds) return new FrameTable(schema, SEGMENT);
-    this.segments.shift();
-    if (oldest.schema.frameFloats !== schema.frameFloats) return new FrameTable(schema, SEGMENT);
-    oldest.reuse(schema);
-    return oldest;
+    let old: FrameTable | undefined;
+    while (this.segments[0] !== undefined && time - this.segments[0].last >= this.seconds) old = this.segments.shift();
+    if (old?.capacity !== SEGMENT || old.schema.frameFloats !== schema.frameFloats) return new FrameTable(schema, SEGMENT);
+    old.reuse(schema);
+    return old;
+  }
+
+  /** Frames that lie between two that are here and follow each other. */
+  insert(frames: FrameTable): void {
+    const at = this.segmentAt(frames.first);
+    const segment = this.segments[at];
+    if (segment === undefined || frames.size === 0 || !(frames.first > this.first)) return;
+    const begin = segment.indexAt(frames.first) + 1;
+    if (begin === segment.size) return void this.segments.splice(at + 1, 0, frames);
+    const isNewest = at === this.segments.length - 1;
+    this.segments.splice(at, 1, segment.part(0, begin), frames, segment.part(begin, segment.size, isNewest ? SEGMENT : undefined));
   }
 
   clear(): void {

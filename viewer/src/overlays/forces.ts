@@ -30,7 +30,7 @@ export class GroundForces implements Overlay {
       if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
       const newtons = this.force.length();
       if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color))
-        labels.put(this.arrows.tip, `${newtons.toFixed(0)} N`, `leg${k}`);
+        labels.put(this.arrows.tip, `|f| ${newtons.toFixed(0)} N`, `leg${k}`);
     });
     this.arrows.end();
   }

@@ -9,13 +9,12 @@ export class AccountView {
   private readonly list = h("ul", { id: "account-more", hidden: true });
 
   constructor() {
-    this.root = h("div", { class: "account", id: "account" }, this.line, this.button, this.list);
+    this.root = h("div", { class: "account", id: "account" }, this.button, this.line, this.list);
   }
 
   show({ kind, line, more }: Account): void {
     this.root.dataset["kind"] = kind;
     say(this.line, line);
-    this.line.title = line;
     this.button.hidden = more.length === 0;
     this.list.hidden = this.button.hidden || this.button.getAttribute("aria-expanded") !== "true";
     while (this.list.children.length > more.length) this.list.lastElementChild?.remove();

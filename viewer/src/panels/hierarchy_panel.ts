@@ -16,6 +16,7 @@ export class HierarchyPanel {
   private cards: LevelCard[] = [];
   private names = "";
   private reordering = false;
+  private physics: ReadonlySet<string> = new Set();
   /** The order that the program had last, and what was asked of it since. */
   newest: string[] = [];
   readonly wish = new Wish<string[]>();
@@ -37,7 +38,13 @@ export class HierarchyPanel {
     if (this.reordering === can) return;
     this.reordering = can;
     this.list.classList.toggle("movable", can);
-    for (const card of this.cards) card.root.draggable = can;
+    this.letDrag();
+  }
+
+  /** Levels that keep the physics: they have a place that nobody changes. */
+  fix(names: string[]): void {
+    this.physics = new Set(names);
+    this.names = "";
   }
 
   show(frame: Frame): void {
@@ -52,9 +59,14 @@ export class HierarchyPanel {
 
   private build(states: LevelState[], names: string): void {
     this.names = names;
-    this.cards = states.map((state, k) => new LevelCard(state.name, k, states.length, (name, steps) => this.move(name, steps), (name, at) => this.moveTo(name, at)));
-    for (const card of this.cards) card.root.draggable = this.reordering;
+    const order = states.map(({ name }) => name);
+    this.cards = order.map((name, k) => new LevelCard(name, k, order, this.physics, (one, steps) => this.move(one, steps), (one, at) => this.moveTo(one, at)));
+    this.letDrag();
     this.list.replaceChildren(...this.cards.map((card) => card.root));
+  }
+
+  private letDrag(): void {
+    for (const card of this.cards) card.root.draggable = this.reordering && card.canMove;
   }
 
   private get order(): string[] {

@@ -17,19 +17,25 @@ export class LevelCard {
   private readonly blocked = h("p", { class: "blocked" });
   private readonly meta = h("p", { class: "meta" });
   private readonly opener: HTMLButtonElement;
+  readonly canMove: boolean;
 
+  /** `order`: of all levels; `physics`: those of them that keep the physics, and so their place. */
   constructor(
     name: string,
     index: number,
-    count: number,
+    order: string[],
+    physics: ReadonlySet<string>,
     move: (name: string, steps: number) => void,
     moveTo: (name: string, place: string) => void,
   ) {
-    const button = (text: string, steps: number, label: string): HTMLButtonElement =>
-      h("button", {
-        class: "small", "aria-label": `${plain(name)}: ${label}`, title: label,
-        disabled: index + steps < 0 || index + steps >= count, onclick: () => move(name, steps),
+    const button = (text: string, steps: number, label: string): HTMLButtonElement => {
+      const hindrance = hindranceOf(order, physics, index, steps);
+      return h("button", {
+        class: "small", "aria-label": `${plain(name)}: ${label}${hindrance === "" ? "" : ` (${hindrance})`}`, title: hindrance || label,
+        disabled: hindrance !== "", onclick: () => move(name, steps),
       }, text);
+    };
+    this.canMove = !physics.has(name);
     const title = `${index + 1} ${plain(name)}`;
     this.opener = h("button", { class: "level-name", title: plain(name), "aria-expanded": "false", onclick: () => this.open() }, title);
     this.root = h("li", { class: "level", "data-level": name },
@@ -38,7 +44,7 @@ export class LevelCard {
       this.rows, this.blocked, this.meta,
       h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
     );
-    this.drag(name, moveTo);
+    if (this.canMove) this.drag(name, moveTo);
   }
 
   private open(): void {
@@ -62,16 +68,26 @@ export class LevelCard {
   show(state: LevelState, all: LevelState[]): void {
     const kind = state.status.replaceAll(" ", "-");
     if (this.root.dataset["status"] !== kind) this.root.dataset["status"] = kind;
+    this.root.classList.toggle("held", blockers(state).length > 0);
     say(this.sign, SIGNS[state.status]);
     say(this.status, state.status);
     say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
     say(this.brief, briefOf(state, all));
+    if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));
     say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
       `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
+}
+
+/** Why a level can't be moved by so many places; "": it can. */
+export function hindranceOf(order: string[], physics: ReadonlySet<string>, index: number, steps: number): string {
+  const other = order[index + steps];
+  if (physics.has(order[index] as string)) return "keeps the physics: stays above the levels that can be moved";
+  if (other === undefined) return steps < 0 ? "is the highest" : "is the lowest";
+  return physics.has(other) ? "the level above keeps the physics and stays there" : "";
 }
 
 /** What holds a level back that wants more than it gets. */
@@ -83,8 +99,8 @@ function blockers({ status, blocked }: LevelState): LevelState["blocked"] {
 export function briefOf(state: LevelState, all: LevelState[]): string {
   const [first] = state.active;
   const above = [...new Set(blockers(state).map(({ by }) => nameOf(all, by)))];
-  if (above.length > 0) return `held back by ${above.join(", ")}`;
-  if (first !== undefined) return `${first.name} ${words(first.state)}${state.active.length > 1 ? `, and ${state.active.length - 1} more` : ""}`;
+  if (above.length > 0) return `${state.status === "gives way" ? "to" : "held back by"} ${above.join(", ")}`;
+  if (first !== undefined) return `${first.name} ${sideOf(first.state)}${state.active.length > 1 ? ` +${state.active.length - 1}` : ""}`;
   return state.rows === 0 ? "" : counted(state.rows, "row");
 }
 
@@ -97,6 +113,10 @@ export function timeOf({ rows, time }: Pick<LevelState, "rows" | "time">): strin
 /** Size of a level, and what it leaves. */
 export function metaOf({ rows, freedom, iterations }: LevelState): string {
   return `${counted(rows, "row")} · leaves ${counted(freedom, "degree")} of freedom to the levels below · ${counted(iterations, "iteration")}`;
+}
+
+function sideOf(bound: number): string {
+  return bound <= -3 ? "(below it)" : bound >= 3 ? "(above it)" : bound < 0 ? "(lower)" : "(upper)";
 }
 
 function words(bound: number): string {

@@ -12,11 +12,12 @@ export class Notes {
   private readonly dismissed = new Map<string, string>();
   private short: Note[] = [];
 
-  /** What is said again while it still stands there is counted. */
-  say(text: string, kind: Kind = "plain"): void {
-    let note = this.short.find((one) => one.text === text && one.kind === kind);
+  /** What is said again while it still stands there is counted; what is news of the same `topic` takes its place. */
+  say(text: string, kind: Kind = "plain", topic?: string): void {
+    let note = this.short.find((one) => one.kind === kind && (one.text === text || (topic !== undefined && one.topic === topic)));
     if (note === undefined) this.short.push((note = new Note(kind)));
-    else note.count();
+    else if (note.text === text) note.count();
+    note.topic = topic;
     this.root.append(note.root);
     note.show(text);
     const said = note;
@@ -58,6 +59,7 @@ export class Notes {
 class Note {
   readonly root: HTMLElement;
   text = "";
+  topic: string | undefined;
   private readonly words = h("span", { class: "note-text" });
   private readonly times = h("b", { class: "times", hidden: true });
   private readonly more = h("button", { class: "small", "aria-expanded": "false", onclick: () => this.open() }, "more");
@@ -74,6 +76,8 @@ class Note {
   show(text: string): void {
     if (this.text === text) return;
     this.text = text;
+    this.said = 1;
+    this.times.hidden = true;
     say(this.words, text);
     this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
   }

@@ -13,10 +13,12 @@ export class OverlayMenu {
   constructor(private readonly world: World) {
     const menu = part("overlays");
     const open = part<HTMLButtonElement>("overlays-open");
-    open.addEventListener("click", () => {
-      menu.hidden = !menu.hidden;
-      open.setAttribute("aria-expanded", String(!menu.hidden));
+    // Over all of the page, so that a low picture cuts nothing off.
+    menu.addEventListener("beforetoggle", () => {
+      menu.style.left = `${part("view").getBoundingClientRect().left + 8}px`;
+      menu.style.setProperty("--top", `${open.getBoundingClientRect().bottom + 6}px`);
     });
+    menu.addEventListener("toggle", (event) => open.setAttribute("aria-expanded", String(event.newState === "open")));
     world.overlays.switches.forEach(({ id, name, about, on }, k) => {
       const box = h("input", { type: "checkbox", checked: on, "data-overlay": id, onchange: () => this.toggle(id) });
       this.boxes.set(id, box);

@@ -1,50 +1,100 @@
 import uPlot from "uplot";
+import { legIn, namesOf, partsOf, unitOf } from "../data/channel_names.ts";
 import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
 import { digits } from "../data/numbers.ts";
 import { h, say } from "./dom.ts";
+import { stylesOf, type LineStyle } from "./line_styles.ts";
 
-/** Colours of a plot's lines, in turn; as the report's. */
-export const LINES = ["--c0", "--c1", "--c2", "--c3", "--c5", "--soft"];
+/** Of more lines than these the legend has no numbers: there is no room for them. */
+const MOST_NUMBERS = 6;
+
+interface Line {
+  series: Series;
+  style: LineStyle;
+  shown: boolean;
+  unit: string;
+  value: HTMLElement;
+}
 
 /** Some channels over time, with the time of the picture as a line. */
 export class Plot {
   readonly root: HTMLElement;
   onSeek: (time: number) => void = () => {};
   onZoom: (factor: number, about: number) => void = () => {};
+  onRemove: () => void = () => {};
+  /** More lines are to be added here. */
+  onMore: () => void = () => {};
+  /** It has to be drawn anew. */
+  onBuilt: () => void = () => {};
   private chart: uPlot | undefined;
-  private readonly legend = h("span", { class: "legend" });
-  private readonly values: HTMLElement[] = [];
+  private readonly heading = h("span", { class: "plot-title" });
+  private readonly legend = h("div", { class: "legend" });
+  private readonly frame = h("div", { class: "chart" });
+  private readonly size = new ResizeObserver(() => this.resize());
+  private lines: Line[] = [];
   private time = NaN;
 
-  constructor(
-    readonly title: string,
-    readonly series: Series[],
-    private readonly schema: Schema,
-    onRemove: () => void,
-  ) {
+  /** `title`: of these lines; without one it is what their names have in common. */
+  constructor(series: Series[], private readonly schema: Schema, title?: string) {
     this.root = h("figure", { class: "plot" },
-      h("figcaption", {}, h("span", { class: "plot-title" }, title), this.legend,
-        h("button", { class: "small", "aria-label": `remove the plot ${title}`, title: "remove", onclick: onRemove }, "×")),
-      h("div", { class: "chart" }));
-    series.forEach((one, k) => {
-      const value = h("output", {});
-      const swatch = h("i", {});
-      swatch.style.background = `var(${LINES[k % LINES.length] as string})`;
-      this.values.push(value);
-      this.legend.append(h("span", {}, swatch, this.shortLabel(one), " ", value));
-    });
+      h("figcaption", {}, this.heading,
+        h("button", { class: "small more-lines", "aria-label": "add lines to this plot", title: "add lines", onclick: () => this.onMore() }, "+"),
+        h("button", { class: "small remove", "aria-label": "remove this plot", title: "remove", onclick: () => this.onRemove() }, "×")),
+      this.legend, this.frame);
+    this.setSeries(series, title);
+    this.size.observe(this.frame);
+  }
+
+  get series(): Series[] {
+    return this.lines.map(({ series }) => series);
+  }
+
+  /** What it shows from now on; lines that are hidden stay so. */
+  setSeries(series: Series[], title?: string): void {
+    const hidden = this.lines.filter(({ shown }) => !shown).map((line) => line.series);
+    const names = namesOf(series, this.schema);
+    const unit = unitOf(series, this.schema);
+    const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
+    say(this.heading, `${title ?? names.title}${unit ? ` [${unit}]` : ""}`);
+    this.heading.title = this.heading.textContent ?? "";
+    this.lines = series.map((one, k) => ({
+      series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", {}),
+      unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
+    }));
+    this.root.classList.toggle("crowded", series.length > MOST_NUMBERS);
+    this.legend.replaceChildren(...this.lines.map((line, k) => this.entry(line, names.labels[k] as string)));
+    if (this.chart !== undefined) this.build();
+  }
+
+  /** A line's sign, name and number; a press hides the line or shows it again. */
+  private entry(line: Line, label: string): HTMLElement {
+    const toggle = (): void => {
+      line.shown = !line.shown;
+      entry.setAttribute("aria-pressed", String(line.shown));
+      this.build();
+    };
+    const name = [label, line.unit === "" ? "" : `[${line.unit}]`].filter((text) => text !== "").join(" ");
+    const full = partsOf(line.series, this.schema).join(".");
+    const entry = h("button", { class: "line", "aria-pressed": String(line.shown), title: `${full}: hide or show`, onclick: toggle }, sample(line.style), name, line.value);
+    return entry;
+  }
+
+  private get shown(): Line[] {
+    return this.lines.filter(({ shown }) => shown);
+  }
+
+  remove(): void {
+    this.size.disconnect();
+    this.chart?.destroy();
+    this.root.remove();
   }
 
   clear(): void {
-    this.chart?.setData([[], ...this.series.map(() => [])] as unknown as uPlot.AlignedData);
-    for (const value of this.values) say(value, "");
-  }
-
-  private get frame(): HTMLElement {
-    return this.root.lastElementChild as HTMLElement;
+    this.chart?.setData([[], ...this.shown.map(() => [])] as unknown as uPlot.AlignedData);
+    for (const { value } of this.lines) say(value, "");
   }
 
   build(): void {
@@ -54,24 +104,16 @@ export class Plot {
     const colour = (name: string): string => style.getPropertyValue(name).trim();
     const axis = { stroke: colour("--soft"), grid: { stroke: colour("--grid"), width: 1 }, ticks: { show: false }, font: "11px system-ui" };
     this.chart = new uPlot({
-      width: Math.max(width, 120), height: Math.max(height, 80),
+      width: Math.max(width, 120), height: Math.max(height, 60),
       cursor: { sync: { key: "surefoot" }, drag: { setScale: false, x: false, y: false }, points: { size: 5 } },
       scales: { x: { time: false, range: (_u, low, high) => [low, high] } },
       axes: [{ ...axis, size: 22, gap: 2, values: (_u, marks) => marks.map((t) => `${+t.toFixed(3)} s`) },
-             { ...axis, size: 52, gap: 3, values: (_u, marks) => marks.map((y) => `${+y.toPrecision(4)}`) }],
+             { ...axis, size: 52, gap: 3, space: 22, values: (_u, marks) => marks.map((y) => `${+y.toPrecision(4)}`) }],
       legend: { show: false },
-      series: [{}, ...this.series.map((_, k) => ({ stroke: colour(LINES[k % LINES.length] as string), width: 1.4, points: { show: false } }))],
+      series: [{}, ...this.shown.map(({ style: line }) => ({ stroke: colour(line.colour), dash: line.dash, width: 1.4, points: { show: false } }))],
       hooks: { draw: [(u) => this.drawTime(u, colour("--ink"))], ready: [(u) => this.listen(u)] },
-    }, [[], ...this.series.map(() => [])] as unknown as uPlot.AlignedData, this.frame);
-  }
-
-  /** What tells a line from the others: its component, or the part of the name in which they differ. */
-  private shortLabel(one: Series): string {
-    const parts = this.series.map(({ channel }) => channel.split("."));
-    const differs = parts[0]?.findIndex((part, i) => parts.some((other) => other[i] !== part)) ?? -1;
-    if (differs >= 0) return one.channel.split(".")[differs] ?? one.channel;
-    const info = this.schema.channel(one.channel);
-    return info?.labels?.[one.index] ?? (info?.size === 1 ? "" : String(one.index));
+    }, [[], ...this.shown.map(() => [])] as unknown as uPlot.AlignedData, this.frame);
+    this.onBuilt();
   }
 
   private listen(u: uPlot): void {
@@ -100,6 +142,7 @@ export class Plot {
     u.ctx.save();
     u.ctx.strokeStyle = colour;
     u.ctx.lineWidth = devicePixelRatio;
+    u.ctx.setLineDash([]);
     u.ctx.beginPath();
     u.ctx.moveTo(x, u.bbox.top);
     u.ctx.lineTo(x, u.bbox.top + u.bbox.height);
@@ -111,8 +154,9 @@ export class Plot {
   draw(source: FrameSource, from: number, to: number, time: number): void {
     if (this.chart === undefined) this.build();
     const chart = this.chart as uPlot;
-    const envelope = new Envelope(from, to, Math.max(50, Math.floor(chart.width / 2)), this.series.length);
-    source.fill(envelope, this.series);
+    const series = this.shown.map((line) => line.series);
+    const envelope = new Envelope(from, to, Math.max(50, Math.floor(chart.width / 2)), series.length);
+    source.fill(envelope, series);
     this.time = time;
     chart.batch(() => {
       chart.setData(envelope.columns() as unknown as uPlot.AlignedData, false);
@@ -124,11 +168,25 @@ export class Plot {
 
   /** The numbers of this frame, beside the lines' names. */
   tell(frame: Frame): void {
-    this.series.forEach(({ channel, index }, k) => say(this.values[k] as HTMLElement, digits(scalar(frame, channel, index))));
+    for (const { series, value } of this.lines) say(value, digits(scalar(frame, series.channel, series.index)));
   }
 
-  resize(): void {
+  private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.frame;
     if (width > 0 && height > 0) this.chart?.setSize({ width, height });
   }
+}
+
+/** A piece of the line, for the legend. */
+function sample({ colour, dash }: LineStyle): SVGElement {
+  const element = (name: string, attributes: Record<string, string>): SVGElement => {
+    const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    return made;
+  };
+  const line = element("path", { d: "M0 4H18", "stroke-width": "2.4", "stroke-dasharray": dash.join(" ") || "none" });
+  line.style.stroke = `var(${colour})`;
+  const picture = element("svg", { class: "sample", viewBox: "0 0 18 8", "aria-hidden": "true" });
+  picture.append(line);
+  return picture;
 }

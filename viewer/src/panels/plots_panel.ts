@@ -3,22 +3,48 @@ import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
 import { LEGS } from "../data/schema.ts";
 import type { Series } from "../data/source.ts";
+import { choicesOf, type Choice } from "../data/channel_names.ts";
+import type { ChannelInfo } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
+import { MOST_LINES } from "./line_styles.ts";
 import { Plot } from "./plot.ts";
 
 /** Plots are drawn anew this often while time goes on [s]. */
 const PERIOD = 0.1;
 const LIVE_SPAN = 10;
 const LONGEST_LIST = 60;
-/** More lines than this can't be told apart. */
-const MOST_LINES = 6;
+/** Of a channel with more components no single ones are offered until one looks for them. */
+const MOST_CHOICES = 40;
+const SEARCH = "plot a channel …";
+
+/** A channel as it was searched for: what of it is offered beside all of it, and whether only that was meant. */
+interface Match {
+  channel: ChannelInfo;
+  choices: Choice[];
+  isPart: boolean;
+}
+
+/** The channels, or components of one, whose names and descriptions have every word of what was typed. */
+export function search(schema: Schema, typed: string): Match[] {
+  const words = typed.toLowerCase().split(/\s+/);
+  const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
+  return schema.channels.flatMap((channel): Match[] => {
+    const text = `${channel.about} ${channel.unit}`;
+    const choices = choicesOf(channel, schema);
+    if (holds(`${channel.name} ${text}`)) return [{ channel, choices: choices.length > MOST_CHOICES ? [] : choices, isPart: false }];
+    const some = choices.filter(({ name }) => holds(`${channel.name}.${name} ${text}`));
+    return some.length > 0 ? [{ channel, choices: some.slice(0, MOST_CHOICES), isPart: true }] : [];
+  });
+}
 
 /** Plots of any channel, all over the same stretch of time. */
 export class PlotsPanel {
   private readonly plots: Plot[] = [];
   private readonly row = h("div", { class: "plot-row" });
   private readonly search: HTMLInputElement;
-  private readonly found = h("ul", { class: "found popover", role: "listbox", hidden: true });
+  private readonly found = h("ul", { class: "found popover", "aria-label": "channels", hidden: true });
+  /** The plot to which lines are added while the list is open; none: what is chosen next gets a plot of its own. */
+  private target: Plot | undefined;
   private readonly spanSelect: HTMLSelectElement;
   private schema: Schema;
   /** Width of what is shown [s]; 0: all of a log. */
@@ -35,7 +61,7 @@ export class PlotsPanel {
     this.schema = schema;
     this.span = player.live ? LIVE_SPAN : 0;
     this.search = h("input", {
-      type: "search", id: "channel-search", placeholder: "plot a channel …", "aria-label": "search a channel to plot",
+      type: "search", id: "channel-search", placeholder: SEARCH, "aria-label": "search a channel to plot",
       oninput: () => this.list(), onfocus: () => this.list(), autocomplete: "off",
     });
     this.spanSelect = h("select", { "aria-label": "time shown in the plots", id: "span", onchange: () => this.setSpan(Number(this.spanSelect.value)) });
@@ -43,63 +69,95 @@ export class PlotsPanel {
       this.spanSelect.append(h("option", { value: seconds }, text));
     this.spanSelect.value = String(this.span);
     this.search.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") this.found.hidden = true;
-      if (event.key === "Enter") this.found.querySelector("button")?.click();
+      if (event.key === "Enter") this.found.querySelector<HTMLElement>(".best")?.click();
+    });
+    root.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.closeList();
     });
     document.addEventListener("pointerdown", (event) => {
-      if (!root.contains(event.target as Node)) this.found.hidden = true;
+      if (!root.contains(event.target as Node)) this.closeList();
     });
     root.append(h("div", { class: "plot-tools" }, this.search, this.spanSelect, this.progress, this.found), this.row);
-    new ResizeObserver(() => this.plots.forEach((plot) => plot.resize())).observe(this.row);
     this.addFirst();
   }
 
   private addFirst(): void {
-    this.add("normal forces", LEGS.map((leg) => ({ channel: `truth.feet.${leg}.force`, index: 2 })));
-    this.add("base velocity", [0, 1, 2].map((index) => ({ channel: "state.v_WB", index })));
+    this.add(LEGS.map((leg) => ({ channel: `truth.feet.${leg}.force`, index: 2 })), "vertical foot forces");
+    this.add([0, 1, 2].map((index) => ({ channel: "state.v_WB", index })), "velocity, believed");
   }
 
-  add(title: string, series: Series[]): void {
+  private add(series: Series[], title?: string): Plot | undefined {
     const known = series.filter(({ channel }) => this.schema.offset(channel) >= 0);
-    if (known.length === 0) return;
-    const plot: Plot = new Plot(this.titleOf(title, known), known, this.schema, () => this.remove(plot));
+    if (known.length === 0) return undefined;
+    const plot = new Plot(known, this.schema, title);
     plot.onSeek = (time) => this.player.seek(time);
     plot.onZoom = (factor, about) => this.zoom(factor, about);
+    plot.onRemove = () => this.remove(plot);
+    plot.onMore = () => this.addTo(plot);
+    plot.onBuilt = () => this.refresh();
     this.plots.push(plot);
     this.row.append(plot.root);
-    this.since = Infinity;
-  }
-
-  private titleOf(title: string, series: Series[]): string {
-    const unit = this.schema.channel((series[0] as Series).channel)?.unit ?? "";
-    return unit === "" ? title : `${title} [${unit}]`;
+    this.refresh();
+    return plot;
   }
 
   private remove(plot: Plot): void {
+    if (plot === this.target) this.closeList();
     this.plots.splice(this.plots.indexOf(plot), 1);
-    plot.root.remove();
+    plot.remove();
   }
 
-  /** The channels that hold every word of what was typed. */
+  /** What is chosen from now on comes into this plot. */
+  private addTo(plot: Plot | undefined): void {
+    this.target?.root.classList.remove("target");
+    this.target = plot;
+    plot?.root.classList.add("target");
+    this.search.placeholder = plot === undefined ? SEARCH : "add to the framed plot …";
+    if (plot !== undefined) this.search.focus();
+  }
+
+  private closeList(): void {
+    this.found.hidden = true;
+    this.addTo(undefined);
+  }
+
   private list(): void {
-    const words = this.search.value.toLowerCase().split(/\s+/);
-    const matching = this.schema.channels.filter((channel) => {
-      const text = `${channel.name} ${channel.about} ${channel.unit}`.toLowerCase();
-      return words.every((part) => text.includes(part));
-    });
-    this.found.replaceChildren(...matching.slice(0, LONGEST_LIST).map((channel) =>
-      h("li", {},
-        h("button", { onclick: () => this.choose(channel.name, channel.size) },
-          h("b", {}, channel.name), ` ${channel.unit === "" ? "" : `[${channel.unit}] `}`, h("span", { class: "soft" }, channel.about)))));
+    const matching = search(this.schema, this.search.value);
+    this.found.replaceChildren(...matching.slice(0, LONGEST_LIST).map((match, k) => this.item(match, k === 0)));
     if (matching.length > LONGEST_LIST) this.found.append(h("li", { class: "soft" }, `and ${matching.length - LONGEST_LIST} more`));
     if (matching.length === 0) this.found.append(h("li", { class: "soft" }, "no channel is called so"));
     this.found.hidden = false;
   }
 
-  private choose(name: string, size: number): void {
-    for (let begin = 0; begin < size; begin += MOST_LINES)
-      this.add(name, Array.from({ length: Math.min(MOST_LINES, size - begin) }, (_, k) => ({ channel: name, index: begin + k })));
-    this.found.hidden = true;
+  /** A channel, and below it what of it can be chosen; `first`: of it the return key takes the best. */
+  private item({ channel, choices, isPart }: Match, first: boolean): HTMLElement {
+    const { name, unit, about, size } = channel;
+    const all = Array.from({ length: size }, (_, index) => ({ channel: name, index }));
+    const chips = choices.map((choice, k) =>
+      h("button", { class: first && isPart && k === 0 ? "chip best" : "chip", onclick: () => this.choose(choice.series) }, choice.name));
+    return h("li", {},
+      h("button", { class: first && !isPart ? "channel best" : "channel", onclick: () => this.chooseAll(all) },
+        h("b", {}, name), ` ${unit === "" ? "" : `[${unit}] `}`, h("span", { class: "soft" }, about)),
+      chips.length > 0 && h("div", { class: "chips" }, ...chips));
+  }
+
+  /** Into the plot that is added to, or one that is from now on; the list stays for more. */
+  private choose(series: Series[]): void {
+    const { target } = this;
+    const has = (one: Series): boolean => target?.series.some(({ channel, index }) => channel === one.channel && index === one.index) ?? false;
+    const more = series.filter((one) => !has(one));
+    if (target === undefined) this.addTo(this.add(series));
+    else if (more.length > 0 && target.series.length + more.length <= MOST_LINES) target.setSeries([...target.series, ...more]);
+    this.target?.root.scrollIntoView({ block: "nearest", inline: "nearest" });
+    this.refresh();
+  }
+
+  private chooseAll(series: Series[]): void {
+    for (let begin = 0; begin < series.length; begin += MOST_LINES) {
+      if (begin > 0) this.addTo(undefined);
+      this.choose(series.slice(begin, begin + MOST_LINES));
+    }
+    this.closeList();
     this.search.value = "";
   }
 

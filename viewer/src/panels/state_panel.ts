@@ -6,7 +6,30 @@ import { digits } from "../data/numbers.ts";
 import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
-const PHASES: Record<string, string> = { stance: "stands", unloading: "unloads", swing: "swings", search: "searches for ground" };
+/** What a leg is to do: where its foot does so, and where it is to carry and is in the air. */
+const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
+  stance: ["stands", "should stand, is in the air"],
+  unloading: ["unloads", "should unload, is in the air"],
+  swing: ["swings", "swings"],
+  search: ["searches for ground", "searches for ground"],
+};
+
+/** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
+function footText(frame: Frame, leg: string, k: number): string {
+  const [asPlanned, inTheAir] = PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"];
+  const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
+  if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
+  if (touching === 0) return `${leg} ${inTheAir}`;
+  const force = [0, 0, 0];
+  const size = read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
+  return `${leg} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${size}`;
+}
+
+/** Velocity of the base in the plane. */
+function speedText(frame: Frame, topic: string): string {
+  const v = [0, 0];
+  return read(frame, `${topic}.v_WB`, v) ? `${digits(Math.hypot(...v))} m/s` : "";
+}
 
 /** Position and heading of a base in words; "" where they aren't known. */
 function whereabouts(frame: Frame, topic: string): string {
@@ -37,19 +60,16 @@ function hierarchyText({ line, more }: Account): string {
 
 /** The state in sentences: what a picture shows to those who see it. */
 export function sentences(frame: Frame): [string, string][] {
-  const legs = LEGS.map((leg) => {
-    const force = scalar(frame, `truth.feet.${leg}.force`, 2);
-    const load = Number.isNaN(force) ? "" : ` with ${digits(force)} N`;
-    return `${leg} ${PHASES[word(frame, `plan.feet.${leg}.phase`)] ?? "is not known"}${load}`;
-  });
-  const speed = [scalar(frame, "state.v_WB", 0), scalar(frame, "state.v_WB", 1)];
+  const legs = LEGS.map((leg, k) => footText(frame, leg, k));
+  const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${frame.time.toFixed(4)} s, tick ${frame.tick}`],
-    ["Feet", legs.join(", ")],
+    ["Feet", legs.join("; ")],
     ["Friction used", frictionUse(frame)],
-    ["Base", whereabouts(frame, "truth") || whereabouts(frame, "state")],
+    [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
-    ["Velocity", `${digits(Math.hypot(...speed))} m/s`],
+    ["Velocity, true", speedText(frame, "truth")],
+    ["Velocity, believed", speedText(frame, "state")],
     ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
     ["Hierarchy", hierarchyText(accountOf(levelStates(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");

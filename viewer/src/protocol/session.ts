@@ -41,6 +41,8 @@ export interface TaskInfo {
   level: number;
   level_name: string;
   task: string;
+  /** Its level does, and stands above all that can be moved. */
+  keeps_physics: boolean;
   numbers: TaskNumber[];
   /** What it was given besides numbers, e.g. axes: gravity. */
   choices: Record<string, string>;

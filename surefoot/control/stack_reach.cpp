@@ -1,0 +1,63 @@
+#include "surefoot/control/stack_reach.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+constexpr int kAngles = 3600;  // of the knee, all around: the longest leg is found to 1e-6 of it
+
+/// The greatest distance of hip and foot, which only the knee changes, whatever its limits are.
+double leg_length(const RobotModel& model, Leg leg) {
+  double longest = 0.0;
+  for (int i = 0; i < kAngles; ++i) {
+    const Vec3 q(0.0, 0.0, 2.0 * kPi * i / kAngles);
+    longest = std::max(longest, (model.foot_in_base(leg, q) - model.hip_in_base(leg, q)).norm());
+  }
+  return longest;
+}
+
+void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach) {
+  for (const auto& [name, value] : task.numbers) {
+    const double greatest = reach.greatest(task.task, name);
+    if (value <= greatest) continue;
+    std::ostringstream message;
+    message.precision(4);
+    message << (level.name == task.task ? "" : level.name + ", ") << task.task << ": " << name
+            << " is " << value << ", but this robot reaches only " << greatest
+            << " m; valid is a number up to that";
+    throw Error(message.str());
+  }
+}
+
+}  // namespace
+
+double StackReach::greatest(std::string_view task, std::string_view number) const {
+  const bool is_bound = number == "min" || number == "max";
+  if (is_bound && task == "limb_extension_limits") return leg;
+  if (is_bound && task == "body_height_limits") return base;
+  return std::numeric_limits<double>::infinity();
+}
+
+StackReach reach_of(const RobotModel& model) {
+  StackReach reach{.leg = 0.0, .base = 0.0};
+  for (const Leg leg : kLegs) {
+    const double length = leg_length(model, leg);
+    reach.leg = std::max(reach.leg, length);
+    reach.base = std::max(reach.base, length + model.hip_in_base(leg, Vec3::Zero()).norm());
+  }
+  return reach;
+}
+
+void check_reach(const StackOptions& stack, const StackReach& reach) {
+  for (const LevelSpec& level : stack.levels) {
+    for (const TaskSpec& task : level.tasks) check(level, task, reach);
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,124 @@
+"""The plots of the viewer's page: any channel and any part of one, each plot whole, lines that can be told apart, and no holes where the program has the ticks."""
+
+import pytest
+
+from browser import wait_for
+from viewer import Viewer
+from viewer_page import SCREENSHOTS, WALK, show
+
+# Plots of which something is not to be seen, or whose × can't be pressed, once it is scrolled to.
+CUT = """[...document.querySelectorAll('.plot')].filter(plot => {
+  const figure = plot.getBoundingClientRect(), canvas = plot.querySelector('canvas').getBoundingClientRect();
+  plot.scrollIntoView({ inline: 'nearest', block: 'nearest' });
+  const close = plot.querySelector('figcaption button:last-child'), box = close.getBoundingClientRect();
+  return canvas.right > figure.right + 1 || document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2) !== close;
+}).map(plot => plot.querySelector('.plot-title').textContent)"""
+TITLES = "[...document.querySelectorAll('.plot-title')].map(one => one.textContent)"
+# Of the newest plot: name of each line, and how it is drawn.
+LINES = """[...[...document.querySelectorAll('.plot')].at(-1).querySelectorAll('.legend .line')].map(one => {
+  const path = one.querySelector('path');
+  return [one.innerText.trim().split(/\\s/)[0], getComputedStyle(path).stroke, path.getAttribute('stroke-dasharray')];
+})"""
+
+
+@pytest.fixture
+def replayed(browser, log):
+    with Viewer("replay", log) as viewer:
+        show(browser, viewer.link)
+        browser.wait("document.querySelectorAll('.plot canvas').length === 2")
+        yield browser
+    browser.resize(1280, 720)
+    browser.prefer("light")
+
+
+def type_in_search(browser, text):
+    browser.run("(() => { const field = document.querySelector('#channel-search'); field.focus(); field.value = ''; })()")
+    browser.call("Input.insertText", text=text)
+    browser.wait("!document.querySelector('.found').hidden")
+
+
+def plot(browser, text):
+    count = browser.run("document.querySelectorAll('.plot').length")
+    type_in_search(browser, text)
+    browser.press("Enter", text="\r")
+    browser.wait(f"document.querySelectorAll('.plot').length === {count + 1}")
+    browser.press("Escape")
+
+
+def test_every_plot_is_whole_and_can_be_closed_however_many_there_are(replayed):
+    for text in ("com.zmp", "readings.gyro", "truth.v_WCom"):
+        plot(replayed, text)
+        assert replayed.run("(() => { const row = document.querySelector('.plot-row'); return row.scrollLeft + row.clientWidth >= row.scrollWidth - 1; })()"), "the newest is in sight"
+        for width, height in ((1280, 720), (1000, 720), (390, 844)):
+            replayed.resize(width, height, mobile=width < 500)
+            replayed.wait(f"innerWidth === {width}")
+            wait_for(lambda: replayed.run(CUT) == [], f"whole plots at {width} × {height}")
+        replayed.resize(1280, 720)
+    for _ in range(5):
+        replayed.run("document.querySelector('.plot figcaption button:last-child').click()")
+    assert replayed.run(TITLES) == []
+
+
+def test_a_single_joint_can_be_plotted_and_others_beside_it(replayed):
+    plot(replayed, "command.torque.LF_KFE")
+    assert replayed.run(TITLES)[-1] == "command.torque.LF_KFE [N·m]"
+    assert len(replayed.run(LINES)) == 1
+    replayed.run("[...document.querySelectorAll('.plot .more-lines')].at(-1).click()")
+    type_in_search(replayed, "readings.torque")
+    for name in ("LF_KFE", "RH_HFE"):
+        replayed.run(f"[...document.querySelectorAll('.found .chip')].find(one => one.textContent === '{name}').click()")
+    replayed.press("Escape")
+    assert replayed.run(TITLES)[2:] == ["several channels [N·m]"], "one plot of all three"
+    lines = replayed.run(LINES)
+    assert [name for name, *_ in lines] == ["command.torque.LF_KFE", "readings.torque.LF_KFE", "readings.torque.RH_HFE"]
+    assert len({tuple(style) for _, *style in lines}) == 3
+    plot(replayed, "state.v_WB")
+    assert len(replayed.run(TITLES)) == 4, "what is chosen later is a plot of its own"
+
+
+def test_a_line_is_hidden_and_shown_again_by_a_press_on_its_name(replayed):
+    replayed.run("document.querySelector('.legend .line').click()")
+    assert replayed.run("document.querySelector('.legend .line').getAttribute('aria-pressed')") == "false"
+    replayed.run("document.querySelector('.legend .line').click()")
+    assert replayed.run("document.querySelector('.legend .line').getAttribute('aria-pressed')") == "true"
+
+
+def test_twelve_lines_of_a_plot_are_told_apart_by_colours_of_the_legs_and_dashes(replayed):
+    plot(replayed, "state.qd")
+    for theme in ("light", "dark"):
+        replayed.prefer(theme)
+        replayed.wait(f"document.documentElement.dataset.theme === '{theme}'")
+        lines = replayed.run(LINES)
+        assert len(lines) == len({tuple(style) for _, *style in lines}) == 12
+        assert all(len({colour for name, colour, _ in lines if name.startswith(leg)}) == 1 for leg in ("LF", "RF", "LH", "RH"))
+        replayed.screenshot(SCREENSHOTS / f"plot_joints_{theme}.png")
+
+
+def test_ticks_that_the_page_lost_are_fetched_where_they_are_looked_at(browser):
+    lossy = """window.WebSocket = class extends WebSocket {
+      constructor(...given) { super(...given); this.addEventListener('message', event => {
+        if (!window.lossy || typeof event.data === 'string') return;
+        window.lost = (window.lost ?? 0) + new DataView(event.data).getUint32(4, true);  // ticks of the block
+        event.stopImmediatePropagation();
+      }); }
+    }"""
+    script = browser.call("Page.addScriptToEvaluateOnNewDocument", source=lossy)["identifier"]
+    try:
+        with Viewer(*WALK) as walk:
+            show(browser, walk.link)
+            browser.wait("surefoot.tick > 400", 60)
+            begin = browser.run("(() => { window.lossy = true; return surefoot.last; })()")
+            browser.wait(f"surefoot.status.time > {begin} + 2", 60)
+            browser.run("window.lossy = false")
+            browser.wait(f"Number(document.querySelector('#scrub').max) > {begin} + 2", 60)
+            tick = round((begin + 1) / 0.0025)
+            browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {tick * 0.0025 + 1e-4};
+              scrub.dispatchEvent(new Event('input')); }})()""")
+            browser.wait(f"surefoot.tick === {tick}", 30)
+            # The plots show more than the picture's time: all that was lost is asked for.
+            asked = "performance.getEntriesByType('resource').filter(one => one.name.includes('/api/frames')).reduce((sum, one) => sum + Number(/count=(\\d+)/.exec(one.name)[1]), 0)"
+            assert browser.run("window.lost") > 0
+            browser.wait(f"{asked} >= window.lost", 30)
+            browser.screenshot(SCREENSHOTS / "holes.png")
+    finally:
+        browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
