@@ -53,7 +53,8 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void begin(const Request& request);
   void send(const SharedBlock& block);
   void send(std::shared_ptr<const std::string> text);
-  /// In the place of a status that still waits. Texts go before the frames that wait.
+  /// In the place of a status that still waits, where nothing was said since. Texts go before the
+  /// frames that wait.
   void send_status(std::shared_ptr<const std::string> status);
   void close();
 

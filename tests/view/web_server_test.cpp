@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -36,6 +37,7 @@ class FakeContent final : public WebContent {
     return blocks;
   }
   std::vector<std::string> messages(std::size_t clients) override {
+    if (counts) return counted();
     if (!talks) return {};
     return {status(clients) + " late"};
   }
@@ -49,7 +51,18 @@ class FakeContent final : public WebContent {
 
   std::atomic<std::size_t> block_bytes{0};
   std::atomic<int> calls{0}, commands{0};
-  std::atomic<bool> talks{false};  // a status with every block
+  std::atomic<bool> talks{false};   // a status with every block
+  std::atomic<bool> counts{false};  // … or one with a number, and with every third a change
+
+ private:
+  std::vector<std::string> counted() {
+    const std::string number = std::to_string(++count_);
+    std::vector<std::string> texts{R"({"type":"status","number":)" + number + "}"};
+    if (count_ % 3 == 0) texts.push_back(R"({"type":"change","number":)" + number + "}");
+    return texts;
+  }
+
+  int count_ = 0;
 };
 
 class WebServerTest : public ::testing::Test {
@@ -308,6 +321,28 @@ TEST_F(WebServerTest, a_slow_page_hears_of_its_status_and_commands_before_the_fr
   }
   EXPECT_TRUE(status);
   EXPECT_TRUE(replied);
+}
+
+TEST_F(WebServerTest, no_status_overtakes_what_was_said_before_it_however_slow_the_page_is) {
+  RawClient slow(server_.port(), 4096);
+  ASSERT_EQ(slow.upgrade(host(), origin()), 101);
+  content_.block_bytes = 256 << 10;
+  content_.counts = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  content_.block_bytes = 0;
+  int changes = 0, last = 0, longest_step = 0;
+  for (int opcode = 0; changes < 12;) {
+    const std::string text = slow.hear(opcode);
+    ASSERT_NE(opcode, 8);
+    const std::size_t found = text.find(R"("number":)");
+    if (opcode != 1 || found == std::string::npos) continue;
+    const int number = std::stoi(text.substr(found + 9));
+    ASSERT_GE(number, last) << text;
+    longest_step = std::max(longest_step, number - last);
+    last = number;
+    changes += test::holds(text, "change") ? 1 : 0;
+  }
+  EXPECT_GT(longest_step, 1) << "of those that waited one after the other the last is told";
 }
 
 TEST_F(WebServerTest, a_thousand_pages_come_and_go) {
