@@ -1,4 +1,5 @@
 import type { App } from "./app.ts";
+import { PictureAge, paceText } from "./data/lag.ts";
 import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
@@ -30,6 +31,7 @@ export class LiveLink {
   private lostBefore = false;
   /** This page has asked for a reset. */
   private resets = false;
+  private readonly age = new PictureAge();
   private app: App | undefined;
 
   constructor(
@@ -127,6 +129,7 @@ export class LiveLink {
     switch (message.type) {
       case "status":
         this.status = message;
+        this.age.hear(message, performance.now() / 1000);
         this.source.follow(message.begun);
         drive.show(message);
         tune.showStatus(message);
@@ -189,6 +192,7 @@ export class LiveLink {
     this.showState();
     if (state === "lost") {
       this.lostBefore = true;
+      this.age.forget();
       app.handlers().commands.lost();
       app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
@@ -221,14 +225,20 @@ export class LiveLink {
     return "";
   }
 
-  /** Speed against the wall clock, lost ticks, why the run has ended. */
+  /** Speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
   get facts(): string[] {
     const facts: string[] = [];
-    if (this.status !== undefined && this.rate > 0) facts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
+    if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks lost on the way`);
     if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
-    return facts;
+    return facts.filter((fact) => fact !== "");
+  }
+
+  /** Of who looks at the newest picture. */
+  private ageText(): string {
+    const { frame, player } = this.app as App;
+    return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
 }
 
