@@ -24,8 +24,7 @@ constexpr std::chrono::seconds kIdle{20};          // without an answer to a pin
 
 }  // namespace
 
-WebClient::WebClient(beast::tcp_stream&& stream, WebShared& shared,
-                     std::shared_ptr<ConnectionCount> count)
+WebClient::WebClient(beast::tcp_stream&& stream, WebShared& shared, std::shared_ptr<Count> count)
     : socket_(std::move(stream)),
       shared_(shared),
       count_(std::move(count)),

@@ -6,6 +6,10 @@
 #include "tests/view/raw_client.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +18,19 @@
 #include <memory>
 #include <random>
 #include <thread>
+#include <vector>
+
+namespace {
+
+std::atomic<int> accepts{0};  // that the server has tried
+
+}  // namespace
+
+// In the place of the library's, to count.
+extern "C" int accept(int listener, sockaddr* address, socklen_t* size) {
+  ++accepts;
+  return static_cast<int>(syscall(SYS_accept, listener, address, size));
+}
 
 namespace surefoot {
 namespace {
@@ -25,7 +42,8 @@ using Clock = std::chrono::steady_clock;
 class FakeContent final : public WebContent {
  public:
   WebAnswer get(std::string_view path, const Query& query) override {
-    const auto value = query.find("value");
+    const auto bytes = query.find("bytes"), value = query.find("value");
+    if (bytes != query.end()) return {.body = std::string(std::stoul(bytes->second), 'x')};
     return {200, "text/plain", std::string(path) + (value == query.end() ? "" : value->second)};
   }
   [[nodiscard]] bool is_live() const override { return true; }
@@ -92,13 +110,14 @@ TEST_F(WebServerTest, serves_the_page_and_what_it_asks_for_with_headers_that_kee
   EXPECT_EQ(test::status_of(page), 200);
   EXPECT_TRUE(test::holds(page, "<html"));
   for (const char* header :
-       {"Content-Security-Policy: default-src 'self'", "frame-ancestors 'none'",
-        "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
+       {"Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self';",
+        "frame-ancestors 'none'", "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
         "Cross-Origin-Opener-Policy: same-origin", "Cross-Origin-Resource-Policy: same-origin",
         "Cache-Control: no-store"}) {
     EXPECT_TRUE(test::holds(page, header)) << header;
   }
   EXPECT_FALSE(test::holds(page, "Access-Control"));
+  EXPECT_FALSE(test::holds(page, "unsafe"));
   EXPECT_TRUE(test::holds(get("/api/frames?value=3", host()), "\r\n\r\n/api/frames3"));
   EXPECT_EQ(test::status_of(get("/no_such_file", host())), 404);
   EXPECT_EQ(test::status_of(get("/../index.html", host())), 404);
@@ -149,6 +168,56 @@ TEST_F(WebServerTest, refuses_to_be_watched_by_a_page_of_another_origin) {
   }
   RawClient client(server_.port());
   EXPECT_EQ(client.upgrade(host(), origin()), 101);
+}
+
+TEST_F(WebServerTest, tells_nothing_to_pages_of_another_site_that_name_no_origin) {
+  const auto asked = [&](const std::string& target, const std::string& site) {
+    RawClient client(server_.port());
+    client.send("GET " + target + " HTTP/1.1\r\nHost: " + host() + "\r\nSec-Fetch-Site: " + site +
+                "\r\n\r\n");
+    return test::status_of(client.answer());
+  };
+  for (const char* site : {"cross-site", "same-site", "Same-Origin", "x"}) {
+    EXPECT_EQ(asked("/api/session", site), 403) << site;
+  }
+  EXPECT_EQ(asked("/", "cross-site"), 200) << "a link to the page is followed";
+  EXPECT_EQ(asked("/api/session", "same-origin"), 200);
+  EXPECT_EQ(asked("/api/session", "none"), 200) << "typed by the user";
+}
+
+TEST_F(WebServerTest, what_is_on_its_way_to_those_who_do_not_read_is_bounded) {
+  std::vector<std::unique_ptr<RawClient>> clients;
+  const auto ask = [&](const std::string& target) -> RawClient& {
+    clients.push_back(std::make_unique<RawClient>(server_.port(), 4096));
+    clients.back()->send("GET " + target + " HTTP/1.1\r\nHost: " + host() + "\r\n\r\n");
+    return *clients.back();
+  };
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(ask("/api/frames?bytes=8000000").receive(20).starts_with("HTTP/1.1 ")) << i;
+  }
+  EXPECT_EQ(test::status_of(get("/api/session", host())), 503);
+  clients.clear();
+  int status = 503;
+  while (status == 503) status = test::status_of(get("/api/session", host()));
+  EXPECT_EQ(status, 200) << "once those have left";
+}
+
+TEST_F(WebServerTest, a_process_that_may_open_no_more_files_waits_for_one_and_does_not_spin) {
+  const int next = dup(0);
+  close(next);
+  rlimit usual{};
+  getrlimit(RLIMIT_NOFILE, &usual);
+  rlimit none = usual;
+  none.rlim_cur = static_cast<rlim_t>(next) + 1;
+  setrlimit(RLIMIT_NOFILE, &none);
+  const RawClient client(server_.port());  // has the last of them
+  const int before = accepts;
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const int tries = accepts - before;
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_GE(tries, 1);
+  EXPECT_LE(tries, 20);
+  EXPECT_TRUE(is_well());
 }
 
 TEST_F(WebServerTest, refuses_a_command_without_the_token) {
