@@ -433,7 +433,7 @@ TEST_F(WebServerTest, requests_that_make_no_sense_do_no_harm) {
   const std::string good = "GET /api/frames?from=0&count=4 HTTP/1.1\r\nHost: " + host() +
                            "\r\nConnection: close\r\nOrigin: " + origin() +
                            "\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\r\n";
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < test::trials(400); ++trial) {
     const RawClient client(server_.port());
     client.send(test::damaged(good, random));
   }
@@ -444,7 +444,7 @@ TEST_F(WebServerTest, frames_and_messages_that_make_no_sense_do_no_harm) {
   std::mt19937 random(12);
   const std::string push =
       message(R"("type":"push","body":"base","impulse":[0,20,0],"duration":0.2)");
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < test::trials(400); ++trial) {
     RawClient client(server_.port());
     ASSERT_EQ(client.upgrade(host(), origin()), 101) << trial;
     if (trial % 2 == 0) {
@@ -456,6 +456,33 @@ TEST_F(WebServerTest, frames_and_messages_that_make_no_sense_do_no_harm) {
   EXPECT_TRUE(is_well());
   RawClient client(server_.port());
   EXPECT_EQ(client.upgrade(host(), origin()), 101) << "those who left are not counted";
+}
+
+TEST_F(WebServerTest, conversations_that_make_no_sense_do_no_harm_while_blocks_are_on_their_way) {
+  std::mt19937 random(17);
+  content_.block_bytes = 64 << 10;
+  content_.counts = true;
+  const std::vector<std::string> good{
+      message(R"("type":"pause")"),
+      message(R"("type":"speed","factor":4)"),
+      message(R"("type":"pull","body":"base","point":[0.1,0,0],"force":[0,100,20])"),
+      message(R"("type":"order","levels":["equations_of_motion","torque_limits"])"),
+      std::string(),
+      std::string(4096, '['),
+      std::string(125, '\xff')};
+  for (int trial = 0; trial < test::trials(60); ++trial) {
+    RawClient client(server_.port(), random() % 2 == 0 ? 0 : 4096);
+    ASSERT_EQ(client.upgrade(host(), origin()), 101) << trial;
+    for (auto count = random() % 12; count > 0; --count) {
+      const std::string& text = good[random() % good.size()];
+      std::string frame = test::client_frame(static_cast<int>(random() % 16), text);
+      if (random() % 3 == 0) frame[0] = static_cast<char>(frame[0] & 0x7F);  // more is to follow
+      if (random() % 3 == 0) frame = test::damaged(frame, random);
+      if (!client.send(frame)) break;
+      if (random() % 4 == 0) (void)client.receive(1 + random() % 100000);
+    }
+  }
+  EXPECT_TRUE(is_well());
 }
 
 TEST_F(WebServerTest, deeply_nested_json_does_no_harm) {
