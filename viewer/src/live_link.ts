@@ -41,6 +41,7 @@ export class LiveLink {
     this.generation = session.generation;
     source.begin(session.begun, session.first_tick, this.openBefore);
     this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
+    this.connection.open(); // what it hears comes once the page is made
   }
 
   /** Frames from before this page came: the program keeps two minutes of them. */
@@ -66,7 +67,6 @@ export class LiveLink {
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
     this.source.onRestart = () => this.beginAgain();
-    this.connection.open();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
 
