@@ -279,6 +279,13 @@ std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFr
 
 void LiveFeed::measure() {
   const Clock::time_point now = Clock::now();
+  const Pace pace{paused_.load(), speed_.load(), session_.begun};
+  if (pace != pace_) {
+    pace_ = pace;
+    measured_ = now;
+    measured_time_ = time_;
+    real_factor_ = 0.0;
+  }
   const std::chrono::duration<double> passed = now - measured_;
   if (now - measured_ < kMeasureInterval) return;
   real_factor_ = std::max(0.0, time_ - measured_time_) / passed.count();
@@ -287,7 +294,6 @@ void LiveFeed::measure() {
 }
 
 std::vector<std::string> LiveFeed::messages(std::size_t clients) {
-  measure();
   std::vector<std::string> messages;
   const Clock::time_point now = Clock::now();
   if (is_news_.exchange(false) || now >= next_status_) {
@@ -304,13 +310,15 @@ std::vector<std::string> LiveFeed::messages(std::size_t clients) {
 }
 
 std::string LiveFeed::status(std::size_t clients) {
+  measure();
   std::string text;
   JsonText json(text);
   json.object()
       .member("type", "status")
-      .member("paused", paused_.load())
-      .member("speed", speed_.load())
+      .member("paused", pace_.paused)
+      .member("speed", pace_.speed)
       .member("real_factor", real_factor_)
+      .member("clock", std::chrono::duration<double>(Clock::now() - begun_).count())
       .member("time", time_)
       .member("tick", tick_)
       .member("clients", clients)

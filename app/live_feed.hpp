@@ -71,6 +71,14 @@ class LiveFeed final : public WebContent {
     std::function<void()> take;
   };
 
+  /// What the run's speed is measured at.
+  struct Pace {
+    bool paused = false;
+    double speed = 1.0;
+    std::uint32_t begun = 0;
+    bool operator==(const Pace&) const = default;
+  };
+
   void hand_over(std::function<void()> take);
   void begin_again(ViewSession session);
   void fetch_news();
@@ -106,7 +114,9 @@ class LiveFeed final : public WebContent {
   double time_ = 0.0;
   UserCommand user_;
   OutsideForces forces_;
+  const Clock::time_point begun_ = Clock::now();
   Clock::time_point next_status_{}, measured_{};
+  Pace pace_;
   double measured_time_ = 0.0, real_factor_ = 0.0;
 };
 

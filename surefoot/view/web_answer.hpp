@@ -13,8 +13,8 @@ namespace surefoot {
 /// What every answer says of how a browser is to treat it.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWebHeaders{{
     {"Content-Security-Policy",
-     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
+     "img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
     {"X-Content-Type-Options", "nosniff"},
     {"Referrer-Policy", "no-referrer"},
     {"Cross-Origin-Opener-Policy", "same-origin"},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 namespace surefoot {
 namespace {
@@ -23,8 +24,7 @@ constexpr std::chrono::seconds kIdle{20};          // without an answer to a pin
 
 }  // namespace
 
-WebClient::WebClient(beast::tcp_stream&& stream, WebShared& shared,
-                     std::shared_ptr<ConnectionCount> count)
+WebClient::WebClient(beast::tcp_stream&& stream, WebShared& shared, std::shared_ptr<Count> count)
     : socket_(std::move(stream)),
       shared_(shared),
       count_(std::move(count)),
@@ -112,11 +112,13 @@ void WebClient::send(std::shared_ptr<const std::string> text) {
   put({Kind::text, 0, 0, std::move(text)});
 }
 
+// What was said since the status that waits is not overtaken.
 void WebClient::send_status(std::shared_ptr<const std::string> status) {
   const auto first = waiting_.begin() + (writing_ ? 1 : 0);
-  const auto old = std::find_if(
-      first, waiting_.end(), [](const Message& message) { return message.kind == Kind::status; });
-  if (old == waiting_.end()) return put({Kind::status, 0, 0, std::move(status)});
+  const auto end = place_of(Kind::status);
+  const bool is_renewed = end != first && std::prev(end)->kind == Kind::status;
+  if (!is_renewed) return put({Kind::status, 0, 0, std::move(status)});
+  const auto old = std::prev(end);
   waiting_bytes_ += status->size();
   waiting_bytes_ -= old->bytes->size();
   old->bytes = std::move(status);

@@ -24,20 +24,27 @@ struct WebShared {
   WebContent& content;
   const OwnNames& names;
   std::set<std::shared_ptr<WebClient>> clients{};  ///< that watch live
-  /// With those that only ask; they may outlive this.
+  // These may be outlived by those who count.
+  /// With those that only ask.
   std::shared_ptr<std::size_t> connections = std::make_shared<std::size_t>(0);
+  /// Of answers on their way [bytes].
+  std::shared_ptr<std::size_t> answers = std::make_shared<std::size_t>(0);
 };
 
-/// Counts a connection as long as it lives.
-class ConnectionCount {
+/// Counts something as long as it lives: a connection, or the bytes of an answer.
+class Count {
  public:
-  explicit ConnectionCount(const WebShared& shared) : count_(shared.connections) { ++*count_; }
-  ~ConnectionCount() { --*count_; }
-  ConnectionCount(const ConnectionCount&) = delete;
-  ConnectionCount& operator=(const ConnectionCount&) = delete;
+  explicit Count(std::shared_ptr<std::size_t> all, std::size_t amount = 1)
+      : all_(std::move(all)), amount_(amount) {
+    *all_ += amount_;
+  }
+  ~Count() { *all_ -= amount_; }
+  Count(const Count&) = delete;
+  Count& operator=(const Count&) = delete;
 
  private:
-  std::shared_ptr<std::size_t> count_;
+  std::shared_ptr<std::size_t> all_;
+  std::size_t amount_;
 };
 
 /// A page that watches live, over WebSocket. What waits for it is bounded: the oldest frames are
@@ -46,14 +53,14 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 
-  WebClient(boost::beast::tcp_stream&& stream, WebShared& shared,
-            std::shared_ptr<ConnectionCount> count);
+  WebClient(boost::beast::tcp_stream&& stream, WebShared& shared, std::shared_ptr<Count> count);
 
   /// Accepts the upgrade that was asked for; where all places are taken, to say so.
   void begin(const Request& request);
   void send(const SharedBlock& block);
   void send(std::shared_ptr<const std::string> text);
-  /// In the place of a status that still waits. Texts go before the frames that wait.
+  /// In the place of a status that still waits, where nothing was said since. Texts go before the
+  /// frames that wait.
   void send_status(std::shared_ptr<const std::string> status);
   void close();
 
@@ -80,7 +87,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   WebShared& shared_;
-  std::shared_ptr<ConnectionCount> count_;
+  std::shared_ptr<Count> count_;
   boost::beast::flat_buffer received_;
   std::deque<Message> waiting_;  // the first is being written if `writing_`
   std::size_t waiting_bytes_ = 0;

@@ -28,10 +28,12 @@ constexpr std::uint32_t kLongestHeader = 8192;    // of a request [bytes]
 constexpr std::size_t kConnectionsBesides = 32;   // besides those of pages
 constexpr std::size_t kConnectionsOfPage = 8;     // a browser's to one host, and the live one
 constexpr std::size_t kRefusedAtOnce = 32;        // that are told why
+constexpr std::size_t kMostAnswers = 128U << 20;  // on their way, for all that ask [bytes]
 constexpr std::chrono::seconds kRequestTime{15};  // to send a request, or the next one
 constexpr std::chrono::seconds kAnswerTime{60};   // to take an answer
 constexpr std::chrono::seconds kFinishTime{2};    // for what comes after the answer
 constexpr std::chrono::milliseconds kBlockInterval{33};  // between blocks
+constexpr std::chrono::milliseconds kNoRoom{100};        // before one more is accepted
 
 /// A connection that asks by HTTP, until it asks for an upgrade.
 class WebConnection : public std::enable_shared_from_this<WebConnection> {
@@ -39,7 +41,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   WebConnection(tcp::socket&& socket, WebShared& shared)
       : stream_(std::move(socket)),
         shared_(shared),
-        count_(std::make_shared<ConnectionCount>(shared)) {}
+        count_(std::make_shared<Count>(shared.connections)) {}
 
   void read() {
     parser_.emplace();
@@ -91,6 +93,13 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
                             shared_.names.names().front() + "/");
   }
 
+  /// A browser says so of whatever another page makes it ask for: a picture or a link, too, of
+  /// which it names no origin.
+  [[nodiscard]] static bool is_of_another_site(const Request& request) {
+    const auto site = std::string_view(request["Sec-Fetch-Site"]);
+    return !site.empty() && site != "same-origin" && site != "none";
+  }
+
   [[nodiscard]] WebAnswer answer(const Request& request) const {
     if (auto refused = stranger(request)) return *refused;
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
@@ -101,6 +110,10 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
       return foreign_origin();
     }
     const auto target = std::string_view(request.target());
+    if (target.starts_with("/api/") && is_of_another_site(request)) return foreign_origin();
+    if (*shared_.answers > kMostAnswers) {
+      return refusal(503, "too much is on its way to those who asked before; ask again");
+    }
     if (target == "/api/live") return refusal(426, "this is for a WebSocket");
     return answer_for(target, shared_.content);
   }
@@ -133,8 +146,9 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
     if (!is_head) response->body() = std::move(answer.body);
     response->content_length(size);
     stream_.expires_after(kAnswerTime);
-    const auto done = [self = shared_from_this(), response, keep_alive](beast::error_code error,
-                                                                        std::size_t) {
+    const auto weight = std::make_shared<Count>(shared_.answers, response->body().size());
+    const auto done = [self = shared_from_this(), response, weight, keep_alive](
+                          beast::error_code error, std::size_t) {
       if (error) return;
       if (keep_alive) return self->read();
       self->finish();
@@ -165,7 +179,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
 
   beast::tcp_stream stream_;
   WebShared& shared_;
-  std::shared_ptr<ConnectionCount> count_;
+  std::shared_ptr<Count> count_;
   beast::flat_buffer buffer_{2 * kLongestHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
 };
@@ -264,8 +278,18 @@ struct WebServer::Implementation {
 
   void accept(tcp::acceptor& acceptor) {
     acceptor.async_accept([this, &acceptor](beast::error_code error, tcp::socket socket) {
-      if (!error) greet(std::move(socket));
-      if (error != asio::error::operation_aborted) accept(acceptor);
+      if (error == asio::error::operation_aborted) return;
+      if (error) return accept_later(acceptor);
+      greet(std::move(socket));
+      accept(acceptor);
+    });
+  }
+
+  // Where the process may have no more files open, each try would fail at once.
+  void accept_later(tcp::acceptor& acceptor) {
+    const auto wait = std::make_shared<asio::steady_timer>(io, kNoRoom);
+    wait->async_wait([this, &acceptor, wait](beast::error_code error) {
+      if (!error) accept(acceptor);
     });
   }
 

@@ -7,9 +7,11 @@
 #include "tests/support/malloc_counter.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -163,6 +165,37 @@ TEST(LiveFeed, a_tick_is_packed_with_what_was_new_before_it_and_a_status_never_m
   EXPECT_NE(status.find(R"("tick":0,)"), std::string::npos) << status;
   EXPECT_NE(status.find(R"("generation":1,)"), std::string::npos) << status;
   EXPECT_NE(status.find(R"("begun":1,)"), std::string::npos) << status;
+}
+
+TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
+  WatchedRun watched;
+  std::atomic<bool> ends{false};
+  std::vector<nlohmann::json> told;
+  std::thread server;
+  ClosedLoopOptions options;
+  options.steering = &watched.counted;
+  options.ready = [&] {
+    server = std::thread([&] {
+      for (int i = 0; !ends; ++i) {
+        (void)watched.feed.blocks();
+        told.push_back(nlohmann::json::parse(watched.feed.status(1)));
+        if (i == 160) (void)watched.wishes.command({.type = ViewCommandType::speed, .factor = 8.0});
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    });
+  };
+  (void)run_closed_loop(watched.scenario, options);
+  ends = true;
+  server.join();
+  const auto number = [](const char* key) {
+    return [key](const nlohmann::json& status) { return status.at(key).get<double>(); };
+  };
+  const auto faster = std::ranges::find(told, 8.0, number("speed"));
+  ASSERT_NE(faster, told.end());
+  ASSERT_NE(faster, told.begin());
+  EXPECT_GT(number("real_factor")(*(faster - 1)), 0.0) << "measured by then";
+  EXPECT_EQ(number("real_factor")(*faster), 0.0);
+  EXPECT_TRUE(std::ranges::is_sorted(told, {}, number("clock")));
 }
 
 TEST(LiveFeed, changes_of_a_run_before_are_not_told_with_those_of_the_run_that_has_begun) {

@@ -68,7 +68,7 @@ TEST(OperatorFuzz, whatever_a_page_says_what_is_wanted_of_the_run_stays_within_t
   std::mt19937 random(13);
   OperatorWishes wanted;
   int understood = 0, taken = 0;
-  for (int trial = 0; trial < 6000; ++trial) {
+  for (int trial = 0; trial < test::trials(6000); ++trial) {
     const std::string& good = messages[random() % messages.size()];
     const ViewMessage message = read_message(test::damaged_values(good, random));
     if (!message.error.empty()) continue;
@@ -136,7 +136,7 @@ TEST(LogContentFuzz, requests_that_make_no_sense_get_an_answer) {
                                          " 1",
                                          "nan"};
   int answered = 0;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < test::trials(1500); ++trial) {
     WebContent::Query query;
     for (const char* key : {"from", "count", "stride", "min_max"}) {
       std::string value = numbers[random() % numbers.size()];
@@ -168,7 +168,7 @@ TEST(LogContentFuzz, a_log_whose_bytes_make_no_sense_is_shown_or_refused) {
   const std::string good = test::contents(folder / "good.mcap");
   std::mt19937 random(16);
   int shown = 0, refused = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < test::trials(150); ++trial) {
     const std::string path = folder / "bad.mcap";
     test::write_file(path, test::damaged(good, random));
     try {

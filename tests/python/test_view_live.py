@@ -16,7 +16,7 @@ from program import PROGRAM
 def test_the_link_opens_the_page_and_its_session_describes_the_run(run):
     status, headers, body = run.get("/")
     assert status == 200 and b"<html" in body
-    assert headers["Content-Security-Policy"].startswith("default-src 'self'")
+    assert headers["Content-Security-Policy"].startswith("default-src 'none'; script-src 'self'; style-src 'self';")
     session = run.session()
     assert session["mode"] == "live" and session["protocol"] == 1
     assert session["title"] == "walk_flat"

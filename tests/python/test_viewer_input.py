@@ -97,9 +97,21 @@ def test_a_gamepad_walks_stands_and_gives_back(browser, played):
     browser.wait(f"{command}.by === 'scenario'")
 
 
+# Keeps each text that stood beside a force from outside, in `window.said`.
+LISTEN = """(() => {
+  window.said = new Set();
+  const look = () => {
+    for (const one of document.querySelectorAll('.label.push:not([hidden])')) said.add(one.textContent);
+    requestAnimationFrame(look);
+  };
+  look();
+})()"""
+
+
 def test_dragging_the_torso_pulls_it_and_says_by_how_many_newton_seconds(browser, played):
     show(browser, played.link)
     pause(browser)
+    browser.run(LISTEN)
     x, y = browser.run("surefoot.place(surefoot.position('base'))")
     browser.mouse("mousePressed", x, y)
     for step in range(1, 6):
@@ -111,6 +123,17 @@ def test_dragging_the_torso_pulls_it_and_says_by_how_many_newton_seconds(browser
     browser.mouse("mouseReleased", x + 10, y)
     browser.wait("/the pull ends after [\\d.]+ N·s/.test(document.querySelector('.changes').textContent)")
     browser.wait(f"!{shown}")
+    pause(browser)
+    changes = [event for event in played.json("api/events") if isinstance(event, dict)]
+    end = max(change["time"] for change in changes if change["text"].startswith("the pull ends"))
+    for time_ in (end, end - 0.0025, end - 0.01):  # a pull that is looked at again is one, too
+        browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {time_ + 1e-4}; scrub.dispatchEvent(new Event('input')); }})()")
+        browser.wait(f"Math.abs(surefoot.drawn - {time_}) < 1e-6")
+        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /^pull \\d+ N$/.test(one.textContent))")
+    texts = browser.run("[...said]")
+    assert texts and all(text.startswith("pull") for text in texts), texts
+    browser.press("l")
+    browser.press(" ")
 
 
 def test_a_program_that_stands_still_is_told(browser, played):

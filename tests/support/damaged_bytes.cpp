@@ -1,8 +1,10 @@
 #include "tests/support/damaged_bytes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <cstdlib>
 
 namespace surefoot::test {
 
@@ -50,6 +52,11 @@ std::string damaged_values(const std::string& json, std::mt19937& random) {
     }
   }
   return random() % 8 == 0 ? damaged(text, random) : text;
+}
+
+int trials(int usual) {
+  const char* times = std::getenv("SUREFOOT_FUZZ");
+  return usual * std::max(1, times == nullptr ? 1 : std::atoi(times));
 }
 
 }  // namespace surefoot::test

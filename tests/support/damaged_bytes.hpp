@@ -12,4 +12,7 @@ namespace surefoot::test {
 /// then its bytes are damaged as well.
 [[nodiscard]] std::string damaged_values(const std::string& json, std::mt19937& random);
 
+/// How many trials a test with damaged bytes makes: as usual, or SUREFOOT_FUZZ times as many.
+[[nodiscard]] int trials(int usual);
+
 }  // namespace surefoot::test

@@ -6,13 +6,31 @@
 #include "tests/view/raw_client.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
 #include <memory>
 #include <random>
 #include <thread>
+#include <vector>
+
+namespace {
+
+std::atomic<int> accepts{0};  // that the server has tried
+
+}  // namespace
+
+// In the place of the library's, to count.
+extern "C" int accept(int listener, sockaddr* address, socklen_t* size) {
+  ++accepts;
+  return static_cast<int>(syscall(SYS_accept, listener, address, size));
+}
 
 namespace surefoot {
 namespace {
@@ -24,7 +42,8 @@ using Clock = std::chrono::steady_clock;
 class FakeContent final : public WebContent {
  public:
   WebAnswer get(std::string_view path, const Query& query) override {
-    const auto value = query.find("value");
+    const auto bytes = query.find("bytes"), value = query.find("value");
+    if (bytes != query.end()) return {.body = std::string(std::stoul(bytes->second), 'x')};
     return {200, "text/plain", std::string(path) + (value == query.end() ? "" : value->second)};
   }
   [[nodiscard]] bool is_live() const override { return true; }
@@ -36,6 +55,7 @@ class FakeContent final : public WebContent {
     return blocks;
   }
   std::vector<std::string> messages(std::size_t clients) override {
+    if (counts) return counted();
     if (!talks) return {};
     return {status(clients) + " late"};
   }
@@ -49,7 +69,18 @@ class FakeContent final : public WebContent {
 
   std::atomic<std::size_t> block_bytes{0};
   std::atomic<int> calls{0}, commands{0};
-  std::atomic<bool> talks{false};  // a status with every block
+  std::atomic<bool> talks{false};   // a status with every block
+  std::atomic<bool> counts{false};  // … or one with a number, and with every third a change
+
+ private:
+  std::vector<std::string> counted() {
+    const std::string number = std::to_string(++count_);
+    std::vector<std::string> texts{R"({"type":"status","number":)" + number + "}"};
+    if (count_ % 3 == 0) texts.push_back(R"({"type":"change","number":)" + number + "}");
+    return texts;
+  }
+
+  int count_ = 0;
 };
 
 class WebServerTest : public ::testing::Test {
@@ -79,13 +110,14 @@ TEST_F(WebServerTest, serves_the_page_and_what_it_asks_for_with_headers_that_kee
   EXPECT_EQ(test::status_of(page), 200);
   EXPECT_TRUE(test::holds(page, "<html"));
   for (const char* header :
-       {"Content-Security-Policy: default-src 'self'", "frame-ancestors 'none'",
-        "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
+       {"Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self';",
+        "frame-ancestors 'none'", "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
         "Cross-Origin-Opener-Policy: same-origin", "Cross-Origin-Resource-Policy: same-origin",
         "Cache-Control: no-store"}) {
     EXPECT_TRUE(test::holds(page, header)) << header;
   }
   EXPECT_FALSE(test::holds(page, "Access-Control"));
+  EXPECT_FALSE(test::holds(page, "unsafe"));
   EXPECT_TRUE(test::holds(get("/api/frames?value=3", host()), "\r\n\r\n/api/frames3"));
   EXPECT_EQ(test::status_of(get("/no_such_file", host())), 404);
   EXPECT_EQ(test::status_of(get("/../index.html", host())), 404);
@@ -136,6 +168,56 @@ TEST_F(WebServerTest, refuses_to_be_watched_by_a_page_of_another_origin) {
   }
   RawClient client(server_.port());
   EXPECT_EQ(client.upgrade(host(), origin()), 101);
+}
+
+TEST_F(WebServerTest, tells_nothing_to_pages_of_another_site_that_name_no_origin) {
+  const auto asked = [&](const std::string& target, const std::string& site) {
+    RawClient client(server_.port());
+    client.send("GET " + target + " HTTP/1.1\r\nHost: " + host() + "\r\nSec-Fetch-Site: " + site +
+                "\r\n\r\n");
+    return test::status_of(client.answer());
+  };
+  for (const char* site : {"cross-site", "same-site", "Same-Origin", "x"}) {
+    EXPECT_EQ(asked("/api/session", site), 403) << site;
+  }
+  EXPECT_EQ(asked("/", "cross-site"), 200) << "a link to the page is followed";
+  EXPECT_EQ(asked("/api/session", "same-origin"), 200);
+  EXPECT_EQ(asked("/api/session", "none"), 200) << "typed by the user";
+}
+
+TEST_F(WebServerTest, what_is_on_its_way_to_those_who_do_not_read_is_bounded) {
+  std::vector<std::unique_ptr<RawClient>> clients;
+  const auto ask = [&](const std::string& target) -> RawClient& {
+    clients.push_back(std::make_unique<RawClient>(server_.port(), 4096));
+    clients.back()->send("GET " + target + " HTTP/1.1\r\nHost: " + host() + "\r\n\r\n");
+    return *clients.back();
+  };
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(ask("/api/frames?bytes=8000000").receive(20).starts_with("HTTP/1.1 ")) << i;
+  }
+  EXPECT_EQ(test::status_of(get("/api/session", host())), 503);
+  clients.clear();
+  int status = 503;
+  while (status == 503) status = test::status_of(get("/api/session", host()));
+  EXPECT_EQ(status, 200) << "once those have left";
+}
+
+TEST_F(WebServerTest, a_process_that_may_open_no_more_files_waits_for_one_and_does_not_spin) {
+  const int next = dup(0);
+  close(next);
+  rlimit usual{};
+  getrlimit(RLIMIT_NOFILE, &usual);
+  rlimit none = usual;
+  none.rlim_cur = static_cast<rlim_t>(next) + 1;
+  setrlimit(RLIMIT_NOFILE, &none);
+  const RawClient client(server_.port());  // has the last of them
+  const int before = accepts;
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const int tries = accepts - before;
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_GE(tries, 1);
+  EXPECT_LE(tries, 20);
+  EXPECT_TRUE(is_well());
 }
 
 TEST_F(WebServerTest, refuses_a_command_without_the_token) {
@@ -310,6 +392,28 @@ TEST_F(WebServerTest, a_slow_page_hears_of_its_status_and_commands_before_the_fr
   EXPECT_TRUE(replied);
 }
 
+TEST_F(WebServerTest, no_status_overtakes_what_was_said_before_it_however_slow_the_page_is) {
+  RawClient slow(server_.port(), 4096);
+  ASSERT_EQ(slow.upgrade(host(), origin()), 101);
+  content_.block_bytes = 256 << 10;
+  content_.counts = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  content_.block_bytes = 0;
+  int changes = 0, last = 0, longest_step = 0;
+  for (int opcode = 0; changes < 12;) {
+    const std::string text = slow.hear(opcode);
+    ASSERT_NE(opcode, 8);
+    const std::size_t found = text.find(R"("number":)");
+    if (opcode != 1 || found == std::string::npos) continue;
+    const int number = std::stoi(text.substr(found + 9));
+    ASSERT_GE(number, last) << text;
+    longest_step = std::max(longest_step, number - last);
+    last = number;
+    changes += test::holds(text, "change") ? 1 : 0;
+  }
+  EXPECT_GT(longest_step, 1) << "of those that waited one after the other the last is told";
+}
+
 TEST_F(WebServerTest, a_thousand_pages_come_and_go) {
   for (int i = 0; i < 1000; ++i) {
     RawClient client(server_.port());
@@ -329,7 +433,7 @@ TEST_F(WebServerTest, requests_that_make_no_sense_do_no_harm) {
   const std::string good = "GET /api/frames?from=0&count=4 HTTP/1.1\r\nHost: " + host() +
                            "\r\nConnection: close\r\nOrigin: " + origin() +
                            "\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\r\n";
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < test::trials(400); ++trial) {
     const RawClient client(server_.port());
     client.send(test::damaged(good, random));
   }
@@ -340,7 +444,7 @@ TEST_F(WebServerTest, frames_and_messages_that_make_no_sense_do_no_harm) {
   std::mt19937 random(12);
   const std::string push =
       message(R"("type":"push","body":"base","impulse":[0,20,0],"duration":0.2)");
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < test::trials(400); ++trial) {
     RawClient client(server_.port());
     ASSERT_EQ(client.upgrade(host(), origin()), 101) << trial;
     if (trial % 2 == 0) {
@@ -352,6 +456,33 @@ TEST_F(WebServerTest, frames_and_messages_that_make_no_sense_do_no_harm) {
   EXPECT_TRUE(is_well());
   RawClient client(server_.port());
   EXPECT_EQ(client.upgrade(host(), origin()), 101) << "those who left are not counted";
+}
+
+TEST_F(WebServerTest, conversations_that_make_no_sense_do_no_harm_while_blocks_are_on_their_way) {
+  std::mt19937 random(17);
+  content_.block_bytes = 64 << 10;
+  content_.counts = true;
+  const std::vector<std::string> good{
+      message(R"("type":"pause")"),
+      message(R"("type":"speed","factor":4)"),
+      message(R"("type":"pull","body":"base","point":[0.1,0,0],"force":[0,100,20])"),
+      message(R"("type":"order","levels":["equations_of_motion","torque_limits"])"),
+      std::string(),
+      std::string(4096, '['),
+      std::string(125, '\xff')};
+  for (int trial = 0; trial < test::trials(60); ++trial) {
+    RawClient client(server_.port(), random() % 2 == 0 ? 0 : 4096);
+    ASSERT_EQ(client.upgrade(host(), origin()), 101) << trial;
+    for (auto count = random() % 12; count > 0; --count) {
+      const std::string& text = good[random() % good.size()];
+      std::string frame = test::client_frame(static_cast<int>(random() % 16), text);
+      if (random() % 3 == 0) frame[0] = static_cast<char>(frame[0] & 0x7F);  // more is to follow
+      if (random() % 3 == 0) frame = test::damaged(frame, random);
+      if (!client.send(frame)) break;
+      if (random() % 4 == 0) (void)client.receive(1 + random() % 100000);
+    }
+  }
+  EXPECT_TRUE(is_well());
 }
 
 TEST_F(WebServerTest, deeply_nested_json_does_no_harm) {

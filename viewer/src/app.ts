@@ -26,6 +26,8 @@ import { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
+/** Ground without a robot is drawn only after this: a picture with both would come later by its rest [ms]. */
+const WITHOUT_ROBOT = 2000;
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -53,6 +55,7 @@ export class App {
   private readonly menu: OverlayMenu | undefined;
   private readonly pull: Pull | undefined;
   private readonly gamepad: GamepadInput;
+  private readonly made = performance.now();
   private last = performance.now();
   private drawn = performance.now();
   private sinceText = Infinity;
@@ -285,6 +288,7 @@ export class App {
   private draw(now: number, frame: Frame | undefined): boolean {
     const { world, player } = this;
     if (world === undefined) return true;
+    if (frame === undefined && now - this.made < WITHOUT_ROBOT) return false;
     const { quality } = world.stage;
     if (!quality.pace.begin(now)) return false;
     const dt = Math.min((now - this.drawn) / 1000, 1);

@@ -1,4 +1,5 @@
 import type { App } from "./app.ts";
+import { PictureAge, paceText } from "./data/lag.ts";
 import type { LiveSource, OpenBefore } from "./data/live_source.ts";
 import { marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
@@ -30,6 +31,7 @@ export class LiveLink {
   private lostBefore = false;
   /** This page has asked for a reset. */
   private resets = false;
+  private readonly age = new PictureAge();
   private app: App | undefined;
 
   constructor(
@@ -39,6 +41,7 @@ export class LiveLink {
     this.generation = session.generation;
     source.begin(session.begun, session.first_tick, this.openBefore);
     this.connection = new Connection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
+    this.connection.open(); // what it hears comes once the page is made
   }
 
   /** Frames from before this page came: the program keeps two minutes of them. */
@@ -66,7 +69,6 @@ export class LiveLink {
     this.source.onRestart = () => this.beginAgain();
     this.source.fetchTicks = (first, ticks) => ask(`/api/frames?from=${first}&count=${ticks}&stride=1`);
     this.source.onFilled = () => app.refresh();
-    this.connection.open();
     setInterval(() => this.showState(), SILENCE_PERIOD);
   }
 
@@ -129,6 +131,7 @@ export class LiveLink {
     switch (message.type) {
       case "status":
         this.status = message;
+        this.age.hear(message, performance.now() / 1000);
         this.source.follow(message.begun);
         drive.show(message);
         tune.showStatus(message);
@@ -191,6 +194,7 @@ export class LiveLink {
     this.showState();
     if (state === "lost") {
       this.lostBefore = true;
+      this.age.forget();
       app.handlers().commands.lost();
       app.notes.keep("lost", lossText(this.connection.reason), "error");
     } else if (state === "open") {
@@ -223,14 +227,20 @@ export class LiveLink {
     return "";
   }
 
-  /** Speed against the wall clock, lost ticks, why the run has ended. */
+  /** Speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
   get facts(): string[] {
     const facts: string[] = [];
-    if (this.status !== undefined && this.rate > 0) facts.push(`${(100 * this.status.real_factor).toFixed(0)} % of real time`);
+    if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
     if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
-    return facts;
+    return facts.filter((fact) => fact !== "");
+  }
+
+  /** Of who looks at the newest picture. */
+  private ageText(): string {
+    const { frame, player } = this.app as App;
+    return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
 }
 

@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
+import { isPulled } from "../data/pulls.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
@@ -93,12 +94,13 @@ export class OutsideForce implements Overlay {
     this.believed.end();
   }
 
-  private draw({ frame, labels, newton, beliefToWorld, held }: Picture): void {
+  private draw({ frame, source, labels, newton, beliefToWorld, held }: Picture): void {
     if (!vector(frame, "truth.p_WCom", this.com)) return;
     if (this.total(frame)) {
       const newtons = this.force.length();
+      const what = isPulled(source.marks, frame.time, source.schema.period) ? "pull" : "push";
       if (this.arrow.add(this.com, this.force.multiplyScalar(newton), this.colour) && !held)
-        labels.put(this.arrow.tip, `push ${newtons.toFixed(0)} N`, "push");
+        labels.put(this.arrow.tip, `${what} ${newtons.toFixed(0)} N`, "push");
     }
     if (!vector(frame, "state.external_force", this.force)) return;
     this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).multiplyScalar(newton);

@@ -5,7 +5,10 @@ export interface Status {
   type: "status";
   paused: boolean;
   speed: number;
+  /** Seconds of the run in one of the clock's, at this speed; 0: not measured yet. */
   real_factor: number;
+  /** By the program's clock, when this was said [s]. */
+  clock: number;
   time: number;
   tick: number;
   clients: number;
@@ -72,7 +75,7 @@ export function backoff(attempt: number): number {
 }
 
 /** Seconds of simulation that come in a second: as measured, but not more than was asked for just now. */
-export function rateOf({ paused, ended, speed, real_factor }: Status): number {
+export function rateOf({ paused, ended, speed, real_factor }: Pick<Status, "paused" | "ended" | "speed" | "real_factor">): number {
   if (paused || ended !== null) return 0;
   return real_factor > 0 ? Math.min(real_factor, speed) : speed;
 }

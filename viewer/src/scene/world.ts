@@ -36,6 +36,8 @@ export class World {
   private sinceTrails = Infinity;
   private shown = NaN;
   private dirty = true;
+  /** The first picture is to come: of the robot on its ground alone, as each kind of paint takes a while to be made. */
+  private first = true;
   private wantsGhost = false;
   /** Time for which pictures go on after the last change: the camera and the trails come after it [s]. */
   private settling = SETTLING;
@@ -126,12 +128,20 @@ export class World {
     this.stage.fit();
     this.labels.begin(this.stage.width, this.stage.height);
     if (frame !== undefined) this.show(frame, source, dt);
+    if (this.first) this.overlays.root.visible = false;
     extras();
     this.view.copy(this.stage.camera.matrixWorld);
     this.stage.render();
-    if (frame !== undefined) this.onFirstPicture();
+    if (frame !== undefined) this.completed();
     this.labels.end();
     return true;
+  }
+
+  /** The robot is in the picture. */
+  private completed(): void {
+    if (!this.first) return this.onFirstPicture();
+    this.first = false;
+    this.invalidate();
   }
 
   private show(frame: Frame, source: FrameSource, dt: number): void {

@@ -1,0 +1,54 @@
+import { rateOf, type Status } from "../protocol/connection.ts";
+
+/** A run that is slower than this share of what was asked for is told. */
+const SLOW = 0.9;
+/** A picture that is younger than this is told as now [s]. */
+const YOUNG = 0.35;
+/** Over how long ages are averaged, in numbers of them. */
+const MEMORY = 5;
+
+type Told = Pick<Status, "clock" | "time" | "paused" | "ended" | "speed" | "real_factor">;
+
+/** How fast the run goes, and that it can't go as fast as was asked for. */
+export function paceText(status: Told): string {
+  if (rateOf(status) === 0) return "";
+  const { speed, real_factor } = status;
+  if (real_factor > 0 && real_factor < SLOW * speed)
+    return `${Number(real_factor.toPrecision(2))}× of ${Number(speed.toPrecision(3))}× asked: the program's machine is busy`;
+  return `${(100 * rateOf(status)).toFixed(0)} % of real time`;
+}
+
+/** How long ago the run was as the picture shows it, by the program's clock. */
+export class PictureAge {
+  private status: Told | undefined;
+  /** By how much this page's clock is ahead of the program's; what comes late seems to say more [s]. */
+  private ahead = Infinity;
+  private mean = 0;
+
+  /** `now`: by the page's clock [s]. */
+  hear(status: Told, now: number): void {
+    this.status = status;
+    this.ahead = Math.min(this.ahead, now - status.clock);
+  }
+
+  /** The program may be another one now. */
+  forget(): void {
+    this.status = undefined;
+    this.ahead = Infinity;
+    this.mean = 0;
+  }
+
+  /** Of a picture of the run at `time`; 0 while the run stands [s]. */
+  of(time: number, now: number): number {
+    const { status } = this;
+    const rate = status === undefined ? 0 : rateOf(status);
+    if (status === undefined || rate === 0) return 0;
+    return Math.max(0, now - this.ahead - status.clock + (status.time - time) / rate);
+  }
+
+  /** What is said of it, asked ten times a second; "" of one that is young. */
+  text(time: number, now: number): string {
+    this.mean += (this.of(time, now) - this.mean) / MEMORY;
+    return this.mean < YOUNG ? "" : `the picture is ${this.mean.toFixed(1)} s old`;
+  }
+}
