@@ -3,6 +3,7 @@ import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountOf, levelStates } from "./data/hierarchy.ts";
+import { againText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
@@ -127,13 +128,18 @@ export class App {
     }
   }
 
+  private again(): string {
+    const { header, whole, source } = this.session;
+    return againText(header.command, source, whole, this.player.source.marks.some(({ kind }) => kind === "change"));
+  }
+
   private facts(): [string, string][] {
     const { header, version, source, whole } = this.session;
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
       ["Log", source === "" ? "" : `${source}${whole ? "" : " (not whole: the run was cut off)"}`],
-      ["Again", header.command], ["Version", version],
+      ["Again", this.again()], ["Version", version],
     ];
   }
 
@@ -319,6 +325,7 @@ export class App {
     this.transport.tell(frame);
     this.hierarchy.show(frame);
     this.state.show(frame);
+    this.state.fact("Again", this.again());
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { damageText, readText } from "../src/data/log_words.ts";
+import { againText, damageText, readText } from "../src/data/log_words.ts";
 
 const hole = "12.40 s to 12.61 s can't be read: the checksum of a chunk is wrong";
 const unknown = "2 pieces of the log can't be read, nor from when they are";
@@ -20,4 +20,13 @@ test("a log full of holes is not told hole by hole", () => {
 test("how much of a log is read never says more than there is", () => {
   assert.equal(readText(17.03, 60), "Reading the log: 17 s of 60 s");
   assert.equal(readText(1.98, 2), "Reading the log: 1 s of 2 s");
+});
+
+test("a run that was steered is not had again by its command", () => {
+  const command = "surefoot run walk_flat";
+  assert.equal(againText(command, "", true, false), command);
+  assert.equal(againText("", "a.mcap", true, true), "");
+  assert.equal(againText(command, "a.mcap", true, true), `${command}, without what was changed and pushed by hand: surefoot replay a.mcap --verify repeats it`);
+  assert.equal(againText(command, "a.mcap", false, false), `${command} (it goes on where this log is cut off or damaged)`);
+  assert.ok(againText(command, "", true, true).includes("--record"));
 });

@@ -15,3 +15,12 @@ export function damageText(damage: string[]): string {
 export function readText(read: number, whole: number): string {
   return `Reading the log: ${Math.floor(read)} s of ${Math.ceil(whole)} s`;
 }
+
+/** The command that gives this run again, and what it leaves out: what was changed while the run was watched is in its log alone. */
+export function againText(command: string, log: string, isWhole: boolean, isSteered: boolean): string {
+  if (command === "") return "";
+  const whole = isWhole ? "" : " (it goes on where this log is cut off or damaged)";
+  if (!isSteered) return command + whole;
+  const steered = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `surefoot replay ${log} --verify repeats it`;
+  return `${command}${whole}, without what was changed and pushed by hand: ${steered}`;
+}

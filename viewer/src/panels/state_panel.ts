@@ -79,12 +79,24 @@ export function sentences(frame: Frame): [string, string][] {
 export class StatePanel {
   private readonly list = h("dl", { id: "state", "aria-live": "off" });
   private readonly rows = new Map<string, HTMLElement>();
+  private readonly facts = new Map<string, HTMLElement>();
 
   constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
     const about = h("dl", {});
-    for (const [name, text] of facts) if (text !== "") about.append(h("dt", {}, name), h("dd", {}, text));
+    for (const [name, text] of facts) {
+      if (text === "") continue;
+      const row = h("dd", {}, text);
+      this.facts.set(name, row);
+      about.append(h("dt", {}, name), row);
+    }
     root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
     if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
+  }
+
+  /** What the run is, where that has become known only later. */
+  fact(name: string, text: string): void {
+    const row = this.facts.get(name);
+    if (row !== undefined) say(row, text);
   }
 
   clear(): void {
