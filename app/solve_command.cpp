@@ -63,8 +63,8 @@ double worst_ratio(const Hierarchy& hierarchy) {
   return worst;
 }
 
-/// Rows of a level that differ more in length: rounding in the long ones hides the short ones from
-/// the certificate, ratio² · 1e-16.
+/// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
+/// level does so by 1 / ratio² of its length, which is no longer told from holding.
 constexpr double kLargestRatio = 1e4;
 constexpr double kProven = 1e-8;  // a certificate below it is rounding
 constexpr int kMostNotes = 10;    // on `err`

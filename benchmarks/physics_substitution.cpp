@@ -1,12 +1,15 @@
 // Time to get rid of the equations of motion and the contacts: in closed form, by a QR of their
 // rows, and by the solver's own sweep over them. Counter Q: the time over that of Eigen's
-// HouseholderQR of a 30 × 30 matrix; the argument is the number of feet on the ground.
+// HouseholderQR of a 30 × 30 matrix; the argument is the number of feet on the ground. And the time
+// to see contact forces in what these levels leave free: each row of friction and of force
+// minimisation, as the solver does it, or the forces once and the rows by them.
 
 #include "surefoot/tasks/physics_substitution.hpp"
 
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/tasks/equations_of_motion.hpp"
+#include "surefoot/tasks/friction_cone.hpp"
 #include "surefoot/tasks/no_contact_motion.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/random_motion.hpp"
@@ -79,6 +82,44 @@ void BM_Sweep(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(solver.solve(example.hierarchy()).x.data());
 }
 BENCHMARK(BM_Sweep)->DenseRange(0, 4);
+
+/// Rows a leg of both tasks.
+constexpr int kForceRows = FrictionCone::kRowsPerLeg + 3;
+
+void BM_EachForceRow(benchmark::State& state) {
+  const Example example(static_cast<int>(state.range(0)));
+  PhysicsSubstitution physics;
+  const Substitution& substitution =
+      *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
+  const Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Random(kForceRows * example.support().num_contacts(), kNumUnknowns);
+  Eigen::MatrixXd reduced(rows.rows(), substitution.basis.cols());
+  for (auto _ : state) {
+    reduced.noalias() = rows * substitution.basis;
+    benchmark::DoNotOptimize(reduced.data());
+  }
+}
+BENCHMARK(BM_EachForceRow)->DenseRange(2, 4);
+
+void BM_ForcesOnce(benchmark::State& state) {
+  const Example example(static_cast<int>(state.range(0)));
+  PhysicsSubstitution physics;
+  const Substitution& substitution =
+      *physics.update(example.dynamics(), example.support(), example.hierarchy().level(1).lower());
+  const int legs = example.support().num_contacts();
+  const Eigen::Matrix<double, kForceRows, 3> of_a_leg = Eigen::MatrixXd::Random(kForceRows, 3);
+  Eigen::MatrixXd forces(3 * legs, substitution.basis.cols());
+  Eigen::MatrixXd reduced(kForceRows * legs, substitution.basis.cols());
+  for (auto _ : state) {
+    forces.noalias() = example.support().Lambda() * substitution.basis;
+    for (int leg = 0; leg < legs; ++leg) {
+      reduced.middleRows<kForceRows>(kForceRows * leg).noalias() =
+          of_a_leg * forces.middleRows<3>(3 * leg);
+    }
+    benchmark::DoNotOptimize(reduced.data());
+  }
+}
+BENCHMARK(BM_ForcesOnce)->DenseRange(2, 4);
 
 void BM_Q(benchmark::State& state) {
   const Eigen::MatrixXd A = Eigen::MatrixXd::Random(30, 30);

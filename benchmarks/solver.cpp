@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
   std::vector<std::string> files, families, peers;
-  bool sequence = false, list = false, growth = false;
+  bool sequence = false, list = false, growth = false, clock = false;
   std::string json;
   Amount amount;
   MeasureOptions measure;
@@ -58,12 +58,15 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--json", arguments.json, "Write all results to this file, too");
   app.add_flag("--growth", arguments.growth,
                "How our time grows with unknowns, levels, rows and active rows, instead");
+  app.add_flag("--clock", arguments.clock,
+               "Beside ours, ours with a clock: what telling the time of each level costs");
   app.add_flag("--list", arguments.list, "List families and solvers");
 }
 
 /// Ours, and of the others those that were asked for.
 std::vector<PeerKind> chosen_peers(const Arguments& arguments) {
   std::vector<PeerKind> peers = all_peers();
+  if (arguments.clock) add_ours_with_clock(peers);
   if (arguments.peers.empty()) return peers;
   std::string valid;
   for (const PeerKind& kind : peers) valid += (valid.empty() ? "" : ", ") + kind.name;

@@ -1,5 +1,6 @@
 #include "benchmarks/solver/peer.hpp"
 
+#include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
@@ -55,6 +56,14 @@ std::vector<PeerKind> all_peers() {
   add_proxqp(peers);
 #endif
   return peers;
+}
+
+void add_ours_with_clock(std::vector<PeerKind>& peers) {
+  LexicographicOptions options;
+  options.clock = steady_seconds;
+  peers.push_back(ours<LexicographicSolver>("ours, warm, with a clock", true, options));
+  options.warm_start = false;
+  peers.push_back(ours<LexicographicSolver>("ours, with a clock", false, options));
 }
 
 }  // namespace surefoot::benchmarks

@@ -27,10 +27,10 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
   RowSet touching(hierarchy.unknowns());
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
-    const Multipliers found = multipliers(level.gradient, fixed, touching, options.rank);
+    const Multipliers found = multipliers(level, fixed, touching, options.rank);
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.scale);
     certificates.push_back(
-        {level.residual, is_sound ? finite_or_infinity(found.distance / level.scale) : kInfinity});
+        {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
     fix_pushing(level, found, fixed, touching);
     fixed.add(level.fixed);
     touching.add(level.touching);

@@ -11,10 +11,16 @@ namespace surefoot {
 /// How far a level is from its lexicographic optimum.
 struct LevelCertificate {
   double residual = 0.0;  ///< √Σ violation²
-  /// min over λ free, μ ≥ 0 of ‖g + Eᵀ λ + Tᵀ μ‖ / (s (s (1 + ‖x‖) + Σ |vᵢ|)), 0 at an optimum; s
-  /// is the length of the level's shortest row. So it is the same for a level in other units, and
-  /// where rows of a level differ in length it is the shortest that has to be proven. ∞ where x or
-  /// a number computed with it isn't finite.
+  /// 0 at an optimum. With r = Zᵀ (g + Tᵀ μ), Z an orthonormal basis of what E leaves free, and s
+  /// the length of the level's shortest row, the least over μ ≥ 0 of
+  ///
+  ///     √(rᵀ (Zᵀ M Z)⁻¹ r),   M = s² (s (1 + ‖x‖) + Σ |vᵢ|)² I
+  ///                               + (1 + ‖x‖)² Σ (‖aᵢ‖² − s²) aᵢ aᵢᵀ
+  ///
+  /// that is ‖r‖ / (s (s (1 + ‖x‖) + Σ |vᵢ|)) where all rows have one length. An error d of x
+  /// changes g by Σ aᵢ aᵢᵀ d, so where longer rows see it, more of r is the same error. It is the
+  /// same for a level in other units, and what only the shortest row sees is not excused by longer
+  /// ones. ∞ where x or a number computed with it isn't finite.
   double stationarity = 0.0;
 };
 

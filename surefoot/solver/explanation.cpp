@@ -64,7 +64,7 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
 std::vector<Blocker> blockers(const Hierarchy& hierarchy, const LevelConditions& level,
                               const RowSet& fixed, const RowSet& touching) {
   std::vector<Blocker> result;
-  const Multipliers found = multipliers(level.gradient, fixed, touching, kTolerances.rank);
+  const Multipliers found = multipliers(level, fixed, touching, kTolerances.rank);
   const auto add = [&](const RowSet& rows, const VectorXd& strength) {
     for (Index i = 0; i < strength.size(); ++i) {
       if (std::abs(strength[i]) <= kSmall * level.scale) continue;

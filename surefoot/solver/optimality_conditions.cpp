@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -38,6 +39,23 @@ double shortest_row(const Level& level) {
   return shortest;
 }
 
+/// Rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ of those longer than s, the longest first: in this order a QR
+/// keeps what short rows say.
+MatrixXd longer_rows(const Level& level, double shortest, double x_size) {
+  std::vector<std::pair<double, Index>> longer;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double size = level.A().row(i).norm();
+    if (size > shortest) longer.emplace_back(size, i);
+  }
+  std::ranges::sort(longer, std::greater<>());
+  MatrixXd rows(static_cast<Index>(longer.size()), level.A().cols());
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const auto [size, i] = longer[static_cast<std::size_t>(k)];
+    rows.row(k) = x_size * std::sqrt((size - shortest) * (size + shortest)) * level.A().row(i);
+  }
+  return rows;
+}
+
 struct NullSpace {
   MatrixXd Z;
   double smallest_pivot = 1.0;
@@ -57,6 +75,31 @@ NullSpace null_space_of(const MatrixXd& rows, double rank) {
   if (used == 0) return {Q};
   return {Q.rightCols(n - used), std::abs(decomposition.matrixQR()(used - 1, used - 1))};
 }
+
+/// What an error of x does to g in the space of Z, so that directions that long rows see are
+/// measured in larger units: Rᵀ R = I + Zᵀ longerᵀ longer Z / scale², up to an order of the
+/// columns.
+class Measure {
+ public:
+  Measure(const LevelConditions& level, const MatrixXd& Z) : qr_(stacked(level, Z)) {}
+
+  /// R⁻ᵀ of each column.
+  [[nodiscard]] MatrixXd of(const MatrixXd& columns) const {
+    MatrixXd result = qr_.colsPermutation().transpose() * columns;
+    const auto R = qr_.matrixR().topRows(columns.rows());
+    R.triangularView<Eigen::Upper>().transpose().solveInPlace(result);
+    return result;
+  }
+
+ private:
+  static MatrixXd stacked(const LevelConditions& level, const MatrixXd& Z) {
+    MatrixXd rows(level.longer.rows() + Z.cols(), Z.cols());
+    rows << level.longer / level.scale * Z, MatrixXd::Identity(Z.cols(), Z.cols());
+    return rows;
+  }
+
+  Eigen::ColPivHouseholderQR<MatrixXd> qr_;
+};
 
 /// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
 /// the first becomes zero, takes it out and returns false.
@@ -104,7 +147,10 @@ void RowSet::add(const RowSet& other) {
 LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
                                       double tight) {
   const Index n = hierarchy.unknowns();
-  LevelConditions result{.gradient = VectorXd::Zero(n), .fixed = RowSet(n), .touching = RowSet(n)};
+  LevelConditions result{.gradient = VectorXd::Zero(n),
+                         .longer = MatrixXd(0, n),
+                         .fixed = RowSet(n),
+                         .touching = RowSet(n)};
   const Level& level = hierarchy.level(k);
   const double x_size = 1.0 + x.norm();
   double sum_of_squares = 0.0, sum = 0.0;
@@ -131,26 +177,31 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
   }
   const double shortest = shortest_row(level);
   result.scale = shortest * (shortest * x_size + sum);
+  result.longer = longer_rows(level, shortest, x_size);
   result.residual = std::sqrt(sum_of_squares);
   return result;
 }
 
-Multipliers multipliers(const VectorXd& gradient, const RowSet& fixed, const RowSet& touching,
+Multipliers multipliers(const LevelConditions& level, const RowSet& fixed, const RowSet& touching,
                         double rank) {
   Multipliers result;
   result.fixed = VectorXd::Zero(fixed.rows.rows());
   result.touching = VectorXd::Zero(touching.rows.rows());
   const auto [Z, smallest_pivot] = null_space_of(fixed.rows, rank);
   if (Z.cols() > 0) {
-    const VectorXd target = -Z.transpose() * gradient;
+    const Measure measure(level, Z);
+    const VectorXd target = -Z.transpose() * level.gradient / level.scale;
     const MatrixXd generators = (touching.rows * Z).transpose();
-    result.touching = non_negative_least_squares(generators, target);
-    result.distance = (generators * result.touching - target).norm();
+    const VectorXd mu = non_negative_least_squares(measure.of(generators), measure.of(target));
+    const VectorXd rest = generators * mu - target;
+    result.touching = level.scale * mu;
+    result.distance = level.scale * rest.norm();
+    result.stationarity = measure.of(rest).norm();
     const double largest = result.touching.size() > 0 ? result.touching.maxCoeff() : 0.0;
     result.rounding = kRounding / smallest_pivot * largest;
   }
   if (fixed.rows.rows() > 0) {
-    const VectorXd rest = -gradient - touching.rows.transpose() * result.touching;
+    const VectorXd rest = -level.gradient - touching.rows.transpose() * result.touching;
     result.fixed = fixed.rows.transpose().completeOrthogonalDecomposition().solve(rest);
   }
   return result;

@@ -30,6 +30,7 @@ struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
   double scale = 1.0;        ///< s (s (1 + ‖x‖) + Σ |vᵢ|), s the length of the shortest row
+  Eigen::MatrixXd longer;    ///< rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ, of those longer than s
   double pull = 0.0;         ///< Σ |vᵢ| ‖aᵢ‖
   double rounding = 0.0;     ///< that may be in g
   RowSet fixed;              ///< E: equality rows and violated rows
@@ -40,16 +41,17 @@ struct LevelConditions {
 [[nodiscard]] LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t level,
                                                     const Eigen::VectorXd& x, double tight);
 
-/// Multipliers that come closest to −g = Eᵀ λ + Tᵀ μ, μ ≥ 0.
+/// Multipliers that come closest to −g = Eᵀ λ + Tᵀ μ, μ ≥ 0, as `LevelCertificate` measures it.
 struct Multipliers {
-  Eigen::VectorXd fixed;     ///< λ, one for each row of E
-  Eigen::VectorXd touching;  ///< μ, one for each row of T
-  double distance = 0.0;     ///< ‖g + Eᵀ λ + Tᵀ μ‖
-  double rounding = 0.0;     ///< that may be in μ: the weaker the rows of E, the more
+  Eigen::VectorXd fixed;      ///< λ, one for each row of E
+  Eigen::VectorXd touching;   ///< μ, one for each row of T
+  double distance = 0.0;      ///< ‖g + Eᵀ λ + Tᵀ μ‖
+  double stationarity = 0.0;  ///< the same as `LevelCertificate` measures it
+  double rounding = 0.0;      ///< that may be in μ: the weaker the rows of E, the more
 };
 
 /// `rank`: relative length below which a row of E depends on others.
-[[nodiscard]] Multipliers multipliers(const Eigen::VectorXd& gradient, const RowSet& fixed,
+[[nodiscard]] Multipliers multipliers(const LevelConditions& level, const RowSet& fixed,
                                       const RowSet& touching, double rank);
 
 /// Moves rows from T to E whose μ is positive for certain: all optima of the level lie on them.

@@ -102,6 +102,64 @@ TEST(Certificate, RefusesAShortRowBesideLongOnesThatCanNotAllBeHad) {
   EXPECT_GE(optimality_error(2, levels, Vector2d(0.5, 0.0)), 1e-5);
 }
 
+/// Each row becomes up to 10^`most` times as long.
+HierarchyData lengthened(HierarchyData levels, double most, RandomMatrices& random) {
+  for (LevelData& level : levels) {
+    for (Index i = 0; i < level.A.rows(); ++i) {
+      const double factor = std::pow(10.0, random.uniform(0.0, most));
+      level.A.row(i) *= factor;
+      level.lower[i] *= factor;
+      level.upper[i] *= factor;
+    }
+  }
+  return levels;
+}
+
+TEST(Certificate, ProvesEqualitiesOfOneLevelWhateverTheirLengthsAndRefusesWhatIsBeside) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels =
+        random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 9, .inequality_share = 0.0});
+    levels.push_back(close_to(random.vector(6)));
+    levels = lengthened(levels, 8.0, random);
+    const VectorXd x = solve(6, levels).x;
+    ASSERT_LE(optimality_error(6, levels, x), 1e-12);
+    ASSERT_GE(optimality_error(6, levels, x + 1e-3 * random.vector(6)), 1e-7);
+  }
+}
+
+TEST(Certificate, ProvesLimitsOfOneLevelAThousandTimesAsLongAndRefusesWhatIsBeside) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const HierarchyData levels = lengthened(levels_with_one_optimum(random), 3.0, random);
+    const VectorXd x = solve(6, levels).x;
+    ASSERT_LE(optimality_error(6, levels, x), 1e-9);
+    ASSERT_GE(optimality_error(6, levels, x + 1e-3 * random.vector(6)), 1e-7);
+  }
+}
+
+TEST(Certificate, SeesWhatOnlyTheShortRowsOfALevelAskFor) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd R = random.rotation(5);
+    const VectorXd b = random.vector(5);
+    const VectorXd x = R.transpose() * b;
+    const Eigen::VectorXd beside = x + 1e-5 * R.bottomRows(2).transpose() * random.vector(2);
+    for (const double length : {1.0, 1e3, 1e6}) {
+      VectorXd lengths = VectorXd::Ones(5);
+      lengths.head(3).setConstant(length);
+      const HierarchyData levels{equalities(lengths.asDiagonal() * R, lengths.cwiseProduct(b))};
+      ASSERT_LE(optimality_error(5, levels, x), 1e-14) << length;
+      ASSERT_NEAR(optimality_error(5, levels, beside), (beside - x).norm() / (1.0 + beside.norm()),
+                  1e-3 * (beside - x).norm())
+          << length;
+    }
+  }
+}
+
 TEST(Certificate, RefusesNumbersThatAreNone) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -312,6 +312,30 @@ TEST(ContactForceMinimisation, has_the_weighted_contact_forces_as_its_violation)
   }
 }
 
+TEST(ContactForceMinimisation, and_the_friction_cone_see_forces_by_the_same_map) {
+  Scene scene;
+  Random random(29);
+  const ContactForceMinimisation minimisation({.weight_tangential = 2.0, .weight_normal = 0.5});
+  const FrictionCone friction({});
+  for (const PerLeg<bool>& contacts : all_contact_sets()) {
+    scene.plan = plan_with_contacts(contacts);
+    const TaskInput input =
+        scene.update(random.standing_state(scene.model.description().q_nominal));
+    const WrittenRows least = written(minimisation, input), cone = written(friction, input);
+    for (int leg = 0; leg < scene.plan.num_contacts(); ++leg) {
+      // Λ and λ₀ of the leg, from the rows of one task, give those of the other.
+      const MatX force = least.A.middleRows(3 * leg, 3);
+      const MatX rows = cone.A.middleRows(FrictionCone::kRowsPerLeg * leg, 4);
+      const MatX by_force =
+          force.transpose().completeOrthogonalDecomposition().solve(rows.transpose()).transpose();
+      EXPECT_LT((by_force * force - rows).norm(), 1e-12 * rows.norm());
+      const VecX bound = cone.upper.segment(FrictionCone::kRowsPerLeg * leg, 4);
+      EXPECT_LT((by_force * least.upper.segment(3 * leg, 3) - bound).norm(),
+                1e-9 * (1.0 + bound.norm()));
+    }
+  }
+}
+
 TEST(TorqueMinimisation, has_the_weighted_torques_as_its_violation) {
   Scene scene;
   Random random(29);
