@@ -48,6 +48,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
+  losses_.add(truth, tick.plan);
   slips_.add(truth, tick);
   add_progress(truth, tick);
   add_com(truth, tick);
@@ -195,6 +196,7 @@ Metrics Evaluator::metrics(const RunEnd& end) const {
   Metrics result = metrics_;
   estimate_.write(result);
   touchdowns_.write(result);
+  losses_.write(result);
   slips_.write(result);
   path_.write(result);
   result.reason = metrics_.fell ? fall_ : end.reason;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/evaluation/contact_loss_judge.hpp"
 #include "surefoot/evaluation/estimate_judge.hpp"
 #include "surefoot/evaluation/landing.hpp"
 #include "surefoot/evaluation/metrics.hpp"
@@ -84,6 +85,7 @@ class Evaluator {
   BeliefFrame frame_;
   EstimateJudge estimate_;
   TouchdownJudge touchdowns_;
+  ContactLossJudge losses_;
   SlipJudge slips_;
   PathJudge path_;
   std::string fall_;

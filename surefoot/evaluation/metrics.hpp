@@ -55,6 +55,13 @@ struct Metrics {
   double touchdown_latency_p95_s = kNaN;  ///< from a foot's touch to the tick that notices it
   int false_touchdowns = 0;               ///< noticed, but not there
 
+  /// Of feet that were to stand (evaluation/contact_loss_judge.hpp): true losses of the ground that
+  /// were noticed …
+  int contact_losses_noticed = 0;
+  int contact_losses_missed = 0;             ///< … that were not
+  int contact_losses_false = 0;              ///< noticed, but the foot stood
+  double contact_loss_latency_p95_s = kNaN;  ///< from the last touch to the tick that notices it
+
   int slips_detected = 0;            ///< true slips that were noticed (evaluation/slip_judge.hpp)
   int slips_missed = 0;              ///< … that were not
   int slips_false = 0;               ///< noticed, but not there

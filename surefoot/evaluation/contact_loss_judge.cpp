@@ -1,0 +1,49 @@
+#include "surefoot/evaluation/contact_loss_judge.hpp"
+
+#include "surefoot/evaluation/quantile.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLoss = 0.05;  // [s]
+
+}  // namespace
+
+void ContactLossJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
+  for (const Leg leg : kLegs) {
+    Foot& foot = feet_[index(leg)];
+    const bool touches = truth.feet[index(leg)].touched;
+    const LegPhase phase = plan.feet[index(leg)].phase;
+    const bool stood = foot.phase == LegPhase::stance;
+    if (stood && phase == LegPhase::search) {
+      if (touches) {
+        ++false_;
+      } else {
+        ++noticed_;
+        latencies_.push_back(truth.time - foot.touched_at);
+      }
+      foot.is_lost = false;
+    } else if (foot.is_lost && (touches || phase != LegPhase::stance)) {
+      ++missed_;
+      foot.is_lost = false;
+    }
+    const bool stands = phase == LegPhase::stance;
+    if (stands && (touches || !stood)) foot.touched_at = truth.time;
+    foot.is_lost = foot.is_lost || (stands && truth.time - foot.touched_at >= kLoss);
+    foot.phase = phase;
+  }
+}
+
+void ContactLossJudge::write(Metrics& metrics) const {
+  metrics.contact_losses_noticed = noticed_;
+  metrics.contact_losses_missed = missed_;
+  metrics.contact_losses_false = false_;
+  if (latencies_.empty()) return;
+  std::vector<double> sorted = latencies_;
+  std::ranges::sort(sorted);
+  metrics.contact_loss_latency_p95_s = quantile(sorted, 0.95);
+}
+
+}  // namespace surefoot
