@@ -65,13 +65,15 @@ def in_order(spec, parameters):
     return {key: parameters[key] for key in spec.parameters() if key in parameters}
 
 
-def explain(spec, scenario, parameters, message):
+def explain(spec, scenario, case, parameters, message):
     """What the program says of a parameter, with the line of the spec that gives it."""
     for key in parameters:
         if message.startswith(f"--set {key}="):
             section = next((name for name in ("grid", "draw") if key in getattr(spec, name)), "set" if key in spec.fixed else "cases")
             # The program's words are "--set key=value: what is wrong".
             given = message.removeprefix("--set ")
+            if section == "cases":
+                return f"{spec.where((case, key))}: cases.{case}: {given} (scenario {scenario})"
             return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"
     values = " ".join(f"{key}={yaml_text(value)}" for key, value in parameters.items())
     with_values = f" with {values}" if values and not message.startswith("unknown scenario") else ""
@@ -84,13 +86,13 @@ def check_all(spec, program, jobs):
     if spec.draw:
         ends.append({key: range_.upper for key, range_ in spec.draw.items()})
 
-    def check(scenario, _case, parameters):
+    def check(scenario, case, parameters):
         checks = []
         for end in ends:
             try:
                 checks.append(program.check(scenario_file(spec, scenario), in_order(spec, parameters | end)))
             except InputError as error:
-                raise InputError(explain(spec, scenario, parameters | end, str(error))) from None
+                raise InputError(explain(spec, scenario, case, parameters | end, str(error))) from None
         return checks[0]
 
     points = [(scenario, *point) for scenario in spec.scenarios for point in grid_points(spec)]

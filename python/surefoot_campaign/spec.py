@@ -44,7 +44,7 @@ class Spec:
     timeout: float = TIMEOUT
     judge: str = JUDGE
     units: dict = field(default_factory=dict)  # parameter -> unit
-    lines: dict = field(default_factory=dict)  # parameter or key -> line in the file
+    lines: dict = field(default_factory=dict)  # parameter, key or (case, parameter) -> line in the file
 
     def parameters(self):
         """Every parameter, in the order of the file: those that vary first. Those of cases need not be in every run."""
@@ -132,7 +132,8 @@ class Reader:
             cases[name] = {key: self.plain(f"cases.{name}.{key}", value) for key, value in entry.value.items()}
             if cases[name] in list(cases.values())[:-1]:
                 self.fail(entry.line, f"cases.{name}", "another case has the same values")
-            self.lines |= {key: value.line for key, value in entry.value.items()}
+            for key, value in entry.value.items():
+                self.lines[key] = self.lines[name, key] = value.line
         return cases
 
     def name(self):

@@ -54,11 +54,11 @@ def median(values):
 def median_interval(values):
     """A 95 % interval of the median from the values' ranks (binomial, no distribution assumed); None of fewer than six."""
     count = len(values)
-    tail, rank = 0.5**count, 0  # P(X <= rank) of X ~ B(count, 1/2)
-    if tail > 0.025:
+    tail, limit = 1, 2**count // 40  # P(X <= rank) of X ~ B(count, 1/2), and 2.5 %, times 2**count
+    if tail > limit:
         return None
-    while tail + math.comb(count, rank + 1) * 0.5**count <= 0.025:
-        rank += 1
-        tail += math.comb(count, rank) * 0.5**count
+    rank = 0
+    while (more := tail + math.comb(count, rank + 1)) <= limit:
+        rank, tail = rank + 1, more
     values = sorted(values)
     return [values[rank], values[count - 1 - rank]]

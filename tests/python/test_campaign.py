@@ -265,8 +265,9 @@ def test_cases_are_compared_with_the_first_seed_by_seed(tmp_path):
 
 
 def test_a_parameter_of_a_case_that_the_program_does_not_know_is_told_with_its_line(tmp_path):
-    text = CASES.replace("{mass: 8", "{masss: 8")
-    assert "spec.yaml:5: cases: masss=8: masss: unknown key" in CampaignFolder(tmp_path).write(text).complaint()
+    text = CASES.replace("{mass: 8", "{masss: 8").replace("{mode: crash", "{masss: 9, mode: crash")
+    said = CampaignFolder(tmp_path).write(text).complaint()
+    assert "spec.yaml:5: cases.heavy: masss=8: masss: unknown key" in said
 
 
 def test_plots_are_there_for_each_parameter_and_each_pair(tmp_path):

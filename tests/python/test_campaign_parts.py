@@ -46,7 +46,7 @@ def test_quantiles_lie_between_the_values():
 def test_the_interval_of_a_median_has_the_ranks_of_the_binomial_tables():
     """Conover, Practical Nonparametric Statistics, table A3 with p = 1/2: n = 6, 10, 20, 100."""
     assert median_interval(list(range(5))) is None
-    for count, rank in ((6, 0), (10, 1), (20, 5), (100, 39)):
+    for count, rank in ((6, 0), (10, 1), (20, 5), (100, 39), (2000, 955)):
         assert median_interval(list(range(count))[::-1]) == [rank, count - 1 - rank]
 
 
