@@ -163,7 +163,7 @@ def test_a_run_that_was_ended_from_outside_has_no_row(folder):
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupt_keeps_what_is_finished_and_says_how_to_go_on(folder, which):
-    folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 20"))
+    folder.write(SPEC.replace("set:", "set:\n  mode: slow").replace("count: 4", "count: 200"))
     process = folder.start("--jobs", 2)
     while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
         time.sleep(0.02)
@@ -171,7 +171,7 @@ def test_an_interrupt_keeps_what_is_finished_and_says_how_to_go_on(folder, which
     out, err = process.communicate(timeout=30)
     assert process.returncode == 2
     finished = len(folder.rows())
-    assert f"surefoot: interrupted: {finished} of 40 runs are finished and kept; to go on: " in err.splitlines()[-1]
+    assert f"surefoot: interrupted: {finished} of 400 runs are finished and kept; to go on: " in err.splitlines()[-1]
     assert err.rstrip().endswith(shlex.join(["campaign", *folder.command()[3:], "--jobs", "2"]))
     assert len(table(folder)) == finished and "succeeded" in out
     assert not (folder.out / "program").exists()
