@@ -103,7 +103,7 @@ def test_names_of_the_levels_are_whole_and_all_levels_are_seen(browser, live):
 def test_the_account_agrees_with_the_levels(browser, live):
     show(browser, live.link)
     said = """(() => [document.querySelector('#account').innerText, document.querySelector('#account').dataset.kind,
-      [...document.querySelectorAll('.level .brief')].map(one => one.textContent).filter(text => /^(held back by|to) /.test(text))])()"""
+      [...document.querySelectorAll('.level:is(.held, [data-status=gives-way])')].map(one => one.innerText)])()"""
     for _ in range(10):
         picture = browser.run("surefoot.pictures")
         browser.wait(f"surefoot.pictures > {picture}")
