@@ -312,7 +312,7 @@ export class App {
     this.transport.update(this.link?.status);
     this.plots.showProgress(this.progress());
     say(part("loading"), this.world?.library.progress ?? "");
-    say(part("rates"), [...(this.link?.facts ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
+    say(part("rates"), [...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
   }
 
   /** The picture's frame in numbers, in the same step as the picture: neither is newer than the other, however slowly it is drawn. */

@@ -228,7 +228,7 @@ export class LiveLink {
   }
 
   /** Speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
-  get facts(): string[] {
+  tellFacts(): string[] {
     const facts: string[] = [];
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;

@@ -41,6 +41,20 @@ test("what comes ever later makes the picture old, and is told once it is more t
   assert.match(said, /^the picture is 1\.[89] s old$/);
 });
 
+test("a picture is young again after the program's machine slept, and one that came late through a pause of the network is not", () => {
+  for (const [slept, late] of [[600, 0], [0, 2]] as const) {
+    const age = new PictureAge();
+    let said = "";
+    for (let k = 0; k < 200; ++k) {
+      const clock = 0.1 * k + (k >= 50 ? 10 : 0); // nothing comes for ten seconds
+      const now = 30 + clock + (k >= 50 ? slept : 0);
+      age.hear(status({ clock, time: clock }), now + (k >= 100 ? late : 0));
+      said = age.text(clock, now + (k >= 100 ? late : 0));
+    }
+    assert.equal(said, late === 0 ? "" : "the picture is 2.0 s old");
+  }
+});
+
 test("a picture of a run that stands does not age, nor one of another program", () => {
   const age = new PictureAge();
   assert.equal(age.of(3, 100), 0);

@@ -55,6 +55,21 @@ test("marks are what the program says happened, for as long as there are frames,
   assert.deepEqual(source.marks, []);
 });
 
+test("that a run was steered is known until it begins again, however long ago it was", () => {
+  const source = new LiveSource(schemaOf({ x: 1 }));
+  source.follow(0);
+  const append = (from: number, to: number): void => {
+    for (let tick = from / PERIOD; tick < to / PERIOD; ++tick) source.append(tick, tick * PERIOD, Float32Array.of(tick), undefined);
+  };
+  append(0, 2);
+  source.mark({ time: 1, text: "push", leg: "", kind: "change" }, { time: 1, text: "lift-off", leg: "LF", kind: "event" });
+  append(2, 3 * LIVE_SECONDS);
+  source.mark({ time: source.last, text: "touchdown", leg: "LF", kind: "event" });
+  assert.deepEqual(source.marks.map(({ text }) => text), ["push", "touchdown"]);
+  source.follow(1);
+  assert.deepEqual(source.marks, []);
+});
+
 test("frames of a run before a reset are old, those of this run's first control are not", () => {
   const source = filled();
   source.follow(6);

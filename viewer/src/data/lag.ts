@@ -4,6 +4,8 @@ import { rateOf, type Status } from "../protocol/connection.ts";
 const SLOW = 0.9;
 /** A picture that is younger than this is told as now [s]. */
 const YOUNG = 0.35;
+/** After so long without word the program's machine may have slept, and its clock with it [s]. */
+const SILENCE = 3;
 /** Over how long ages are averaged, in numbers of them. */
 const MEMORY = 5;
 
@@ -21,12 +23,15 @@ export function paceText(status: Told): string {
 /** How long ago the run was as the picture shows it, by the program's clock. */
 export class PictureAge {
   private status: Told | undefined;
+  private heard = -Infinity;
   /** By how much this page's clock is ahead of the program's; what comes late seems to say more [s]. */
   private ahead = Infinity;
   private mean = 0;
 
   /** `now`: by the page's clock [s]. */
   hear(status: Told, now: number): void {
+    if (now - this.heard > SILENCE) this.forget();
+    this.heard = now;
     this.status = status;
     this.ahead = Math.min(this.ahead, now - status.clock);
   }

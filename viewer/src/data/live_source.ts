@@ -140,10 +140,10 @@ export class LiveSource implements FrameSource {
     this.before = undefined;
   }
 
-  /** Something happened, of which some may be known; what is from before the frames is forgotten. */
+  /** Something happened, of which some may be known; what is from before the frames is forgotten, but not that the run was changed. */
   mark(...marks: Mark[]): void {
     const all = new Map([...marks, ...this.marks].map((mark) => [`${mark.time} ${mark.kind} ${mark.text} ${mark.leg}`, mark]));
-    this.marks = [...all.values()].filter(({ time }) => !(time < this.first)).sort((a, b) => a.time - b.time);
+    this.marks = [...all.values()].filter(({ time, kind }) => kind === "change" || !(time < this.first)).sort((a, b) => a.time - b.time);
   }
 
   get first(): number {
