@@ -20,18 +20,26 @@ struct GrowingTick {
   TickRecord record;
   logged::Hierarchy hierarchy;
   GroundTruth truth;
-  bool is_whole = false, has_truth = false, is_damaged = false;
+  bool has_begin = false, has_end = false, has_truth = false, is_damaged = false;
+
+  /// A tick begins with its readings and ends with its command; either may stand in what is lost.
+  [[nodiscard]] bool is_whole() const { return has_begin && has_end && !is_damaged; }
 
   /// Throws JsonError where the message is not what it should be.
   void take(const McapMessage& message) {
     const std::string& topic = message.channel->topic;
-    is_whole = is_whole || topic == "/command";
+    has_begin = has_begin || topic == "/readings";
+    has_end = has_end || topic == "/command";
     if (decode_signal(message, record)) return;
     if (topic == "/hierarchy") logged::Decoder::decode(message.data, hierarchy);
     if (topic == "/truth") logged::Decoder::decode(message.data, truth);
     has_truth = has_truth || topic == "/truth";
   }
 };
+
+std::string told(const McapMessage& message, const JsonError& error) {
+  return "a message on " + message.channel->topic + " is not what it should be: " + error.what();
+}
 
 double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
@@ -40,7 +48,36 @@ double seconds(std::uint64_t nanoseconds) { return 1e-9 * static_cast<double>(na
 struct LogFrames::Decoded {
   std::map<std::uint64_t, GrowingTick> ticks;  // by log time
   std::map<std::uint64_t, logged::Timing> timings;
+
+  /// A message that is not what it should be costs its tick, or the timings of it.
+  void take(const McapMessage& message, LogChunk& chunk);
+  void take_timing(const McapMessage& message, LogChunk& chunk);
 };
+
+void LogFrames::Decoded::take(const McapMessage& message, LogChunk& chunk) {
+  if (message.channel->topic == "/timings") return take_timing(message, chunk);
+  GrowingTick& tick = ticks[message.log_time];
+  try {
+    tick.take(message);
+    if (message.channel->topic != "/changes") return;
+    logged::Change change;
+    logged::Decoder::decode(message.data, change);
+    chunk.changes.push_back(std::move(change));
+  } catch (const JsonError& error) {
+    tick.is_damaged = true;
+    chunk.problem = told(message, error);
+  }
+}
+
+void LogFrames::Decoded::take_timing(const McapMessage& message, LogChunk& chunk) {
+  try {
+    logged::Timing timing;
+    logged::Decoder::decode(message.data, timing);
+    timings[message.log_time] = timing;
+  } catch (const JsonError& error) {
+    chunk.timing_problem = told(message, error);
+  }
+}
 
 LogFrames::LogFrames(const std::string& path, const LogHeader& header)
     : path_(path), file_(path), period_(header.control_period), cone_(friction_cone_of(header)) {
@@ -92,7 +129,7 @@ void LogFrames::learn_channels(const std::string& path) {
     if (!unused.problem.empty()) problem = "; " + unused.problem;
     for (const auto& [time, tick] : decoded.ticks) {
       if (tick.has_truth) truth = tick.truth;
-      is_whole = is_whole || (tick.is_whole && !tick.is_damaged);
+      is_whole = is_whole || tick.is_whole();
     }
   }
   if (!is_whole) {
@@ -116,7 +153,7 @@ void LogFrames::find_start() {
   if (decoded.ticks.empty()) return;
   first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
-  if (first.is_whole && !first.is_damaged && first.has_truth)
+  if (first.is_whole() && first.has_truth)
     start_ = start_alignment(first.truth, first.record.state);
 }
 
@@ -133,7 +170,7 @@ LogChunk LogFrames::decode(std::size_t number) {
   Decoded decoded;
   read_place(number, decoded, chunk);
   for (const auto& [time, tick] : decoded.ticks) {
-    if (!tick.is_whole || tick.is_damaged) continue;
+    if (!tick.is_whole()) continue;
     const auto timing = decoded.timings.find(time);
     to_frame({.number = tick_at(time),
               .record = tick.record,
@@ -177,20 +214,7 @@ void LogFrames::read_chunk(std::size_t index, const Place& place, Decoded& decod
   file_.read(index, [&](const McapMessage& message) {
     const std::uint64_t time = message.log_time;
     if ((place.has_before && time <= place.before) || time > place.last) return;
-    if (message.channel->topic == "/timings")
-      return logged::Decoder::decode(message.data, decoded.timings[time]);
-    GrowingTick& tick = decoded.ticks[time];
-    try {
-      tick.take(message);
-      if (message.channel->topic != "/changes") return;
-      logged::Change change;
-      logged::Decoder::decode(message.data, change);
-      chunk.changes.push_back(std::move(change));
-    } catch (const JsonError& error) {
-      tick.is_damaged = true;
-      chunk.problem =
-          "a message on " + message.channel->topic + " is not what it should be: " + error.what();
-    }
+    decoded.take(message, chunk);
   });
 }
 

@@ -12,8 +12,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <thread>
 
 namespace surefoot {
@@ -62,6 +64,41 @@ class DamagedLog : public testing::Test {
     std::string bytes = test::contents(path());
     bytes.at(place.offset + byte) ^= '\xFF';
     test::write_file(path(), bytes);
+  }
+
+  struct Message {
+    std::string topic, data;
+    std::uint64_t time;
+  };
+
+  /// All of the log, in its order.
+  [[nodiscard]] std::vector<Message> messages() const {
+    McapReader source(path());
+    std::vector<Message> all;
+    for (McapMessage message; source.next(message);)
+      all.push_back({message.channel->topic, std::string(message.data), message.log_time});
+    return all;
+  }
+
+  /// Writes a log of these messages, of which the n-th on a topic is no signal.
+  [[nodiscard]] std::string with_broken_message(const std::string& broken, int number,
+                                                const std::vector<Message>& all) const {
+    const std::string changed = folder_ / "changed.mcap";
+    McapWriter writer(changed);
+    std::map<std::string, std::uint16_t> channels;
+    const McapReader source(path());
+    for (const auto& [name, data] : source.attachments())
+      writer.attach(name, "application/json", data);
+    for (const auto& [topic, data, time] : all) {
+      if (!channels.contains(topic)) {
+        const std::uint16_t schema = writer.add_schema(topic, "jsonschema", "{}");
+        channels[topic] = writer.add_channel(topic, schema, "json");
+      }
+      const bool is_broken = topic == broken && number-- == 0;
+      writer.write(channels[topic], time, is_broken ? "{\"time\":\"no\"}" : data);
+    }
+    writer.close();
+    return changed;
   }
 
   static json session(LogContent& content) {
@@ -170,31 +207,44 @@ TEST_F(DamagedLog, a_chunk_whose_times_are_wrong_does_not_take_the_others_with_i
 }
 
 TEST_F(DamagedLog, a_message_that_is_no_signal_costs_its_tick_and_no_more) {
-  McapReader source(path());
-  const std::string changed = folder_ / "changed.mcap";
-  {
-    McapWriter writer(changed);
-    std::map<std::string, std::uint16_t> channels;
-    for (const auto& [name, data] : source.attachments())
-      writer.attach(name, "application/json", data);
-    int ticks = 0;
-    for (McapMessage message; source.next(message);) {
-      const std::string& topic = message.channel->topic;
-      if (!channels.contains(topic)) {
-        if (topic == "/timings") writer.flush();  // they stand in chunks of their own
-        const std::uint16_t schema = writer.add_schema(topic, "jsonschema", "{}");
-        channels[topic] = writer.add_channel(topic, schema, "json");
-      }
-      const bool broken = topic == "/state" && ++ticks == 1;
-      writer.write(channels[topic], message.log_time, broken ? "{\"time\":\"no\"}" : message.data);
-    }
-    writer.close();
-  }
+  const std::string changed = with_broken_message("/state", 0, messages());
   LogContent content(changed);
   EXPECT_EQ(whole_session(content).at("damage").size(), 1u);
   const auto read = frames(content, 0, kTicks);
   EXPECT_EQ(read.size(), kTicks - 1);
   EXPECT_EQ(read.front().tick, 1u);
+}
+
+TEST_F(DamagedLog, timings_that_are_none_cost_no_tick_that_stands_in_their_chunk) {
+  std::vector<Message> mixed = messages();
+  std::ranges::stable_sort(mixed, {}, &Message::time);
+  LogContent content(with_broken_message("/timings", kTicks / 2, mixed));
+  const json session = whole_session(content);
+  EXPECT_EQ(frames(content, 0, kTicks).size(), kTicks);
+  ASSERT_EQ(session.at("damage").size(), 1u) << session.at("damage");
+  EXPECT_EQ(session.at("damage")[0].get<std::string>().find("timings of"), 0u);
+}
+
+TEST_F(DamagedLog, a_tick_of_which_a_part_is_lost_is_lost) {
+  LogContent whole(path());
+  const auto all = frames(whole, 0, kTicks);
+  ASSERT_EQ(all.size(), kTicks);
+  const std::vector<McapChunk> chunks = McapChunks(path()).chunks();
+  std::size_t end = 1;  // behind the ticks, where the timings begin
+  while (chunks.at(end).first_time >= chunks[end - 1].first_time) ++end;
+  ASSERT_GT(end, 5u);
+  for (std::size_t chunk = 1; chunk < end; ++chunk) {
+    damage(chunk);
+    LogContent content(path());
+    for (const ViewFrame& frame : frames(content, 0, kTicks)) {
+      const std::vector<float>& floats = all.at(frame.tick).floats;
+      ASSERT_EQ(frame.floats.size(), floats.size());
+      const std::size_t size = floats.size() * sizeof(float);
+      ASSERT_EQ(std::memcmp(frame.floats.data(), floats.data(), size), 0)
+          << "tick " << frame.tick << " beside chunk " << chunk;
+    }
+    damage(chunk);  // as it was
+  }
 }
 
 TEST_F(DamagedLog, a_change_whose_stack_is_no_yaml_is_told) {
