@@ -1,8 +1,8 @@
 #include "app/commanded_force.hpp"
 
+#include "app/hierarchy_status.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/stack_file.hpp"
-#include "surefoot/solver/solution.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 namespace surefoot {
@@ -11,10 +11,6 @@ namespace {
 constexpr double kLoaded = 1.0;  // [N]
 
 }  // namespace
-
-bool was_solved(const HierarchyReport& report) {
-  return report.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
-}
 
 PerLeg<Quat> CommandedForces::no_axes() {
   PerLeg<Quat> axes;

@@ -27,10 +27,6 @@ struct CommandedForces {
 /// The same of the stack that a log has attached. Its choices can't be changed in a run.
 [[nodiscard]] std::optional<FrictionCone> friction_cone_of(const LogHeader& header);
 
-/// False where no state was believed, or the input was invalid: no force and no residual is of
-/// that tick, whatever its record has.
-[[nodiscard]] bool was_solved(const HierarchyReport& report);
-
 /// Of a tick that solved nothing all are NaN. Where the cone is not known, forces are those along
 /// the terrain's normal, and friction is NaN.
 [[nodiscard]] CommandedForces commanded_forces(const std::optional<FrictionCone>& cone,

@@ -1,6 +1,7 @@
 #include "app/dump_command.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_replay.hpp"
 #include "app/output_files.hpp"
@@ -10,7 +11,6 @@
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 #include "surefoot/simulation/plant.hpp"
-#include "surefoot/solver/solution.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -39,8 +39,7 @@ class Dump {
     const double begin = arguments_.from - kHalfNanosecond;
     if (time >= arguments_.to - kHalfNanosecond) return false;
     last_ = time;
-    const auto invalid = static_cast<std::int32_t>(SolveStatus::invalid_input);
-    if (time < begin || controller.record().hierarchy.status == invalid) return true;
+    if (time < begin || !was_solved(controller.record().hierarchy)) return true;
     if (num_met_++ % arguments_.every != 0) return true;
     write(controller);
     return true;

@@ -1,7 +1,7 @@
 #include "app/replay_command.hpp"
 
-#include "app/commanded_force.hpp"
 #include "app/exit_code.hpp"
+#include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_server.hpp"
 #include "app/output_files.hpp"

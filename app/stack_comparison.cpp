@@ -1,6 +1,6 @@
 #include "app/stack_comparison.hpp"
 
-#include "app/commanded_force.hpp"
+#include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_replay.hpp"
 #include "surefoot/base/error.hpp"

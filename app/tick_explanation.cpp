@@ -1,5 +1,6 @@
 #include "app/tick_explanation.hpp"
 
+#include "app/hierarchy_status.hpp"
 #include "app/operator_text.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"

@@ -1,3 +1,4 @@
+#include "app/hierarchy_status.hpp"
 #include "app/stop_text.hpp"
 #include "app/tick_text.hpp"
 #include "surefoot/evaluation/estimate_fields.hpp"

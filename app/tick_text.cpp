@@ -1,5 +1,6 @@
 #include "app/tick_text.hpp"
 
+#include "app/hierarchy_status.hpp"
 #include "app/results_table.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/logging/message_fields.hpp"
