@@ -309,14 +309,17 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   }
 }
 
-/// Bounds of the stack are of this robot. Told of the scenario's own numbers, or else of its stack.
+/// Bounds of the stack are of this robot. Told of the number where the scenario gives it, or else
+/// of its stack.
 void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOptions& stack) {
   try {
     surefoot::check_reach(stack, reach_of(model));
-  } catch (const Error& error) {
+  } catch (const BeyondReachError& error) {
     const ConfigNode* tasks = tree.find("tasks");
+    const ConfigNode* task = tasks == nullptr ? nullptr : tasks->find(error.task());
+    const ConfigNode* number = task == nullptr ? nullptr : task->find(error.number());
+    if (number != nullptr) fail_at(*number, "tasks", error.what());
     const ConfigNode* named = tree.find("stack");
-    if (tasks != nullptr) fail_at(*tasks, "tasks", error.what());
     fail_at(named == nullptr ? tree : *named, "stack", error.what());
   }
 }

@@ -1,7 +1,7 @@
 #include "surefoot/control/stack_reach.hpp"
 
-#include "surefoot/base/error.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -23,7 +23,10 @@ double leg_length(const RobotModel& model, Leg leg) {
 }
 
 void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach) {
-  for (const auto& [name, value] : task.numbers) {
+  for (const TaskParameter& parameter : task_info(task.task).parameters) {
+    const std::string name(parameter.name);
+    const auto given = task.numbers.find(name);
+    const double value = given == task.numbers.end() ? parameter.default_value : given->second;
     const double greatest = reach.greatest(task.task, name);
     if (value <= greatest) continue;
     std::ostringstream message;
@@ -31,7 +34,7 @@ void check(const LevelSpec& level, const TaskSpec& task, const StackReach& reach
     message << (level.name == task.task ? "" : level.name + ", ") << task.task << ": " << name
             << " is " << value << ", but this robot reaches only " << greatest
             << " m; valid is a number up to that";
-    throw Error(message.str());
+    throw BeyondReachError(message.str(), task.task, name);
   }
 }
 

@@ -267,6 +267,23 @@ TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
   EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
 }
 
+TEST_F(ScenarioFile, with_a_bound_beyond_reach_is_told_where_the_number_stands) {
+  test::write_file(folder_ / "far.yaml",
+                   "name: far\nbase: terrain_adaptation\n"
+                   "levels:\n"
+                   "  - com_xy\n"
+                   "  - {name: far, task: body_height_limits, max: 5.2}\n");
+  const std::string far = "body_height_limits: max is 5.2";
+  for (const std::string other :
+       {"", "tasks: {com_xy: {kp: 400}}\n", "tasks: {body_height_limits: {min: 0.2}}\n"}) {
+    const std::string told = complaint("duration: 2\nstack: far.yaml\n" + other);
+    EXPECT_TRUE(holds(told, "trial.yaml:3: stack: far, " + far)) << told;
+  }
+  const std::string own =
+      complaint("stack: terrain_adaptation\ntasks:\n  limb_extension_limits:\n    max: 5.2\n");
+  EXPECT_TRUE(holds(own, "trial.yaml:5: tasks: limb_extension_limits: max is 5.2")) << own;
+}
+
 TEST_F(ScenarioFile, whose_stance_is_out_of_reach_says_so) {
   EXPECT_TRUE(holds(complaint("planner: {stance: {height: 0.9}}\n"), "planner.stance"));
 }

@@ -1,7 +1,9 @@
 #include "surefoot/control/stack_reach.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/data_file.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/tasks/limb_extension_limits.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/random_motion.hpp"
 
@@ -9,6 +11,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -52,9 +55,24 @@ TEST(StackReach, bounds_beyond_it_are_refused_with_what_is_valid) {
   }
 }
 
+TEST(StackReach, a_bound_that_is_not_given_counts_by_its_default) {
+  const double usual = LimbExtensionLimits::Options().max;
+  const StackOptions stack = stack_of("limb_extension_limits", "min", 0.1);
+  EXPECT_NO_THROW(check_reach(stack, {.leg = usual, .base = 1.0}));
+  try {
+    check_reach(stack, {.leg = 0.9 * usual, .base = 1.0});
+    FAIL();
+  } catch (const BeyondReachError& error) {
+    EXPECT_EQ(error.task(), "limb_extension_limits");
+    EXPECT_EQ(error.number(), "max");
+  }
+}
+
 TEST(StackReach, all_stacks_here_are_within_it) {
   const StackReach reach = reach_of(RobotModel(test::anymal_b()));
-  for (const std::string name : {"terrain_adaptation", "crouch_first", "torso_in_bounds"}) {
+  const std::vector<std::string> names = list_data("stacks");
+  ASSERT_GE(names.size(), 7u);
+  for (const std::string& name : names) {
     EXPECT_NO_THROW(check_reach(load_stack(name), reach)) << name;
   }
 }
