@@ -142,7 +142,7 @@ class SolveCommand {
     }
     tell_levels_without_rows(place, question.hierarchy);
     if (worst_stationarity(certificates) > kProven)
-      tell_unproven(place, question.hierarchy, certificates);
+      tell_unproven(place, question.hierarchy, solution.status, certificates);
   }
 
   void explain_line(const std::string& place, const NamedHierarchy& question,
@@ -184,16 +184,18 @@ class SolveCommand {
          << " more levels without rows are named in the results only\n";
   }
 
-  void tell_unproven(const std::string& place, const Hierarchy& hierarchy,
+  void tell_unproven(const std::string& place, const Hierarchy& hierarchy, SolveStatus status,
                      const std::vector<LevelCertificate>& levels) {
     const double ratio = worst_ratio(hierarchy);
-    const bool is_hidden = ratio > kLargestRatio;
-    err_ << place << (is_hidden ? ": not proven, distance " : ": not optimal, distance ")
+    const bool is_cut_off = status == SolveStatus::iteration_cap;
+    const bool is_hidden = ratio > kLargestRatio && !is_cut_off;
+    err_ << place << (is_cut_off ? ": cut off, " : ": ")
+         << (is_hidden ? "not proven, distance " : "not optimal, distance ")
          << worst_stationarity(levels) << " from the optimality conditions; expected at most "
          << kProven;
     if (is_hidden) {
-      err_ << ", which doubles can't hold where rows of one level differ in length by a factor of "
-           << ratio << ", more than " << kLargestRatio;
+      err_ << ", which is promised where rows of one level differ in length by at most "
+           << kLargestRatio << ", and here by " << ratio;
     }
     err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));

@@ -17,6 +17,7 @@ struct LevelCertificate {
   ///     √(rᵀ (Zᵀ M Z)⁻¹ r),   M = s² (s (1 + ‖x‖) + Σ |vᵢ|)² I
   ///                               + (1 + ‖x‖)² Σ (‖aᵢ‖² − s²) aᵢ aᵢᵀ
   ///
+  /// where the second sum is over equality rows and those that are violated or at a bound;
   /// that is ‖r‖ / (s (s (1 + ‖x‖) + Σ |vᵢ|)) where all rows have one length. An error d of x
   /// changes g by Σ aᵢ aᵢᵀ d, so where longer rows see it, more of r is the same error. It is the
   /// same for a level in other units, and what only the shortest row sees is not excused by longer

@@ -16,7 +16,6 @@ using Side = LevelRows::Side;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr int kPatience = 20;  // steps of no length, from piece to piece at one point
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -126,7 +125,6 @@ RowValues Descent::row_values() const {
 
 bool Descent::minimise() {
   const int cap = 20 + 2 * level_end_;
-  zero_steps_ = 0;
   rows_.enter(row_values());
   for (int step = 0; step < cap && !budget_->is_spent(); ++step) {
     spend();
@@ -160,15 +158,10 @@ Descent::Move Descent::descend() {
   const double length = rows_.minimum_along(row_values(), limit);
   kernels_->advance(*sweep_, length);
   x_size_ += length * size_;
+  rows_.note_step(length * size_ > kEpsilon * x_size_);
   if (row >= 0 && length >= limit) {
     hold(row, static_cast<signed char>(sweep_->motion[row] > 0.0 ? 1 : -1));
     return Move::blocked;
-  }
-  const bool has_moved = length * size_ > kEpsilon * x_size_;
-  zero_steps_ = has_moved ? 0 : zero_steps_ + 1;
-  // φ is smooth: a direction of descent that does not descend has met the next piece, or rounding.
-  if (!has_moved) {
-    return rows_.has_crossed() && zero_steps_ < kPatience ? Move::piece_changed : Move::stationary;
   }
   return rows_.is_stationary(row_values(), length) ? Move::stationary : Move::piece_changed;
 }

@@ -85,7 +85,6 @@ class Descent {
   int level_ = 0, level_begin_ = 0, level_end_ = 0, first_column_ = 0;
   bool has_factorized_ = false;  // the rows that count now
   bool has_minimised_norm_ = false;
-  int zero_steps_ = 0;
 };
 
 }  // namespace surefoot

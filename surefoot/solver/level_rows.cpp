@@ -35,6 +35,7 @@ LevelRows::LevelRows(Index max_rows)
 
 void LevelRows::enter(const RowValues& values) {
   std::fill_n(moved_side_.begin(), values.num_rows - values.level_begin, Side::inside);
+  changes_in_place_ = 0;
 }
 
 // At a bound, where two pieces meet, it is the one that the last search ended in: its next step
@@ -138,12 +139,24 @@ double LevelRows::minimum_along(const RowValues& values, double limit) {
   return step;
 }
 
+void LevelRows::note_step(bool has_moved) {
+  has_moved_ = has_moved;
+  if (has_moved) {
+    changes_in_place_ = 0;
+  } else if (has_crossed()) {
+    ++changes_in_place_;
+  }
+}
+
+// The last search ended in another piece than it began in.
 bool LevelRows::has_crossed() const {
   return !std::equal(side_.begin(), side_.begin() + num_rows_, moved_side_.begin());
 }
 
+// φ is smooth: a direction of descent that does not descend has met the next piece, or rounding.
 bool LevelRows::is_stationary(const RowValues& values, double length) const {
   constexpr double kFullStep = 1e-12;
+  if (!has_moved_) return !has_crossed() || changes_in_place_ > kMostChangesInPlace;
   if (std::abs(length - 1.0) > kFullStep) return false;
   for (Index i = 0; i < num_rows_; ++i) {
     const Index row = values.level_begin + i;

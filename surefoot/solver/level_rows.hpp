@@ -61,13 +61,17 @@ class LevelRows {
   /// Length of the step along the motion to the exact minimum of φ, at most `limit`.
   [[nodiscard]] double minimum_along(const RowValues& values, double limit);
 
-  /// The last `minimum_along` ended in another piece than it began in.
-  [[nodiscard]] bool has_crossed() const;
+  /// After `minimum_along`, whether x has moved by it: counts changes of the piece at one point.
+  void note_step(bool has_moved);
 
-  /// After `minimum_along` and the move: nothing is left to gain with the constraints now held.
+  /// After `note_step` and the move: nothing is left to gain with the constraints now held.
   [[nodiscard]] bool is_stationary(const RowValues& values, double length) const;
 
  private:
+  /// Changes of the piece at one point, one after the other; more of them are rounding.
+  static constexpr int kMostChangesInPlace = 20;
+
+  [[nodiscard]] bool has_crossed() const;
   [[nodiscard]] Side present_side(const RowValues& values, Eigen::Index i) const;
   [[nodiscard]] double residual(const RowValues& values, Eigen::Index i, Side side,
                                 double step) const;
@@ -76,7 +80,8 @@ class LevelRows {
   [[nodiscard]] double newton_step(const RowValues& values, double step) const;
 
   Eigen::Index num_rows_ = 0, num_counting_ = 0;
-  bool has_inequalities_ = false;
+  int changes_in_place_ = 0;
+  bool has_inequalities_ = false, has_moved_ = false;
   std::vector<Side> side_;        // at the last update
   std::vector<Side> moved_side_;  // at the end of the last search
   std::vector<Eigen::Index> counting_;

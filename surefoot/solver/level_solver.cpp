@@ -65,13 +65,11 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
   if (turning_.is_running()) turning_.advance(free, length);
   const bool has_moved = length * direction_.head(free).norm() > kEpsilon * tableau.x_size;
   zero_steps_ = has_moved ? 0 : zero_steps_ + 1;
+  rows_.note_step(has_moved);
   if (block.row >= 0 && length >= block.length) {
     hold(tableau, block);
     return Move::blocked;
   }
-  // φ is smooth: a direction of descent that does not descend has met the next piece, or rounding.
-  if (!has_moved)
-    return rows_.has_crossed() && !is_cycling() ? Move::piece_changed : Move::stationary;
   return rows_.is_stationary(tableau.row_values(), length) ? Move::stationary : Move::piece_changed;
 }
 

@@ -39,14 +39,11 @@ double shortest_row(const Level& level) {
   return shortest;
 }
 
-/// Rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ of those longer than s, the longest first: in this order a QR
-/// keeps what short rows say.
-MatrixXd longer_rows(const Level& level, double shortest, double x_size) {
-  std::vector<std::pair<double, Index>> longer;
-  for (Index i = 0; i < level.num_rows(); ++i) {
-    const double size = level.A().row(i).norm();
-    if (size > shortest) longer.emplace_back(size, i);
-  }
+/// Rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ of those longer than s, given with their lengths, the longest
+/// first: in this order a QR keeps what short rows say.
+MatrixXd longer_rows(const Level& level, std::vector<std::pair<double, Index>> longer,
+                     double shortest, double x_size) {
+  std::erase_if(longer, [&](const auto& row) { return row.first <= shortest; });
   std::ranges::sort(longer, std::greater<>());
   MatrixXd rows(static_cast<Index>(longer.size()), level.A().cols());
   for (Index k = 0; k < rows.rows(); ++k) {
@@ -154,6 +151,7 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
   const Level& level = hierarchy.level(k);
   const double x_size = 1.0 + x.norm();
   double sum_of_squares = 0.0, sum = 0.0;
+  std::vector<std::pair<double, Index>> counting;  // those that an error of x may put into g
   for (Index i = 0; i < level.num_rows(); ++i) {
     const VectorXd row = level.A().row(i).transpose();
     const double value = row.dot(x);
@@ -168,6 +166,8 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     result.pull += std::abs(v) * size;
     result.rounding += kRounding * size * size * x_size;
     if (size == 0.0) continue;
+    if (lower == upper || value >= upper - near || value <= lower + near)
+      counting.emplace_back(size, i);
     if (lower == upper || std::abs(v) > near) {
       result.fixed.add(row / size, {k, i});
       continue;
@@ -177,7 +177,7 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
   }
   const double shortest = shortest_row(level);
   result.scale = shortest * (shortest * x_size + sum);
-  result.longer = longer_rows(level, shortest, x_size);
+  result.longer = longer_rows(level, std::move(counting), shortest, x_size);
   result.residual = std::sqrt(sum_of_squares);
   return result;
 }
@@ -191,7 +191,10 @@ Multipliers multipliers(const LevelConditions& level, const RowSet& fixed, const
   if (Z.cols() > 0) {
     const Measure measure(level, Z);
     const VectorXd target = -Z.transpose() * level.gradient / level.scale;
-    const MatrixXd generators = (touching.rows * Z).transpose();
+    MatrixXd generators = (touching.rows * Z).transpose();
+    for (auto generator : generators.colwise()) {
+      if (generator.norm() <= rank) generator.setZero();  // E has it, but for rounding
+    }
     const VectorXd mu = non_negative_least_squares(measure.of(generators), measure.of(target));
     const VectorXd rest = generators * mu - target;
     result.touching = level.scale * mu;
@@ -219,20 +222,26 @@ void fix_pushing(const LevelConditions& level, const Multipliers& multipliers, R
   touching = std::move(rest);
 }
 
+// With columns and b of length 1, so that neither their units nor each other's decide.
 VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b) {
+  constexpr double kTolerance = 2e-14;
   VectorXd mu = VectorXd::Zero(A.cols());
+  if (A.cols() == 0 || b.norm() == 0.0) return mu;
+  const VectorXd lengths = A.colwise().norm();
+  const VectorXd per_length = (lengths.array() > 0.0).select(lengths.cwiseInverse(), 0.0);
+  const MatrixXd columns = A * per_length.asDiagonal();
+  const VectorXd target = b / b.norm();
   std::vector<Index> passive;  // where mu may be positive
-  const double tolerance = 1e-14 * (1.0 + b.norm());
   for (Index iteration = 0; iteration < 3 * A.cols() + 10; ++iteration) {
-    VectorXd ascent = A.transpose() * (b - A * mu);
+    VectorXd ascent = columns.transpose() * (target - columns * mu);
     for (const Index j : passive) ascent[j] = -1.0;
     Index best = -1;
-    if (ascent.size() == 0 || !(ascent.maxCoeff(&best) > tolerance)) break;
+    if (!(ascent.maxCoeff(&best) > kTolerance)) break;
     passive.push_back(best);
-    while (!passive.empty() && !move_to_minimum(A, b, passive, mu)) {
+    while (!passive.empty() && !move_to_minimum(columns, target, passive, mu)) {
     }
   }
-  return mu;
+  return b.norm() * mu.cwiseProduct(per_length);
 }
 
 }  // namespace surefoot

@@ -30,11 +30,13 @@ struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
   double scale = 1.0;        ///< s (s (1 + ‖x‖) + Σ |vᵢ|), s the length of the shortest row
-  Eigen::MatrixXd longer;    ///< rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ, of those longer than s
-  double pull = 0.0;         ///< Σ |vᵢ| ‖aᵢ‖
-  double rounding = 0.0;     ///< that may be in g
-  RowSet fixed;              ///< E: equality rows and violated rows
-  RowSet touching;           ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
+  /// Rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ, of those longer than s that are equalities, violated or at a
+  /// bound.
+  Eigen::MatrixXd longer;
+  double pull = 0.0;      ///< Σ |vᵢ| ‖aᵢ‖
+  double rounding = 0.0;  ///< that may be in g
+  RowSet fixed;           ///< E: equality rows and violated rows
+  RowSet touching;        ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
 };
 
 /// `tight`: a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it.
@@ -50,7 +52,7 @@ struct Multipliers {
   double rounding = 0.0;      ///< that may be in μ: the weaker the rows of E, the more
 };
 
-/// `rank`: relative length below which a row of E depends on others.
+/// `rank`: relative length below which a row of E, or of T beside E, depends on others.
 [[nodiscard]] Multipliers multipliers(const LevelConditions& level, const RowSet& fixed,
                                       const RowSet& touching, double rank);
 

@@ -95,20 +95,48 @@ TEST(SolveCommand, NumbersBeyondTheRangeOfTheSolverAreNamed) {
       << run.err.str();
 }
 
-TEST(SolveCommand, RowsOfLengthsTooDifferentToBeProvenAreTold) {
-  // A limit that its own level's other rows push a little beyond its bound.
-  const std::string level =
-      R"({"levels":[{"D":[[-2SIZE,1SIZE],[0,1]],"f":[3SIZE,-0.8],"A":[[1,-2]],"b":[-0.7]}]})";
+TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
+  // Long limits that their own level's short rows push beyond their bounds: at 1e8 by too little
+  // for the search to see, which ends beside the optimum.
+  const std::string levels =
+      R"({"levels":[{"D":[[2SIZE,2SIZE,2SIZE],[1SIZE,2SIZE,2SIZE],[1SIZE,-2SIZE,-1SIZE],[0,-2SIZE,1SIZE]],
+         "f":[-2SIZE,0,-1SIZE,-1SIZE],"A":[[1,1,1],[0,1,-2]],"b":[0,-2]},
+         {"A":[[2,2,-1],[2,1,-2]],"b":[0,-2]}]})";
   const auto with = [&](const std::string& size) {
-    return std::regex_replace(level, std::regex("SIZE"), size);
+    const std::string line = std::regex_replace(levels, std::regex("\n *"), "");
+    return std::regex_replace(line, std::regex("SIZE"), size);
   };
   const CommandRun proven(with("e3"), {.file = "", .certify = true});
   EXPECT_EQ(proven.exit_code, 0) << proven.err.str();
-  const CommandRun far(with("e6"), {.file = "", .certify = true});
-  EXPECT_EQ(far.exit_code, 0) << far.err.str();
-  const CommandRun run(with("e6"), {.file = "", .certify = true, .budget = 1.0});
+  EXPECT_EQ(proven.err.str(), "");
+  const CommandRun run(with("e8"), {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.str().find(":1: not proven"), std::string::npos) << run.err.str();
+  EXPECT_NE(run.err.str().find(":1: not proven, distance "), std::string::npos) << run.err.str();
+  EXPECT_NE(
+      run.err.str().find("rows of one level differ in length by at most 10000, and here by 2e+08"),
+      std::string::npos)
+      << run.err.str();
+}
+
+TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
+  const std::string line =
+      R"({"levels":[{"D":[[-2e6,1e6],[0,1]],"f":[3e6,-0.8],"A":[[1,-2]],"b":[-0.7]}]})";
+  const CommandRun whole(line, {.file = "", .certify = true});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err.str();
+  const CommandRun run(line, {.file = "", .certify = true, .budget = 1.0});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.str().find(":1: cut off, not optimal, distance "), std::string::npos)
+      << run.err.str();
+  EXPECT_EQ(run.err.str().find("in length"), std::string::npos) << run.err.str();
+}
+
+TEST(SolveCommand, ALimitThatHoldsBackALongRowIsProvenAndNamed) {
+  const std::string line =
+      R"({"levels":[{"D":[[1,0]],"f":[1]},{"A":[[1e4,0],[0,1]],"b":[10000.01,0]}]})";
+  const CommandRun run(line, {.file = "", .certify = true, .explain = true});
+  EXPECT_EQ(run.exit_code, 0) << run.err.str();
+  EXPECT_NE(run.out.str().find("held back by"), std::string::npos) << run.out.str();
+  EXPECT_NE(run.out.str().find("multiplier 100"), std::string::npos) << run.out.str();
 }
 
 TEST(SolveCommand, AnswersBeyondTheRangeOfDoublesAreNamed) {

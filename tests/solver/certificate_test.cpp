@@ -160,6 +160,64 @@ TEST(Certificate, SeesWhatOnlyTheShortRowsOfALevelAskFor) {
   }
 }
 
+TEST(Certificate, ALongLimitFarFromItsBoundExcusesNothing) {
+  for (const double length : {1.0, 1e2, 1e4, 1e6}) {
+    const HierarchyData levels{
+        joined(equalities(MatrixXd::Ones(1, 1), number(1.0)),
+               at_most(MatrixXd::Constant(1, 1, length), number(100.0 * length)))};
+    EXPECT_LE(optimality_error(1, levels, number(1.0)), 1e-15) << length;
+    EXPECT_NEAR(optimality_error(1, levels, number(0.5)), 0.25, 1e-15) << length;
+  }
+}
+
+TEST(Certificate, RefusesWhatIsBesideAnOptimumAmongLongLimitsFarFromTheirBounds) {
+  for (int seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const double length = std::pow(10.0, random.uniform(0.0, 4.0));
+    const VectorXd x = random.vector(4);
+    const MatrixXd R = random.rotation(4);
+    const HierarchyData levels{
+        joined(equalities(R, R * x),
+               at_most(length * random.rotation(4), VectorXd::Constant(4, 100.0 * length)))};
+    const VectorXd beside = 1e-3 * (1.0 + x.norm()) * random.vector(4).normalized();
+    ASSERT_LE(optimality_error(4, levels, x), 1e-14);
+    ASSERT_GE(optimality_error(4, levels, x + beside), 1e-4);
+  }
+}
+
+TEST(Certificate, ProvesALimitAboveThatHoldsALongRow) {
+  for (const double length : {1.0, 1e2, 1e4, 1e6}) {
+    for (const double further : {1.0, 1e-3, 1e-6}) {
+      const HierarchyData levels{
+          at_most(RowVector2d(1.0, 0.0), number(1.0)),
+          equalities(Vector2d(length, 1.0).asDiagonal(), Vector2d(length * (1 + further), 0.0))};
+      EXPECT_LE(optimality_error(2, levels, Vector2d(1.0, 0.0)), 1e-12) << length << ' ' << further;
+      const Vector2d beside(1.0, 0.1);
+      const double violations = length * further + 0.1;
+      EXPECT_NEAR(optimality_error(2, levels, beside) * (1.0 + beside.norm() + violations), 0.1,
+                  1e-6)
+          << length << ' ' << further;
+    }
+  }
+}
+
+TEST(Certificate, ALimitThatAnEqualityAboveHasAlreadyHoldsNothing) {
+  // In turned coordinates the rest of the limit's row beside the equality is rounding, not zero.
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd R = random.rotation(4);
+    const MatrixXd combinations = random.matrix(6, 2);
+    const HierarchyData levels{equalities(R.topRows(2), Vector2d::Zero()),
+                               at_most(combinations * R.topRows(2), VectorXd::Zero(6)),
+                               equalities(R.bottomRows(2), Vector2d(1.0, -1.0))};
+    ASSERT_LE(optimality_error(4, levels, R.bottomRows(2).transpose() * Vector2d(1.0, -1.0)),
+              1e-14);
+    ASSERT_GE(optimality_error(4, levels, VectorXd::Zero(4)), 0.1);
+  }
+}
+
 TEST(Certificate, RefusesNumbersThatAreNone) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -43,6 +43,17 @@ TEST(Explanation, NamesTheLimitThatAWishRunsIntoAndWhatItCosts) {
   EXPECT_NEAR(levels[2].cost_of_level[1], 3.0, 1e-12);
 }
 
+TEST(Explanation, NamesTheLimitThatALongRowRunsInto) {
+  MatrixXd rows(2, 2);
+  rows << 1e4, 0.0, 0.0, 1.0;
+  const auto levels = explanation(
+      2, {at_most(RowVector2d(1.0, 0.0), number(1.0)), equalities(rows, Vector2d(10000.01, 0.0))});
+  ASSERT_EQ(levels[1].blocked_by.size(), 1u);
+  EXPECT_EQ(levels[1].blocked_by[0].at.level, 0u);
+  EXPECT_NEAR(levels[1].blocked_by[0].multiplier, 100.0, 1e-6);
+  EXPECT_NEAR(levels[1].blocked_by[0].cost, 0.01, 1e-9);
+}
+
 TEST(Explanation, IsEmptyWhereTheWishIsMet) {
   for (const LevelExplanation& level : explanation(2, pushed_mass(4.0))) {
     EXPECT_TRUE(level.blocked_by.empty());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace surefoot::test {
@@ -38,6 +39,21 @@ TEST(NonNegativeLeastSquares, ReachesWhatLiesInTheCone) {
     A.col(5).setZero();
     const VectorXd b = A * random.vector(9).cwiseAbs();
     ASSERT_LE((A * non_negative_least_squares(A, b) - b).norm(), 1e-9);
+  }
+}
+
+TEST(NonNegativeLeastSquares, DoesNotDependOnUnits) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const MatrixXd A = random.matrix(6, 4);
+    const VectorXd b = random.vector(6);
+    const double unit = std::pow(10.0, random.integer(-20, 20));
+    VectorXd units(4);
+    for (double& one : units) one = std::pow(10.0, random.integer(-20, 20));
+    const VectorXd mu = non_negative_least_squares(A, b);
+    const VectorXd scaled = non_negative_least_squares(A * units.asDiagonal(), unit * b);
+    ASSERT_LE((units.cwiseProduct(scaled) / unit - mu).norm(), 1e-12);
   }
 }
 
