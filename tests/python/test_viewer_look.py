@@ -214,6 +214,8 @@ def test_what_is_old_is_grey_and_says_since_when(browser):
         port = walk.port
         assert not browser.run("document.body.classList.contains('stale')")
     browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
+    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = 0.5 * (surefoot.first + surefoot.last); scrub.dispatchEvent(new Event('input')); })()")
+    browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(3)} s of`)")
     assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
     for _ in every_look(browser, "stale"):
         pass

@@ -15,6 +15,7 @@ import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
 import { OverlayMenu } from "./panels/overlay_menu.ts";
 import { PlotsPanel } from "./panels/plots_panel.ts";
+import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
@@ -260,6 +261,7 @@ export class App {
     this.plots.clear();
     this.tune.changes.clear();
     this.transport.clear();
+    showTime(NaN);
     this.toldLevels = "";
   }
 
@@ -323,6 +325,7 @@ export class App {
     this.sinceNumbers = 0;
     this.told = frame;
     this.transport.tell(frame);
+    showTime(frame.time);
     this.hierarchy.show(frame);
     this.state.show(frame);
     this.state.fact("Again", this.again());
