@@ -1,12 +1,15 @@
 """How the viewer's page looks to its reader: nothing covers, cuts or contradicts something else, and what is old says so."""
 
+import math
 import re
+import time
 
 import pytest
 
+from conftest import record
 from damaged_logs import without_calls
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, go_to, pause, show
+from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
 
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 THEMES = ("light", "dark")
@@ -211,6 +214,8 @@ def test_what_is_old_is_grey_and_says_since_when(browser):
         port = walk.port
         assert not browser.run("document.body.classList.contains('stale')")
     browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
+    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = 0.5 * (surefoot.first + surefoot.last); scrub.dispatchEvent(new Event('input')); })()")
+    browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(3)} s of`)")
     assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
     for _ in every_look(browser, "stale"):
         pass
@@ -249,3 +254,31 @@ def test_numbers_are_never_newer_than_the_picture(browser, live):
     newer = [(drawn, told) for drawn, *both in seen for told in both if told > drawn + 6e-4]  # rounded
     assert newer == []
     browser.click("#tab-hierarchy")
+
+
+def test_what_lies_on_the_believed_ground_is_seen_where_the_true_ground_is_higher(browser, tmp_path):
+    log = record(tmp_path / "down.mcap", "--set", "estimation=truth", scenario="step_down", duration=16.5)
+    with Viewer("replay", log) as viewer:
+        show(browser, viewer.link)
+        go_to(browser, 6400)  # a front foot is down, the others are above the edge
+        browser.wait("surefoot.meshesLoading === 0", 60)
+        time.sleep(2)  # the camera comes to rest
+        contacts = [channel(browser, f"truth.feet.{leg}.point") for leg in ("LF", "RF", "LH", "RH")]
+        middle = [sum(one) / 4 for one in zip(*contacts)]
+        assert browser.run(f"surefoot.ground({middle[0]}, {middle[1]})") > middle[2] + 0.02, "it lies in the ground"
+        for key, place in (("3", middle), ("5", planned_zmp(browser, viewer))):
+            shown = browser.run(f"surefoot.pixel({place})")
+            browser.press(key)
+            time.sleep(1)
+            hidden = browser.run(f"surefoot.pixel({place})")
+            browser.press(key)
+            assert math.dist(shown, hidden) > 15, (key, shown, hidden)
+
+
+def planned_zmp(browser, viewer):
+    """A place on its mark, beside its middle; where the controller believes what is true."""
+    assert math.dist(channel(browser, "state.p_WB"), channel(browser, "truth.p_WB")) < 1e-3
+    (x, y), R, point = (channel(browser, f"plan.{name}") for name in ("com.zmp", "R_WC", "terrain_point"))
+    radius = viewer.json("api/session")["header"]["robot"]["foot_radius"]
+    height = point[2] - (radius + R[2] * (x + 0.017 - point[0]) + R[5] * (y - point[1])) / R[8]
+    return [x + 0.017, y, height]

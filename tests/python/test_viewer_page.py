@@ -11,10 +11,10 @@ import time
 import pytest
 
 from browser import WITHOUT_PICTURE, Browser, wait_for
-from damaged_logs import damaged
+from damaged_logs import damaged, without_chunk
 from live_page import Page
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, channel, pause, show
+from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
 
 
 @pytest.fixture(scope="module")
@@ -328,3 +328,19 @@ def test_without_webgl_the_page_says_so_and_its_panels_work(replayed):
         browser.screenshot(SCREENSHOTS / "no_webgl.png")
         assert "no WebGL" in browser.run("document.querySelector('#notes').textContent")
         browser.wait("surefoot.time > 0.3", 30)
+
+
+def test_a_tick_that_can_not_be_read_says_which_is_shown_and_steps_go_on_over_it(browser, log, tmp_path):
+    path, begin, end = without_chunk(log, tmp_path, 1)
+    with Viewer("replay", path) as viewer:
+        show(browser, viewer.link)
+        for tick in (799, round(begin / 0.0025) - 1):  # both pieces of the log are here then
+            go_to(browser, tick)
+        assert "can't be read: shown" not in browser.run("document.querySelector('#notes').textContent")
+        browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {(begin + end) / 2}; scrub.dispatchEvent(new Event('input')); }})()")
+        browser.wait("document.querySelector('[data-note=unreadable]')?.textContent.includes(`This tick can't be read: shown is ${+surefoot.drawn.toFixed(4)} s.`)")
+        browser.screenshot(SCREENSHOTS / "unreadable.png")
+        browser.press(".")
+        browser.wait(f"surefoot.drawn > {end} && document.querySelector('[data-note=unreadable]') === null")
+        browser.press(",")
+        browser.wait(f"surefoot.drawn < {begin}")

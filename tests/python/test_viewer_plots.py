@@ -122,3 +122,27 @@ def test_ticks_that_the_page_lost_are_fetched_where_they_are_looked_at(browser):
             browser.screenshot(SCREENSHOTS / "holes.png")
     finally:
         browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+
+
+def test_what_does_not_fit_of_a_name_is_its_beginning_and_the_unit_is_whole(replayed):
+    for text in ("truth.v_WCom", "hierarchy.level.contact_force_minimisation.residual"):
+        plot(replayed, text)
+    title = "[...document.querySelectorAll('.plot-title')].at(-1)"
+    assert replayed.run(f"{title}.textContent") == "hierarchy.level.contact_force_minimisation.residual [N]"
+    name, text, unit, whole = replayed.run(f"""(() => {{
+      const title = {title}, name = title.querySelector('.plot-name').getBoundingClientRect();
+      const of = (one) => {{ const box = one.getBoundingClientRect(); return [box.left, box.right]; }};
+      return [[name.left, name.right], of(title.querySelector('bdi')), of(title.querySelector('.plot-unit')), of(title)];
+    }})()""")
+    assert text[0] < name[0] - 5 and text[1] <= name[1] + 1, "cut at its beginning"
+    assert name[1] <= unit[0] + 1 and unit[1] <= whole[1] + 1, "the unit is whole"
+    replayed.screenshot(SCREENSHOTS / "plot_names.png")
+
+
+def test_channels_of_words_are_told_as_words(replayed):
+    plot(replayed, "plan.feet.LF.phase")
+    phases = next(one["values"] for one in replayed.run("fetch('/api/session').then(one => one.json()).then(one => one.channels)")
+                  if one["name"] == "plan.feet.LF.phase")
+    value = "[...document.querySelectorAll('.plot')].at(-1).querySelector('.legend output').textContent"
+    replayed.wait(f"{phases}.includes({value})")
+    replayed.screenshot(SCREENSHOTS / "plot_words.png")

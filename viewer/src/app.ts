@@ -3,7 +3,7 @@ import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountOf, levelStates } from "./data/hierarchy.ts";
-import { againText } from "./data/log_words.ts";
+import { againText, unreadableText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
@@ -15,6 +15,7 @@ import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
 import { OverlayMenu } from "./panels/overlay_menu.ts";
 import { PlotsPanel } from "./panels/plots_panel.ts";
+import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
 import { Transport } from "./panels/transport.ts";
@@ -260,6 +261,7 @@ export class App {
     this.plots.clear();
     this.tune.changes.clear();
     this.transport.clear();
+    showTime(NaN);
     this.toldLevels = "";
   }
 
@@ -311,8 +313,15 @@ export class App {
     this.sinceText = 0;
     this.transport.update(this.link?.status);
     this.plots.showProgress(this.progress());
+    this.tellUnreadable();
     say(part("loading"), this.world?.library.progress ?? "");
     say(part("rates"), [...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
+  }
+
+  private tellUnreadable(): void {
+    const { player, frame } = this;
+    if (frame !== undefined && (player.source.isUnreadable?.(player.time) ?? false)) this.notes.keep("unreadable", unreadableText(frame.time));
+    else this.notes.take("unreadable");
   }
 
   /** The picture's frame in numbers, in the same step as the picture: neither is newer than the other, however slowly it is drawn. */
@@ -323,6 +332,7 @@ export class App {
     this.sinceNumbers = 0;
     this.told = frame;
     this.transport.tell(frame);
+    showTime(frame.time);
     this.hierarchy.show(frame);
     this.state.show(frame);
     this.state.fact("Again", this.again());

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { choicesOf, namesOf, unitOf } from "../src/data/channel_names.ts";
+import { choicesOf, namesOf, unitOf, valueText, wordsOf } from "../src/data/channel_names.ts";
 import { search } from "../src/panels/plots_panel.ts";
 import type { ChannelInfo } from "../src/protocol/session.ts";
 import { schemaOf } from "./make.ts";
@@ -57,4 +57,16 @@ test("a single component is found by its whole name, or any words of it", () => 
   assert.deepEqual(search(schema, "world.forces")[0]?.choices, [], "too many to be offered");
   assert.deepEqual(search(schema, "world.forces.143")[0]?.choices.map(({ name }) => name), ["143"]);
   assert.deepEqual(search(schema, "nothing"), []);
+});
+
+test("numbers that stand for words are told as these, round-off as 0", () => {
+  const phases = ["stance", "swing"];
+  const words = schemaOf({ a: 1, b: 1, mode: 1, x: 1 });
+  for (const [name, values] of [["a", phases], ["b", [...phases]], ["mode", ["walk", "hold"]]] as const) Object.assign(words.channel(name) as object, { values });
+  const of = (...names: string[]): { channel: string; index: number }[] => names.map((channel) => ({ channel, index: 0 }));
+  assert.deepEqual(wordsOf(of("a", "b"), words), phases);
+  for (const names of [[], ["a", "mode"], ["a", "x"], ["x"]]) assert.equal(wordsOf(of(...names), words), undefined);
+  const [a, x] = of("a", "x") as [{ channel: string; index: number }, { channel: string; index: number }];
+  assert.deepEqual([0, 1, NaN, 7].map((value) => valueText(a, value, words)), ["stance", "swing", "–", "7.00"]);
+  assert.deepEqual([1, -8.9e-16, 1e-7].map((value) => valueText(x, value, words)), ["1.00", "0", "1.0·10⁻⁷"]);
 });

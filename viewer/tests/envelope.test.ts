@@ -43,3 +43,9 @@ test("bounds leave room over and below, also for a line that does not move", () 
   const [low, high] = envelope.bounds();
   assert.ok(low < 100 && high > 100);
 });
+
+test("round-off is a flat line at 0", () => {
+  const envelope = new Envelope(0, 1, 10, 1);
+  for (const [time, value] of [[0.1, 8.9e-16], [0.5, -3e-12]] as const) envelope.add(0, time, value);
+  assert.deepEqual(envelope.bounds(), [-0.5, 0.5]);
+});

@@ -4,7 +4,7 @@ import { marksOf } from "../src/data/marks.ts";
 import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
 import { Player } from "../src/data/player.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
-import { linkText, staleText } from "../src/panels/stale.ts";
+import { linkText, staleText, timeText } from "../src/panels/stale.ts";
 import { schemaOf } from "./make.ts";
 
 const PERIOD = 0.0025;
@@ -170,9 +170,9 @@ test("why there are no numbers is said above them", () => {
   assert.equal(linkText({ ...link, state: "lost", reason: "8 pages watch already" }, NaN), "No numbers here: 8 pages watch already.");
   assert.equal(linkText({ ...link, state: "open" }, NaN), "");
   assert.equal(linkText({ ...link, state: "open" }, 1), "");
-  assert.equal(linkText({ ...link, state: "open", silence: 4, quiet: 4 }, 1), staleText(1, 4));
+  assert.equal(linkText({ ...link, state: "open", silence: 4, quiet: 4 }, 1), staleText(4));
 });
 
 test("old numbers say how old they are", () => {
-  assert.equal(staleText(12.3051, 7), "Nothing new for 7 s: all numbers are from 12.305 s of the run.");
+  assert.equal(staleText(7) + timeText(12.3051), "Nothing new for 7 s: all numbers are from 12.305 s of the run.");
 });

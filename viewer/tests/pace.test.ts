@@ -74,3 +74,25 @@ test("no rest is longer than a second", () => {
   assert.ok(!pace.begin(2800));
   assert.ok(pace.begin(3801));
 });
+
+test("what stands still is drawn once as finely as the machine can, and tells no rate; what moves again as coarsely as before", () => {
+  Object.assign(globalThis, { document: new EventTarget(), window: { devicePixelRatio: 1 } });
+  const quality = new Quality({ shadowMap: {} } as unknown as THREE.WebGLRenderer, () => {}, false);
+  assert.ok(!quality.rest(), "it is as fine as can be");
+  quality.move();
+  for (let k = 0; k < 100; ++k) {
+    quality.pace.took = 300;
+    quality.measure();
+  }
+  const { step } = quality;
+  assert.ok(!quality.shadows && !quality.meshes && quality.facts.some((fact) => fact.includes("fps")));
+  assert.ok(quality.rest());
+  assert.ok(!quality.rest(), "once");
+  assert.ok(quality.shadows && quality.meshes && quality.fine);
+  assert.deepEqual(quality.facts, []);
+  quality.pace.took = 5000; // that the fine picture kept the browser busy
+  quality.move();
+  quality.measure();
+  assert.deepEqual([quality.step, quality.meshes], [step, false]);
+  assert.ok(quality.frameTime < 1000);
+});

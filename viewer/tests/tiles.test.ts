@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { Envelope } from "../src/data/envelope.ts";
 import { ReplaySource } from "../src/data/replay_source.ts";
 import { TILE_FRAMES } from "../src/data/tiles.ts";
+import { readBlock } from "../src/protocol/block.ts";
 import { blockOf, schemaOf, type RawFrame } from "./make.ts";
 
 const PERIOD = 0.0025;
@@ -42,6 +43,29 @@ test("any tick of a log is shown once its piece has come", async () => {
     await settled(source);
     assert.equal(source.at(tick * PERIOD)?.tick, tick);
   }
+});
+
+test("ticks that can't be read are told, another stands for them, and steps go on over them", async () => {
+  const [from, to] = [300, 1800]; // one piece has nothing, two have some of theirs
+  const source = new ReplaySource(schema, PERIOD, 0, TICKS, async (url) => {
+    const frames: RawFrame[] = [];
+    readBlock(await server().fetchBlock(url), 1, (tick, time, values) => {
+      if (tick < from || tick >= to) frames.push({ tick, time, values: [...values] });
+    });
+    return blockOf(frames);
+  });
+  const look = async (tick: number): Promise<void> => {
+    source.at(tick * PERIOD);
+    await settled(source);
+  };
+  for (let tick = 0; tick < 3000; tick += TILE_FRAMES) await look(tick);
+  for (const tick of [0, from - 1, to, 2999]) assert.ok(!source.isUnreadable(tick * PERIOD), `${tick}`);
+  for (const tick of [from, 600, 1100, to - 1]) assert.ok(source.isUnreadable(tick * PERIOD), `${tick}`);
+  assert.equal(source.at((from + 5) * PERIOD)?.tick, from - 1);
+  assert.equal(source.neighbour((from - 1) * PERIOD, 1), to * PERIOD);
+  assert.equal(source.neighbour(1000 * PERIOD, 1), to * PERIOD);
+  assert.equal(source.neighbour(to * PERIOD, -1), (from - 1) * PERIOD);
+  assert.equal(source.neighbour(5 * PERIOD, 1), 6 * PERIOD);
 });
 
 test("until then the nearest frame of an overview stands for it", async () => {

@@ -1,4 +1,5 @@
 import type { ChannelInfo } from "../protocol/session.ts";
+import { digits, withoutRoundOff } from "./numbers.ts";
 import { LEGS, type Schema } from "./schema.ts";
 import type { Series } from "./source.ts";
 
@@ -41,6 +42,18 @@ export function namesOf(series: Series[], schema: Schema): { title: string; labe
 export function unitOf(series: Series[], schema: Schema): string | undefined {
   const units = new Set(series.map(({ channel }) => schema.channel(channel)?.unit ?? ""));
   return units.size === 1 ? [...units][0] : undefined;
+}
+
+/** The words that the numbers of all lines stand for; undefined where they are numbers, or words of several lists. */
+export function wordsOf(series: Series[], schema: Schema): string[] | undefined {
+  const lists = series.map(({ channel }) => schema.channel(channel)?.values);
+  const [first] = lists;
+  return first !== undefined && lists.every((one) => one?.join("\n") === first.join("\n")) ? first : undefined;
+}
+
+/** A number of a line as people read it: its word, where it stands for one. */
+export function valueText({ channel }: Series, value: number, schema: Schema): string {
+  return schema.channel(channel)?.values?.[value] ?? digits(withoutRoundOff(value));
 }
 
 /** Some lines that can be chosen together, as a user calls them. */

@@ -1,3 +1,5 @@
+import { withoutRoundOff } from "./numbers.ts";
+
 /** Least and greatest of each stretch of time, for a line that loses no spike. */
 export class Envelope {
   readonly x: Float64Array;
@@ -60,8 +62,9 @@ export class Envelope {
     let high = -Infinity;
     for (const y of this.y)
       for (const value of y) {
-        if (value < low) low = value;
-        if (value > high) high = value;
+        const known = withoutRoundOff(value);
+        if (known < low) low = known;
+        if (known > high) high = known;
       }
     if (low > high) return [0, 1];
     const room = high > low ? 0.06 * (high - low) : Math.max(1e-6, 0.05 * Math.abs(high) || 0.5);

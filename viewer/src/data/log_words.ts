@@ -11,6 +11,11 @@ export function damageText(damage: string[]): string {
   return `This log is damaged, the rest of it can be seen: ${pieces.slice(0, MOST).join("; ")}${more}.`;
 }
 
+/** That of a tick of a log nothing is left, and which time is shown instead. */
+export function unreadableText(shown: number): string {
+  return `This tick can't be read: shown is ${Number(shown.toFixed(4))} s.`;
+}
+
 /** How much of a log is summarised [s], for long plots and the list of events. */
 export function readText(read: number, whole: number): string {
   return `Reading the log: ${Math.floor(read)} s of ${Math.ceil(whole)} s`;

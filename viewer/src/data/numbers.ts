@@ -28,6 +28,13 @@ export function digits(value: number): string {
   return minus(value.toFixed(decimals));
 }
 
+/** What is nearer to 0 than this is round-off. */
+const ROUND_OFF = 1e-9;
+
+export function withoutRoundOff(value: number): number {
+  return Math.abs(value) < ROUND_OFF ? 0 : value;
+}
+
 export function quantity(value: number, unit: string): string {
   return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
 }

@@ -57,9 +57,23 @@ export class ReplaySource implements FrameSource {
     return fine !== undefined || off <= 2 * Math.max(this.coarseStride, STRETCH) ? table.frame(i) : undefined;
   }
 
+  /** Goes on over ticks that can't be read, as far as is known, where there is one behind them. */
   neighbour(time: number, steps: number): number {
-    const tick = Math.min(Math.max(this.tick(time) + steps, 0), this.ticks - 1);
-    return (this.firstTick + tick) * this.period;
+    const from = Math.min(Math.max(this.tick(time) + steps, 0), this.ticks - 1);
+    let tick = from;
+    while (tick >= 0 && tick < this.ticks && this.isLost(tick)) tick += Math.sign(steps);
+    return (this.firstTick + (tick >= 0 && tick < this.ticks ? tick : from)) * this.period;
+  }
+
+  isUnreadable(time: number): boolean {
+    return this.isLost(this.tick(time));
+  }
+
+  /** Whether the piece with this tick is here, and has no such tick. */
+  private isLost(tick: number): boolean {
+    const table = this.cache.get({ stride: 1, index: Math.floor(tick / TILE_FRAMES), minMax: false });
+    if (table === undefined) return false;
+    return table.size === 0 || table.ticks[table.indexAt((this.firstTick + tick) * this.period + 1e-6)] !== this.firstTick + tick;
   }
 
   expect(time: number, rate: number): void {

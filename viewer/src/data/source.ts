@@ -27,6 +27,8 @@ export interface FrameSource {
   at(time: number): Frame | undefined;
   /** Time of the frame `steps` further on. */
   neighbour(time: number, steps: number): number;
+  /** Of a log: whether the tick at `time` can't be read, as far as is known; another is shown then. */
+  isUnreadable?(time: number): boolean;
   /** Fills the envelope with what is here, and asks for the rest. */
   fill(envelope: Envelope, series: Series[]): void;
   /** Frames within [from, to] that are here, at most about `count` of them. */

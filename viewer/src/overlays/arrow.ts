@@ -62,6 +62,21 @@ export function paint(opacity = 1): THREE.MeshBasicMaterial {
   return new THREE.MeshBasicMaterial({ ...(opacity < 1 ? SEEN_THROUGH : {}), opacity, fog: false });
 }
 
+/** The ground is drawn first, then what lies on it, then all else. */
+export const GROUND_ORDER = -2;
+export const ON_GROUND_ORDER = -1;
+
+/** Of what lies on the ground as the controller believes it: the ground as it is never hides that, the robot does. Blended by itself, as
+ * what is transparent is drawn last; the picture stays opaque. */
+export const ON_GROUND = {
+  depthTest: false, depthWrite: false, side: THREE.DoubleSide, fog: false,
+  blending: THREE.CustomBlending, blendSrcAlpha: THREE.OneFactor, blendDstAlpha: THREE.OneMinusSrcAlphaFactor,
+} as const;
+
+export function paintOnGround(opacity = 1): THREE.MeshBasicMaterial {
+  return new THREE.MeshBasicMaterial({ ...ON_GROUND, opacity });
+}
+
 /** Paint that no body hides: for what begins inside the robot. */
 export function paintOverBodies(opacity = 1): THREE.MeshBasicMaterial {
   return new THREE.MeshBasicMaterial({ transparent: true, depthTest: false, depthWrite: false, opacity, fog: false });

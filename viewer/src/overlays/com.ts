@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read } from "../data/frame.ts";
 import type { Palette } from "../scene/palette.ts";
-import { paint } from "./arrow.ts";
+import { ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { BelievedPlane } from "./ground_marks.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { Pen, Trails } from "./trail.ts";
@@ -14,15 +14,15 @@ export class CentreOfMass implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly material = paint();
-  private readonly planMaterial = paint();
+  private readonly planMaterial = paintOnGround();
   private readonly ball = new THREE.Mesh(new THREE.SphereGeometry(0.02, 20, 14), this.material);
   private readonly disc = new THREE.Mesh(new THREE.CircleGeometry(0.011, 24), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
   private readonly colour = new THREE.Color();
   private readonly planColour = new THREE.Color();
   private readonly plumb = new Trails(0.7, 1);
-  private readonly planTrail = new Trails(1, 255);
-  private readonly pastTrail = new Trails(0.7, 255);
+  private readonly planTrail = new Trails(1, 255, true);
+  private readonly pastTrail = new Trails(0.7, 255, true);
   private readonly planPen = new Pen(this.planTrail, this.planColour);
   private readonly pastPen = new Pen(this.pastTrail, this.colour);
   private readonly plane = new BelievedPlane();
@@ -33,6 +33,7 @@ export class CentreOfMass implements Overlay {
   constructor() {
     this.material.depthTest = false; // seen through the torso
     this.ball.renderOrder = this.disc.renderOrder = 2;
+    this.ring.renderOrder = ON_GROUND_ORDER;
     this.root.add(this.ball, this.disc, this.ring, this.plumb.lines, this.planTrail.lines, this.pastTrail.lines);
   }
 

@@ -3,7 +3,7 @@ import { read, scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
-import { paint } from "./arrow.ts";
+import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
 /** What is drawn on the ground floats this far over it [m]. */
@@ -33,8 +33,8 @@ export class BelievedPlane {
 export class SupportPolygon implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly fill = paint(0.16);
-  private readonly line = new THREE.LineBasicMaterial({ fog: false });
+  private readonly fill = paintOnGround(0.16);
+  private readonly line = new THREE.LineBasicMaterial(ON_GROUND);
   private readonly points = new THREE.BufferAttribute(new Float32Array(12), 3);
   private readonly area = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex([0, 1, 2, 0, 2, 3]);
   private readonly outline = new THREE.BufferGeometry().setAttribute("position", this.points);
@@ -45,6 +45,7 @@ export class SupportPolygon implements Overlay {
     const loop = new THREE.LineLoop(this.outline, this.line);
     mesh.frustumCulled = loop.frustumCulled = false;
     this.root.add(mesh, loop);
+    this.root.renderOrder = ON_GROUND_ORDER;
   }
 
   wear(palette: Palette): void {
@@ -72,7 +73,7 @@ export class SupportPolygon implements Overlay {
 export class ZeroMomentPoint implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
-  private readonly material = paint();
+  private readonly material = paintOnGround();
   private readonly planned = new THREE.Mesh(new THREE.RingGeometry(0.012, 0.022, 4), this.material);
   private readonly actual = new THREE.Mesh(new THREE.RingGeometry(0.022, 0.03, 32), this.material);
   private readonly plane = new BelievedPlane();
@@ -80,8 +81,8 @@ export class ZeroMomentPoint implements Overlay {
   private readonly toBelief = new THREE.Matrix4();
 
   constructor() {
-    this.material.side = THREE.DoubleSide;
     this.root.add(this.planned, this.actual);
+    this.root.renderOrder = ON_GROUND_ORDER;
   }
 
   wear(palette: Palette): void {

@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { ON_GROUND, ON_GROUND_ORDER } from "./arrow.ts";
 
 /** Lines through points that change, each in its colour, drawn in one call; made once for at most `capacity` pieces. */
 export class Trails {
@@ -8,12 +9,13 @@ export class Trails {
   private readonly geometry = new THREE.BufferGeometry();
   private count = 0;
 
-  constructor(opacity: number, private readonly capacity: number) {
+  constructor(opacity: number, private readonly capacity: number, onGround = false) {
     this.points = attribute(2 * capacity);
     this.colours = attribute(2 * capacity);
     this.geometry.setAttribute("position", this.points).setAttribute("color", this.colours);
-    const material = new THREE.LineBasicMaterial({ vertexColors: true, transparent: opacity < 1, opacity, fog: false });
+    const material = new THREE.LineBasicMaterial({ vertexColors: true, opacity, fog: false, ...(onGround ? ON_GROUND : { transparent: opacity < 1 }) });
     this.lines = new THREE.LineSegments(this.geometry, material);
+    if (onGround) this.lines.renderOrder = ON_GROUND_ORDER;
     this.lines.frustumCulled = this.lines.matrixAutoUpdate = false;
   }
 

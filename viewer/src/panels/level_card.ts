@@ -1,5 +1,5 @@
 import { nameOf, type LevelState } from "../data/hierarchy.ts";
-import { counted, quantity } from "../data/numbers.ts";
+import { counted, quantity, withoutRoundOff } from "../data/numbers.ts";
 import { h, plain, say } from "./dom.ts";
 
 /** Sign and word of each status: colour is never the only sign. */
@@ -71,7 +71,7 @@ export class LevelCard {
     this.root.classList.toggle("held", blockers(state).length > 0);
     say(this.sign, SIGNS[state.status]);
     say(this.status, state.status);
-    say(this.residual, state.rows === 0 ? "" : quantity(state.residual < 1e-9 ? 0 : state.residual, state.unit));
+    say(this.residual, state.rows === 0 ? "" : quantity(withoutRoundOff(state.residual), state.unit));
     say(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));

@@ -1,10 +1,10 @@
 import uPlot from "uplot";
-import { legIn, namesOf, partsOf, unitOf } from "../data/channel_names.ts";
+import { legIn, namesOf, partsOf, unitOf, valueText, wordsOf } from "../data/channel_names.ts";
 import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { digits } from "../data/numbers.ts";
+import { withoutRoundOff } from "../data/numbers.ts";
 import { h, say } from "./dom.ts";
 import { stylesOf, type LineStyle } from "./line_styles.ts";
 
@@ -30,7 +30,9 @@ export class Plot {
   /** It has to be drawn anew. */
   onBuilt: () => void = () => {};
   private chart: uPlot | undefined;
-  private readonly heading = h("span", { class: "plot-title" });
+  private readonly name = h("bdi", {});
+  private readonly unit = h("span", { class: "plot-unit" });
+  private readonly heading = h("span", { class: "plot-title" }, h("span", { class: "plot-name" }, this.name), this.unit);
   private readonly legend = h("div", { class: "legend" });
   private readonly frame = h("div", { class: "chart" });
   private readonly size = new ResizeObserver(() => this.resize());
@@ -58,7 +60,8 @@ export class Plot {
     const names = namesOf(series, this.schema);
     const unit = unitOf(series, this.schema);
     const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
-    say(this.heading, `${title ?? names.title}${unit ? ` [${unit}]` : ""}`);
+    say(this.name, title ?? names.title);
+    say(this.unit, unit ? ` [${unit}]` : "");
     this.heading.title = this.heading.textContent ?? "";
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", {}),
@@ -108,12 +111,24 @@ export class Plot {
       cursor: { sync: { key: "surefoot" }, drag: { setScale: false, x: false, y: false }, points: { size: 5 } },
       scales: { x: { time: false, range: (_u, low, high) => [low, high] } },
       axes: [{ ...axis, size: 22, gap: 2, values: (_u, marks) => marks.map((t) => `${+t.toFixed(3)} s`) },
-             { ...axis, size: 52, gap: 3, space: 22, values: (_u, marks) => marks.map((y) => `${+y.toPrecision(4)}`) }],
+             { ...axis, gap: 3, ...this.valueAxis() }],
       legend: { show: false },
       series: [{}, ...this.shown.map(({ style: line }) => ({ stroke: colour(line.colour), dash: line.dash, width: 1.4, points: { show: false } }))],
       hooks: { draw: [(u) => this.drawTime(u, colour("--ink"))], ready: [(u) => this.listen(u)] },
     }, [[], ...this.shown.map(() => [])] as unknown as uPlot.AlignedData, this.frame);
     this.onBuilt();
+  }
+
+  /** Of numbers, or of the words that they stand for. */
+  private valueAxis(): Pick<uPlot.Axis, "size" | "space" | "splits" | "values"> {
+    const words = wordsOf(this.shown.map(({ series }) => series), this.schema);
+    if (words === undefined) return { size: 52, space: 22, values: (_u, marks) => marks.map((y) => `${withoutRoundOff(+y.toPrecision(4))}`) };
+    const longest = Math.max(...words.map((one) => one.length));
+    return {
+      size: Math.min(16 + 6 * longest, 120),
+      splits: (_u, _axis, low, high) => words.map((_, value) => value).filter((value) => value >= low && value <= high),
+      values: (_u, marks) => marks.map((value) => words[value] ?? ""),
+    };
   }
 
   private listen(u: uPlot): void {
@@ -168,7 +183,7 @@ export class Plot {
 
   /** The numbers of this frame, beside the lines' names. */
   tell(frame: Frame): void {
-    for (const { series, value } of this.lines) say(value, digits(scalar(frame, series.channel, series.index)));
+    for (const { series, value } of this.lines) say(value, valueText(series, scalar(frame, series.channel, series.index), this.schema));
   }
 
   private resize(): void {

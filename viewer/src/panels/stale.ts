@@ -1,9 +1,19 @@
 import type { ConnectionState } from "../protocol/connection.ts";
 import { part, say } from "./dom.ts";
 
-/** How old the numbers are: the run's time when they came, and seconds since. */
-export function staleText(time: number, ago: number): string {
-  return `Nothing new for ${ago} s: all numbers are from ${time.toFixed(3)} s of the run.`;
+/** How long nothing has come [s]; `timeText` goes on. */
+export function staleText(ago: number): string {
+  return `Nothing new for ${ago} s`;
+}
+
+/** Of which time of the run the numbers are that stand there; NaN: there are none. */
+export function timeText(time: number): string {
+  return Number.isNaN(time) ? "" : `: all numbers are from ${time.toFixed(3)} s of the run.`;
+}
+
+/** Said with the numbers: while nothing new comes one may look at any that came. */
+export function showTime(time: number): void {
+  say(part("stale-time"), timeText(time));
 }
 
 /** What to look at where the program says nothing. */
@@ -20,7 +30,7 @@ export interface Link {
 /** What is said above the numbers: why there are none, or that they are old; `last`: time of the newest, NaN: there is none. */
 export function linkText({ state, silence, quiet, reason }: Link, last: number): string {
   const away = silence > 0 || state === "lost";
-  if (!Number.isNaN(last)) return away ? staleText(last, quiet) : "";
+  if (!Number.isNaN(last)) return away ? staleText(quiet) : "";
   if (state === "lost") return `No numbers here: ${reason === "" ? "there is no connection to the program" : reason}.`;
   if (silence > 0) return "No numbers yet: the program does not answer.";
   return state === "connecting" ? "Connecting to the program …" : "";
@@ -30,6 +40,6 @@ export function linkText({ state, silence, quiet, reason }: Link, last: number):
 export function showLink(text: string, old: boolean): void {
   const note = part("stale");
   note.hidden = text === "";
-  say(note, text);
+  say(part("stale-text"), text);
   document.body.classList.toggle("stale", old);
 }

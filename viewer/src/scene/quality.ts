@@ -44,6 +44,7 @@ export class Quality {
   frameTime = NaN;
   readonly pace = new Pace(globalThis.document);
   onStep: () => void = () => {};
+  private resting = false;
   private slow = 0;
   private quick = 0;
   private readonly finest: number;
@@ -63,7 +64,7 @@ export class Quality {
   private readonly apply: () => void;
 
   private get current(): Step {
-    return STEPS[this.step] as Step;
+    return STEPS[this.resting ? this.finest : this.step] as Step;
   }
   get pixelRatio(): number {
     return Math.min(window.devicePixelRatio, this.current.ratio);
@@ -78,11 +79,27 @@ export class Quality {
     return this.current.meshes;
   }
 
-  /** Pictures a second; what is left out of them, and why. */
+  /** Nothing moves any more: whether that asks for a finer picture, which may take its time. */
+  rest(): boolean {
+    if (this.resting) return false;
+    this.resting = true;
+    return this.step !== this.finest && this.refine();
+  }
+
+  /** Something moves again; how long the fine picture took says nothing of others. */
+  move(): void {
+    if (!this.resting) return;
+    this.resting = false;
+    if (this.step === this.finest) return;
+    this.pace.took = NaN;
+    this.refine();
+  }
+
+  /** Pictures a second, while there are any; what is left out of them, and why. */
   get facts(): string[] {
     const rate = 1000 / this.frameTime;
     const { words } = this.current;
-    const facts = rate > 0 ? [`${rate.toFixed(rate < 9.5 ? 1 : 0)} fps`] : [];
+    const facts = rate > 0 && !this.resting ? [`${rate.toFixed(rate < 9.5 ? 1 : 0)} fps`] : [];
     return words === "" ? facts : [...facts, `${words}: ${this.software ? "the processor draws" : "drawing is slow here"}`];
   }
 
@@ -100,8 +117,14 @@ export class Quality {
   private use(step: number): void {
     this.step = step;
     this.slow = this.quick = 0;
+    this.refine();
+  }
+
+  /** What is drawn is of another step. */
+  private refine(): true {
     this.apply();
     this.resize();
     this.onStep();
+    return true;
   }
 }

@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { GROUND_ORDER } from "../overlays/arrow.ts";
 import type { TerrainPiece } from "../protocol/session.ts";
 import type { Palette } from "./palette.ts";
 import { TerrainGeometry } from "./terrain_geometry.ts";
@@ -33,6 +34,7 @@ export class Terrain {
     const lines = new THREE.BufferGeometry();
     lines.setAttribute("position", new THREE.Float32BufferAttribute(parts.edges, 3));
     this.edges = new THREE.LineBasicMaterial();
+    this.root.renderOrder = GROUND_ORDER;
     this.root.add(mesh, new THREE.LineSegments(lines, this.edges));
   }
 

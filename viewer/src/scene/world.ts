@@ -122,7 +122,9 @@ export class World {
 
   /** Draws the frame where the picture would be another one; `dt`: since the last picture [s]; `extras` may move what it has added. */
   draw(frame: Frame | undefined, source: FrameSource, dt: number, extras: () => void): boolean {
-    if (!this.changed(frame)) return false;
+    const { quality } = this.stage;
+    if (this.changed(frame)) quality.move();
+    else if (frame === undefined || !quality.rest()) return false;
     this.settling = frame?.time !== this.shown ? SETTLING : this.settling - dt;
     this.dirty = false;
     this.stage.fit();
