@@ -112,7 +112,9 @@ void LiveFeed::begin_again(ViewSession begun) {
   session_.friction = begun.friction;
   session_.begun = ++session_.generation;
   names_ = {session_.channels.level_names, {}};
-  finder_.emplace(session_.channels);
+  std::vector<std::string> bodies = session_.bodies;
+  bodies.insert(bodies.begin(), "world");
+  finder_.emplace(session_.channels, std::move(bodies));
   events_.clear();
   changes_.clear();
   past_.clear();
@@ -174,7 +176,8 @@ void LiveFeed::set_recording(const std::string& path) {
 }
 
 void LiveFeed::show(const logged::Change& change) {
-  hand_over([this, time = change.time, kind = change.kind, words = change.text] {
+  hand_over([this, change, time = change.time, kind = change.kind, words = change.text] {
+    finder_->acts(change);
     JsonText(changes_.emplace_back())
         .object()
         .member("type", "change")

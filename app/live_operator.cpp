@@ -61,6 +61,9 @@ void check_order(const StackOptions& stack) {
   }
 }
 
+/// No less than it is; what double rounds is no millisecond more.
+double whole_milliseconds(double seconds) { return std::ceil(1e3 * seconds - 1e-9) / 1e3; }
+
 }  // namespace
 
 LiveOperator::LiveOperator(const Scenario& scenario, ViewLimits limits)
@@ -152,8 +155,8 @@ void LiveOperator::push(const ViewCommand& command) {
   if (force.norm() > limits_.push_force * (1.0 + 1e-9)) {
     throw Error(text("an impulse of ", command.impulse.norm(), " N·s in ", command.duration,
                      " s is a force of ", force.norm(), " N; valid is up to ", limits_.push_force,
-                     " N, so a duration of at least ", command.impulse.norm() / limits_.push_force,
-                     " s"));
+                     " N, so a duration of at least ",
+                     whole_milliseconds(command.impulse.norm() / limits_.push_force), " s"));
   }
   wishes_.pushes.push_back(
       {.body = command.body, .time = 0.0, .duration = command.duration, .force = force});

@@ -132,7 +132,8 @@ void LiveView::take_control(double time) {
     present_.friction = wishes_.control.friction;
     feed_.set_control(present_.stack, present_.friction, tick_);
   }
-  const std::string text = change_text(present_.stack, wishes_.control.stack);
+  const std::string text =
+      change_text(present_.stack, wishes_.control.stack, !wishes_.reason.empty());
   is_pending_ = !text.empty() && !change_stack(wishes_.reason + text, time);
   tell_pending(is_pending_ ? wishes_.reason + text : "");
 }
@@ -142,7 +143,8 @@ std::string LiveView::pending_text() const {
   std::string text;
   if (wishes_.control.friction != present_.friction)
     text = "friction " + change_text(present_.friction, wishes_.control.friction);
-  const std::string stack = change_text(present_.stack, wishes_.control.stack);
+  const std::string stack =
+      change_text(present_.stack, wishes_.control.stack, !wishes_.reason.empty());
   if (!text.empty() && !stack.empty()) text += "; ";
   text += stack;
   return text.empty() ? "" : wishes_.reason + text;

@@ -5,6 +5,7 @@
 #include "app/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
+#include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
@@ -57,6 +58,8 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.channels = frames_.channels();
   session_.meshes = robot_.meshes();
   session_.orders = {{0, header.level_names}};
+  session_.bodies = body_names(header);
+  if (!session_.bodies.empty()) session_.bodies.erase(session_.bodies.begin());  // the world
   try {
     const LogReplay replay(path);
     session_.rows = replay.controller().row_names();

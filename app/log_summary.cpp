@@ -25,7 +25,7 @@ float more(float a, float b) { return std::fmax(a, b); }
 }  // namespace
 
 LogSummary::LogSummary(const std::string& path, const LogHeader& header)
-    : frames_(path, header), finder_(frames_.channels()) {
+    : frames_(path, header), finder_(frames_.channels(), body_names(header)) {
   if (frames_.num_lost() > 0) {
     damage_.push_back(std::to_string(frames_.num_lost()) +
                       (frames_.num_lost() == 1
@@ -106,6 +106,7 @@ void LogSummary::coarsen() {
 }
 
 void LogSummary::add(const logged::Change& change) {
+  finder_.acts(change);
   if (told_.tells(change)) events_.push_back(text_event(change.time, "change", change.text));
   if (change.stack.empty()) return;
   try {

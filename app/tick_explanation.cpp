@@ -20,6 +20,21 @@
 #include <cstdio>
 
 namespace surefoot {
+namespace logged {
+
+// What is taken from every /truth around the tick.
+struct OutsideTruth {
+  Quat q_WB = Quat::Identity();
+  std::vector<double> xfrc_applied;
+};
+
+void fields(Decoder& field, OutsideTruth& truth) {
+  field("q_WB", truth.q_WB, "");
+  field("xfrc_applied", truth.xfrc_applied, "");
+}
+
+}  // namespace logged
+
 namespace {
 
 constexpr double kLoaded = 1.0;                // [N]
@@ -106,11 +121,15 @@ class Search {
                            time_ <= nearest_ + period + kHalfOfLastDigit;
     if (!found_.is_behind_end && !(std::abs(nearest_ - time_) <= 0.5001 * period)) refuse();
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
+    found_.bodies = body_names(found_.header);
     found_.header.attachments.clear();
     found_.row_names = log_.row_names();
     found_.timing = read_timing(path_, nanoseconds(nearest_), found_.header.level_names);
     found_.problem = log_.problem();
     if (found_.truth && std::abs(found_.truth->time - nearest_) > 1e-9) found_.truth.reset();
+    if (found_.truth)
+      found_.applied = applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_WB);
+    add_forces();
     const auto start = found_.truth ? read_start(path_) : std::nullopt;
     if (start) found_.estimate = aligned(*start, *found_.truth, found_.tick.state);
     return std::move(found_);
@@ -130,21 +149,48 @@ class Search {
         leg_of(static_cast<PlanEvent>(event), phases_of(before), phases_of(tick_.plan));
     found_.events.push_back({tick_.reading.time,
                              event < names.size() ? names[event] : "event " + std::to_string(event),
-                             leg ? std::string(kLegNames[index(*leg)]) : "", false});
+                             leg ? std::string(kLegNames[index(*leg)]) : ""});
   }
 
   /// Stands before the tick that has it first.
   void take_change(const McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
+    if (change.kind == "push" || change.kind == "pull")
+      by_operator_.insert(by_operator_.end(), {change.time, change.time + change.duration});
     if (!told_.tells(change) || change.time > time_ + kEventWindow) return;
-    found_.events.push_back({change.time, operator_text(change, yaw_), "", true});
+    found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
   void take_truth(const McapMessage& message) {
+    see_forces(message);
     if (std::abs(1e-9 * static_cast<double>(message.log_time) - nearest_) > 1e-9) return;
     logged::Decoder::decode(message.data, found_.truth.emplace());
+  }
+
+  void see_forces(const McapMessage& message) {
+    const double time = 1e-9 * static_cast<double>(message.log_time);
+    if (time < time_ - kEventWindow || time > time_ + kEventWindow) return;
+    logged::OutsideTruth truth;
+    logged::Decoder::decode(message.data, truth);
+    const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
+    begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
+    ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
+  }
+
+  /// Those of the operator are told by what the operator did.
+  void add_forces() {
+    const auto add = [this](double time, const std::string& text) {
+      const auto is_told = [&](double told) { return std::abs(told - time) < 0.01; };
+      if (std::ranges::any_of(by_operator_, is_told)) return;
+      const auto later = std::ranges::upper_bound(found_.events, time, {}, &NearbyEvent::time);
+      found_.events.insert(later, {time, text, "", "outside"});
+    };
+    for (const AppliedForce& force : begun_)
+      add(force.from, "pushed by " + applied_force_text(force, found_.bodies));
+    for (const AppliedForce& force : ended_)
+      add(force.to, "the push on " + body_text(force.body, found_.bodies) + " ends");
   }
 
   [[noreturn]] void refuse() const {
@@ -169,6 +215,9 @@ class Search {
   double time_, nearest_ = kNaN;
   double yaw_ = kNaN;  // believed at the last tick
   ToldChanges told_;
+  AppliedForceWatch forces_;
+  std::vector<AppliedForce> begun_, ended_;
+  std::vector<double> by_operator_;  // begins and ends of pushes and pulls [s]
   LogReader log_;
   TickRecord tick_;
   TickExplanation found_;

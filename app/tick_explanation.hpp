@@ -2,6 +2,7 @@
 
 #include "app/commanded_force.hpp"
 #include "surefoot/evaluation/start_alignment.hpp"
+#include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
@@ -13,22 +14,25 @@
 
 namespace surefoot {
 
-/// Something that the planner did, or the operator of a run that was steered.
+/// Something that the planner did, or the operator of a run that was steered, or a force from
+/// outside that began or ended.
 struct NearbyEvent {
   double time = 0.0;  ///< [s]
   std::string text;
-  std::string leg;  ///< that it happened to: "RF"; empty: none
-  bool by_operator = false;
+  std::string leg;             ///< that it happened to: "RF"; empty: none
+  std::string by = "planner";  ///< "operator", "outside"
 };
 
 /// One tick of a log, with what is needed to say why it came out so.
 struct TickExplanation {
   LogHeader header;  ///< without its attachments
   TickRecord tick;
-  CommandedForces forces;            ///< of the tick
-  std::optional<TickTiming> timing;  ///< of logs that have it
-  std::vector<std::int16_t> order;   ///< numbers in the header of the tick's levels, highest first
-  std::optional<GroundTruth> truth;  ///< of logs that have it
+  CommandedForces forces;             ///< of the tick
+  std::optional<TickTiming> timing;   ///< of logs that have it
+  std::vector<std::int16_t> order;    ///< numbers in the header of the tick's levels, highest first
+  std::optional<GroundTruth> truth;   ///< of logs that have it
+  std::vector<AppliedForce> applied;  ///< from outside, as the truth has it
+  std::vector<std::string> bodies;    ///< names by their row of the truth's `xfrc_applied`
   std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::vector<NearbyEvent> events;  ///< around the tick, in order

@@ -105,7 +105,18 @@ Json events_json(const TickExplanation& explanation) {
     list.push_back({{"time", event.time},
                     {"text", event.text},
                     {"leg", event.leg.empty() ? Json() : Json(event.leg)},
-                    {"by", event.by_operator ? "operator" : "planner"}});
+                    {"by", event.by}});
+  return list;
+}
+
+Json applied_json(const TickExplanation& explanation) {
+  Json list = Json::array();
+  for (const AppliedForce& force : explanation.applied)
+    list.push_back({{"body", force.body < explanation.bodies.size() ? explanation.bodies[force.body]
+                                                                    : std::to_string(force.body)},
+                    {"force", {force.force.x(), force.force.y(), force.force.z()}},
+                    {"size", force.force.norm()},
+                    {"angle_from_ahead", number(angle_from_ahead(force))}});
   return list;
 }
 
@@ -138,6 +149,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"plan", is_solved ? message(tick.plan) : Json()},
                {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
+  if (explanation.truth) json["pushed_by"] = applied_json(explanation);
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);
   if (!explanation.problem.empty()) json["problem"] = explanation.problem;

@@ -102,6 +102,9 @@ std::string facts(const TickExplanation& explanation) {
     table.push_back({"is off by", text("%.1f cm, %.1f° in heading, counted from the first tick",
                                        100.0 * explanation.estimate->position_error,
                                        std::abs(explanation.estimate->heading_error) * kDegrees)});
+  for (const AppliedForce& force : explanation.applied)
+    table.push_back({"pushed by", applied_force_text(force, explanation.bodies) +
+                                      " (truth: the controller is not told)"});
   table.push_back({"asked", asked(tick.user)});
   table.push_back({"command", command(explanation)});
   std::string out;

@@ -62,9 +62,9 @@ Names stayed(const Names& order, const Names& before) {
 }
 
 /// What moved: as few levels as tell it.
-std::string order_text(const StackOptions& before, const StackOptions& after) {
+std::string order_text(const StackOptions& before, const StackOptions& after, bool is_undo) {
   const Names was = level_names(before), is = level_names(after);
-  const Names rest = stayed(is, was);
+  const Names rest = is_undo ? stayed(was, is) : stayed(is, was);
   std::string text;
   for (const std::string& name : is) {
     if (std::ranges::find(rest, name) != rest.end()) continue;
@@ -129,7 +129,7 @@ std::string change_text(double before, double after) {
   return text.str();
 }
 
-std::string change_text(const StackOptions& before, const StackOptions& after) {
+std::string change_text(const StackOptions& before, const StackOptions& after, bool is_undo) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const LevelSpec& level : after.levels) {
@@ -143,7 +143,7 @@ std::string change_text(const StackOptions& before, const StackOptions& after) {
       }
     }
   }
-  if (!has_same_order(before, after)) add(order_text(before, after));
+  if (!has_same_order(before, after)) add(order_text(before, after, is_undo));
   return text;
 }
 

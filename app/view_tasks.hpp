@@ -20,8 +20,10 @@ namespace surefoot {
                                                const StackReach& reach = {});
 
 /// What is another in the second stack, which has the levels and tasks of the first:
-/// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is.
-[[nodiscard]] std::string change_text(const StackOptions& before, const StackOptions& after);
+/// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is. Of an undo the
+/// levels are told whose move is taken back: of two neighbours that change places either may be.
+[[nodiscard]] std::string change_text(const StackOptions& before, const StackOptions& after,
+                                      bool is_undo = false);
 
 /// "0.4 → 0.5", with four digits that count.
 [[nodiscard]] std::string change_text(double before, double after);

@@ -44,7 +44,8 @@ void fields(Archive& field, T& truth) {
   field("qvel", truth.qvel, "mjData.qvel");
   field("ctrl", truth.ctrl, "mjData.ctrl");
   field("xfrc_applied", truth.xfrc_applied,
-        "mjData.xfrc_applied, row by row: force [N] and torque [N·m] from outside on each body");
+        "mjData.xfrc_applied: from outside on each body, one after the other, a force in N and a "
+        "torque in N·m, both in W, six numbers a body; the first six are the world's");
 }
 
 }  // namespace surefoot::logged

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace surefoot::report {
 namespace {
@@ -68,6 +69,23 @@ std::string trouble_list(const RunData& run) {
     out += "<li><b>" + std::to_string(one.count) + " ×</b> " + escape(one.what) +
            (one.count > 1 ? ", first at " : ", at ") + decimal(one.first, 2) + " s</li>\n";
   }
+  return out + "</ul>\n";
+}
+
+// In the order of their begin; by hand there can be many.
+std::string push_list(const RunData& run) {
+  constexpr std::size_t kMost = 12;
+  if (run.applied.empty()) return "";
+  const std::vector<std::string> bodies = body_names(run.header);
+  std::string out = "<ul class=\"pushes\">\n";
+  for (std::size_t i = 0; i < std::min(run.applied.size(), kMost); ++i) {
+    const AppliedForce& force = run.applied[i];
+    out += "<li>Pushed by " + escape(applied_force_text(force, bodies)) + ", from " +
+           decimal(force.from, 2) + " s to " +
+           (std::isnan(force.to) ? "the end" : decimal(force.to, 2) + " s") + "</li>\n";
+  }
+  if (run.applied.size() > kMost)
+    out += "<li>and " + std::to_string(run.applied.size() - kMost) + " times more</li>\n";
   return out + "</ul>\n";
 }
 
@@ -135,7 +153,7 @@ std::string verdict(const RunData& run, const Outcome& outcome) {
   std::string out = cut_warning(run, outcome);
   if (outcome.known && !outcome.interrupted)
     out += criteria_badge(outcome) + goal_badge(outcome) + ending(run, outcome);
-  out += trouble_list(run);
+  out += push_list(run) + trouble_list(run);
   for (const std::string& note : run.header.notes)
     out += "<p class=\"soft\">" + escape(note) + "</p>\n";
   return out;

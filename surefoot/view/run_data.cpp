@@ -6,6 +6,7 @@
 #include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/model/belief_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -20,6 +21,7 @@ struct TruthContact {
 struct Truth {
   TruthSample sample;
   PerLeg<TruthContact> feet;
+  std::vector<double> xfrc_applied;
 };
 
 void fields(Decoder& field, TruthContact& contact) {
@@ -35,15 +37,19 @@ void fields(Decoder& field, Truth& truth) {
   field("p_WCom", truth.sample.p_WCom, "");
   field("p_WF", truth.sample.p_WF, "");
   field("feet", truth.feet, "");
+  field("xfrc_applied", truth.xfrc_applied, "");
 }
 
 }  // namespace logged
 
 namespace {
 
-TruthSample truth_sample(const McapMessage& message) {
+TruthSample truth_sample(const McapMessage& message, AppliedForceWatch& forces,
+                         std::vector<AppliedForce>& ended) {
   logged::Truth truth;
   logged::Decoder::decode(message.data, truth);
+  const auto changes = forces.see(truth.sample.time, truth.xfrc_applied, truth.sample.q_WB);
+  ended.insert(ended.end(), changes.ended.begin(), changes.ended.end());
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     truth.sample.normal_force[leg] = truth.feet[leg].normal.dot(truth.feet[leg].force);
   }
@@ -166,10 +172,12 @@ Vec3 foot_centre(const TickSample& tick, std::size_t leg) {
 
 RunData read_run(const std::string& log_path) {
   std::vector<TruthSample> truths;
-  LogReader log(log_path, [&truths](const McapMessage& message) {
-    if (message.channel->topic == "/truth") truths.push_back(truth_sample(message));
-  });
   RunData run;
+  AppliedForceWatch forces;
+  LogReader log(log_path, [&](const McapMessage& message) {
+    if (message.channel->topic == "/truth")
+      truths.push_back(truth_sample(message, forces, run.applied));
+  });
   run.header = log.header();
   ActiveTimes active(run.header.control_period);
   GaveWaySum gave_way;
@@ -190,6 +198,8 @@ RunData read_run(const std::string& log_path) {
   run.problem = log.problem();
   run.has_truth = merge(truths, run.ticks);
   lay_plans(run);
+  for (const AppliedForce& force : forces.acting()) run.applied.push_back(force);
+  std::ranges::stable_sort(run.applied, {}, &AppliedForce::from);
   return run;
 }
 

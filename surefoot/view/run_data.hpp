@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
@@ -72,6 +73,7 @@ struct RunData {
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why the log could not be read to its end; empty if it is whole
   bool has_truth = false;
+  std::vector<AppliedForce> applied;  ///< forces from outside, in the order of their begin
 };
 
 /// Position of a tick in W: the simulator's truth where the log has it, else what the controller

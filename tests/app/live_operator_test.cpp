@@ -43,6 +43,9 @@ TEST_F(LiveOperatorTest, pushes_are_capped_and_the_caps_are_told) {
   EXPECT_EQ(taken().pushes.at(0).force, Vec3(0, 100, 0));
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 61, 0), 1.0), "valid is 0 to 60 N·s"));
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 60, 0), 0.1), "a duration of at least 0.2 s"));
+  EXPECT_TRUE(test::holds(push("base", Vec3(0, 59, 0), 0.1), "a duration of at least 0.197 s"));
+  EXPECT_EQ(push("base", Vec3(0, 59, 0), 0.197), "") << "what is told to be valid is";
+  EXPECT_EQ(taken().pushes.size(), 1U);
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 1, 0), 2.0), "valid is 0.001 to 1 s"));
   EXPECT_TRUE(test::holds(push("LF_SHNK", Vec3(0, 1, 0), 0.1), "did you mean \"LF_SHANK\""));
   OperatorWishes wishes;

@@ -57,6 +57,25 @@ TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {
   EXPECT_TRUE(json.at("feet").at("RH").at("phase").is_null());
 }
 
+TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
+  TickExplanation explanation = unsolved();
+  explanation.truth.emplace();
+  EXPECT_EQ(tick_text("run.mcap", explanation).find("pushed by"), std::string::npos);
+  EXPECT_TRUE(tick_json("run.mcap", explanation).at("pushed_by").empty());
+  explanation.bodies = {"world", "base"};
+  explanation.applied = {{.body = 1, .force = Vec3(0, 50, 0)}};
+  explanation.events = {{0.5, "pushed by 50 N", "", "outside"}};
+  const std::string text = tick_text("run.mcap", explanation);
+  EXPECT_NE(text.find("pushed by 50 N, 90° from ahead to the left, on the base (truth: the "
+                      "controller is not told)"),
+            std::string::npos)
+      << text;
+  const auto json = tick_json("run.mcap", explanation);
+  EXPECT_EQ(json.at("pushed_by").at(0).at("body"), "base");
+  EXPECT_EQ(json.at("pushed_by").at(0).at("size"), 50.0);
+  EXPECT_EQ(json.at("events").at(0).at("by"), "outside");
+}
+
 TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   TickExplanation explanation;
   explanation.header.level_names = {"dynamics", "com_xy"};

@@ -28,6 +28,18 @@ TEST(ViewTasks, of_an_order_it_is_told_what_moved) {
   EXPECT_EQ(told({"b", "a", "c", "e", "d"}), "order: b from 2 to 1, e from 5 to 4");
 }
 
+TEST(ViewTasks, an_undo_is_told_of_the_level_that_was_moved) {
+  const std::vector<std::string> names{"a", "b", "c", "d", "e"};
+  for (std::size_t lower = 1; lower < names.size(); ++lower) {
+    std::vector<std::string> moved = names;
+    std::swap(moved[lower - 1], moved[lower]);
+    const std::string from = std::to_string(lower + 1), to = std::to_string(lower);
+    EXPECT_EQ(told(moved), "order: " + names[lower] + " from " + from + " to " + to);
+    EXPECT_EQ(change_text(stack(moved), stack(names), true),
+              "order: " + names[lower] + " from " + to + " to " + from);
+  }
+}
+
 TEST(ViewTasks, what_was_moved_alone_is_told_alone_from_anywhere_to_anywhere) {
   std::mt19937 random(11);
   const std::vector<std::string> names{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k"};

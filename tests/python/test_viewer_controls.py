@@ -138,6 +138,14 @@ def test_keys_that_are_typed_into_a_field_are_no_commands(page):
     assert page.run("sent") == [] and not page.run("document.querySelector('#help').open")
 
 
+def test_a_push_without_a_number_is_told_and_nothing_is_sent(page):
+    page.run("sent.length = 0; document.querySelector('#tab-drive').click(); document.querySelector('#push-impulse').value = ''")
+    page.click("#push")
+    page.wait("document.querySelector('#notes').textContent.includes('No push: its impulse was no number. It is 15 N·s again.')")
+    assert page.run("document.querySelector('#push-impulse').value") == "15"
+    assert not [one for one in page.run("sent") if one["type"] == "push"]
+
+
 def test_the_mouse_turns_moves_and_zooms_the_view_and_home_brings_it_back(page):
     stand_still(page)
     x, y = page.middle("#canvas")

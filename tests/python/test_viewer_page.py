@@ -219,6 +219,17 @@ def test_a_page_that_finds_another_run_loads_itself_anew(browser):
         assert browser.run("surefoot.levels().length") > 5
 
 
+def test_a_page_of_a_run_that_finds_a_log_loads_itself_anew(browser, log):
+    with Viewer(*WALK) as first:
+        show(browser, first.link)
+    browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
+    browser.run("window.before = true")
+    with Viewer("replay", log, port=first.port):
+        browser.wait("window.before === undefined && window.surefoot !== undefined && surefoot.pictures > 0", 60)
+        assert browser.run("document.querySelector('#mode').textContent") == "replay"
+        assert browser.run("document.querySelector('#notes').textContent") == ""
+
+
 def test_the_page_under_another_name_is_refused(live):
     with Browser(flags=[*WITHOUT_PICTURE, "--host-resolver-rules=MAP evil.example 127.0.0.1"]) as browser:
         browser.open(f"http://evil.example:{live.port}/")

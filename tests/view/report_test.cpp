@@ -5,6 +5,8 @@
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/view/outcome.hpp"
+#include "surefoot/view/report_numbers.hpp"
 #include "surefoot/view/run_data.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -28,6 +30,7 @@ struct Options {
   bool truth = true;
   bool walked_down = true;
   double explained = 1.0;     // share of the ticks at which it is known what held levels back
+  bool pushed = false;        // alone from 2 to 3 s, to the left
   Mat3 R = Mat3::Identity();  // the true world, from where the controller believes to be
   Vec3 p = Vec3::Zero();
 };
@@ -51,7 +54,12 @@ void record(const std::string& path, const Options& options,
   for (int i = 0; i < options.seconds / SyntheticRun::kPeriod; ++i) {
     run.step();
     if (i % 100 >= 100.0 * options.explained) run.tick.hierarchy.blocking_is_known = false;
-    const GroundTruth truth = elsewhere(run.truth, options.R, options.p);
+    GroundTruth truth = elsewhere(run.truth, options.R, options.p);
+    if (options.pushed) {
+      truth.q_WB = Quat::Identity();
+      truth.xfrc_applied.assign(84, 0.0);
+      if (i > 800 && i <= 1200) truth.xfrc_applied[6 + 1] = 50.0;
+    }
     if (truth_log) truth_log->record(truth);
     recorder.record(run.tick);
     recorder.record(run.timing);
@@ -115,6 +123,35 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
     EXPECT_TRUE(here != std::string::npos && here > before) << number;
     before = here;
   }
+}
+
+TEST(Report, APushIsToldWithItsTimeSizeAndDirection) {
+  const std::string page = report_of({.pushed = true});
+  EXPECT_NE(page.find("<li>Pushed by 50 N, 90° from ahead to the left, on the base, "
+                      "from 2 s to 3 s</li>"),
+            std::string::npos);
+  EXPECT_EQ(count(page, "Pushed by"), 1);
+}
+
+TEST(Report, EveryMetricThatACriterionMayNameHasWords) {
+  const report::Outcome outcome = report::read_outcome(summary_json(Metrics(), {}), "");
+  EXPECT_GT(outcome.metrics.size(), 40U);
+  for (const report::Metric& metric : outcome.metrics) {
+    const std::string& name = metric.name;
+    if (name == "succeeded" || name == "reason" || name == "seed" || name == "version" ||
+        name == "fell")
+      continue;
+    EXPECT_NE(report::name_of(name), name) << name;
+  }
+}
+
+TEST(Report, ACriterionOfThePathIsToldInMillimetres) {
+  const std::string summary = R"({"metrics": {"path_deviation_max_m": 0.007}, "criteria": [)"
+                              R"({"metric": "path_deviation_max_m", "max": 0.1, "passed": true}]})";
+  const std::string table = report::numbers(report::read_outcome(summary, ""));
+  EXPECT_NE(table.find(">distance from the path, largest<"), std::string::npos) << table;
+  EXPECT_NE(table.find(">7 mm<"), std::string::npos) << table;
+  EXPECT_NE(table.find("≤ 100 mm  ✓ holds"), std::string::npos) << table;
 }
 
 TEST(Report, SaysWhatGaveWayToWhatForHowLongAndAtWhichCost) {

@@ -197,9 +197,19 @@ export class LiveLink {
       this.age.forget();
       app.handlers().commands.lost();
       app.notes.keep("lost", lossText(this.connection.reason), "error");
+      void this.lookForAnother();
     } else if (state === "open") {
       app.notes.take("lost");
       void (this.lostBefore ? this.comeBack() : this.recall());
+    }
+  }
+
+  /** Another program may be there that has nothing live, as one that shows a log: it has no connection for this page. */
+  private async lookForAnother(): Promise<void> {
+    try {
+      if ((await fetchSession()).start !== this.session.start) location.reload();
+    } catch {
+      // that the connection is lost is shown
     }
   }
 

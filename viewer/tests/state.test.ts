@@ -37,3 +37,20 @@ test("of velocities it is told whose they are", () => {
   assert.deepEqual([both.get("Velocity, believed"), both.get("Velocity, true"), both.get("Velocity")], ["5.00 m/s", "10.0 m/s", undefined]);
   assert.deepEqual([said("stance", undefined).get("Velocity, believed"), said("stance", undefined).has("Velocity, true")], ["5.00 m/s", false]);
 });
+
+/** Pushed by these forces, one a body, of which the first is the world, heading to the left of W. */
+function pushed(...forces: [number, number, number][]): string | undefined {
+  const schema = schemaOf({ "truth.q_WB": 4, "truth.xfrc_applied": 6 * forces.length }, { bodies: ["base", "LF_HIP"] });
+  const table = new FrameTable(schema, 1);
+  const values = [Math.SQRT1_2, 0, 0, Math.SQRT1_2, ...forces.flatMap((force) => [...force, 1, 2, 3])];
+  table.append(0, 0, Float32Array.from(values), undefined);
+  return new Map(sentences(table.frame(0) as Frame)).get("Pushed by");
+}
+
+test("what pushes the robot is told with its size, its direction from ahead, and where", () => {
+  const truth = " (truth: the controller is not told)";
+  assert.equal(pushed([0, 0, 0], [0, 0, 0]), "nothing", "a torque is no push");
+  assert.equal(pushed([0, 0, 0], [-50, 0, 0]), `50.0 N, 90° from ahead to the left, on the base${truth}`);
+  assert.equal(pushed([0, 0, 0], [0, 0, 0], [30, 0, -40]), `50.0 N, 90° from ahead to the right and downwards, on LF_HIP${truth}`);
+  assert.equal(said("stance", 1).has("Pushed by"), false, "where nobody knows");
+});

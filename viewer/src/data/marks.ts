@@ -1,6 +1,6 @@
 import type { Mark } from "./source.ts";
 
-export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage"; text: string };
+export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string };
 
 /** What the program says of what happened, as marks. */
 export function marksOf(raw: RawEvent[], events: string[]): Mark[] {

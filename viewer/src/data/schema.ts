@@ -43,6 +43,8 @@ export class Schema {
   readonly rows: string[][];
   orders: Order[];
   readonly events: string[];
+  /** All that can be pushed, in the order of the physics. */
+  readonly bodies: string[];
   private readonly byName = new Map<string, ChannelInfo>();
 
   constructor(session: Session) {
@@ -55,6 +57,7 @@ export class Schema {
     this.rows = session.rows;
     this.orders = session.orders;
     this.events = session.header.event_names;
+    this.bodies = session.bodies;
     for (const channel of this.channels) this.byName.set(channel.name, channel);
   }
 

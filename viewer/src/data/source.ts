@@ -7,7 +7,7 @@ export interface Mark {
   time: number;
   text: string;
   leg: string;
-  kind: "event" | "mode" | "change" | "damage";
+  kind: "event" | "mode" | "change" | "damage" | "force";
 }
 
 /** One line of a plot: a number of a channel. */

@@ -100,7 +100,11 @@ export class DrivePanel {
     const angle = (Number(this.direction.value) * Math.PI) / 180;
     const size = takeNumber(this.impulse, Number(this.impulse.defaultValue));
     const duration = takeNumber(this.duration, Number(this.duration.defaultValue));
-    if (size === undefined || duration === undefined) return;
+    if (size === undefined || duration === undefined) {
+      const [name, field, unit] = size === undefined ? ["impulse", this.impulse, "N·s"] : ["duration", this.duration, "s"];
+      this.report(`No push: its ${name} was no number. It is ${field.value} ${unit} again.`, "error");
+      return;
+    }
     const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
     this.send("push", { body: "base", impulse, duration });
   }

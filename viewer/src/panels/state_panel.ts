@@ -58,6 +58,43 @@ function hierarchyText({ line, more }: Account): string {
   return more.length === 0 || more.length > 2 ? line : more.join(" ");
 }
 
+/** Share of a force that is told: less is within 22.5° of the others. */
+const TOLD = 0.38;
+
+/** Less is of a step that a push touches by rounding [N]. */
+const LEAST = 1e-6;
+
+/** Where a force in W goes, seen along the robot's heading. */
+function directionText([x, y, z]: [number, number, number], yaw: number): string {
+  const size = Math.hypot(x, y, z);
+  const parts: string[] = [];
+  if (Math.hypot(x, y) > TOLD * size) {
+    const angle = Math.atan2(y, x) - yaw;
+    const degrees = Math.round((Math.atan2(Math.sin(angle), Math.cos(angle)) * 180) / Math.PI);
+    const side = degrees % 180 === 0 ? "" : degrees > 0 ? " to the left" : " to the right";
+    parts.push(`${Math.abs(degrees)}° from ahead${side}`);
+  }
+  if (Math.abs(z) > TOLD * size) parts.push(z > 0 ? "upwards" : "downwards");
+  return parts.join(" and ");
+}
+
+/** What pushes the robot from outside; "" where nobody knows. */
+function pushText(frame: Frame): string {
+  const channel = frame.schema.channel("truth.xfrc_applied");
+  const q = [1, 0, 0, 0];
+  if (channel === undefined || !read(frame, "truth.q_WB", q)) return "";
+  const numbers = Array<number>(channel.size).fill(0);
+  if (!read(frame, channel.name, numbers)) return "";
+  const forces: string[] = [];
+  for (let row = 1; 6 * row + 6 <= numbers.length; ++row) {
+    const force = numbers.slice(6 * row, 6 * row + 3) as [number, number, number];
+    if (Math.hypot(...force) < LEAST) continue;
+    const body = row === 1 ? "the base" : (frame.schema.bodies[row - 1] ?? `body ${row}`);
+    forces.push(`${digits(Math.hypot(...force))} N, ${directionText(force, yawOf(q))}, on ${body}`);
+  }
+  return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
+}
+
 /** The state in sentences: what a picture shows to those who see it. */
 export function sentences(frame: Frame): [string, string][] {
   const legs = LEGS.map((leg, k) => footText(frame, leg, k));
@@ -70,6 +107,7 @@ export function sentences(frame: Frame): [string, string][] {
     ["Estimate drifted by", estimateError(frame)],
     ["Velocity, true", speedText(frame, "truth")],
     ["Velocity, believed", speedText(frame, "state")],
+    ["Pushed by", pushText(frame)],
     ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
     ["Hierarchy", hierarchyText(accountOf(levelStates(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");

@@ -119,6 +119,7 @@ export interface Session {
   channels: ChannelInfo[];
   frame_floats: number;
   rows: string[][];
+  bodies: string[];
   meshes: MeshInfo[];
   limits: Limits;
   orders: Order[];

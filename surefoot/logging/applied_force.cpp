@@ -1,0 +1,122 @@
+#include "surefoot/logging/applied_force.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace surefoot {
+namespace {
+
+constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
+constexpr double kLeast = 1e-6;  // less is of a step that a push touches by rounding [N]
+constexpr double kDegrees = 57.29577951308232;
+
+std::string text(const char* format, double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+double yaw_of(const Quat& q) {
+  return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
+                    1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+std::string direction(const AppliedForce& force) {
+  const double up = force.force.z() / force.force.norm();
+  std::string out;
+  if (std::hypot(force.force.x(), force.force.y()) > kTold * force.force.norm()) {
+    const double degrees = std::round(kDegrees * angle_from_ahead(force));
+    out = text(", %.0f° from ahead", std::abs(degrees));
+    if (degrees != 0.0 && std::abs(degrees) != 180.0)
+      out += degrees > 0.0 ? " to the left" : " to the right";
+  }
+  if (std::abs(up) > kTold)
+    out += (out.empty() ? ", " : " and ") + std::string(up > 0.0 ? "upwards" : "downwards");
+  return out;
+}
+
+}  // namespace
+
+std::vector<AppliedForce> applied_forces(double time, const std::vector<double>& xfrc,
+                                         const Quat& q_WB) {
+  std::vector<AppliedForce> forces;
+  for (std::size_t body = 1; 6 * body + 6 <= xfrc.size(); ++body) {
+    const Vec3 force(xfrc[6 * body], xfrc[6 * body + 1], xfrc[6 * body + 2]);
+    if (force.allFinite() && force.norm() > kLeast)
+      forces.push_back({.body = body, .from = time, .to = kNaN, .force = force, .q_WB = q_WB});
+  }
+  return forces;
+}
+
+AppliedForceWatch::Changes AppliedForceWatch::see(double time, const std::vector<double>& xfrc,
+                                                  const Quat& q_WB) {
+  Changes changes;
+  const bool is_first = !last_.has_value();
+  const double before = last_.value_or(time);
+  last_ = time;
+  std::vector<Followed> now;
+  for (const AppliedForce& force : applied_forces(before, xfrc, q_WB)) {
+    const auto goes_on = std::ranges::find_if(
+        followed_, [&](const Followed& one) { return one.force.body == force.body; });
+    if (goes_on == followed_.end()) {
+      now.push_back({force, is_first});
+      continue;
+    }
+    Followed& one = now.emplace_back(*goes_on);
+    if (force.force.norm() > one.force.force.norm() * (1.0 + 1e-6)) {
+      one.force.force = force.force;
+      one.force.q_WB = force.q_WB;
+    }
+    if (!std::exchange(one.is_told, true)) changes.begun.push_back(one.force);
+    followed_.erase(goes_on);
+  }
+  for (Followed& one : followed_) {
+    if (!one.is_told) changes.begun.push_back(one.force);
+    one.force.to = before;
+    changes.ended.push_back(one.force);
+  }
+  followed_ = std::move(now);
+  return changes;
+}
+
+std::vector<AppliedForce> AppliedForceWatch::acting() const {
+  std::vector<AppliedForce> forces;
+  for (const Followed& one : followed_) forces.push_back(one.force);
+  return forces;
+}
+
+// MuJoCo numbers bodies as they stand in the file, behind the world.
+std::vector<std::string> body_names(const LogHeader& header) {
+  const std::string* model = header.attachment("model.xml");
+  if (model == nullptr) return {};
+  constexpr std::string_view kBegin = "<body name=\"";
+  std::vector<std::string> names{"world"};
+  for (std::size_t at = model->find(kBegin); at != std::string::npos;
+       at = model->find(kBegin, at)) {
+    at += kBegin.size();
+    names.push_back(model->substr(at, model->find('"', at) - at));
+  }
+  return names;
+}
+
+double angle_from_ahead(const AppliedForce& force) {
+  if (std::hypot(force.force.x(), force.force.y()) == 0.0) return kNaN;
+  const double angle = std::atan2(force.force.y(), force.force.x()) - yaw_of(force.q_WB);
+  return std::remainder(angle, 2.0 * 3.141592653589793);
+}
+
+std::string body_text(std::size_t body, const std::vector<std::string>& bodies) {
+  if (body == 1) return "the base";
+  return body < bodies.size() ? bodies[body] : "body " + std::to_string(body);
+}
+
+std::string applied_force_text(const AppliedForce& force, const std::vector<std::string>& bodies) {
+  return text("%.3g N", force.force.norm()) + direction(force) + ", on " +
+         body_text(force.body, bodies);
+}
+
+}  // namespace surefoot
