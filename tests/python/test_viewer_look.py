@@ -267,18 +267,25 @@ def test_what_lies_on_the_believed_ground_is_seen_where_the_true_ground_is_highe
         middle = [sum(one) / 4 for one in zip(*contacts)]
         assert browser.run(f"surefoot.ground({middle[0]}, {middle[1]})") > middle[2] + 0.02, "it lies in the ground"
         for key, place in (("3", middle), ("5", planned_zmp(browser, viewer))):
-            shown = browser.run(f"surefoot.pixel({place})")
+            shown = pixels_about(browser, place)
             browser.press(key)
             time.sleep(1)
-            hidden = browser.run(f"surefoot.pixel({place})")
+            hidden = pixels_about(browser, place)
             browser.press(key)
-            assert math.dist(shown, hidden) > 15, (key, shown, hidden)
+            changed = sum(math.dist(one, other) > 15 for one, other in zip(shown, hidden))
+            assert changed >= 3, (key, shown, hidden)
+
+
+def pixels_about(browser, place):
+    """A mark is a line of a few pixels: where it lies to the pixel hangs on the camera."""
+    x, y, z = place
+    steps = [0.008 * k for k in range(-3, 4)]
+    return [browser.run(f"surefoot.pixel([{x + dx}, {y + dy}, {z}])") for dx in steps for dy in steps]
 
 
 def planned_zmp(browser, viewer):
-    """A place on its mark, beside its middle; where the controller believes what is true."""
+    """The middle of its mark, where the controller believes what is true."""
     assert math.dist(channel(browser, "state.p_WB"), channel(browser, "truth.p_WB")) < 1e-3
     (x, y), R, point = (channel(browser, f"plan.{name}") for name in ("com.zmp", "R_WC", "terrain_point"))
     radius = viewer.json("api/session")["header"]["robot"]["foot_radius"]
-    height = point[2] - (radius + R[2] * (x + 0.017 - point[0]) + R[5] * (y - point[1])) / R[8]
-    return [x + 0.017, y, height]
+    return [x, y, point[2] - (radius + R[2] * (x - point[0]) + R[5] * (y - point[1])) / R[8]]
