@@ -2,8 +2,6 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -40,10 +38,7 @@ void ContactLossJudge::write(Metrics& metrics) const {
   metrics.contact_losses_noticed = noticed_;
   metrics.contact_losses_missed = missed_;
   metrics.contact_losses_false = false_;
-  if (latencies_.empty()) return;
-  std::vector<double> sorted = latencies_;
-  std::ranges::sort(sorted);
-  metrics.contact_loss_latency_p95_s = quantile(sorted, 0.95);
+  metrics.contact_loss_latency_p95_s = quantile_of(latencies_, 0.95);
 }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace surefoot {
@@ -12,6 +13,12 @@ namespace surefoot {
 [[nodiscard]] inline double quantile(const std::vector<double>& sorted, double p) {
   const double rank = std::ceil(p * static_cast<double>(sorted.size()));
   return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+/// The same of values in any order; NaN of none.
+[[nodiscard]] inline double quantile_of(std::vector<double> values, double p) {
+  std::ranges::sort(values);
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : quantile(values, p);
 }
 
 }  // namespace surefoot

@@ -2,8 +2,6 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -63,10 +61,7 @@ void SlipJudge::write(Metrics& metrics) const {
     if (foot.is_slip) ++(foot.is_noticed ? metrics.slips_detected : metrics.slips_missed);
   }
   metrics.slips_false = false_;
-  if (latencies_.empty()) return;
-  std::vector<double> sorted = latencies_;
-  std::ranges::sort(sorted);
-  metrics.slip_latency_p95_s = quantile(sorted, 0.95);
+  metrics.slip_latency_p95_s = quantile_of(latencies_, 0.95);
 }
 
 }  // namespace surefoot

@@ -2,8 +2,6 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -37,10 +35,7 @@ void TouchdownJudge::judge(const Foot& foot, double time) {
 
 void TouchdownJudge::write(Metrics& metrics) const {
   metrics.false_touchdowns = false_touchdowns_;
-  if (latencies_.empty()) return;
-  std::vector<double> sorted = latencies_;
-  std::ranges::sort(sorted);
-  metrics.touchdown_latency_p95_s = quantile(sorted, 0.95);
+  metrics.touchdown_latency_p95_s = quantile_of(latencies_, 0.95);
 }
 
 }  // namespace surefoot

@@ -18,16 +18,17 @@ struct FootSum {
   double largest = -1.0;
 };
 
-struct ContactSide {
-  int robot_geom;
-  int other_geom;
-  double sign;  ///< of MuJoCo's force and normal for the robot's side: they act on the second geom
-};
+const GeomOwner& owner_of(const RobotParts& parts, int geom) {
+  return parts.owner[static_cast<std::size_t>(geom)];
+}
 
-ContactSide side(const mjContact& contact, const GeomOwner& first) {
-  const bool robot_is_first = first.part != Part::terrain;
-  return robot_is_first ? ContactSide{contact.geom[0], contact.geom[1], -1.0}
-                        : ContactSide{contact.geom[1], contact.geom[0], 1.0};
+/// The leg whose foot meets the terrain at this contact; −1 if none does.
+int foot_on_terrain(const mjContact& contact, const RobotParts& parts) {
+  const GeomOwner& first = owner_of(parts, contact.geom[0]);
+  const GeomOwner& second = owner_of(parts, contact.geom[1]);
+  if ((first.part == Part::terrain) == (second.part == Part::terrain)) return -1;
+  const GeomOwner& owner = first.part == Part::terrain ? second : first;
+  return owner.part == Part::foot ? owner.leg : -1;
 }
 
 /// Force on the second geom, in W.
@@ -88,18 +89,18 @@ void extract_contacts(const mjModel& model, const mjData& data, const RobotParts
   for (int id = 0; id < data.ncon; ++id) {
     const mjContact& contact = data.contact[id];
     if (contact.efc_address < 0) continue;
-    const GeomOwner& first = parts.owner[static_cast<std::size_t>(contact.geom[0])];
-    const GeomOwner& second = parts.owner[static_cast<std::size_t>(contact.geom[1])];
+    const GeomOwner& first = owner_of(parts, contact.geom[0]);
+    const GeomOwner& second = owner_of(parts, contact.geom[1]);
     const bool with_terrain = first.part == Part::terrain || second.part == Part::terrain;
     const Vec3 force = contact_force(model, data, id);
     add_body_contact(first, with_terrain, force.norm(), truth);
     add_body_contact(second, with_terrain, force.norm(), truth);
 
-    const ContactSide robot = side(contact, first);
-    const GeomOwner& owner = parts.owner[static_cast<std::size_t>(robot.robot_geom)];
-    if (!with_terrain || owner.part != Part::foot) continue;
-    const auto leg = static_cast<std::size_t>(owner.leg);
-    add_foot_contact(contact, robot.sign * force, robot.sign, truth.feet[leg], sums[leg]);
+    const int foot = foot_on_terrain(contact, parts);
+    if (foot < 0) continue;
+    const double sign = first.part == Part::terrain ? 1.0 : -1.0;  // they act on the second geom
+    const auto leg = static_cast<std::size_t>(foot);
+    add_foot_contact(contact, sign * force, sign, truth.feet[leg], sums[leg]);
   }
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     finish_foot(model, data, parts.foot_body[leg], sums[leg], truth.feet[leg]);
@@ -121,14 +122,11 @@ void note_touches(const mjModel& model, const mjData& data, const RobotParts& pa
   for (int id = 0; id < data.ncon; ++id) {
     const mjContact& contact = data.contact[id];
     if (contact.efc_address < 0) continue;
-    const GeomOwner& first = parts.owner[static_cast<std::size_t>(contact.geom[0])];
-    const GeomOwner& second = parts.owner[static_cast<std::size_t>(contact.geom[1])];
-    if ((first.part == Part::terrain) == (second.part == Part::terrain)) continue;
-    const GeomOwner& owner = first.part == Part::terrain ? second : first;
-    if (owner.part != Part::foot) continue;
+    const int leg = foot_on_terrain(contact, parts);
+    if (leg < 0) continue;
     mjtNum force[6];
     mj_contactForce(&model, &data, id, force);
-    if (force[0] > 0.0) touched[static_cast<std::size_t>(owner.leg)] = true;
+    if (force[0] > 0.0) touched[static_cast<std::size_t>(leg)] = true;
   }
 }
 
