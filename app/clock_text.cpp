@@ -1,16 +1,11 @@
 #include "app/clock_text.hpp"
 
-#include <array>
-#include <cstdio>
+#include "surefoot/base/formatted.hpp"
 
 namespace surefoot {
 namespace {
 
-std::string seconds(double time) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.4f s", time);
-  return text.data();
-}
+std::string seconds(double time) { return formatted("%.4f s", time); }
 
 }  // namespace
 

@@ -5,16 +5,15 @@
 #include "app/run_log.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace surefoot {
@@ -173,10 +172,8 @@ class ClosedLoop {
 
   /// What came first comes first: it decides the exit code.
   std::string safety_reason(const std::string& fall) const {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(),
-                  "the controller stopped for safety at %.2f s: ", stopped_at_);
-    return text.data() + why_stopped_ + (fall.empty() ? "" : ", then " + fall);
+    return formatted("the controller stopped for safety at %.4f s: ", stopped_at_) + why_stopped_ +
+           (fall.empty() ? "" : ", then " + fall);
   }
 
   RunResult finish(Ending ending, double wall_seconds) {
@@ -197,6 +194,7 @@ class ClosedLoop {
     result.events = events_.counts();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(controller_, plant_);
+    if (options_.steering != nullptr) options_.steering->end(plant_.time());
     if (recorder_) close_log(result);
     return result;
   }

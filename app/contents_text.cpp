@@ -2,11 +2,10 @@
 
 #include "app/clock_text.hpp"
 #include "app/results_table.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/view/outcome.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace surefoot {
 namespace {
@@ -14,43 +13,37 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Table = std::vector<std::vector<std::string>>;
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 96> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 std::string size(std::uint64_t bytes) {
   const auto count = static_cast<double>(bytes);
-  if (bytes < 1000) return text("%.0f B", count);
-  return bytes < 1'000'000 ? text("%.1f kB", 1e-3 * count) : text("%.1f MB", 1e-6 * count);
+  if (bytes < 1000) return formatted("%.0f B", count);
+  return bytes < 1'000'000 ? formatted("%.1f kB", 1e-3 * count)
+                           : formatted("%.1f MB", 1e-6 * count);
 }
 
 std::string result(const LogContents& contents) {
   const report::Outcome outcome = report::read_outcome(contents.summary, contents.header.options);
   if (!outcome.known) return "not known: the log has no summary";
-  if (outcome.interrupted) return "interrupted; not judged";
+  if (outcome.interrupted) return "the run was " + outcome.reason + "; not judged";
   const auto held = std::ranges::count_if(
       outcome.criteria, [](const report::Requirement& one) { return one.passed.value_or(false); });
-  return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") + outcome.reason +
-         "; " + std::to_string(held) + " of " + std::to_string(outcome.criteria.size()) +
-         " criteria hold";
+  return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") +
+         std::to_string(held) + " of " + std::to_string(outcome.criteria.size()) +
+         " criteria hold; ended: " + outcome.reason;
 }
 
 std::string duration(const LogContents& contents) {
   if (contents.ticks == 0) return "no tick";
   const double period = contents.header.control_period;
-  return text("%.4g s: ", contents.last_time - contents.first_time + period) +
+  return formatted("%.4g s: ", contents.last_time - contents.first_time + period) +
          std::to_string(contents.ticks) +
-         text(" ticks of %.4g ms, at %.4f to %.4f s", 1e3 * period, contents.first_time,
-              contents.last_time);
+         formatted(" ticks of %.4g ms, at %.4f to %.4f s", 1e3 * period, contents.first_time,
+                   contents.last_time);
 }
 
 std::string drawn(const LogHeader& header) {
   std::string out;
   for (const LogDraw& draw : header.drawn)
-    out += (out.empty() ? "" : ", ") + draw.path + text(" %.4g", draw.value);
+    out += (out.empty() ? "" : ", ") + draw.path + formatted(" %.4g", draw.value);
   return out;
 }
 
@@ -114,8 +107,8 @@ std::string topics(const LogContents& contents) {
   for (const TopicContents& topic : contents.topics) {
     const auto each = static_cast<double>(topic.bytes) / static_cast<double>(topic.messages);
     table.push_back({topic.topic, std::to_string(topic.messages), size(topic.bytes),
-                     text("%.0f", each), text("%.4f s", topic.first_time),
-                     text("%.4f s", topic.last_time)});
+                     formatted("%.0f", each), formatted("%.4f s", topic.first_time),
+                     formatted("%.4f s", topic.last_time)});
   }
   return aligned(table);
 }
@@ -135,8 +128,9 @@ Json result_json(const LogContents& contents) {
 }  // namespace
 
 std::string contents_text(const std::string& path, const LogContents& contents) {
-  std::string out = path + ": " + size(contents.file_bytes) +
-                    (contents.problem.empty() ? ", whole\n" : ", not whole\n");
+  std::string out =
+      path + ": " + size(contents.file_bytes) +
+      (contents.problem.empty() ? ", the file is whole\n" : ", the file is not whole\n");
   if (!contents.problem.empty()) out += "  " + contents.problem + "\n";
   out += "\n" + facts(contents) + "\n";
   if (const std::string clock = clock_text(contents.clock); !clock.empty()) out += clock + "\n";

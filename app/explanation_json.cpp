@@ -13,7 +13,8 @@ Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount
       rows.push_back({{"row", row.name},
                       {"state", row.state},
                       {"cost", row.cost},
-                      {"multiplier", row.multiplier}});
+                      {"multiplier", row.multiplier},
+                      {"independence", row.independence}});
     }
     list.push_back({{"level", by.level + 1},
                     {"name", levels[by.level].name},
@@ -27,9 +28,10 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
   Json json = {{"name", level.name}};
   if (!level.unit.empty()) json["unit"] = level.unit;
   json["status"] = level.status;
-  json["residual"] = level.residual;
+  if (level.status != kNotReached) json["residual"] = level.residual;
   json["rows"] = level.num_rows;
-  json["freedom_left"] = level.freedom_left;
+  if (level.status == kNotReached) return json;
+  if (level.status != kCutOff) json["freedom_left"] = level.freedom_left;
   if (!is_swept) json["iterations"] = level.iterations;
   if (level.time > 0.0) json["time_s"] = level.time;
   json["missed"] = Json::array();
@@ -38,7 +40,7 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
   json["at_bound"] = Json::array();
   for (const HeldRow& row : level.held)
     json["at_bound"].push_back({{"row", row.name}, {"bound", row.at_upper ? "upper" : "lower"}});
-  json["blocked_by"] = blocking_levels(levels, level);
+  if (level.status != kCutOff) json["blocked_by"] = blocking_levels(levels, level);
   return json;
 }
 
@@ -49,11 +51,12 @@ Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& s
   Json list = Json::array();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     list.push_back(level_json(levels, levels[k], solution.is_swept));
-    if (!certificates.empty()) list.back()["certificate"] = certificates[k].stationarity;
+    if (k < certificates.size()) list.back()["certificate"] = certificates[k].stationarity;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};
-  if (solution.failed_level >= 0) json["failed_level"] = solution.failed_level + 1;
+  if (num_finished(solution, levels.size()) < levels.size())
+    json["failed_level"] = solution.failed_level + 1;
   json[solution.is_swept ? "sweeps" : "iterations"] = num_iterations(solution);
   json["time_s"] = solution.time;
   json["levels"] = std::move(list);

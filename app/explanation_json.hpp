@@ -11,7 +11,8 @@
 namespace surefoot {
 
 /// What `explanation_text` says, whole, for programs. Levels are counted from 1, as in messages;
-/// costs and residuals are in the level's unit, times in seconds. `certificates` may be empty.
+/// costs and residuals are in the level's unit, times in seconds. `certificates` may be empty,
+/// and end where the search was cut off.
 [[nodiscard]] nlohmann::ordered_json explanation_json(
     const std::vector<LevelAccount>& levels, const Solution& solution,
     const std::vector<LevelCertificate>& certificates);

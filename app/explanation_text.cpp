@@ -11,6 +11,9 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t kMostRows = 5;  // of a kind that a level shows
+/// Rows of which less is left beside the others are borderline (docs/solver.md): their multipliers
+/// are no prices.
+constexpr double kNearlyDependent = 1e-6;
 
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -48,20 +51,25 @@ class Text {
     if (!certificates_.empty()) table.front().emplace_back("certificate");
     for (std::size_t k = 0; k < levels_.size(); ++k) {
       table.push_back(head(k));
-      if (!certificates_.empty()) table.back().push_back(number(certificates_[k].stationarity));
+      if (certificates_.empty()) continue;
+      table.back().push_back(k < certificates_.size() ? number(certificates_[k].stationarity)
+                                                      : "–");
     }
     return table;
   }
 
   [[nodiscard]] std::vector<std::string> head(std::size_t k) const {
     const LevelAccount& level = levels_[k];
+    const std::string rows = std::to_string(level.num_rows);
+    if (level.status == kNotReached)
+      return {level_name(k), std::string(level.status), "–", rows, "–", "–", "–", "–", "–"};
     return {level_name(k),
             std::string(level.status),
             amount(level, level.residual),
-            std::to_string(level.num_rows),
+            rows,
             std::to_string(level.held.size()),
             std::to_string(level.missed.size()),
-            std::to_string(level.freedom_left),
+            level.status == kCutOff ? "–" : std::to_string(level.freedom_left),
             is_swept_ ? "–" : std::to_string(level.iterations),
             level.time > 0.0 ? microseconds(level.time) : "–"};
   }
@@ -107,6 +115,8 @@ class Text {
   }
 
   [[nodiscard]] std::string held_back(const LevelAccount& level) const {
+    if (level.status == kCutOff)
+      return "   so far: the search ended in this level, so what holds it back is not known\n";
     if (level.status == "missed" && level.blocked_by.empty())
       return "   held back by nothing above: its own rows can't all be had\n";
     std::string text;
@@ -116,9 +126,17 @@ class Text {
   }
 
   static std::string share(const LevelAccount& level, const BlockingLevelAccount& by) {
+    if (std::isnan(by.cost))
+      return " at a cost that is not known: the search without it came to no end\n";
     if (by.cost == 0.0) return " and by others, none of which costs anything alone\n";
     return ", which costs " + amount(level, by.cost) + ": without it the residual would be " +
            amount(level, std::max(0.0, level.residual - by.cost)) + "\n";
+  }
+
+  static std::string dependence(const BlockingRowAccount& row) {
+    if (row.independence >= kNearlyDependent) return "";
+    return ", which says little: the row is nearly dependent on others that hold, only " +
+           number(row.independence) + " of its length is its own";
   }
 
   static std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) {
@@ -126,7 +144,8 @@ class Text {
     for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
       text += "      " + row.name + ", " + std::string(row.state) + ", alone costs " +
-              amount(level, row.cost) + " (multiplier " + number(row.multiplier) + ")\n";
+              (std::isnan(row.cost) ? "what is not known" : amount(level, row.cost)) +
+              " (multiplier " + number(row.multiplier) + dependence(row) + ")\n";
     }
     return text + more(by.rows.size(), "      and ", "\n");
   }
@@ -140,11 +159,14 @@ class Text {
   bool is_swept_;
 };
 
-std::string headline(const Solution& solution) {
+std::string headline(const Solution& solution, std::size_t num_levels) {
   const std::string unit = solution.is_swept ? " sweep" : " iteration";
   const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
-  if (solution.failed_level >= 0)
+  const bool are_all_finished = solution.failed_level == static_cast<int>(num_levels);
+  if (are_all_finished)
+    text += "; all levels are optimal, x is not yet the shortest that they allow";
+  else if (solution.failed_level >= 0)
     text += " in level " + std::to_string(solution.failed_level + 1) +
             "; the levels before it are optimal";
   return text + ", " + std::to_string(iterations) + unit + (iterations == 1 ? ", " : "s, ") +
@@ -155,7 +177,7 @@ std::string headline(const Solution& solution) {
 
 std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
                              const std::vector<LevelCertificate>& certificates) {
-  return headline(solution) + Text(levels, certificates, solution.is_swept).whole();
+  return headline(solution, levels.size()) + Text(levels, certificates, solution.is_swept).whole();
 }
 
 }  // namespace surefoot

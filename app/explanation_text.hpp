@@ -11,7 +11,8 @@ namespace surefoot {
 
 /// Why a hierarchy came out as it did, for people: status, iterations and time, then each level
 /// with its residual, the rows that it missed or holds at a bound, and the rows above that hold it
-/// back, dearest first. `certificates` may be empty.
+/// back, dearest first. `certificates` may be empty,
+/// and end where the search was cut off.
 [[nodiscard]] std::string explanation_text(const std::vector<LevelAccount>& levels,
                                            const Solution& solution,
                                            const std::vector<LevelCertificate>& certificates);

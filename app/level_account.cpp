@@ -36,36 +36,35 @@ class Accountant {
   Accountant(const NamedHierarchy& question, const Solution& solution)
       : question_(question), solution_(solution) {}
 
-  [[nodiscard]] LevelAccount level(std::size_t k, const LevelExplanation& explanation) const {
+  /// `explanation`: null where x is not the optimum of the level.
+  [[nodiscard]] LevelAccount level(std::size_t k, const LevelExplanation* explanation) const {
     const LevelResult& result = solution_.levels[k];
-    LevelAccount account{.name = question_.hierarchy.level(k).name(),
-                         .unit = question_.units[k],
-                         .status = "",
-                         .residual = result.residual,
-                         .num_rows = result.num_rows,
-                         .freedom_left = result.degrees_of_freedom_left,
-                         .iterations = result.iterations,
-                         .time = result.time,
-                         .missed = missed(k),
-                         .held = held(k),
-                         .blocked_by = {}};
-    if (account.missed.empty()) {
-      account.residual = 0.0;
-    } else {
-      account.blocked_by = blocked_by(explanation);
-    }
-    account.status = status(k, account.missed.empty());
+    LevelAccount account;
+    account.name = question_.hierarchy.level(k).name();
+    account.unit = question_.units[k];
+    account.status = status(k);
+    account.num_rows = result.num_rows;
+    if (account.status == kNotReached) return account;
+    account.freedom_left = result.degrees_of_freedom_left;
+    account.iterations = result.iterations;
+    account.time = result.time;
+    account.missed = missed(k);
+    account.held = held(k);
+    if (account.missed.empty()) return account;
+    account.residual = result.residual;
+    if (explanation == nullptr) return account;
+    account.status = kMissed;
+    account.blocked_by = blocked_by(*explanation);
     return account;
   }
 
  private:
-  [[nodiscard]] std::string_view status(std::size_t k, bool is_met) const {
-    const int level = static_cast<int>(k);
-    const int failed = solution_.status == SolveStatus::optimal ? -1 : solution_.failed_level;
-    if (solution_.levels[k].num_rows == 0) return "no rows";
-    if (failed >= 0 && level == failed) return "cut off";
-    if (failed >= 0 && level > failed) return "not solved";
-    return is_met ? "met" : "missed";
+  /// Of a level that misses nothing.
+  [[nodiscard]] std::string_view status(std::size_t k) const {
+    const std::size_t finished = num_finished(solution_, question_.hierarchy.num_levels());
+    if (k > finished) return kNotReached;
+    if (k == finished) return kCutOff;
+    return solution_.levels[k].num_rows == 0 ? kNoRows : kMet;
   }
 
   /// Signed: positive above the upper bound.
@@ -108,7 +107,9 @@ class Accountant {
       std::vector<BlockingRowAccount> rows = blocking_rows(explanation, j);
       if (!rows.empty()) levels.push_back({j, is_rounding ? 0.0 : cost, std::move(rows)});
     }
-    std::ranges::stable_sort(levels, std::ranges::greater{}, &BlockingLevelAccount::cost);
+    std::ranges::stable_sort(levels, std::ranges::greater{}, [](const BlockingLevelAccount& level) {
+      return std::isnan(level.cost) ? -1.0 : level.cost;  // not known: last
+    });
     if (!levels.empty() && levels.front().cost > 0.0)
       std::erase_if(levels, [](const BlockingLevelAccount& level) { return level.cost == 0.0; });
     return levels;
@@ -121,7 +122,7 @@ class Accountant {
       if (blocker.at.level != level) continue;
       const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
       rows.push_back({name(blocker.at), words(state(blocker.at)), is_rounding ? 0.0 : blocker.cost,
-                      blocker.multiplier});
+                      blocker.multiplier, blocker.independence});
     }
     return rows;
   }
@@ -140,13 +141,21 @@ class Accountant {
 
 }  // namespace
 
-std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solution& solution) {
+std::size_t num_finished(const Solution& solution, std::size_t num_levels) {
+  const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0;
+  return is_cut_off ? static_cast<std::size_t>(solution.failed_level) : num_levels;
+}
+
+std::vector<LevelAccount> account_for(const NamedHierarchy& question, const Solution& solution,
+                                      const std::function<void(double)>& progress) {
   const Accountant accountant(question, solution);
-  const std::vector<LevelExplanation> explanations = explain(question.hierarchy, solution.x);
+  const std::size_t num_levels = question.hierarchy.num_levels();
+  const std::vector<LevelExplanation> explanations =
+      explain(question.hierarchy, solution.x,
+              {.levels = num_finished(solution, num_levels), .progress = progress});
   std::vector<LevelAccount> accounts;
-  for (std::size_t k = 0; k < explanations.size(); ++k) {
-    accounts.push_back(accountant.level(k, explanations[k]));
-  }
+  for (std::size_t k = 0; k < num_levels; ++k)
+    accounts.push_back(accountant.level(k, k < explanations.size() ? &explanations[k] : nullptr));
   return accounts;
 }
 

@@ -4,6 +4,7 @@
 #include "surefoot/solver/solution.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,25 +26,33 @@ struct HeldRow {
 /// A row above that costs a level something.
 struct BlockingRowAccount {
   std::string name;
-  std::string_view state;   ///< in words: "at its upper bound"
-  double cost = 0.0;        ///< what the level's residual falls by without this row alone
-  double multiplier = 0.0;  ///< see `Blocker`
+  std::string_view state;  ///< in words: "at its upper bound"
+  double cost = 0.0;  ///< what the level's residual falls by without this row alone; NaN: not known
+  double multiplier = 0.0;    ///< see `Blocker`
+  double independence = 1.0;  ///< see `Blocker`
 };
 
 /// A level above that holds another back.
 struct BlockingLevelAccount {
   std::size_t level = 0;
-  /// What the residual falls by without any row of it; 0 where others hold the same.
+  /// What the residual falls by without any row of it; 0 where others hold the same, NaN: not
+  /// known.
   double cost = 0.0;
   std::vector<BlockingRowAccount> rows;  ///< dearest first
 };
+
+/// How a level came out; cut off: at the cap of iterations or the budget, not reached: after that.
+constexpr std::string_view kMet = "met", kMissed = "missed", kNoRows = "no rows",
+                           kCutOff = "cut off", kNotReached = "not reached";
 
 /// Why a level came out as it did.
 struct LevelAccount {
   std::string name;
   std::string unit;  ///< of residual and costs; empty: not known
-  /// "met", "missed", "no rows", "cut off" (at the cap of iterations), "not solved" (after that)
   std::string_view status;
+  /// So far, where the level was cut off, as are `missed` and `held`; nothing above is known to
+  /// hold it back. Of one that was not reached nothing is known but its name, unit and number of
+  /// rows.
   double residual = 0.0;
   long num_rows = 0;
   long freedom_left = 0;
@@ -54,9 +63,13 @@ struct LevelAccount {
   std::vector<BlockingLevelAccount> blocked_by;  ///< dearest first
 };
 
-/// Of every level. What is rounding counts as 0.
-[[nodiscard]] std::vector<LevelAccount> account_for(const NamedHierarchy& question,
-                                                    const Solution& solution);
+/// How many levels, from the first on, are at their optimum: all, unless the search was cut off.
+[[nodiscard]] std::size_t num_finished(const Solution& solution, std::size_t num_levels);
+
+/// Of every level. What is rounding counts as 0. `progress`: see ExplainOptions.
+[[nodiscard]] std::vector<LevelAccount> account_for(
+    const NamedHierarchy& question, const Solution& solution,
+    const std::function<void(double)>& progress = nullptr);
 
 /// Of the whole hierarchy; of one that was swept they are sweeps, and no level has its own.
 [[nodiscard]] int num_iterations(const Solution& solution);

@@ -2,13 +2,12 @@
 
 #include "app/exit_code.hpp"
 #include "app/results_table.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
-#include <array>
-#include <cstdio>
 #include <iostream>
 
 namespace surefoot {
@@ -16,11 +15,7 @@ namespace {
 
 using Table = std::vector<std::vector<std::string>>;
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
+std::string number(double value) { return formatted("%g", value); }
 
 Table robots() {
   Table table;

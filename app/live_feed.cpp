@@ -66,6 +66,7 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
     : operator_(wishes),
       robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
       history_(ticks_of(kHistory, scenario.controller.period)),
+      past_(wishes.limits().changes),
       recording_(std::move(recording)) {
   session_.start = random_token();
   session_.mode = "live";
@@ -117,6 +118,7 @@ void LiveFeed::begin_again(ViewSession begun) {
   finder_.emplace(session_.channels, std::move(bodies));
   events_.clear();
   changes_.clear();
+  told_changes_ = ToldChanges();
   past_.clear();
   history_.clear();
   start_.reset();
@@ -124,6 +126,7 @@ void LiveFeed::begin_again(ViewSession begun) {
   pending_.clear();
   tick_ = 0;
   time_ = 0.0;
+  user_ = UserCommand();
   forces_ = OutsideForces();
   forces_.store = session_.limits.push_impulse;
 }
@@ -164,7 +167,15 @@ void LiveFeed::set_pace(bool paused, double speed) {
 }
 
 void LiveFeed::set_ended(const std::string& reason) {
-  hand_over([this, reason] { ended_ = reason; });
+  hand_over([this, reason] {
+    ended_ = reason;
+    forces_.push.body = forces_.pull.body = -1;  // nothing acts any more
+    forces_.is_weaker = false;
+  });
+}
+
+void LiveFeed::set_forces(const OutsideForces& forces) {
+  hand_over([this, forces] { forces_ = forces; });
 }
 
 void LiveFeed::set_pending(const std::string& text) {
@@ -176,16 +187,19 @@ void LiveFeed::set_recording(const std::string& path) {
 }
 
 void LiveFeed::show(const logged::Change& change) {
-  hand_over([this, change, time = change.time, kind = change.kind, words = change.text] {
+  hand_over([this, change] {
     finder_->acts(change);
-    JsonText(changes_.emplace_back())
-        .object()
+    if (!told_changes_.tells(change)) return;
+    const auto force = force_mark(change, told_changes_.given());
+    JsonText json(changes_.emplace_back());
+    json.object()
         .member("type", "change")
-        .member("time", time)
-        .member("kind", std::string_view(kind))
-        .member("text", std::string_view(words))
-        .end_object();
-    past_.add_change(time, text_event(time, "change", words));
+        .member("time", change.time)
+        .member("kind", std::string_view(change.kind))
+        .member("text", std::string_view(change.text));
+    force_member(json, force);
+    json.end_object();
+    past_.add_change(change.time, text_event(change.time, "change", change.text, force));
   });
 }
 
@@ -283,7 +297,7 @@ std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFr
 void LiveFeed::measure() {
   const Clock::time_point now = Clock::now();
   const Pace pace{paused_.load(), speed_.load(), session_.begun};
-  if (pace != pace_) {
+  if (pace != pace_) {  // the first, too: nothing has been measured then
     pace_ = pace;
     measured_ = now;
     measured_time_ = time_;
@@ -318,8 +332,8 @@ std::string LiveFeed::status(std::size_t clients) {
   JsonText json(text);
   json.object()
       .member("type", "status")
-      .member("paused", pace_.paused)
-      .member("speed", pace_.speed)
+      .member("paused", pace_->paused)
+      .member("speed", pace_->speed)
       .member("real_factor", real_factor_)
       .member("clock", std::chrono::duration<double>(Clock::now() - begun_).count())
       .member("time", time_)

@@ -3,6 +3,7 @@
 #include "app/event_finder.hpp"
 #include "app/live_operator.hpp"
 #include "app/operator_forces.hpp"
+#include "app/operator_text.hpp"
 #include "app/past_events.hpp"
 #include "app/run_steering.hpp"
 #include "app/view_robot.hpp"
@@ -45,13 +46,18 @@ class LiveFeed final : public WebContent {
   void set_control(const StackOptions& stack, double friction, std::uint32_t tick);
   void set_pace(bool paused, double speed);
   void set_ended(const std::string& reason);
-  /// What of the control is wanted and no tick has taken yet; "": nothing.
+  /// What the operator's forces are and may give, where no tick tells it: of a run that is paused.
+  void set_forces(const OutsideForces& forces);
+  /// What is wanted and no tick has taken yet; "": nothing.
   void set_pending(const std::string& text);
   /// The log that is written from the next begin on.
   void set_recording(const std::string& path);
   void show(const logged::Change& change);
   /// A line that every page shows.
   void tell(const std::string& notice);
+
+  /// Of the robot, for the page.
+  [[nodiscard]] std::vector<ViewMesh> meshes() const { return robot_.meshes(); }
 
   // Of the server's thread.
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
@@ -103,6 +109,7 @@ class LiveFeed final : public WebContent {
   std::uint64_t heard_ = 0;  // the last that was taken
   LevelNames names_;         // with which ticks are packed
   std::optional<EventFinder> finder_;
+  ToldChanges told_changes_;
   std::vector<std::string> events_, changes_, notices_;  // that no page was told yet
   FrameHistory history_;                                 // of the present run
   PastEvents past_;
@@ -116,7 +123,7 @@ class LiveFeed final : public WebContent {
   OutsideForces forces_;
   const Clock::time_point begun_ = Clock::now();
   Clock::time_point next_status_{}, measured_{};
-  Pace pace_;
+  std::optional<Pace> pace_;  // from the first measure on
   double measured_time_ = 0.0, real_factor_ = 0.0;
 };
 

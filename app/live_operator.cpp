@@ -15,7 +15,6 @@ namespace {
 
 using Type = ViewCommandType;
 
-constexpr int kMostSteps = 4000;               // that wait: ten seconds
 constexpr std::chrono::seconds kOneChange{1};  // a slider's steps within this are one
 constexpr std::size_t kMostUndo = 100;
 
@@ -131,8 +130,8 @@ std::string LiveOperator::command(const ViewCommand& command) {
 }
 
 void LiveOperator::step(int ticks) {
-  if (ticks > kMostSteps - wishes_.steps) {
-    throw Error(text(ticks, " ticks more; valid is up to ", kMostSteps, " that wait"));
+  if (ticks > kMostStepsWaiting - wishes_.steps) {
+    throw Error(text(ticks, " ticks more; valid is up to ", kMostStepsWaiting, " that wait"));
   }
   wishes_.steps += ticks;
 }

@@ -20,6 +20,9 @@ namespace surefoot {
 /// That a pull goes on without being renewed [s].
 inline constexpr double kPullLasts = 0.6;
 
+/// Ticks that wait at most, to be made while it is paused: ten seconds.
+inline constexpr int kMostStepsWaiting = 4000;
+
 /// What the operator wants of the controller.
 struct WantedControl {
   StackOptions stack;  ///< with all defaults
@@ -45,7 +48,6 @@ struct OperatorWishes {
 /// asks at each tick what is wanted, and never waits for that.
 class LiveOperator {
  public:
-  /// `bodies`: what can be pushed.
   LiveOperator(const Scenario& scenario, ViewLimits limits);
 
   /// Takes a command. What is wrong with it; empty: nothing.
@@ -55,17 +57,18 @@ class LiveOperator {
   /// be had without waiting. What is to be done once is handed over.
   [[nodiscard]] bool take(OperatorWishes& wishes);
 
-  // These two, at a run's begin and end, may wait for a command that is being taken: no tick is
-  // due.
-
-  /// On the run's thread: it begins, again. Everything is as the scenario says; pause and speed
-  /// stay.
-  void begin(std::vector<std::string> bodies);
-  /// On the run's thread: the run has ended, or goes on.
-  void set_ended(std::string reason);
   /// On the run's thread: what was wanted can't be; the present control is wanted again, as soon as
   /// `take` gets through.
   void give_up(const WantedControl& present);
+
+  // These two, at a run's begin and end, may wait for a command that is being taken: no tick is
+  // due.
+
+  /// On the run's thread: it begins, again, with these bodies that can be pushed. Everything is as
+  /// the scenario says; pause and speed stay.
+  void begin(std::vector<std::string> bodies);
+  /// On the run's thread: the run has ended, and why.
+  void set_ended(std::string reason);
 
   /// What the operator asks to walk; none: as the scenario says.
   [[nodiscard]] std::optional<UserCommand> walk_wanted();
@@ -94,16 +97,16 @@ class LiveOperator {
   const WantedControl scenario_control_;
   const ViewLimits limits_;
   const StackReach reach_;
+  std::uint64_t taken_ = 0;                // of the run's thread
+  std::optional<WantedControl> given_up_;  // of the run's thread: what is to be wanted again
+  std::mutex mutex_;                       // of all below
   std::vector<std::string> bodies_;
-  std::mutex mutex_;  // of all below
   OperatorWishes wishes_;
   bool is_taken_ = true;  // the run has all changes of the control
   std::vector<Undo> undo_;
   std::string ended_;
   std::atomic<int> undo_count_{0};
   std::atomic<std::uint64_t> changes_{0};
-  std::uint64_t taken_ = 0;                // of the run's thread
-  std::optional<WantedControl> given_up_;  // of the run's thread: what is to be wanted again
 };
 
 }  // namespace surefoot

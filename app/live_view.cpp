@@ -3,6 +3,7 @@
 #include "app/stack_text.hpp"
 #include "app/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 
 #include <cstdio>
 #include <thread>
@@ -13,18 +14,23 @@ namespace {
 
 constexpr std::chrono::milliseconds kNap{4};       // while it is paused
 constexpr std::chrono::milliseconds kLongest{20};  // sleep before the operator is asked again
-constexpr int kMostSteps = 4000;                   // that wait while it is paused
 constexpr double kPullInterval = 0.05;             // that a pull stays as it is, at least [s]
 constexpr double kFade = 0.3;                      // from a stack to the next [s]
 
-std::string text_of(const char* format, auto... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
+std::string vector_text(const Vec3& v) {
+  return formatted("(%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
 }
 
-std::string vector_text(const Vec3& v) {
-  return text_of("(%.3g, %.3g, %.3g)", v.x(), v.y(), v.z());
+std::string push_text(const Push& push) {
+  return formatted("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body;
+}
+
+std::string pushes_text(const std::vector<Push>& pushes) {
+  if (pushes.empty()) return "";
+  if (pushes.size() == 1) return push_text(pushes.front());
+  double sum = 0.0;
+  for (const Push& push : pushes) sum += push.force.norm() * push.duration;
+  return std::to_string(pushes.size()) + formatted(" pushes, %.3g N·s together", sum);
 }
 
 bool is_same(const std::optional<UserCommand>& a, const std::optional<UserCommand>& b) {
@@ -46,6 +52,7 @@ void LiveView::begin(const RunParts& parts) {
   walk_.reset();
   steps_ = 0;
   forces_.emplace(operator_.limits(), parts.plant.bodies());
+  booked_.clear();
   pulled_ = Pull();
   reset_ = is_pending_ = false;
   pending_.clear();
@@ -78,6 +85,7 @@ RunOrder LiveView::before_tick(double time) {
     std::this_thread::sleep_until(std::min(due, now + kLongest));
   }
   if (steps_ > 0) --steps_;
+  begin_pushes(time);
   take_control(time);
   take_walk(time);
   take_pull(time);
@@ -94,28 +102,39 @@ void LiveView::take(double time) {
   if (!operator_.take(wishes_)) return;
   if (waits) wishes_.reason.clear();  // more comes with an undo than what it undoes
   if (wishes_.halt || !wishes_.paused) steps_ = 0;
-  if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostSteps);
+  if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostStepsWaiting);
   reset_ = reset_ || wishes_.reset;
-  for (const Push& wanted : wishes_.pushes) push(wanted, time);
+  for (const Push& wanted : wishes_.pushes) book(wanted, time);
   wishes_.pushes.clear();
   is_pending_ = true;
-  if (wishes_.paused) tell_pending(pending_text());
+  if (wishes_.paused) {
+    tell_pending(pending_text());
+    feed_.set_forces(forces_->now());  // no tick comes to tell them
+  }
   feed_.set_pace(wishes_.paused, wishes_.speed);
 }
 
-void LiveView::push(const Push& wanted, double time) {
+// It counts from now on, and is told once it acts.
+void LiveView::book(const Push& wanted, double time) {
   Push push = wanted;
   push.time = time;
   if (const std::string problem = forces_->push(push); !problem.empty()) return feed_.tell(problem);
-  parts_->plant.push(push);
-  keep({.time = time,
-        .kind = "push",
-        .text = text_of("push of %.3g N·s at ", push.force.norm() * push.duration) + push.body +
-                ", force " + vector_text(push.force) + text_of(" N for %.3g s", push.duration),
-        .stack = {},
-        .duration = push.duration,
-        .body = push.body,
-        .force = push.force});
+  booked_.push_back(push);
+}
+
+void LiveView::begin_pushes(double time) {
+  for (const Push& push : booked_) {
+    parts_->plant.push(push);
+    keep({.time = time,
+          .kind = "push",
+          .text = push_text(push) + ", force " + vector_text(push.force) +
+                  formatted(" N for %.3g s", push.duration),
+          .stack = {},
+          .duration = push.duration,
+          .body = push.body,
+          .force = push.force});
+  }
+  booked_.clear();
 }
 
 void LiveView::take_control(double time) {
@@ -138,8 +157,14 @@ void LiveView::take_control(double time) {
   tell_pending(is_pending_ ? wishes_.reason + text : "");
 }
 
-// What take_control will do.
+// What the next tick will take.
 std::string LiveView::pending_text() const {
+  const std::string control = control_text(), pushes = pushes_text(booked_);
+  return control + (control.empty() || pushes.empty() ? "" : "; ") + pushes;
+}
+
+// What take_control will do.
+std::string LiveView::control_text() const {
   std::string text;
   if (wishes_.control.friction != present_.friction)
     text = "friction " + change_text(present_.friction, wishes_.control.friction);
@@ -180,7 +205,7 @@ void LiveView::take_walk(double time) {
   walk_ = wishes_.walk;
   std::string text = "the scenario commands the walk";
   if (walk_) {
-    text = text_of(
+    text = formatted(
         "the operator commands: %s, velocity (%.3g, %.3g) m/s, yaw rate %.3g rad/s, "
         "height %+.3g m",
         walk_->walk ? "walk" : "stand", walk_->velocity.x(), walk_->velocity.y(), walk_->yaw_rate,
@@ -211,20 +236,17 @@ void LiveView::take_pull(double time) {
 }
 
 void LiveView::pull(const Pull& wanted, bool is_weaker, double time) {
-  const bool begins = pulled_.force.isZero();
   pulled_ = wanted;
   pull_taken_ = time;
   parts_->plant.pull(wanted);
   forces_->pull(wanted, is_weaker);
-  const logged::Change change{
-      .time = time,
-      .kind = "pull",
-      .text = "pull at " + wanted.body + ", force " + vector_text(wanted.force) + " N",
-      .stack = {},
-      .body = wanted.body,
-      .point = wanted.point,
-      .force = wanted.force};
-  begins ? keep(change) : parts_->log_change(change);  // what follows the mouse is too much to tell
+  keep({.time = time,
+        .kind = "pull",
+        .text = "pull at " + wanted.body + ", force " + vector_text(wanted.force) + " N",
+        .stack = {},
+        .body = wanted.body,
+        .point = wanted.point,
+        .force = wanted.force});
 }
 
 void LiveView::end_pull(double time) {
@@ -233,7 +255,7 @@ void LiveView::end_pull(double time) {
   parts_->plant.pull(pulled_);
   keep({.time = time,
         .kind = "pull",
-        .text = text_of("the pull ends after %.3g N·s", forces_->now().pull.given),
+        .text = formatted("the pull ends after %.1f N·s", forces_->now().pull.given),
         .stack = {},
         .body = pulled_.body,
         .point = pulled_.point,
@@ -256,6 +278,11 @@ UserCommand LiveView::user(const UserCommand& planned) {
 void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
                           const TickTiming& timing) {
   feed_.put(tick_++, tick, truth, timing, forces_->now());
+}
+
+void LiveView::end(double time) {
+  forces_->advance(time);
+  end_pull(time);
 }
 
 bool LiveView::wait_for_reset(const std::string& reason) {

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -23,6 +24,7 @@ class LiveView final : public RunSteering {
   [[nodiscard]] UserCommand user(const UserCommand& planned) override;
   void after_tick(const TickRecord& tick, const GroundTruth& truth,
                   const TickTiming& timing) override;
+  void end(double time) override;
 
   /// The run has ended; the pages are told why, and stay. True once it is to begin again, false
   /// once it is interrupted.
@@ -37,12 +39,14 @@ class LiveView final : public RunSteering {
   void take_control(double time);
   void take_walk(double time);
   void take_pull(double time);
-  void push(const Push& push, double time);
+  void book(const Push& push, double time);
+  void begin_pushes(double time);
   void pull(const Pull& pull, bool is_weaker, double time);
   void end_pull(double time);
   [[nodiscard]] bool change_stack(const std::string& text, double time);
   void keep(logged::Change change);
   [[nodiscard]] std::string pending_text() const;
+  [[nodiscard]] std::string control_text() const;
   void tell_pending(const std::string& text);
 
   LiveOperator& operator_;
@@ -55,11 +59,12 @@ class LiveView final : public RunSteering {
   RunPace pace_;
   int steps_ = 0;
   std::optional<OperatorForces> forces_;  // from the first begin on
+  std::vector<Push> booked_;              // pushes that begin with the next tick
   Pull pulled_;
   double pull_taken_ = 0.0;  // when the pull was last another one [s]
   bool reset_ = false, was_paused_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
-  std::string pending_;      // of it, as the pages were told
+  std::string pending_;      // of what waits, as the pages were told
   double speed_ = 1.0;
   std::uint32_t tick_ = 0;
 };

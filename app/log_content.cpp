@@ -7,6 +7,7 @@
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_reader.hpp"
+#include "surefoot/view/outcome.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
 
@@ -29,6 +30,14 @@ std::string block(const std::string& bytes, std::uint32_t frames) {
   return std::string(head.data(), head.size()) + bytes;
 }
 
+/// Of a log that is whole as a file.
+std::string cut_of(const report::Outcome& outcome) {
+  if (!outcome.known)
+    return "how the run ended is not known: the log's file is whole, but has no summary";
+  if (!outcome.interrupted) return "";
+  return "the run was " + outcome.reason + ": the log's file is whole, and ends there";
+}
+
 }  // namespace
 
 LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(path).header()) {}
@@ -38,9 +47,9 @@ LogContent::LogContent(const std::string& path, const LogHeader& header)
       summary_(path, header),
       robot_(urdf_of(header), robot_package_directory()) {
   describe(path, header);
-  if (!frames_.complete()) {
-    notes_.push_back("the log was never closed, or is cut off: what is left of it is shown");
-  }
+  const std::string missing = missing_meshes_text(session_.meshes);
+  if (!missing.empty()) notes_.push_back(missing);
+  if (!session_.cut.empty()) notes_.push_back(session_.cut);
 }
 
 void LogContent::describe(const std::string& path, const LogHeader& header) {
@@ -50,7 +59,11 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   session_.title =
       header.scenario + (header.seed == 0 ? "" : ", seed " + std::to_string(header.seed));
   session_.source = std::filesystem::path(path).filename().string();
-  session_.whole = frames_.complete() && !path.ends_with(".partial");
+  if (!frames_.complete()) {
+    session_.cut = std::string(kNeverClosed) + ": what is left of it is shown";
+  } else {
+    session_.cut = cut_of(report::read_outcome(frames_.outcome(), header.options));
+  }
   session_.header = to_json(header);
   session_.period = header.control_period;
   session_.first_tick = frames_.first_tick();

@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 namespace surefoot {
 namespace {
 
 constexpr std::size_t kKeptChunks = 32;
+constexpr double kMostTicks = std::numeric_limits<std::uint32_t>::max();
 
 /// A tick as its messages come.
 struct GrowingTick {
@@ -91,6 +94,18 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
   return static_cast<std::uint32_t>(std::llround(seconds(time) / period_));
 }
 
+// Nothing but what stands beside it tells that the time of a message outside of chunks is wrong: it
+// is far beyond theirs, and no other goes on from there, as the ticks do behind a clock that skips.
+bool LogFrames::has_wrong_times(std::size_t chunk) const {
+  const std::vector<McapChunk>& all = file_.chunks();
+  const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
+  if (!mcap::can_be_times(first, last) || seconds(last) / period_ >= kMostTicks) return true;
+  if (!all[chunk].is_bare || first != last || first < mcap::kLongestChunk) return false;
+  const std::uint64_t least = first - mcap::kLongestChunk;
+  if (!places_.empty()) return places_.back().last < least;
+  return chunk + 1 < all.size() && all[chunk + 1].first_time < least;
+}
+
 // Ticks come by their time; where it goes back the timings begin, which stand apart: in chunks of
 // their own, but another writer leaves the last ticks and the first timings in one. A chunk whose
 // times can't be is left out: its header is damaged.
@@ -98,9 +113,12 @@ void LogFrames::find_ticks(const std::string& path) {
   num_lost_ = file_.num_lost();
   for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
     const McapChunk& chunk = file_.chunks()[i];
-    if (!mcap::can_be_times(chunk.first_time, chunk.last_time)) {
+    if (has_wrong_times(i)) {
       ++num_lost_;
-    } else if (places_.empty() || chunk.last_time > places_.back().last) {
+      continue;
+    }
+    usable_.push_back(i);
+    if (places_.empty() || chunk.last_time > places_.back().last) {
       places_.push_back({.chunk = i,
                          .before = places_.empty() ? 0 : places_.back().last,
                          .last = chunk.last_time,
@@ -194,9 +212,8 @@ std::string LogFrames::without_path(const Error& error) const {
 // and timings stand apart. What can't be read of other places' chunks is told of those.
 void LogFrames::read_place(std::size_t number, Decoded& decoded, LogChunk& chunk) {
   const Place& place = places_[number];
-  for (std::size_t i = 0; i < file_.chunks().size(); ++i) {
+  for (const std::size_t i : usable_) {
     const McapChunk& one = file_.chunks()[i];
-    if (!mcap::can_be_times(one.first_time, one.last_time)) continue;
     const bool is_before = place.has_before && one.last_time <= place.before;
     if (is_before || one.first_time > place.last) continue;
     try {

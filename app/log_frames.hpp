@@ -10,10 +10,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace surefoot {
+
+/// What is said of a log that does not end as a log does.
+inline constexpr std::string_view kNeverClosed = "the log was never closed, or is cut off";
 
 /// What a chunk of a log holds, as far as it can be read.
 struct LogChunk {
@@ -39,6 +43,8 @@ class LogFrames {
   [[nodiscard]] std::uint32_t end_tick() const { return end_tick_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] double period() const { return period_; }
+  /// Of the run, as its recorder closed the log with it (JSON); empty without one.
+  [[nodiscard]] std::string outcome() { return file_.attachment("summary.json"); }
 
   /// Places where one chunk or more stood of which not even the times can be read.
   [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
@@ -61,6 +67,7 @@ class LogFrames {
   };
 
   [[nodiscard]] std::uint32_t tick_at(std::uint64_t time) const;
+  [[nodiscard]] bool has_wrong_times(std::size_t chunk) const;
   void find_ticks(const std::string& path);
   void learn_channels(const std::string& path);
   void find_start();
@@ -75,6 +82,7 @@ class LogFrames {
   std::optional<FrictionCone> cone_;
   ViewChannels channels_;
   std::optional<StartAlignment> start_;
+  std::vector<std::size_t> usable_;  // chunks whose times can be
   std::vector<Place> places_;
   std::vector<std::uint32_t> ends_;  // of each of them: one past its last tick
   std::size_t num_lost_ = 0;

@@ -2,6 +2,7 @@
 
 #include "surefoot/base/background.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/config_tree.hpp"
 
 #include <algorithm>
@@ -47,7 +48,16 @@ void LogSummary::run() {
     const std::lock_guard lock(mutex_);
     add(*read);
   }
-  if (!stopping_) known_ = frames_.end_tick();
+  if (stopping_) return;
+  if (!frames_.complete()) add_end();
+  known_ = frames_.end_tick();
+}
+
+void LogSummary::add_end() {
+  const double time = frames_.period() * (frames_.end_tick() - 1);
+  const std::lock_guard lock(mutex_);
+  events_.push_back(
+      text_event(time, "damage", formatted("%.4f s: ", time) + std::string(kNeverClosed)));
 }
 
 void LogSummary::add(const LogChunk& chunk) {
@@ -64,7 +74,7 @@ void LogSummary::add_damage(const LogChunk& chunk) {
   const auto tell = [&](const char* what, const std::string& why) {
     if (why.empty()) return;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(2) << what << chunk.from << " s to " << chunk.to
+    text << std::fixed << std::setprecision(4) << what << chunk.from << " s to " << chunk.to
          << " s can't be read: " << why;
     damage_.push_back(text.str());
     events_.push_back(text_event(chunk.from, "damage", text.str()));
@@ -107,7 +117,10 @@ void LogSummary::coarsen() {
 
 void LogSummary::add(const logged::Change& change) {
   finder_.acts(change);
-  if (told_.tells(change)) events_.push_back(text_event(change.time, "change", change.text));
+  if (told_.tells(change)) {
+    events_.push_back(
+        text_event(change.time, "change", change.text, force_mark(change, told_.given())));
+  }
   if (change.stack.empty()) return;
   try {
     add_order(change);

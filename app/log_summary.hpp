@@ -55,6 +55,8 @@ class LogSummary {
   void add(const logged::Change& change);
   void add_order(const logged::Change& change);
   void add_damage(const LogChunk& chunk);
+  /// Of a log that was not closed.
+  void add_end();
   void coarsen();
 
   LogFrames frames_;

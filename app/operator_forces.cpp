@@ -1,8 +1,8 @@
 #include "app/operator_forces.hpp"
 
+#include "surefoot/base/formatted.hpp"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 namespace surefoot {
@@ -12,12 +12,6 @@ constexpr double kRunsOut = 0.2;    // in which a pull at the store's limit woul
 constexpr double kRounding = 1e-6;  // [N, N·s, s]
 
 double end_of(const Push& push) { return push.time + push.duration; }
-
-std::string text_of(const char* format, auto... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 }  // namespace
 
@@ -44,13 +38,15 @@ void OperatorForces::advance(double time) {
 
 std::string OperatorForces::push(const Push& push) {
   const double force = push.force.norm(), impulse = force * push.duration;
-  const std::string what = text_of("the push of %.3g N·s, %.3g N is left out: ", impulse, force);
+  const std::string what = formatted("the push of %.3g N·s, %.3g N is left out: ", impulse, force);
   if (force > limits_.push_force - pushing() + kRounding) {
-    return what + text_of("pushes of %.3g N act already; valid is up to %.3g N at one time",
-                          pushing(), limits_.push_force);
+    return what + formatted(
+                      "pushes of %.3g N act already or wait for the next tick; valid is up to "
+                      "%.3g N at one time",
+                      pushing(), limits_.push_force);
   }
   if (impulse > now_.store + kRounding) {
-    return what + text_of(
+    return what + formatted(
                       "%.3g N·s can be given now; valid is up to %.3g N·s at once, and %.3g N·s "
                       "more each second",
                       now_.store, limits_.push_impulse, limits_.push_refill);

@@ -18,9 +18,12 @@ class ToldChanges {
  public:
   /// In the order of the log.
   [[nodiscard]] bool tells(const logged::Change& change);
+  /// What the last pull gave up to its last change, ∫ |force| dt [N·s].
+  [[nodiscard]] double given() const { return given_; }
 
  private:
   bool is_pulled_ = false;
+  double force_ = 0.0, since_ = 0.0, given_ = 0.0;  // of the pull [N, s, N·s]
 };
 
 /// Where a force in W goes as the robot sees it: "forwards and to the left"; empty where it or the

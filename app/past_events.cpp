@@ -6,17 +6,12 @@
 #include <vector>
 
 namespace surefoot {
-namespace {
-
-constexpr std::size_t kMostChanges = 200;
-
-}  // namespace
 
 void PastEvents::add(double time, std::string text) { events_.push_back({time, std::move(text)}); }
 
 void PastEvents::add_change(double time, std::string text) {
   changes_.push_back({time, std::move(text)});
-  if (changes_.size() > kMostChanges) changes_.pop_front();
+  if (changes_.size() > most_changes_) changes_.pop_front();
 }
 
 void PastEvents::forget_before(double time) {

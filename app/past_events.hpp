@@ -1,14 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <string>
 
 namespace surefoot {
 
-/// What happened in a live run, for pages that come late: changes from outside, the last 200 of
-/// them, and all other events back to where frames are kept.
+/// What happened in a live run, for pages that come late: changes from outside, the last of them,
+/// and all other events back to where frames are kept.
 class PastEvents {
  public:
+  /// `most_changes`: that are kept.
+  explicit PastEvents(std::size_t most_changes) : most_changes_(most_changes) {}
+
   /// `text`: as /api/events has it.
   void add(double time, std::string text);
   void add_change(double time, std::string text);
@@ -23,6 +27,7 @@ class PastEvents {
     std::string text;
   };
 
+  std::size_t most_changes_;
   std::deque<Entry> events_, changes_;
 };
 

@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -12,13 +15,32 @@ constexpr int kWidth = 30;
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr std::chrono::seconds kNextLine{10};
 
+bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+void count_seconds(const std::stop_token& stop, const std::string& label,
+                   std::chrono::milliseconds every) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  const bool terminal = is_terminal();
+  bool is_drawn = false;
+  std::mutex mutex;
+  std::condition_variable_any stopped;
+  std::unique_lock lock(mutex);
+  while (!stopped.wait_for(lock, stop, every, [&] { return stop.stop_requested(); })) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    std::fprintf(stderr, terminal ? "\r\033[K%s: %.0f s" : "%s: %.0f s\n", label.c_str(), seconds);
+    is_drawn = true;
+  }
+  if (terminal && is_drawn) std::fputs("\r\033[K", stderr);
+}
+
 }  // namespace
 
 Progress::Progress(std::string label, double total, std::string unit)
     : label_(std::move(label)),
       unit_(std::move(unit)),
       total_(total),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      terminal_(is_terminal()),
       last_(Clock::now()) {}
 
 Progress::~Progress() { wipe(); }
@@ -52,5 +74,13 @@ void Progress::draw() const {
 void Progress::wipe() const {
   if (terminal_) std::fputs("\r\033[K", stderr);
 }
+
+Waiting::Waiting(std::string label)
+    : Waiting(std::move(label), is_terminal() ? std::chrono::seconds(1) : kNextLine) {}
+
+Waiting::Waiting(std::string label, std::chrono::milliseconds every)
+    : thread_([label = std::move(label), every](const std::stop_token& stop) {
+        count_seconds(stop, label, every);
+      }) {}
 
 }  // namespace surefoot

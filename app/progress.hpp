@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
 
 namespace surefoot {
 
@@ -29,6 +30,22 @@ class Progress {
   double total_, done_ = 0.0;
   bool terminal_;
   Clock::time_point last_;
+};
+
+/// Says on stderr, while it lives, that something goes on of which nobody knows how far it is: a
+/// line that counts seconds where that is a terminal, from the first second on, otherwise a line
+/// every ten.
+class Waiting {
+ public:
+  explicit Waiting(std::string label);
+  Waiting(std::string label, std::chrono::milliseconds every);
+  /// Wipes the line.
+  ~Waiting() = default;
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  std::jthread thread_;
 };
 
 }  // namespace surefoot

@@ -3,24 +3,17 @@
 #include "app/clock_text.hpp"
 #include "app/results_table.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/logging/visible_residual.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace surefoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text(const char* format, double value) {
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
-std::string seconds(double time) { return text("%.4f s", time); }
+std::string seconds(double time) { return formatted("%.4f s", time); }
 
 std::string built_from(const LogHeader& header) {
   return "surefoot " + header.version +
@@ -66,9 +59,9 @@ std::string all_compared(const Verification& result) {
 std::string place(const LogHeader& header, const TorqueDifference& difference) {
   return "tick " + std::to_string(difference.tick) + ", " + seconds(difference.time) + ", " +
          header.robot.joint_names[static_cast<std::size_t>(difference.joint)] + ": " +
-         text("%.17g", difference.logged) + " N·m in the log, " +
-         text("%.17g", difference.computed) + " N·m now (" +
-         text("%.3g", difference.computed - difference.logged) + ")\n";
+         formatted("%.17g", difference.logged) + " N·m in the log, " +
+         formatted("%.17g", difference.computed) + " N·m now (" +
+         formatted("%.3g", difference.computed - difference.logged) + ")\n";
 }
 
 /// The first stage that came out otherwise says where to look.
@@ -111,15 +104,15 @@ Json run_json(const std::string& path, const LogHeader& header) {
 
 std::string residual(double value, const std::string& unit) {
   if (value < kResidualRounding) return "0";
-  return text("%.3g", value) + (unit.empty() ? "" : " " + unit);
+  return formatted("%.3g", value) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string joint_table(const StackComparison& result) {
   std::vector<std::vector<std::string>> table{{"torque, other − logged", "rms", "largest", "at"}};
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     const JointComparison& joint = result.joints[i];
-    table.push_back({result.header.robot.joint_names[i], text("%.3g N·m", joint.rms),
-                     text("%+.3g N·m", joint.largest), text("%.4f s", joint.time)});
+    table.push_back({result.header.robot.joint_names[i], formatted("%.3g N·m", joint.rms),
+                     formatted("%+.3g N·m", joint.largest), formatted("%.4f s", joint.time)});
   }
   return aligned(table);
 }

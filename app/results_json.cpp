@@ -1,6 +1,7 @@
 #include "app/results_json.hpp"
 
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/interval.hpp"
 
 #include <nlohmann/json.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <string_view>
 
@@ -96,9 +96,7 @@ bool is_by_clock(const std::string& metric) {
 }
 
 std::string hex(std::uint64_t number) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
-  return text.data();
+  return formatted("%016llx", static_cast<unsigned long long>(number));
 }
 
 /// Median and worst of every metric that is a number.

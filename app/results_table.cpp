@@ -1,5 +1,6 @@
 #include "app/results_table.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/metrics.hpp"
 
 #include <nlohmann/json.hpp>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace surefoot {
 namespace {
@@ -40,11 +40,7 @@ Unit unit_of(const std::string& metric) {
   return {"", ""};
 }
 
-std::string number(double value, const char* format = "%.3g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
+std::string number(double value, const char* format = "%.3g") { return formatted(format, value); }
 
 std::string rounded(double value) {
   if (std::abs(value) < 1e-12) value = 0.0;
@@ -118,7 +114,7 @@ std::string events_of_run(const Json& run) {
     table.push_back({event.at("event").get<std::string>(),
                      event.at("leg").is_null() ? "" : event.at("leg").get<std::string>(),
                      times(event.at("count").get<int>()),
-                     "first at " + number(event.at("first_s").get<double>(), "%.2f") + " s"});
+                     "first at " + number(event.at("first_s").get<double>(), "%.4f") + " s"});
   }
   return table.empty() ? "" : "\n" + aligned(table);
 }

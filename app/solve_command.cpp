@@ -4,6 +4,7 @@
 #include "app/explanation_json.hpp"
 #include "app/explanation_text.hpp"
 #include "app/level_account.hpp"
+#include "app/progress.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
@@ -21,15 +22,23 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <optional>
 
 namespace surefoot {
 namespace {
 
+using Eigen::Index;
 using Json = nlohmann::ordered_json;
 
 /// What fits in the memory of any machine, and in a minute.
-constexpr Eigen::Index kMostUnknowns = 500;
-constexpr Eigen::Index kMostRows = 5000;
+constexpr Index kMostUnknowns = 500;
+constexpr Index kMostRows = 5000;
+
+Index num_rows(const Hierarchy& hierarchy) {
+  Index rows = 0;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).num_rows();
+  return rows;
+}
 
 void check_size(const Hierarchy& hierarchy, const std::string& place) {
   const std::string limit = "; expected at most " + std::to_string(kMostUnknowns) +
@@ -37,9 +46,9 @@ void check_size(const Hierarchy& hierarchy, const std::string& place) {
   if (hierarchy.unknowns() > kMostUnknowns) {
     throw FileError(place + ": has " + std::to_string(hierarchy.unknowns()) + " unknowns" + limit);
   }
-  Eigen::Index rows = 0;
+  Index rows = 0;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const Eigen::Index more = hierarchy.level(k).num_rows();
+    const Index more = hierarchy.level(k).num_rows();
     if (rows + more > kMostRows) {
       throw FileError(place + ": level " + std::to_string(k + 1) + ": row " +
                       std::to_string(kMostRows - rows + 1) + " is one too many" + limit);
@@ -53,7 +62,7 @@ double worst_ratio(const Hierarchy& hierarchy) {
   double worst = 1.0;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
-    for (Eigen::Index i = 0; i < hierarchy.level(k).num_rows(); ++i) {
+    for (Index i = 0; i < hierarchy.level(k).num_rows(); ++i) {
       const double length = hierarchy.level(k).A().row(i).norm();
       longest = std::max(longest, length);
       if (length > 0.0) shortest = std::min(shortest, length);
@@ -76,10 +85,15 @@ void check_method(const SolveArguments& arguments) {
     throw Error("unknown method \"" + arguments.method + "\"; there are: lexicographic, cascade");
   }
   if (!(arguments.budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
-  if (is_cascade && std::isfinite(arguments.budget)) {
-    throw Error("the cascade has no budget; --budget goes with the lexicographic method");
+  if (!(arguments.budget_us >= 0.0))
+    throw Error("a budget is a number of microseconds, at least 0");
+  if (is_cascade && (std::isfinite(arguments.budget) || std::isfinite(arguments.budget_us))) {
+    throw Error(
+        "the cascade has no budget; --budget and --budget-us go with the lexicographic method");
   }
 }
+
+constexpr const char* kExpected = "; expected a file with one JSON object a line";
 
 class SolveCommand {
  public:
@@ -88,8 +102,10 @@ class SolveCommand {
 
   int solve_lines(std::istream& input, const std::string& name) {
     std::string line;
+    bool is_empty = true;
     for (int number = 1; std::getline(input, line); ++number) {
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+      is_empty = false;
       try {
         solve_line(line, name + ":" + std::to_string(number));
       } catch (const FileError& error) {
@@ -97,6 +113,7 @@ class SolveCommand {
         exit_code_ = kWrongInput;
       }
     }
+    if (is_empty) throw FileError(name + ": is empty" + kExpected);
     tell_hidden_notes(name);
     return exit_code_;
   }
@@ -113,27 +130,39 @@ class SolveCommand {
   }
 
   [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
-    double (*clock)() = arguments_.explain ? steady_seconds : nullptr;
+    const bool is_timed = arguments_.explain || std::isfinite(arguments_.budget_us);
+    double (*clock)() = is_timed ? steady_seconds : nullptr;
     if (is_cascade()) {
       return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
     }
     LexicographicOptions options;
     options.budget.flops = arguments_.budget;
+    options.budget.seconds = 1e-6 * arguments_.budget_us;
     options.clock = clock;
     return LexicographicSolver(hierarchy, options).solve(hierarchy);
+  }
+
+  static std::string waiting_for(const std::string& place, const Hierarchy& hierarchy) {
+    return "solving " + place + " (" + std::to_string(hierarchy.unknowns()) + " unknowns, " +
+           std::to_string(num_rows(hierarchy)) + " rows)";
   }
 
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy question = parse_hierarchy(line, place);
     check_size(question.hierarchy, place);
+    std::optional<Waiting> waiting(std::in_place, waiting_for(place, question.hierarchy));
     const Solution solution = solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
       throw FileError(
           place +
           ": the answer is beyond the range of doubles; expected rows and bounds of similar size");
     }
+    const std::size_t num_levels = question.hierarchy.num_levels();
+    const std::size_t finished = num_finished(solution, num_levels);
     std::vector<LevelCertificate> certificates;
-    if (arguments_.certify) certificates = certify(question.hierarchy, solution.x);
+    if (arguments_.certify)
+      certificates = certify(question.hierarchy, solution.x, {.levels = finished});
+    waiting.reset();
     if (arguments_.explain) {
       explain_line(place, question, solution, certificates);
     } else {
@@ -142,12 +171,13 @@ class SolveCommand {
     }
     tell_levels_without_rows(place, question.hierarchy);
     if (worst_stationarity(certificates) > kProven)
-      tell_unproven(place, question.hierarchy, solution.status, certificates);
+      tell_unproven(place, question.hierarchy, solution.x, certificates);
+    if (arguments_.certify && finished < num_levels) tell_cut_off(place, finished, num_levels);
   }
 
   void explain_line(const std::string& place, const NamedHierarchy& question,
                     const Solution& solution, const std::vector<LevelCertificate>& certificates) {
-    const std::vector<LevelAccount> levels = account_for(question, solution);
+    const std::vector<LevelAccount> levels = account(place, question, solution);
     if (arguments_.json) {
       const Json line = with_instructions(explanation_json(levels, solution, certificates));
       out_ << with_notes(line, question.hierarchy).dump() << std::endl;
@@ -155,6 +185,14 @@ class SolveCommand {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
            << explanation_text(levels, solution, certificates) << std::endl;
     }
+  }
+
+  /// Many rows that hold many levels back take long, one solve each.
+  static std::vector<LevelAccount> account(const std::string& place, const NamedHierarchy& question,
+                                           const Solution& solution) {
+    const auto num_levels = static_cast<double>(question.hierarchy.num_levels());
+    Progress progress("explaining " + place, num_levels, "levels");
+    return account_for(question, solution, [&](double done) { progress.update(done); });
   }
 
   static std::string without_rows(const Hierarchy& hierarchy, std::size_t level) {
@@ -184,18 +222,27 @@ class SolveCommand {
          << " more levels without rows are named in the results only\n";
   }
 
-  void tell_unproven(const std::string& place, const Hierarchy& hierarchy, SolveStatus status,
+  void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels) {
+    err_ << place << ": not proven, cut off in level " << finished + 1 << " of " << num_levels
+         << "; only levels before it have certificates\n";
+    exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
+  }
+
+  void tell_unproven(const std::string& place, const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                      const std::vector<LevelCertificate>& levels) {
+    const auto worst = std::ranges::max_element(
+        levels, {}, [](const LevelCertificate& level) { return level.stationarity; });
+    err_ << place << ": not proven: level " << worst - levels.begin() + 1 << " is "
+         << worst->stationarity
+         << " from its optimality conditions, relative to its rows and 1 + ‖x‖ = " << 1.0 + x.norm()
+         << "; at most " << kProven << " is rounding";
     const double ratio = worst_ratio(hierarchy);
-    const bool is_cut_off = status == SolveStatus::iteration_cap;
-    const bool is_hidden = ratio > kLargestRatio && !is_cut_off;
-    err_ << place << (is_cut_off ? ": cut off, " : ": ")
-         << (is_hidden ? "not proven, distance " : "not optimal, distance ")
-         << worst_stationarity(levels) << " from the optimality conditions; expected at most "
-         << kProven;
-    if (is_hidden) {
+    if (ratio > kLargestRatio) {
       err_ << ", which is promised where rows of one level differ in length by at most "
            << kLargestRatio << ", and here by " << ratio;
+    } else {
+      err_ << ". Either x is beside the optimum, or rows that hold it are so nearly dependent that "
+              "it can't be told";
     }
     err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
@@ -204,9 +251,13 @@ class SolveCommand {
   static Json json_line(const NamedHierarchy& question, const Solution& solution,
                         const std::vector<LevelCertificate>& certificates) {
     Json levels = Json::array();
-    for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
-      Json level = {{"residual", solution.levels[k].residual}};
-      if (!certificates.empty()) level["certificate"] = certificates[k].stationarity;
+    const std::size_t num_levels = question.hierarchy.num_levels();
+    const std::size_t finished = num_finished(solution, num_levels);
+    for (std::size_t k = 0; k < num_levels; ++k) {
+      Json level = Json::object();
+      if (k >= finished) level["status"] = k == finished ? kCutOff : kNotReached;
+      if (k <= finished) level["residual"] = solution.levels[k].residual;
+      if (k < certificates.size()) level["certificate"] = certificates[k].stationarity;
       levels.push_back(std::move(level));
     }
     const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());
@@ -231,11 +282,10 @@ int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& 
   if (file == "-") return command.solve_lines(std::cin, "standard input");
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw FileError(file + ": is a folder; expected a file with one JSON object a line");
+    throw FileError(file + ": is a folder" + kExpected);
   }
   std::ifstream input(file);
-  if (!input)
-    throw FileError(file + ": can't be read; expected a file with one JSON object a line");
+  if (!input) throw FileError(file + ": can't be read" + kExpected);
   return command.solve_lines(input, file);
 }
 

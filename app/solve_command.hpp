@@ -14,6 +14,8 @@ struct SolveArguments {
   std::string method = "lexicographic";  ///< of kSolverMethods: which solver
   /// Flops after which a line's search ends, of the lexicographic method.
   double budget = std::numeric_limits<double>::infinity();
+  /// The same in microseconds.
+  double budget_us = std::numeric_limits<double>::infinity();
 };
 
 /// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file, by the controller's
@@ -21,6 +23,8 @@ struct SolveArguments {
 ///
 ///     {"x": […], "levels": [{"residual": …}, …]}
 ///     residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²)
+///
+/// While a line takes long a line on stderr says which, and for how many seconds.
 ///
 /// With `certify` each level has its "certificate", the distance from its optimality conditions
 /// that `LevelCertificate` defines, computed without the solver. With `explain` a table has the
@@ -34,8 +38,10 @@ struct SolveArguments {
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
 /// are still solved. A line that ended at the cap of iterations or at its budget has
-/// "status": "iteration_cap" in its result. Returns the exit code: 0; 1 if a certificate is above
-/// 1e-8; 2 if the input is wrong. Throws FileError if the file can't be read.
+/// "status": "iteration_cap" in its result, the level where it did "status": "cut off" and the
+/// residual so far, the levels below "status": "not reached" and no number; neither has a
+/// certificate or an explanation. Returns the exit code: 0; 1 if a certificate is above 1e-8 or
+/// missing; 2 if the input is wrong. Throws FileError if the file can't be read or has no line.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

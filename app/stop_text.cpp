@@ -1,5 +1,8 @@
 #include "app/stop_text.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace surefoot {
 namespace {
 
@@ -29,14 +32,23 @@ std::string joint_name(int joint) {
   return std::string(kLegNames[leg]) + "_" + std::string(kJointNames[one]);
 }
 
-std::string text(const std::string& one, const std::string& all, const GroupHealth& group) {
-  return (group.joint < 0 ? all : one + " " + joint_name(group.joint)) + " " + verb(group.fault);
+/// A log may hold any number.
+bool is_joint(int joint) { return joint >= 0 && joint < kNumJoints; }
+
+/// Silent or late are all of a group at once.
+bool is_of_one_value(SampleFault fault) {
+  return fault != SampleFault::none && fault != SampleFault::silent && fault != SampleFault::late;
+}
+
+std::string of_joint(const char* one, const char* all, SampleFault fault, int joint) {
+  if (is_joint(joint)) return one + (" " + joint_name(joint));
+  return all + std::string(is_of_one_value(fault) ? " of several joints" : "");
 }
 
 }  // namespace
 
-std::string text_of_stop(const TickRecord& tick) {
-  switch (tick.command.cause) {
+std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
+  switch (cause) {
     case StopCause::none:
       return "";
     case StopCause::tilt:
@@ -44,13 +56,31 @@ std::string text_of_stop(const TickRecord& tick) {
     case StopCause::failures:
       return "too many ticks without a solution";
     case StopCause::encoders:
-      return text("encoder", "encoders", tick.health.encoders);
+      return of_joint("encoder", "encoders", fault, joint) + " " + verb(fault);
     case StopCause::joint_torques:
-      return text("joint torque", "joint torques", tick.health.joint_torques);
+      return of_joint("joint torque", "joint torques", fault, joint) + " " + verb(fault);
     case StopCause::imu:
-      return text("IMU", "IMU", tick.health.imu);
+      return "IMU " + (is_joint(joint) ? joint_name(joint) + " " : "") + verb(fault);
   }
   return "";
+}
+
+std::string text_of_stop(const TickRecord& tick) {
+  const JointCommand& command = tick.command;
+  const GroupHealth* now = group_of(tick.health, command.cause);
+  if (now == nullptr || command.fault != SampleFault::none)
+    return text_of_stop(command.cause, command.fault, command.joint);
+  return text_of_stop(command.cause, now->fault, now->joint);
+}
+
+std::vector<FaultText> faults_of(const SensorHealth& health) {
+  std::vector<FaultText> faults;
+  for (const StopCause group : {StopCause::encoders, StopCause::joint_torques, StopCause::imu}) {
+    const GroupHealth& now = *group_of(health, group);
+    if (now.fault != SampleFault::none)
+      faults.push_back({text_of_stop(group, now.fault, now.joint), now.age});
+  }
+  return faults;
 }
 
 }  // namespace surefoot

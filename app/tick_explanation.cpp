@@ -2,8 +2,10 @@
 
 #include "app/hierarchy_status.hpp"
 #include "app/operator_text.hpp"
+#include "app/scenario_forces.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
@@ -15,9 +17,7 @@
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace surefoot {
 namespace logged {
@@ -38,17 +38,12 @@ void fields(Decoder& field, OutsideTruth& truth) {
 namespace {
 
 constexpr double kLoaded = 1.0;                // [N]
+constexpr double kSlack = 0.01;                // of a share that may be rounding
 constexpr double kHalfOfLastDigit = 0.005001;  // of a duration, as it is told [s]
-
-std::string number(double value, const char* format) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 /// Two digits, or all that stand before the point: 0.12, 3.4, 460.
 std::string number(double value) {
-  return number(value, std::abs(value) < 100.0 ? "%.2g" : "%.0f");
+  return formatted(std::abs(value) < 100.0 ? "%.2g" : "%.0f", value);
 }
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
@@ -79,11 +74,12 @@ std::optional<TickTiming> read_timing(const std::string& path, std::uint64_t tim
     if (time < chunk.first_time || time > chunk.last_time) continue;
     try {
       file.read(i, [&](const McapMessage& message) {
-        if (message.log_time == time && message.channel->topic == "/timings")
-          logged::Decoder::decode(message.data, found.emplace());
+        if (message.log_time != time || message.channel->topic != "/timings") return;
+        logged::Timing timing;
+        logged::Decoder::decode(message.data, timing);
+        found = timing;
       });
-    } catch (const Error&) {  // the tick is still good
-      found.reset();
+    } catch (const Error&) {  // the tick is still good, and what was read before
     }
   }
   if (!found) return std::nullopt;
@@ -100,6 +96,7 @@ class Search {
         }) {}
 
   TickExplanation run() {
+    scenario_.emplace(body_names(log_.header()));
     log_.skip_until(time_ - kEventWindow);
     MotionPlan before;
     bool has_before = false;
@@ -156,8 +153,8 @@ class Search {
   void take_change(const McapMessage& message) {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
-    if (change.kind == "push" || change.kind == "pull")
-      by_operator_.insert(by_operator_.end(), {change.time, change.time + change.duration});
+    scenario_->acts(change);
+    if (change.kind == "pull" && !first_pull_) first_pull_ = change;
     if (!told_.tells(change) || change.time > time_ + kEventWindow) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
   }
@@ -174,21 +171,29 @@ class Search {
     if (time < time_ - kEventWindow || time > time_ + kEventWindow) return;
     logged::OutsideTruth truth;
     logged::Decoder::decode(message.data, truth);
+    scenario_->leave(time, truth.xfrc_applied);
+    if (std::isnan(first_seen_)) first_seen_ = time;
     const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
     begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
   }
 
+  /// A pull that acted already when reading began: of it the first change is known alone.
+  [[nodiscard]] bool is_pull_from_before(const AppliedForce& force) const {
+    return first_pull_ && force.from == first_seen_ && force.body < found_.bodies.size() &&
+           found_.bodies[force.body] == first_pull_->body &&
+           std::abs(force.to - first_pull_->time) < 0.5 * found_.header.control_period;
+  }
+
   /// Those of the operator are told by what the operator did.
   void add_forces() {
     const auto add = [this](double time, const std::string& text) {
-      const auto is_told = [&](double told) { return std::abs(told - time) < 0.01; };
-      if (std::ranges::any_of(by_operator_, is_told)) return;
       const auto later = std::ranges::upper_bound(found_.events, time, {}, &NearbyEvent::time);
       found_.events.insert(later, {time, text, "", "outside"});
     };
     for (const AppliedForce& force : begun_)
       add(force.from, "pushed by " + applied_force_text(force, found_.bodies));
+    std::erase_if(ended_, [this](const AppliedForce& one) { return is_pull_from_before(one); });
     for (const AppliedForce& force : ended_)
       add(force.to, "the push on " + body_text(force.body, found_.bodies) + " ends");
   }
@@ -206,18 +211,20 @@ class Search {
     const bool is_inside = first <= time_ && time_ <= last;
     const char* why = problem.empty() ? " s, where the clock skips: the controller was not called"
                                       : " s, where no tick can be read";
-    throw Error(path_ + ": --at is " + number(time_, "%.6g") + (is_inside ? why : " s") +
-                "; the log goes from " + number(first, "%.6g") + " s to " + number(last, "%.6g") +
-                " s" + problem);
+    throw Error(path_ + ": --at is " + formatted("%.6g", time_) + (is_inside ? why : " s") +
+                "; the log goes from " + formatted("%.6g", first) + " s to " +
+                formatted("%.6g", last) + " s" + problem);
   }
 
   std::string path_;
   double time_, nearest_ = kNaN;
   double yaw_ = kNaN;  // believed at the last tick
   ToldChanges told_;
+  std::optional<ScenarioForces> scenario_;
   AppliedForceWatch forces_;
   std::vector<AppliedForce> begun_, ended_;
-  std::vector<double> by_operator_;  // begins and ends of pushes and pulls [s]
+  double first_seen_ = kNaN;  // of the forces [s]
+  std::optional<logged::Change> first_pull_;
   LogReader log_;
   TickRecord tick_;
   TickExplanation found_;
@@ -254,7 +261,28 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string named(const CostlyRow& row) { return row.level + " " + row.row; }
+/// A row by its level's name, without that of its own where it says no more: torso_height height.
+/// `before`: the row that is told before it; its level is told once.
+std::string named(const CostlyRow& row, const CostlyRow* before) {
+  if (row.level.ends_with("_" + row.row)) return row.level;
+  const bool is_told = before != nullptr && before->level == row.level;
+  return is_told ? row.row : row.level + " " + row.row;
+}
+
+bool has_costs(const LevelThatGaveWay& level) {
+  return !level.to.empty() &&
+         level.to.front().cost > kResidualRounding;  // the dearest stands first
+}
+
+bool is_same(const CostlyRow& a, const CostlyRow& b) {
+  return a.level == b.level && a.row == b.row;
+}
+
+/// Of levels that nothing costs anything alone.
+bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
+  return a.to.size() > 1 && !has_costs(a) && !has_costs(b) &&
+         std::ranges::is_permutation(a.to, b.to, is_same);
+}
 
 std::string clause(const LevelThatGaveWay& level, bool is_known) {
   const std::string unit = level.unit.empty() ? "" : " " + level.unit;
@@ -262,14 +290,37 @@ std::string clause(const LevelThatGaveWay& level, bool is_known) {
   if (level.to.empty())
     return text + (is_known ? " to nothing above: its own rows can't all be had"
                             : "; to what is not known");
-  const bool has_cost = level.to.front().cost > kResidualRounding;  // the dearest stands first
   std::vector<std::string> rows;
-  for (const CostlyRow& row : level.to)
-    rows.push_back(named(row) + (has_cost ? " (" + number(row.cost) + unit + ")" : ""));
-  text += " to " + joined(rows);
-  if (has_cost) return text;
-  return text + (rows.size() == 1 ? ", which costs nothing alone"
-                                  : ", none of which costs anything alone");
+  for (std::size_t i = 0; i < level.to.size(); ++i) {
+    const CostlyRow& row = level.to[i];
+    rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) +
+                   (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
+  }
+  return text + " to " + joined(rows);
+}
+
+/// What the clauses of levels leave out: that rows without a cost cost nothing alone.
+std::string without_costs(const std::vector<LevelThatGaveWay>& levels) {
+  const auto has_none = [](const LevelThatGaveWay& level) {
+    return !level.to.empty() && !has_costs(level);
+  };
+  if (std::ranges::none_of(levels, has_none)) return "";
+  if (levels.size() > 1) return "; rows without a number cost nothing alone";
+  return levels.front().to.size() == 1 ? ", which costs nothing alone"
+                                       : ", none of which costs anything alone";
+}
+
+std::string clauses(const std::vector<LevelThatGaveWay>& levels, bool is_known) {
+  std::string text;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const LevelThatGaveWay& level = levels[i];
+    const std::string unit = level.unit.empty() ? "" : " " + level.unit;
+    const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
+    text += (i == 0 ? "" : "; ") +
+            (goes_on ? level.name + " gave way by " + number(level.residual) + unit + " to the same"
+                     : clause(level, is_known));
+  }
+  return text + without_costs(levels);
 }
 
 std::string nothing_gave_way(const std::vector<LevelThatGaveWay>& restless) {
@@ -338,10 +389,14 @@ std::string gave_way_sentence(const TickExplanation& explanation) {
   std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
   std::erase_if(levels, &LevelThatGaveWay::restless);
   if (levels.empty()) return nothing_gave_way(restless) + cut_off(explanation);
-  std::string text;
-  for (const LevelThatGaveWay& level : levels)
-    text += (text.empty() ? "" : "; ") + clause(level, tick.hierarchy.blocking_is_known);
-  return text + "." + cut_off(explanation);
+  return clauses(levels, tick.hierarchy.blocking_is_known) + "." + cut_off(explanation);
+}
+
+bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
+  const double normal = explanation.forces.normal[index(leg)];
+  const double most = explanation.tick.plan.feet[index(leg)].force_max;
+  return normal < -kLoaded || normal > most + kLoaded ||
+         explanation.forces.friction_use[index(leg)] > 1.0 + kSlack;
 }
 
 double true_friction_use(const TrueContact& contact) {

@@ -73,6 +73,10 @@ struct LevelThatGaveWay {
 /// RH (0.1)."
 [[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
 
+/// The solution asks a foot for a force that its limits exclude, as the levels that keep them gave
+/// way: nobody gives it that.
+[[nodiscard]] bool is_beyond_limits(const TickExplanation& explanation, Leg leg);
+
 /// Share of the round friction cone of the true ground that its force uses; NaN of a foot without
 /// load.
 [[nodiscard]] double true_friction_use(const TrueContact& contact);

@@ -3,14 +3,13 @@
 #include "app/hierarchy_status.hpp"
 #include "app/results_table.hpp"
 #include "app/stop_text.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace surefoot {
 namespace {
@@ -19,13 +18,6 @@ using Table = std::vector<std::vector<std::string>>;
 
 constexpr double kDegrees = 180.0 / kPi;
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 256> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 /// Without the sign of what is rounded away.
 double rounded(double value, double unit) {
   const double result = std::round(value / unit) * unit;
@@ -33,7 +25,7 @@ double rounded(double value, double unit) {
 }
 
 std::string known(double value, const char* format) {
-  return std::isnan(value) ? "–" : text(format, value);
+  return std::isnan(value) ? "–" : formatted(format, value);
 }
 
 std::string pose(const Vec3& p, const Quat& q) {
@@ -41,47 +33,45 @@ std::string pose(const Vec3& p, const Quat& q) {
   const Mat3 R = q.toRotationMatrix();
   const Vec3 angles = roll_pitch_yaw(R) * kDegrees;
   const double tilt = std::acos(std::clamp(R(2, 2), -1.0, 1.0)) * kDegrees;
-  return text("x %.3f, y %.3f, z %.3f m; roll %.1f°, pitch %.1f°, yaw %.1f°; tilt %.1f°",
-              rounded(p.x(), 1e-3), rounded(p.y(), 1e-3), rounded(p.z(), 1e-3),
-              rounded(angles.x(), 0.1), rounded(angles.y(), 0.1), rounded(angles.z(), 0.1), tilt);
+  return formatted("x %.3f, y %.3f, z %.3f m; roll %.1f°, pitch %.1f°, yaw %.1f°; tilt %.1f°",
+                   rounded(p.x(), 1e-3), rounded(p.y(), 1e-3), rounded(p.z(), 1e-3),
+                   rounded(angles.x(), 0.1), rounded(angles.y(), 0.1), rounded(angles.z(), 0.1),
+                   tilt);
 }
 
 std::string velocity(const Vec3& v, const Vec3& w) {
   if (!v.allFinite() || !w.allFinite()) return "not known";
-  return text("%.3f, %.3f, %.3f m/s; turns by %.3f, %.3f, %.3f rad/s", rounded(v.x(), 1e-3),
-              rounded(v.y(), 1e-3), rounded(v.z(), 1e-3), rounded(w.x(), 1e-3),
-              rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
+  return formatted("%.3f, %.3f, %.3f m/s; turns by %.3f, %.3f, %.3f rad/s", rounded(v.x(), 1e-3),
+                   rounded(v.y(), 1e-3), rounded(v.z(), 1e-3), rounded(w.x(), 1e-3),
+                   rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
 }
 
 std::string asked(const UserCommand& user) {
-  if (!user.walk) return text("stands, height %+g m", user.height);
-  return text("walks, %g m/s forward, %g m/s to the left, turns by %g rad/s, height %+g m",
-              user.velocity.x(), user.velocity.y(), user.yaw_rate, user.height);
+  if (!user.walk) return formatted("stands, height %+g m", user.height);
+  return formatted("walks, %g m/s forward, %g m/s to the left, turns by %g rad/s, height %+g m",
+                   user.velocity.x(), user.velocity.y(), user.yaw_rate, user.height);
 }
 
 std::string largest_torque(const TickExplanation& explanation) {
   Eigen::Index joint = 0;
   const LogRobot& robot = explanation.header.robot;
   const double torque = explanation.tick.command.torque.cwiseAbs().maxCoeff(&joint);
-  return text("largest torque %.1f N·m", torque) + " at " +
+  return formatted("largest torque %.1f N·m", torque) + " at " +
          robot.joint_names[static_cast<std::size_t>(joint)] +
-         text(" of %g", robot.torque_limit[joint]);
+         formatted(" of %g", robot.torque_limit[joint]);
 }
 
 std::string faults(const SensorHealth& health) {
   std::string out;
-  const auto add = [&](const char* group, const GroupHealth& one) {
-    if (one.fault == SampleFault::none) return;
-    out += (out.empty() ? "" : ", ") + std::string(group) + " " +
-           (one.fault == SampleFault::jump
-                ? "too fast"
-                : std::string(logged::kFaultNames[static_cast<std::size_t>(one.fault)])) +
-           text(" (last good %.4f s ago)", one.age);
-  };
-  add("encoders", health.encoders);
-  add("joint torques", health.joint_torques);
-  add("IMU", health.imu);
-  return out.empty() ? "sensors are good" : "sensors: " + out;
+  for (const FaultText& fault : faults_of(health))
+    out += (out.empty() ? "" : ", ") + fault.text + formatted(" (last good %.4f s ago)", fault.age);
+  return out.empty() ? "sensors are good" : "sensors now: " + out;
+}
+
+bool has_wishes(const TickExplanation& explanation) {
+  return explanation.tick.command.mode == CommandMode::optimal &&
+         was_solved(explanation.tick.hierarchy) &&
+         std::ranges::any_of(kLegs, [&](Leg leg) { return is_beyond_limits(explanation, leg); });
 }
 
 std::string command(const TickExplanation& explanation) {
@@ -89,6 +79,7 @@ std::string command(const TickExplanation& explanation) {
   std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
   if (!why.empty()) out += " (" + why + ")";
+  if (has_wishes(explanation)) out += ", but for contact forces that no ground gives";
   return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
 }
 
@@ -99,9 +90,10 @@ std::string facts(const TickExplanation& explanation) {
   if (explanation.truth)
     table.push_back({"in truth", pose(explanation.truth->p_WB, explanation.truth->q_WB)});
   if (explanation.estimate)
-    table.push_back({"is off by", text("%.1f cm, %.1f° in heading, counted from the first tick",
-                                       100.0 * explanation.estimate->position_error,
-                                       std::abs(explanation.estimate->heading_error) * kDegrees)});
+    table.push_back(
+        {"is off by", formatted("%.1f cm, %.1f° in heading, counted from the first tick",
+                                100.0 * explanation.estimate->position_error,
+                                std::abs(explanation.estimate->heading_error) * kDegrees)});
   for (const AppliedForce& force : explanation.applied)
     table.push_back({"pushed by", applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
@@ -115,7 +107,7 @@ std::string facts(const TickExplanation& explanation) {
 
 std::string true_force(const TrueContact& contact) {
   if (!contact.touching) return "in the air";
-  return text("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
+  return formatted("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
 }
 
 /// Of a tick that solved nothing: plan and commanded forces are not of it.
@@ -141,8 +133,9 @@ std::string feet_table(const TickExplanation& explanation) {
     const bool carries = in_contact(foot.phase);
     table.push_back({std::string(kLegNames[k]),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
-                     known(rounded(explanation.forces.normal[k], 0.1), "%.1f N"),
-                     carries ? text("%.0f N", foot.force_max) : "–",
+                     known(rounded(explanation.forces.normal[k], 0.1), "%.1f N") +
+                         (is_beyond_limits(explanation, leg) ? " *" : ""),
+                     carries ? formatted("%.0f N", foot.force_max) : "–",
                      known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
     if (!explanation.truth) continue;
@@ -150,7 +143,10 @@ std::string feet_table(const TickExplanation& explanation) {
     table.back().push_back(true_force(contact));
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
-  return aligned(table);
+  return aligned(table) +
+         (has_wishes(explanation)
+              ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
+              : "");
 }
 
 std::string level_table(const TickExplanation& explanation) {
@@ -162,12 +158,12 @@ std::string level_table(const TickExplanation& explanation) {
     const auto& [names, units] =
         std::tie(explanation.header.level_names, explanation.header.level_units);
     const std::string unit = k < units.size() && !units[k].empty() ? " " + units[k] : "";
-    table.push_back({std::to_string(place + 1) + " " + (k < names.size() ? names[k] : "level"),
-                     level.residual > kResidualRounding ? text("%.3g", level.residual) + unit : "0",
-                     std::to_string(level.num_rows), std::to_string(level.num_active),
-                     std::to_string(level.degrees_of_freedom_left),
-                     std::to_string(level.iterations),
-                     known(level_time(explanation, k), "%.1f µs")});
+    table.push_back(
+        {std::to_string(place + 1) + " " + (k < names.size() ? names[k] : "level"),
+         level.residual > kResidualRounding ? formatted("%.3g", level.residual) + unit : "0",
+         std::to_string(level.num_rows), std::to_string(level.num_active),
+         std::to_string(level.degrees_of_freedom_left), std::to_string(level.iterations),
+         known(level_time(explanation, k), "%.1f µs")});
   }
   return aligned(table);
 }
@@ -191,10 +187,10 @@ std::string at_bounds(const TickExplanation& explanation) {
 
 std::string events(const TickExplanation& explanation) {
   if (explanation.events.empty()) return "";
-  std::string out = text("Events within %g s:\n", kEventWindow);
+  std::string out = formatted("Events within %g s:\n", kEventWindow);
   for (const NearbyEvent& event : explanation.events) {
-    out += text("  %9.4f s  %+.4f s  ", event.time,
-                rounded(event.time - explanation.tick.reading.time, 1e-6)) +
+    out += formatted("  %9.4f s  %+.4f s  ", event.time,
+                     rounded(event.time - explanation.tick.reading.time, 1e-6)) +
            (event.leg.empty() ? "" : event.leg + ": ") + event.text + "\n";
   }
   return out;
@@ -206,9 +202,9 @@ std::string tick_text(const std::string& path, const TickExplanation& explanatio
   const LogHeader& header = explanation.header;
   std::string out = path + ": " + header.scenario + ", seed " + std::to_string(header.seed) +
                     ", stack " + header.stack +
-                    text(", at %.4f s\n\n", explanation.tick.reading.time);
+                    formatted(", at %.4f s\n\n", explanation.tick.reading.time);
   if (explanation.is_behind_end)
-    out += text("The log ends before %.6g s: this is its last tick.\n\n", explanation.asked);
+    out += formatted("The log ends before %.6g s: this is its last tick.\n\n", explanation.asked);
   out += gave_way_sentence(explanation) + "\n\n" + facts(explanation) + "\n";
   if (was_solved(explanation.tick.hierarchy)) {
     out += feet_table(explanation) + "\n";

@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/view/web_answer.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -42,6 +43,19 @@ std::vector<ViewMesh> ViewRobot::meshes() const {
     list.push_back({.uri = mesh.uri, .found = found, .bytes = error ? 0 : bytes});
   }
   return list;
+}
+
+std::string missing_meshes_text(const std::vector<ViewMesh>& meshes) {
+  constexpr std::size_t kTold = 3;
+  std::vector<std::string> names;
+  for (const ViewMesh& mesh : meshes)
+    if (!mesh.found) names.push_back(mesh.uri.substr(mesh.uri.rfind('/') + 1));
+  if (names.empty()) return "";
+  std::string text = "the page shows primitives, as these meshes are missing: ";
+  for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kTold) text += " and " + std::to_string(names.size() - kTold) + " more";
+  return text + "; $SUREFOOT_ROBOT_PACKAGES says where they are looked for";
 }
 
 WebAnswer ViewRobot::get(std::string_view path) const {

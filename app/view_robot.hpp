@@ -29,4 +29,8 @@ class ViewRobot {
   std::vector<MeshFile> meshes_;
 };
 
+/// That the page shows primitives for meshes that are missing, and where they are looked for; empty
+/// where none is.
+[[nodiscard]] std::string missing_meshes_text(const std::vector<ViewMesh>& meshes);
+
 }  // namespace surefoot

@@ -203,6 +203,7 @@ class Stretches final : public RunSteering {
     if (tick_ % length_ >= settling_) count(timing.total, cpu);
     ++tick_;
   }
+  void end(double time) override { view_.end(time); }
 
   std::array<std::vector<Tick>, 2> ticks;  // without pages, and with
   long unsettled = 0;                      // left out: not as many pages as there should be

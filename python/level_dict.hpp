@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/nearest_name.hpp"
+#include "surefoot/config/number_range.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <nanobind/nanobind.h>
@@ -38,6 +39,8 @@ class LevelDict {
     }
     dict_ = nb::borrow<nb::dict>(given);
     check_keys();
+    if (has("name") && !nb::isinstance<nb::str>(dict_["name"]))
+      fail("name is " + text(nb::repr(dict_["name"])) + "; expected a text");
   }
 
   [[noreturn]] void fail(const std::string& message) const { throw Error(place_ + ": " + message); }
@@ -109,10 +112,17 @@ class LevelDict {
         numbers.data(), static_cast<Eigen::Index>(numbers.shape(0)),
         static_cast<Eigen::Index>(numbers.shape(1)));
     for (Eigen::Index i = 0; i < result.size(); ++i) {
-      if (std::isfinite(result.data()[i])) continue;
-      const std::string place =
-          std::to_string(i / result.cols()) + ", " + std::to_string(i % result.cols());
-      fail(key + "[" + place + "] is " + text(result.data()[i]) + "; expected a finite number");
+      const double number = result.data()[i];
+      if (std::abs(number) <= kLargestNumber) continue;
+      const std::string place = key + "[" + std::to_string(i / result.cols()) + ", " +
+                                std::to_string(i % result.cols()) + "] ";
+      if (std::isfinite(number)) fail(place + too_large(text(number)));
+      fail(place + "is " + text(number) + "; expected a finite number");
+    }
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+      const double largest = result.row(i).lpNorm<Eigen::Infinity>();
+      if (largest == 0.0 || largest >= kSmallestRow) continue;
+      fail(key + "[" + std::to_string(i) + "] " + too_small(text(largest)));
     }
     return result;
   }
@@ -129,8 +139,10 @@ class LevelDict {
            count(block.A.rows(), "row") + "; expected one element for each row");
     }
     for (Eigen::Index i = 0; i < result.size(); ++i) {
-      if (std::isnan(result[i]))
-        fail(key + "[" + std::to_string(i) + "] is nan; expected a number");
+      const std::string place = key + "[" + std::to_string(i) + "] ";
+      if (std::isnan(result[i])) fail(place + "is nan; expected a number");
+      if (std::isfinite(result[i]) && std::abs(result[i]) > kLargestNumber)
+        fail(place + too_large(text(result[i])));
     }
     return result;
   }

@@ -98,15 +98,9 @@ inline NamedSolution solve_levels(const nb::list& levels, const std::string& met
   check_method(method, budget);
   const auto [hierarchy, row_names] = read_hierarchy(levels);
   const Solution solution = solve(hierarchy, method, budget);
-  if (solution.status == SolveStatus::invalid_input && solution.failed_level < 0) {
+  if (solution.status == SolveStatus::invalid_input) {
     throw Error(
         "the answer is beyond the range of doubles; expected rows and bounds of similar size");
-  }
-  if (solution.status == SolveStatus::invalid_input) {
-    const auto failed = static_cast<std::size_t>(solution.failed_level);
-    throw Error("level " + std::to_string(failed + 1) + ": A or D holds " +
-                text(hierarchy.level(failed).A().cwiseAbs().maxCoeff()) +
-                ", too large to compute with; expected at most about 1e100");
   }
   NamedSolution result;
   result.status = solution.status == SolveStatus::optimal ? "optimal" : "iteration_cap";

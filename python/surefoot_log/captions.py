@@ -4,10 +4,13 @@ import pathlib
 from functools import cache
 
 import matplotlib
+import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from surefoot_log.frames import CARRIES
+
 INK, SOFT, PANEL = (28, 31, 35, 255), (92, 99, 107, 255), (255, 255, 255, 205)
-LEG_COLOURS = {"stance": (0, 114, 178, 255), "unloading": (0, 114, 178, 255), "swing": (255, 255, 255, 235), "search": (213, 94, 0, 255)}
+LEG_COLOURS = {"stance": SOFT, "unloading": SOFT, "swing": (255, 255, 255, 235), "search": (201, 161, 0, 255)}
 LIGHT = (255, 255, 255, 255)
 LEGS = ("LH", "LF", "RH", "RF")  # as they stand, the robot's front to the right
 
@@ -30,21 +33,44 @@ def also(others):
     return f"; {' and '.join(words_of(other) for other in others)} {'gives' if len(others) == 1 else 'give'} way too"
 
 
+def told(by, row):
+    """A row by its level's name, without that where it says no more."""
+    return words_of(by) if words_of(by).endswith(f" {words_of(row)}") else f"{words_of(by)} {row}"
+
+
+def pushes_of(frame):
+    """What pushes the robot from outside."""
+    return " and ".join(f"{np.linalg.norm(force):.3g} N" for _, force, _ in frame.pushes)
+
+
 def sentence(frame, units):
-    """What gave way to what, in a line; empty where nothing did."""
+    """That the controller has stopped, or what gave way to what, in a line; empty where nothing did."""
+    if frame.stop:
+        return f"the controller has stopped for safety: {frame.stop}"
     if frame.gave_way is None:
         return ""
     level, residual, row, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 100 else ".0f"
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {words_of(by)} {row}{also(others)}"
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {told(by, row)}{also(others)}"
+
+
+def wrapped(text, length, room):
+    """The text in lines that are not longer than `room`, as `length` has them, where its words allow that."""
+    lines = []
+    for word in text.split():
+        if lines and length(f"{lines[-1]} {word}") <= room:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
 
 
 class Captions:
-    """Draws on images of one height."""
+    """Draws on images of one height; `scale`: of letters, larger in images that are shown small."""
 
-    def __init__(self, height, header):
-        self._unit = max(1.0, height / 45)  # pixels
+    def __init__(self, height, header, scale=1.0):
+        self._unit = max(1.0, scale * height / 45)  # pixels
         self._units = dict(zip(header["level_names"], header.get("level_units") or []))
 
     def draw(self, image, frame, title="", speed=1):
@@ -53,30 +79,45 @@ class Captions:
         draw = ImageDraw.Draw(canvas)
         unit, (width, height) = self._unit, image.size
         time = f"{frame.time:.2f} s" + (f"   ×{speed}" if speed != 1 else "")
-        self._line(draw, 1.2 * unit, height - 1.2 * unit, time, INK, bold=True)
-        self._legs(draw, (width - 1.2 * unit, height - 1.2 * unit), frame.phases)
-        lines = [(title, SOFT), (frame.event, INK), (sentence(frame, self._units), INK)]
-        for i, (text, colour) in enumerate([line for line in lines if line[0]]):
-            self._line(draw, 1.2 * unit, (4.0 + 3.1 * i) * unit, text, colour)
+        self._panel(draw, 1.2 * unit, height - 4.0 * unit, [time], INK, bold=True)
+        self._legs(draw, (width - 1.2 * unit, height - 1.2 * unit), frame)
+        top = 1.2 * unit
+        push = pushes_of(frame)
+        for text, colour in [(title, SOFT), (frame.event, INK), (push and f"outside force {push}", INK), (sentence(frame, self._units), INK)]:
+            if text:
+                top = self._text(draw, top, text, colour) + 0.3 * unit
         return Image.alpha_composite(image.convert("RGBA"), canvas).convert("RGB")
 
-    def _line(self, draw, x, y, text, colour, bold=False):
-        """A line on a panel whose lower left corner is x, y; a long one in smaller letters."""
-        unit, room = self._unit, draw.im.size[0] - 2 * x - 1.4 * self._unit
-        size = round(1.75 * unit)
-        while size > 6 and draw.textlength(text, font(size, bold)) > room:
-            size -= 1
-        width = draw.textlength(text, font(size, bold))
-        draw.rounded_rectangle((x, y - 2.8 * unit, x + width + 1.4 * unit, y), radius=0.6 * unit, fill=PANEL)
-        draw.text((x + 0.7 * unit, y - 1.4 * unit), text, font=font(size, bold), fill=colour, anchor="lm")
+    def _text(self, draw, top, text, colour):
+        """Below `top`, over as many lines as it needs; returns where it ends."""
+        unit = self._unit
+        lines = wrapped(text, lambda line: draw.textlength(line, self._letters(False)), draw.im.size[0] - 3.8 * unit)
+        self._panel(draw, 1.2 * unit, top, lines, colour)
+        return top + self._height(lines)
 
-    def _legs(self, draw, corner, phases):
-        """A field a leg; blue carries, white swings, orange searches for ground."""
+    def _letters(self, bold):
+        return font(round(1.75 * self._unit), bold)
+
+    def _height(self, lines):
+        return (2.8 + 2.2 * (len(lines) - 1)) * self._unit
+
+    def _panel(self, draw, x, y, lines, colour, bold=False):
+        """Lines on a panel whose upper left corner is x, y."""
+        unit, letters = self._unit, self._letters(bold)
+        width = max(draw.textlength(line, letters) for line in lines)
+        draw.rounded_rectangle((x, y, x + width + 1.4 * unit, y + self._height(lines)), radius=0.6 * unit, fill=PANEL)
+        for i, line in enumerate(lines):
+            draw.text((x + 0.7 * unit, y + (1.4 + 2.2 * i) * unit), line, font=letters, fill=colour, anchor="lm")
+
+    def _legs(self, draw, corner, frame):
+        """A field a leg; grey carries, white is in the air, amber searches for ground."""
         unit, (right, bottom) = self._unit, corner
         for i, leg in enumerate(LEGS):
-            phase = phases.get(leg)
+            phase = frame.phases.get(leg)
             if phase is None:
                 continue
+            if phase in CARRIES and leg not in frame.carrying:
+                phase = "swing"
             x, y = right - 3.9 * unit * (2 - i % 2), bottom - 2.8 * unit * (2 - i // 2)
             box = (x, y, x + 3.6 * unit, y + 2.5 * unit)
             draw.rounded_rectangle(box, radius=0.5 * unit, fill=LEG_COLOURS[phase], outline=SOFT, width=max(1, round(unit / 8)))

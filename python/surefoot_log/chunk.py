@@ -39,6 +39,17 @@ def opened(chunk):
     return data
 
 
+def message(content, channels, topics=None):
+    """Gives the message that a record's content is, if it is of those topics."""
+    if len(content) < MESSAGE.size:
+        raise Damaged("a record is shorter than it says")
+    channel, _, time, _ = MESSAGE.unpack_from(content)
+    if channel not in channels:
+        raise Damaged("a message's channel is unknown")
+    if topics is None or channels[channel].topic in topics:
+        yield Message(channels[channel].topic, time, content[MESSAGE.size :])
+
+
 def messages(chunk, schemas, channels, topics=None):
     """Gives the messages one by one, of some topics only if they are named; keeps the chunk's schemas and channels, by their ids."""
     data = memoryview(opened(chunk))
@@ -54,11 +65,7 @@ def messages(chunk, schemas, channels, topics=None):
             raise Damaged("a record is shorter than it says")
         at += length
         if opcode == Opcode.MESSAGE:
-            channel, _, time, _ = MESSAGE.unpack_from(content)
-            if channel not in channels:
-                raise Damaged("a message's channel is unknown")
-            if topics is None or channels[channel].topic in topics:
-                yield Message(channels[channel].topic, time, content[MESSAGE.size :])
+            yield from message(content, channels, topics)
         elif opcode == Opcode.SCHEMA:
             schema = Schema.read(ReadDataStream(io.BytesIO(content)))
             schemas[schema.id] = schema

@@ -10,10 +10,10 @@ from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
 from surefoot_log import meshes
 from surefoot_log.foxglove_ground import ground_entity
-from surefoot_log.frames import CARRIES, LEGS, LOADED, FrameMaker, nothing_to_show
+from surefoot_log.frames import LOADED, FrameMaker, nothing_to_show
 from surefoot_log.offscreen import mujoco
 from surefoot_log.operator_text import heading_of, operator_text
-from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull
+from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull, push_arrow
 from surefoot_log.table import check_topics, written_whole
 from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
 
@@ -142,9 +142,9 @@ def scene_entities(frame, foot_radius, places):
     time = nanoseconds(frame.time)
     arrows = [shapes.arrow(touch.point, touch.force, METRES_PER_NEWTON, colour_of_use(touch.friction_use))
               for touch in frame.forces if np.linalg.norm(touch.force) > LOADED / 4]  # fmt: skip
-    pushes = [shapes.arrow(places[body] - 2 * METRES_PER_NEWTON * push, push, 2 * METRES_PER_NEWTON, PUSH) for body, push in frame.pushes]
+    pushes = [shapes.arrow(*push_arrow(places[body], force, torque), 1.0, PUSH) for body, force, torque in frame.pushes]
     entities = [shapes.entity("forces", WORLD, time, arrows=arrows), shapes.entity("pushes", WORLD, time, arrows=pushes)]
-    feet = [frame.p_WF[leg] for leg in LEGS if leg in frame.p_WF and frame.phases.get(leg) in CARRIES]
+    feet = frame.carrying_feet
     level = max((foot[2] for foot in feet), default=0.0) - foot_radius + 0.003
     corners = hull([(*foot[:2], level) for foot in feet]) if len(feet) > 2 else []
     lines = [shapes.loop(corners, 0.008, (*POLYGON, 1.0))] if corners else []

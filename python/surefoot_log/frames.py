@@ -6,12 +6,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from surefoot_campaign.errors import InputError
+from surefoot_log.stop_text import stop_text
 
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
-TOPICS = {"/truth", "/plan", "/state", "/hierarchy", "/command"}
+TOPICS = {"/truth", "/plan", "/state", "/health", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
 LOADED = 20.0  # N: what a foot that carries has at least
+LEAST_PUSH = 1e-6  # N: less is of a step that a push touches by rounding
 
 
 @dataclass(frozen=True)
@@ -47,11 +49,23 @@ class Frame:
     p_WCom: np.ndarray | None = None
     p_WF: dict = field(default_factory=dict)
     forces: list = field(default_factory=list)  # of each touching foot a Touch
-    pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N])
+    pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N], torque about its centre of mass [N·m])
     phases: dict = field(default_factory=dict)
     event: str = ""
     mode: str = "optimal"
+    stop: str = ""  # why the controller has stopped for safety; empty: it has not
     gave_way: tuple | None = None  # (level, residual, row that cost most, level of that row, other levels that gave way)
+
+    @property
+    def carrying(self):
+        """Legs that are to carry the robot and, where the truth is known, touch the ground."""
+        touching = {touch.leg for touch in self.forces}
+        return [leg for leg, phase in self.phases.items() if phase in CARRIES and (self.p_WCom is None or leg in touching)]
+
+    @property
+    def carrying_feet(self):
+        """Where these legs stand; none where the truth is not known."""
+        return [self.p_WF[leg] for leg in self.carrying if leg in self.p_WF]
 
 
 @dataclass
@@ -122,7 +136,9 @@ def frame_of(tick, header, event):
     seen = truth or {"qpos": state["p_WB"] + state["q_WB"] + state["q"], "p_WB": state["p_WB"]}
     frame = Frame(state["time"], seen["qpos"], np.array(seen["p_WB"]), event=event)
     frame.phases = {leg: foot["phase"] for leg, foot in plan.get("feet", {}).items()}
-    frame.mode = decoded.get("/command", {}).get("mode", "optimal")
+    command = decoded.get("/command", {})
+    frame.mode = command.get("mode", "optimal")
+    frame.stop = stop_text(command, decoded.get("/health", {}))
     frame.gave_way = gave_way(decoded.get("/hierarchy", {}), header)
     if truth is not None:
         add_truth(frame, truth)
@@ -136,8 +152,8 @@ def add_truth(frame, truth):
         foot = truth["feet"][leg]
         if foot["touching"]:
             frame.forces.append(Touch(leg, *(np.array(foot[name]) for name in ("point", "force", "normal")), foot["friction"]))
-    pushes = np.array(truth["xfrc_applied"]).reshape(-1, 6)[:, :3]
-    frame.pushes = [(body, push) for body, push in enumerate(pushes) if push.any()]
+    pushes = np.array(truth["xfrc_applied"]).reshape(-1, 6)
+    frame.pushes = [(body, push[:3], push[3:]) for body, push in enumerate(pushes) if np.linalg.norm(push[:3]) > LEAST_PUSH]
 
 
 def visible_residuals(header):

@@ -34,6 +34,8 @@ DATA_END = HEAD.size + 4  # the record before the index [bytes]
 FOOTER = HEAD.size + 20 + len(MAGIC)  # with what stands behind it [bytes]
 LARGEST_INDEX = 1 << 28  # [bytes]
 TOLD = 4  # places of damage
+OTHER_COMPRESSION = ("its chunks are compressed with lz4; chunks with zstd or without compression would be valid: "
+                     "`mcap compress LOG -o NEW.mcap --compression zstd` rewrites it")
 KINDS = {Opcode.ATTACHMENT: Attachment, Opcode.CHANNEL: Channel, Opcode.CHUNK: Chunk, Opcode.DATA_END: DataEnd, Opcode.FOOTER: Footer,
          Opcode.SCHEMA: Schema}
 
@@ -159,7 +161,9 @@ def summary_of(file):
 
 
 def read_record(opcode, file, length):
-    """A record of those that matter here; None of the others."""
+    """A record of those that matter here, of a message its bytes; None of the others."""
+    if opcode == Opcode.MESSAGE:
+        return file.read(length)
     if opcode not in KINDS:
         return None
     stream = ReadDataStream(io.BytesIO(file.read(length)))
@@ -231,7 +235,7 @@ class LogFile:
         return header
 
     def _records(self):
-        """The file's chunks; keeps what belongs to the file as a whole."""
+        """The file's chunks, and messages outside of chunks; keeps what belongs to the file as a whole."""
         with open(self.path, "rb") as file:
             walk = Walk(file, self.path.stat().st_size)
             self._at = len(MAGIC)
@@ -245,7 +249,9 @@ class LogFile:
                 except chunk.Damaged as damage:
                     self._lose(str(damage), self._at)
                     continue
-                if isinstance(record, Chunk):
+                if isinstance(record, Chunk) and record.compression == "lz4":
+                    raise InputError(f"{self.path}: {OTHER_COMPRESSION}")
+                if opcode in (Opcode.CHUNK, Opcode.MESSAGE):
                     yield record
                 else:
                     self._keep(record)
@@ -304,13 +310,17 @@ class LogFile:
 
     def messages(self, topics=None, wanted=lambda record: True):
         """The messages, all or those of some topics, one after the other; of wanted chunks only, where
-        others are not even decompressed. What is damaged is passed over."""
+        others are not even decompressed, and those outside of chunks. What is damaged is passed over."""
         self._closed, self._end, self.losses = False, "", []
-        for record in filter(wanted, self._records()):
+        for record in self._records():
+            is_chunk = isinstance(record, Chunk)
             try:
-                yield from chunk.messages(record, self.schemas, self.channels, topics)
+                if not is_chunk:
+                    yield from chunk.message(memoryview(record), self.channels, topics)
+                elif wanted(record):
+                    yield from chunk.messages(record, self.schemas, self.channels, topics)
             except chunk.Damaged as damage:
-                self._lose(str(damage), self._at, (record.message_start_time, record.message_end_time))
+                self._lose(str(damage), self._at, (record.message_start_time, record.message_end_time) if is_chunk else None)
         if not self._closed:
             self._end = f"cut off at byte {self._at}"
 

@@ -1,22 +1,32 @@
-"""What is drawn over the robot: ground forces, support polygon, centre of mass, pushes."""
+"""What is drawn over the robot: ground forces, support polygon, centre of mass."""
 
 import numpy as np
 
-from surefoot_log.frames import CARRIES, LOADED
+from surefoot_log.frames import LOADED
 from surefoot_log.offscreen import mujoco
 
 METRES_PER_NEWTON = 0.0022
-# Colours of Okabe and Ito, which colour-blind people can tell apart.
-SAFE, NEAR, SLIDES = np.array([0.0, 0.45, 0.70]), np.array([0.90, 0.62, 0.0]), np.array([0.84, 0.37, 0.0])
-COM, POLYGON, PUSH = (0.80, 0.47, 0.65, 1.0), (0.0, 0.62, 0.45), (0.84, 0.37, 0.0, 1.0)
+SEEN_LENGTH = 0.2  # m: so much longer is the arrow of a push, which begins inside of the robot
+BODY_REACH = 1.0  # m: no body reaches further from its centre of mass
+# Like those of the viewer's page: none of them a leg's, and colour-blind people can tell them apart.
+SAFE, NEAR, SLIDES = np.array([0.48, 0.52, 0.55]), np.array([0.79, 0.63, 0.0]), np.array([0.0, 0.0, 0.0])
+COM, POLYGON, PUSH = (0.11, 0.12, 0.14, 1.0), (0.19, 0.40, 0.40), (0.94, 0.89, 0.26, 1.0)
 ABOVE_GROUND = 0.004  # m: what lies on the ground is drawn so far above it
 
 
 def colour_of_use(use):
-    """Of a force by the share of its friction cone: blue, yellow at 0.7, orange at 1."""
+    """Of a force by the share of its friction cone: grey, amber at 0.7, black at 1."""
     use = float(np.clip(use, 0.0, 1.0))
     mix = SAFE + (NEAR - SAFE) * use / 0.7 if use < 0.7 else NEAR + (SLIDES - NEAR) * (use - 0.7) / 0.3
     return (*mix, 1.0)
+
+
+def push_arrow(centre, force, torque):
+    """Begins in the line in which the force acts, where that is nearest to the body's centre of mass: f × τ / |f|² from it."""
+    size = np.linalg.norm(force)
+    lever = np.cross(force, torque) / size**2
+    start = centre + (lever if np.linalg.norm(lever) <= BODY_REACH else 0.0)
+    return start, (SEEN_LENGTH / size + METRES_PER_NEWTON) * force
 
 
 def hull(points):
@@ -43,16 +53,13 @@ class Overlays:
     def __init__(self, scene, foot_radius):
         self._scene, self._radius = scene, foot_radius
 
-    def draw(self, frame, places):
-        """`places`: of the centres of mass of the physics' bodies."""
+    def draw(self, frame):
         self._polygon(frame)
         for touch in frame.forces:
             if np.linalg.norm(touch.force) > LOADED / 4:
                 self._arrow(touch.point, touch.point + METRES_PER_NEWTON * touch.force, 0.019, colour_of_use(touch.friction_use))
         if frame.p_WCom is not None:
             self._centre_of_mass(frame)
-        for body, push in frame.pushes:
-            self._arrow(places[body] - 2 * METRES_PER_NEWTON * push, places[body], 0.018, PUSH)
 
     def _new(self, kind, size, position, rotation, colour):
         if self._scene.ngeom >= self._scene.maxgeom:
@@ -67,18 +74,20 @@ class Overlays:
         geom = self._new(kind, [width] * 3, [0, 0, 0], np.eye(3), colour)
         if geom is not None:
             mujoco.mjv_connector(geom, kind, width, np.array(start, float), np.array(end, float))
+        return geom
 
     def _arrow(self, start, end, width, colour):
-        self._between(mujoco.mjtGeom.mjGEOM_ARROW, start, end, width, colour)
+        geom = self._between(mujoco.mjtGeom.mjGEOM_ARROW, start, end, width, colour)
+        if geom is not None:
+            geom.size[2] *= 2  # an arrow is drawn half as long
 
     def _ground(self, frame):
         """Height of the highest ground that carries, a little above it [m]."""
-        carrying = [position[2] for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
-        return max(carrying, default=0.0) - self._radius + ABOVE_GROUND
+        return max((foot[2] for foot in frame.carrying_feet), default=0.0) - self._radius + ABOVE_GROUND
 
     def _polygon(self, frame):
         """Level, over the highest foot that carries; from the lower ones a line goes up to it."""
-        feet = [position for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
+        feet = frame.carrying_feet
         if len(feet) < 3:
             return
         level = self._ground(frame)

@@ -7,6 +7,7 @@ from PIL import Image
 
 from surefoot_log.offscreen import mujoco
 from surefoot_log.overlays import Overlays
+from surefoot_log.push_arrows import draw_pushes
 
 SUN = np.array([-0.7, -1.4, 3.2])  # m from what is looked at
 SHOWN_GROUPS = (0, 1, 2, 3)
@@ -33,8 +34,9 @@ class Painter:
         mujoco.mj_camlight(self._model, data)
         data.light_xpos[self._sun] = point + SUN
         self._renderer.update_scene(data, view, self._options)
-        self._overlays.draw(frame, data.xipos)
-        return Image.fromarray(self._renderer.render())
+        self._overlays.draw(frame)
+        image = Image.fromarray(self._renderer.render())
+        return draw_pushes(image, frame.pushes, data.xipos, self._renderer.scene.camera) if frame.pushes else image
 
     def close(self):
         self._renderer.close()

@@ -13,7 +13,7 @@ from surefoot_log.frames import read_frames
 from surefoot_log.moments import Span, shortened, span_of_interest
 from surefoot_log.painter import painter
 from surefoot_log.scene import dress
-from surefoot_log.strip import QUALITY, TILE, make_strip
+from surefoot_log.strip import LETTERS, QUALITY, TILE, make_strip
 
 EVENT_SHOWN, GAVE_WAY_SHOWN = 1.2, 0.4  # s
 # Of a report: small, and made in some seconds.
@@ -59,6 +59,9 @@ class Lasting:
     def __init__(self, duration):
         self._duration, self._shown, self._until = duration, None, -1.0
 
+    def forget(self):
+        self._shown = None
+
     def update(self, value, time):
         if value:
             self._shown, self._until = value, time + self._duration
@@ -69,6 +72,8 @@ def with_lasting_words(pairs):
     event_shown, gave_way_shown = Lasting(EVENT_SHOWN), Lasting(GAVE_WAY_SHOWN)
     for frame, event in pairs:
         event = event_shown.update(event, frame.time) or ""
+        if frame.stop:  # nothing is solved any more
+            gave_way_shown.forget()
         yield replace(frame, event=event, gave_way=gave_way_shown.update(frame.gave_way, frame.time))
 
 
@@ -113,7 +118,7 @@ def make_report_pictures(log, folder):
     size = (TILE[0] * STRIP_SCALE, TILE[1] * STRIP_SCALE)
     scene = dressed(log, run, size, detail=COARSE)
     with painter(scene, run.header, size) as artist:
-        strip, moments = make_strip(run, lambda frame: artist.paint(frame, camera), Captions(TILE[1], run.header))
+        strip, moments = make_strip(run, lambda frame: artist.paint(frame, camera), Captions(TILE[1], run.header, LETTERS))
     strip.save(folder / "strip.jpg", quality=QUALITY, optimize=True)
     span = shortened(run.frames, span_of_interest(run.frames), CLIP_LENGTH)
     with painter(scene, run.header, CLIP_SIZE) as artist:

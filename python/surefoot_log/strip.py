@@ -6,6 +6,7 @@ from surefoot_log.moments import chosen, span_of_interest
 
 COLUMNS, ROWS = 4, 2
 TILE = (480, 330)  # pixels
+LETTERS = 1.7  # times as large as a film has them: a report shows four tiles side by side
 GAP = 6
 QUALITY = 82
 

@@ -22,6 +22,7 @@ void read_estimator(Section& section, LegInertialOptions& options) {
   section.number("gate", options.filter.gate, kPositive);
   section.number("foot_walk", options.foot_walk, kPositive);
   section.number("loose_foot_walk", options.loose_foot_walk, kPositive);
+  section.number("stance_turn", options.stance_turn, kNotNegative);
   section.number("trust_time", options.trust_time, kPositive);
   section.number("trust_force", options.trust_force, kPositive);
   section.section("start", [&](Section& s) { read_start(s, options.filter); });

@@ -8,6 +8,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -20,11 +24,14 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
 }
 
-/// A number, but none that is finite.
-bool is_not_finite(const std::string& word) {
+/// A number that no double holds: one that is not finite, or so small that it would become 0.
+bool is_out_of_range(const std::string& word) {
   char* end = nullptr;
   const double number = std::strtod(word.c_str(), &end);
-  return *end == '\0' && !std::isfinite(number);
+  if (*end != '\0') return false;
+  const std::string mantissa = word.substr(0, word.find_first_of("eE"));
+  const bool is_zero = mantissa.find_first_of("123456789") == std::string::npos;
+  return !std::isfinite(number) || (number == 0.0 && !is_zero);
 }
 
 /// Index after the text that begins at `begin`.
@@ -40,14 +47,14 @@ std::size_t skip_word(std::string_view line, std::size_t begin) {
   return i;
 }
 
-std::string quote_what_is_not_finite(std::string_view line) {
+std::string quote_what_is_out_of_range(std::string_view line) {
   std::string result;
   for (std::size_t i = 0; i < line.size();) {
     const bool is_text = line[i] == '"';
     const std::size_t end =
         is_text ? skip_text(line, i) : (is_word(line[i]) ? skip_word(line, i) : i + 1);
     const std::string word(line.substr(i, end - i));
-    const bool is_quoted = !is_text && is_word(line[i]) && is_not_finite(word);
+    const bool is_quoted = !is_text && is_word(line[i]) && is_out_of_range(word);
     result += is_quoted ? '"' + word + '"' : word;
     i = end;
   }
@@ -64,6 +71,42 @@ int depth_of(std::string_view line) {
   return deepest;
 }
 
+/// Watches a text while it is parsed, for keys that an object has twice: parsed, it has the last.
+class KeyWatch {
+ public:
+  void see(Json::parse_event_t event, const Json& value) {
+    using Event = Json::parse_event_t;
+    if (event == Event::key) return see_key(value.get_ref<const std::string&>());
+    const bool is_end = event == Event::object_end || event == Event::array_end;
+    if (is_end) return open_.pop_back();
+    if (!open_.empty()) ++open_.back().num_elements;
+    if (event != Event::value) open_.push_back({.is_array = event == Event::array_start});
+  }
+
+  /// Where the first is, and which; empty: there is none.
+  [[nodiscard]] const std::string& found() const { return found_; }
+
+ private:
+  struct Open {
+    bool is_array = false;
+    std::size_t num_elements = 0;
+    std::string key = {};  ///< the last
+    std::set<std::string> keys = {};
+  };
+
+  void see_key(const std::string& key) {
+    open_.back().key = key;
+    if (open_.back().keys.insert(key).second || !found_.empty()) return;
+    for (const Open& outer : std::span(open_).first(open_.size() - 1))
+      found_ += outer.is_array ? "element " + std::to_string(outer.num_elements) + ": "
+                               : outer.key + ": ";
+    found_ += "the key \"" + key + "\" is given twice";
+  }
+
+  std::vector<Open> open_;
+  std::string found_;
+};
+
 }  // namespace
 
 Json parse_json_line(std::string_view line, const std::string& place, const std::string& expected) {
@@ -71,8 +114,14 @@ Json parse_json_line(std::string_view line, const std::string& place, const std:
     throw FileError(place + ": is nested deeper than " + std::to_string(kDeepest) + "; expected " +
                     expected);
   }
+  KeyWatch keys;
+  const auto watch = [&keys](int, Json::parse_event_t event, const Json& value) {
+    keys.see(event, value);
+    return true;
+  };
+  Json result;
   try {
-    return Json::parse(quote_what_is_not_finite(line));
+    result = Json::parse(quote_what_is_out_of_range(line), watch);
   } catch (const Json::exception& error) {
     const std::string what = error.what();
     const std::size_t code = what.find("] ");
@@ -80,6 +129,8 @@ Json parse_json_line(std::string_view line, const std::string& place, const std:
                     what.substr(code == std::string::npos ? 0 : code + 2) + "); expected " +
                     expected);
   }
+  if (!keys.found().empty()) throw FileError(place + ": " + keys.found() + "; expected once");
+  return result;
 }
 
 }  // namespace surefoot

@@ -222,6 +222,8 @@ void read_controller(Section& top, ControllerOptions& controller) {
   top.section("slip", [&](Section& s) { read_slip(s, controller.slip); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });
+  top.section("link_masses",
+              [&](Section& s) { s.flag("enabled", controller.link_masses.enabled); });
   top.section("external_force",
               [&](Section& s) { read_external_force(s, controller.external_force); });
   top.section("solver", [&](Section& s) { read_solver(s, controller.solver); });

@@ -8,6 +8,7 @@
 #include "surefoot/control/stack_fade.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
+#include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/robot_model.hpp"
@@ -84,7 +85,9 @@ struct Controller::Implementation {
         model(robot),
         contact_force(options.contact_force, checked_period(options.period)),
         kinematics(robot, options.period),
+        link_masses(options.link_masses, options.period),
         com_calibration(options.period),
+        weighs_by_torques(!options.contact_force.use_foot_sensor),
         slip(options.slip, options.period),
         external_force(options.external_force),
         planner(options.planner, model.mass() * kGravity, options.period),
@@ -114,7 +117,9 @@ struct Controller::Implementation {
   RobotModel model;
   ContactForceEstimator contact_force;
   KinematicCalibration kinematics;
+  LinkMassEstimator link_masses;
   ComCalibration com_calibration;
+  const bool weighs_by_torques;  // and so with the links that the torques carry
   SlipDetector slip;
   ExternalForceEstimator external_force;
   Planner planner;
@@ -237,6 +242,8 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   } else {
     kinematics.update(dynamics, guard.repaired().gyro, planner.terrain_normal(), turning);
   }
+  link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
+  if (weighs_by_torques) com_calibration.correct(link_masses.shares());
   if (is_quiet || !weighing) com_calibration.update(dynamics, record.state.foot_force, weighing);
 }
 

@@ -6,6 +6,7 @@
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/estimation/contact_force_estimator.hpp"
 #include "surefoot/estimation/external_force.hpp"
+#include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard_options.hpp"
 #include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
@@ -44,6 +45,7 @@ struct ControllerOptions {
   SolverOptions solver;
   ReadingGuardOptions guard;
   ContactForceOptions contact_force;
+  LinkMassOptions link_masses;
   SlipOptions slip;
   ExternalForceOptions external_force;
   SafetyOptions safety;

@@ -92,24 +92,28 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
   if (uprightness(state) < std::cos(options_.max_tilt)) {
-    stop(CommandMode::damping, StopCause::tilt);
+    stop(CommandMode::damping, StopCause::tilt, health);
   } else if (lost == StopCause::encoders || (sitting_ && !is_posture(state.q))) {
-    stop(CommandMode::damping, StopCause::encoders);
+    stop(CommandMode::damping, StopCause::encoders, health);
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
-    stop(is_posture(state.q) ? CommandMode::sit : CommandMode::damping, lost);
+    stop(is_posture(state.q) ? CommandMode::sit : CommandMode::damping, lost, health);
   } else if (!sitting_ && failures_ > options_.damp_after_failures) {
-    stop(CommandMode::damping, StopCause::failures);
+    stop(CommandMode::damping, StopCause::failures, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
   }
 }
 
-void Safety::stop(CommandMode mode, StopCause cause) {
+void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health) {
   sitting_ = mode == CommandMode::sit;
   damping_ = mode == CommandMode::damping;
   if (command_.cause != StopCause::none) return;
   command_.cause = cause;
+  if (const GroupHealth* group = group_of(health, cause)) {
+    command_.fault = group->fault;
+    command_.joint = group->joint;
+  }
   stopped_at_ = command_.time;
 }
 

@@ -49,7 +49,7 @@ class Safety {
   [[nodiscard]] static bool is_sensor(StopCause cause) { return cause >= StopCause::encoders; }
   [[nodiscard]] bool is_good(const Solution* solution) const;
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
-  void stop(CommandMode mode, StopCause cause);
+  void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
   void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);
   void sit(const RobotState& state);

@@ -19,7 +19,9 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
   for (const LevelSpec& spec : options.levels) {
     LevelTasks level;
     int rows = 0, ids = 0;
+    if (spec.damping != 0.0) check_weight(spec.damping, "damping of level \"" + spec.name + "\"");
     for (const TaskSpec& task_spec : spec.tasks) {
+      check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
       level.tasks.push_back(make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
       Task& task = *level.tasks.back();
       task.set_first_id(ids);

@@ -100,9 +100,11 @@ Mat3 InvariantFilter::measurement_noise(const Mat3& J) const {
          square(options_.foot_position_noise) * Mat3::Identity();
 }
 
-// a_B = T a, so R ← R Tᵀ and b ← T b; θ is in W and stays.
+// a_B = T a, so R ← R Tᵀ and b ← T b; θ is in W and stays. What an IMU says of the vertical is what
+// turns: the heading of B was counted from that of the start, with the same axes of B.
 void InvariantFilter::turn_imu(const Mat3& T) noexcept {
-  R_ = R_ * T.transpose();
+  const Mat3 turned = R_ * T.transpose();
+  R_ = rotation_about_z(yaw(R_) - yaw(turned)) * turned;
   gyro_bias_ = T * gyro_bias_;
   accelerometer_bias_ = T * accelerometer_bias_;
   for (const int bias : {kGyroBias, kAccelerometerBias}) {
@@ -130,6 +132,16 @@ void InvariantFilter::release(Leg leg) noexcept {
 void InvariantFilter::move(Leg leg, const Vec3& step, double walk) noexcept {
   d_[index(leg)] += step;
   P_.diagonal().segment<3>(foot(leg)).array() += square(walk);
+}
+
+void InvariantFilter::turn_feet(double turn) noexcept {
+  Eigen::Matrix<double, kSize, 1> moved = Eigen::Matrix<double, kSize, 1>::Zero();
+  for (const Leg leg : kLegs) {
+    if (stands(leg)) {
+      moved.segment<3>(foot(leg)) = turn * Vec3::UnitZ().cross(d_[index(leg)] - p_);
+    }
+  }
+  P_.noalias() += moved * moved.transpose();
 }
 
 double InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {

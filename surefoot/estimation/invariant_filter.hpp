@@ -54,7 +54,7 @@ class InvariantFilter {
   /// Says where the base is, right after the start.
   void place(const Vec3& p_WB) noexcept { p_ = p_WB; }
 
-  /// The IMU's axes are found to be turned: what it measured as a in B is T a.
+  /// The IMU's axes are found to be turned: what it measured as a in B is T a. The heading stays.
   void turn_imu(const Mat3& T) noexcept;
 
   /// `dt` [s] ahead with the gyroscope's and the accelerometer's mean readings over that time, in
@@ -68,6 +68,10 @@ class InvariantFilter {
   /// A standing foot has moved by `step` in W [m], as a sphere that rolls does, and may have
   /// slipped by `walk` (standard deviation of each axis, [m]).
   void move(Leg leg, const Vec3& step, double walk) noexcept;
+
+  /// The standing feet may have turned together about the vertical through the base (standard
+  /// deviation, [rad]).
+  void turn_feet(double turn) noexcept;
 
   /// Takes in where a standing foot is seen from B. An outlier is taken as a slip: it moves the
   /// foot, hardly the base. Returns the squared Mahalanobis distance of what was seen.

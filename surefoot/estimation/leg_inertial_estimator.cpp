@@ -43,6 +43,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
     take_over(context.kinematics, reading.q);
     advance(reading, dt, is_complete);
+    doubt_turn();
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
   write_state(reading);
@@ -71,6 +72,21 @@ void LegInertialEstimator::stand_at(const Vec3& p_WB) {
     foot.stands_for = kLongAgo;
     filter_.plant(leg, foot.p_BF, foot.J);
   }
+  start_way();
+}
+
+void LegInertialEstimator::start_way() {
+  p_WB_planted_ = filter_.p_WB();
+  way_ = 0.0;
+}
+
+// Legs that are not quite as believed see their feet turn as the base goes over them. What they see
+// depends on where the base is: of a way back nothing is left.
+void LegInertialEstimator::doubt_turn() {
+  const double way = (filter_.p_WB() - p_WB_planted_).head<2>().norm();
+  if (!(way > way_)) return;
+  filter_.turn_feet(options_.stance_turn * std::sqrt(way * way - way_ * way_));
+  way_ = way;
 }
 
 void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool is_finite) {
@@ -130,6 +146,7 @@ void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, doub
   if (!filter_.stands(leg)) {
     foot.stands_for = 0.0;
     filter_.plant(leg, foot.p_BF, foot.J);
+    start_way();
     return;
   }
   foot.stands_for += dt;

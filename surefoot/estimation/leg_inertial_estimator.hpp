@@ -9,10 +9,19 @@ namespace surefoot {
 
 struct LegInertialOptions {
   InvariantFilterOptions filter;
-  double foot_walk = 0.001;      ///< of a foot that stands firmly [m/√s]
+  /// Of a foot that stands firmly: soft ground creeps by some 0.2 mm/s under a walking robot
+  /// [m/√s].
+  double foot_walk = 4e-4;
   double loose_foot_walk = 0.3;  ///< … of one that hardly touches, or slides [m/√s]
-  double trust_time = 0.08;      ///< after a touchdown until a foot is trusted fully [s]
-  double trust_force = 30.0;     ///< normal force from which on it is [N]
+  /// By how much the standing feet may seem to turn together about the vertical where the base goes
+  /// over them, between one foothold and the next [rad/m]. Legs of which millimetres and
+  /// milliradians are not known turn a robot by 3 mrad a metre, each stride by the same; taken as
+  /// chance between footholds, a hundred of them (a minute, in which a gyroscope's bias wanders as
+  /// far) must say as little as one: ten times as much. Taken too small, a walk's legs move the
+  /// bias that the gyroscope was found to have while the robot stood.
+  double stance_turn = 0.03;
+  double trust_time = 0.08;   ///< after a touchdown until a foot is trusted fully [s]
+  double trust_force = 30.0;  ///< normal force from which on it is [N]
 };
 
 /// Base state from the IMU, the encoders and the feet that stand: an InvariantFilter, fed.
@@ -48,6 +57,8 @@ class LegInertialEstimator final : public StateEstimator {
   /// Of the base over the ground under the feet, in their mean [m].
   [[nodiscard]] double height_over_feet() const;
   void advance(const SensorReading& reading, double dt, bool is_finite);
+  void start_way();
+  void doubt_turn();
   void take_over(const KinematicErrors& errors, const JointVector& q);
   void see_feet(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
@@ -64,6 +75,8 @@ class LegInertialEstimator final : public StateEstimator {
   Vec3 gyro_before_ = Vec3::Zero();
   Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero();  // of the last tenth of a second
   Mat3 R_WB_before_ = Mat3::Identity();
+  Vec3 p_WB_planted_ = Vec3::Zero();  // as the last foot was planted [m]
+  double way_ = 0.0;                  // the furthest that the base has been from there [m]
   RobotState state_;
   bool started_ = false;
 };

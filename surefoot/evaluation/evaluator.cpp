@@ -177,14 +177,14 @@ void Evaluator::check_fall(const GroundTruth& truth, bool may_lie) {
   std::array<char, 96> text{};
   const bool lands_softly = may_lie && truth.v_WB.z() > -kSoftLanding;
   if (truth.torso_contact && !lands_softly) {
-    std::snprintf(text.data(), text.size(), "fell at %.2f s: the torso touched the ground",
+    std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);
   } else if (height < kMinBaseHeight && !may_lie) {
     std::snprintf(text.data(), text.size(),
-                  "fell at %.2f s: the base came down to %.2f m above the feet", truth.time,
+                  "fell at %.4f s: the base came down to %.2f m above the feet", truth.time,
                   height);
   } else if (!(tilt(truth.q_WB) <= kMaxTilt)) {
-    std::snprintf(text.data(), text.size(), "fell at %.2f s: tilted by more than 60°", truth.time);
+    std::snprintf(text.data(), text.size(), "fell at %.4f s: tilted by more than 60°", truth.time);
   } else {
     return;
   }

@@ -49,7 +49,7 @@ class Evaluator {
 
   /// True from the tick on at which the robot fell.
   [[nodiscard]] bool fell() const { return metrics_.fell; }
-  /// "fell at 3.20 s: …", empty if it did not.
+  /// "fell at 3.2025 s: …", empty if it did not.
   [[nodiscard]] const std::string& fall() const { return fall_; }
 
   /// `succeeded` is left false: it depends on the criteria.

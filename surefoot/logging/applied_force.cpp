@@ -1,9 +1,9 @@
 #include "surefoot/logging/applied_force.hpp"
 
+#include "surefoot/base/formatted.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -13,12 +13,6 @@ namespace {
 constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
 constexpr double kLeast = 1e-6;  // less is of a step that a push touches by rounding [N]
 constexpr double kDegrees = 57.29577951308232;
-
-std::string text(const char* format, double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
 
 double yaw_of(const Quat& q) {
   return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
@@ -30,7 +24,7 @@ std::string direction(const AppliedForce& force) {
   std::string out;
   if (std::hypot(force.force.x(), force.force.y()) > kTold * force.force.norm()) {
     const double degrees = std::round(kDegrees * angle_from_ahead(force));
-    out = text(", %.0f° from ahead", std::abs(degrees));
+    out = formatted(", %.0f° from ahead", std::abs(degrees));
     if (degrees != 0.0 && std::abs(degrees) != 180.0)
       out += degrees > 0.0 ? " to the left" : " to the right";
   }
@@ -115,7 +109,7 @@ std::string body_text(std::size_t body, const std::vector<std::string>& bodies) 
 }
 
 std::string applied_force_text(const AppliedForce& force, const std::vector<std::string>& bodies) {
-  return text("%.3g N", force.force.norm()) + direction(force) + ", on " +
+  return formatted("%.3g N", force.force.norm()) + direction(force) + ", on " +
          body_text(force.body, bodies);
 }
 

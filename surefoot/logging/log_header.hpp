@@ -13,7 +13,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the first number changes when a reader must change.
-inline constexpr std::string_view kLogVersion = "2.7";
+inline constexpr std::string_view kLogVersion = "2.8";
 
 /// What the report needs to know of the robot and its limits.
 struct LogRobot {

@@ -4,16 +4,24 @@
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 namespace {
 
 using mcap::Cursor;
 using mcap::kChunkTimes;
+using mcap::kMessageHead;
 using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
+constexpr std::uint64_t kDates = 16;         // of an attachment [bytes] …
+constexpr std::uint64_t kBeforeData = 1024;  // … with as much of its name as can be asked for
 constexpr std::uint64_t kLargestChannel = 1 << 20;
+constexpr std::uint64_t kLargestBare = 1 << 22;        // messages taken together [bytes] …
+constexpr std::uint64_t kLongestBare = 1'000'000'000;  // … and [ns]
+constexpr std::uint64_t kBeforeTime = 6;               // of a message's content [bytes]
 
 }  // namespace
 
@@ -33,11 +41,51 @@ void McapChunks::find_chunks() {
       Cursor cursor(times);
       const auto first = cursor.number<std::uint64_t>();
       const auto last = cursor.number<std::uint64_t>();
-      chunks_.push_back({file_.offset() + kRecordHead, file_.length(), first, last});
+      chunks_.push_back({file_.offset(), kRecordHead + file_.length(), first, last});
     }
+    if (file_.opcode() == Opcode::message) add_bare_message();
+    if (file_.opcode() == Opcode::attachment)
+      attachments_.push_back({file_.offset() + kRecordHead, file_.length()});
     complete_ = complete_ || file_.opcode() == Opcode::data_end;
     if (file_.opcode() == Opcode::channel && file_.length() < kLargestChannel) learn_channel();
   }
+}
+
+std::string McapChunks::attachment(const std::string& name) {
+  for (auto place = attachments_.rbegin(); place != attachments_.rend(); ++place) {
+    try {
+      const std::string start = file_.bytes(place->offset, std::min(place->length, kBeforeData));
+      Cursor cursor(start);
+      cursor.bytes(kDates);
+      if (cursor.text() != name) continue;
+      const std::string content = file_.bytes(place->offset, place->length);
+      const mcap::AttachmentRecord record = mcap::attachment_record(content);
+      if (record.is_whole) return std::string(record.data);
+    } catch (const Malformed&) {  // it is damaged; an earlier one may not be
+    }
+  }
+  return "";
+}
+
+void McapChunks::add_bare_message() {
+  if (file_.length() < kMessageHead) {
+    ++num_lost_;
+    return;
+  }
+  const std::string start =
+      file_.bytes(file_.offset() + kRecordHead + kBeforeTime, sizeof(std::uint64_t));
+  const auto time = Cursor(start).number<std::uint64_t>();
+  const std::uint64_t size = kRecordHead + file_.length();
+  const bool goes_on = !chunks_.empty() && chunks_.back().is_bare &&
+                       chunks_.back().offset + chunks_.back().size == file_.offset() &&
+                       chunks_.back().size < kLargestBare && time >= chunks_.back().last_time &&
+                       time - chunks_.back().first_time < kLongestBare;
+  if (!goes_on) {
+    chunks_.push_back({file_.offset(), size, time, time, true});
+    return;
+  }
+  chunks_.back().size += size;
+  chunks_.back().last_time = time;
 }
 
 // One that is described outside of chunks, as behind the data all are.
@@ -52,27 +100,45 @@ void McapChunks::keep(const mcap::ChannelRecord& channel) {
   channels_[channel.id] = {channel.topic, "", channel.encoding, channel.metadata};
 }
 
+std::string McapChunks::records(const McapChunk& chunk) {
+  if (chunk.is_bare) return file_.bytes(chunk.offset, chunk.size);
+  return mcap::chunk_records(file_.bytes(chunk.offset + kRecordHead, chunk.size - kRecordHead));
+}
+
 void McapChunks::read(std::size_t chunk, const Take& take) {
   const McapChunk& place = chunks_.at(chunk);
+  std::vector<std::uint64_t> lost;  // where they begin
   try {
-    const std::string records = mcap::chunk_records(file_.bytes(place.offset, place.size));
-    Cursor cursor(records);
+    const std::string bytes = records(place);
+    Cursor cursor(bytes);
     while (!cursor.rest().empty()) {
+      const std::uint64_t offset = place.offset + bytes.size() - cursor.rest().size();
       const auto [opcode, length] = mcap::take_head(cursor);
-      take_record(opcode, cursor.bytes(length), take);
+      const bool is_taken = take_record(opcode, cursor.bytes(length), take);
+      if (!is_taken && place.is_bare) lost.push_back(offset);
     }
+  } catch (const mcap::OtherCompression& other) {
+    throw FileError(path_ + ": " + other.what());
   } catch (const Malformed& malformed) {
     throw FileError(path_ + ": " + malformed.what + ", in the chunk at byte " +
                     std::to_string(place.offset));
   }
+  if (lost.empty()) return;
+  const std::string more =
+      lost.size() == 1 ? "" : ", and of " + std::to_string(lost.size() - 1) + " more behind it";
+  throw FileError(path_ + ": the channel of the message at byte " + std::to_string(lost.front()) +
+                  " is unknown" + more);
 }
 
-void McapChunks::take_record(mcap::Opcode opcode, std::string_view content, const Take& take) {
+// False for a message whose channel is not known.
+bool McapChunks::take_record(mcap::Opcode opcode, std::string_view content, const Take& take) {
   if (opcode == Opcode::channel) keep(mcap::channel_record(content));
-  if (opcode != Opcode::message) return;
+  if (opcode != Opcode::message) return true;
   const mcap::MessageRecord record = mcap::message_record(content);
   const auto channel = channels_.find(record.channel);
-  if (channel != channels_.end()) take({&channel->second, record.log_time, record.data});
+  if (channel == channels_.end()) return false;
+  take({&channel->second, record.log_time, record.data});
+  return true;
 }
 
 }  // namespace surefoot

@@ -14,6 +14,7 @@ std::string decompress(std::string_view compressed, const std::string& compressi
                        std::uint64_t size) {
   if (size > kLargestChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
   if (compression.empty()) return std::string(compressed);
+  if (compression == "lz4") throw OtherCompression{compression};
   if (compression != "zstd") throw Malformed{"a chunk is not compressed with zstd"};
   const unsigned long long told = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
   if (told != ZSTD_CONTENTSIZE_UNKNOWN && told != size)  // before there is room for what isn't
@@ -28,6 +29,12 @@ std::string decompress(std::string_view compressed, const std::string& compressi
 }
 
 }  // namespace
+
+std::string OtherCompression::what() const {
+  return "its chunks are compressed with " + name +
+         "; chunks with zstd or without compression would be valid: `mcap compress LOG -o NEW.mcap "
+         "--compression zstd` rewrites it";
+}
 
 std::string_view Cursor::bytes(std::uint64_t count) {
   if (count > rest_.size()) throw Malformed{"a record is shorter than it says"};
@@ -70,6 +77,18 @@ MessageRecord message_record(std::string_view content) {
   record.log_time = cursor.number<std::uint64_t>();
   cursor.bytes(8);  // publish time
   record.data = cursor.rest();
+  return record;
+}
+
+AttachmentRecord attachment_record(std::string_view content) {
+  Cursor cursor(content);
+  AttachmentRecord record;
+  cursor.bytes(16);  // dates
+  record.name = cursor.text();
+  cursor.text();  // media type
+  record.data = cursor.bytes(cursor.number<std::uint64_t>());
+  const auto crc = cursor.number<std::uint32_t>();
+  record.is_whole = crc == 0 || crc == crc32(content.substr(0, content.size() - sizeof(crc)));
   return record;
 }
 

@@ -26,11 +26,11 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F,
 };
 
-/// Whether the head of a chunk can be right that says from when to when its messages are [ns]: a
-/// recorder's chunks last a second.
+inline constexpr std::uint64_t kLongestChunk = 10'000'000'000;  ///< a recorder's last a second [ns]
+
+/// Whether the head of a chunk can be right that says from when to when its messages are [ns].
 [[nodiscard]] constexpr bool can_be_times(std::uint64_t first, std::uint64_t last) {
-  constexpr std::uint64_t kLongest = 10'000'000'000;
-  return last >= first && last - first <= kLongest;
+  return last >= first && last - first <= kLongestChunk;
 }
 
 }  // namespace surefoot::mcap

@@ -1,12 +1,12 @@
 #include "surefoot/logging/mcap_reader.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/logging/crc32.hpp"
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -21,9 +21,7 @@ using mcap::Opcode;
 constexpr std::size_t kToldLosses = 4;
 
 std::string seconds(std::uint64_t nanoseconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4f", 1e-9 * static_cast<double>(nanoseconds));
-  return text.data();
+  return formatted("%.4f", 1e-9 * static_cast<double>(nanoseconds));
 }
 
 /// Of an attachment, as far as it can be told: what is damaged may be its name.
@@ -137,15 +135,9 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
       open_chunk(content);
       break;
     case Opcode::attachment: {
-      cursor.bytes(16);  // dates
-      const std::string name = cursor.text();
-      cursor.text();
-      const std::string_view data = cursor.bytes(cursor.number<std::uint64_t>());
-      const auto crc = cursor.number<std::uint32_t>();
-      if (crc != 0 && crc != crc32(content.substr(0, content.size() - sizeof(crc)))) {
-        throw Malformed{"the checksum of " + told(name) + " is wrong"};
-      }
-      attachments_[name] = data;
+      const mcap::AttachmentRecord record = mcap::attachment_record(content);
+      if (!record.is_whole) throw Malformed{"the checksum of " + told(record.name) + " is wrong"};
+      attachments_[record.name] = record.data;
       break;
     }
     case Opcode::metadata:
@@ -214,7 +206,11 @@ void McapReader::learn_descriptions() {
 }
 
 void McapReader::open_chunk(std::string_view content) {
-  chunk_ = mcap::chunk_records(content);
+  try {
+    chunk_ = mcap::chunk_records(content);
+  } catch (const mcap::OtherCompression& other) {
+    throw FileError(path_ + ": " + other.what());
+  }
   rest_ = chunk_;
 }
 

@@ -45,10 +45,11 @@ struct McapLoss {
 class McapReader {
  public:
   /// Reads up to the first chunk: what was attached before it is known. Throws FileError if the
-  /// file is missing, empty or not MCAP.
+  /// file is missing, empty, not MCAP, or compressed as can't be read here.
   explicit McapReader(const std::string& path);
 
-  /// The next message in the order of the file that can be read; false at its end.
+  /// The next message in the order of the file that can be read; false at its end. Throws FileError
+  /// where a chunk is compressed as can't be read here.
   [[nodiscard]] bool next(McapMessage& message);
 
   /// After the last message: the file has its footer, and nothing of it is lost.

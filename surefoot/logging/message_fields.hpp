@@ -281,6 +281,9 @@ void fields(Archive& field, T& command) {
   field("torque", command.torque, "joint torques [N·m]");
   field("mode", command.mode, "rung of the safety ladder that made the command");
   field("cause", command.cause, "what took the controller off its optimum for good");
+  field("fault", command.fault, "where a sensor is the cause: what was wrong with it then");
+  field("joint", command.joint,
+        "and of which joint, counted from 0; -1 where of several, or of none");
 }
 
 template <typename Archive, Is<TickTiming> T>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/sensor_health.hpp"
 
 namespace surefoot {
 
@@ -23,12 +23,30 @@ enum class StopCause : int {
   imu = 5,
 };
 
+/// The sensors that a stop is because of; null: it is because of something else.
+[[nodiscard]] constexpr const GroupHealth* group_of(const SensorHealth& health, StopCause cause) {
+  switch (cause) {
+    case StopCause::encoders:
+      return &health.encoders;
+    case StopCause::joint_torques:
+      return &health.joint_torques;
+    case StopCause::imu:
+      return &health.imu;
+    default:
+      return nullptr;
+  }
+}
+
 /// Torques for the actuators at one tick: always finite and inside the limits.
 struct JointCommand {
   double time = 0.0;                         ///< [s]
   JointVector torque = JointVector::Zero();  ///< [N·m]
   CommandMode mode = CommandMode::hold;
   StopCause cause = StopCause::none;  ///< of `sit` and `damping`
+  /// Where a sensor is the cause: what was wrong with it when it was lost, whatever is since.
+  SampleFault fault = SampleFault::none;
+  int joint =
+      -1;  ///< the only one that was at fault then, as in a JointVector; −1: none, or several
 };
 
 }  // namespace surefoot

@@ -31,7 +31,7 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
   wrong_.clear();
   size_ = 0.0;
   for (int i = 0; i < s.unknowns; ++i) size_ += s.x[i] * s.x[i];
-  size_ = std::sqrt(size_);
+  way_ = size_ = std::sqrt(size_);
   timer.start();
   for (int k = first; k < s.num_levels; ++k) {
     if (!undecided_.empty()) judge_forces(s, kernels, k);
@@ -39,7 +39,10 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
     timer.lap(k);
   }
   has_judged_norm_ = !undecided_.empty();
-  if (has_judged_norm_) judge_norm(s, kernels);
+  if (has_judged_norm_) {
+    kernels.factorize_last(s);
+    judge_norm(s, kernels);
+  }
   violated_.clear();
   if (kernels.has_violated(s, s.level_begin[first], tolerance::kSatisfied * size_)) {
     find_violated(s, first);
@@ -50,12 +53,18 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
 void ActiveSetSearch::judge_own_rows(const Sweep& s, int level) {
   const int begin = s.order_begin[level];
   const int num_columns = s.first_column[level + 1] - s.first_column[level];
+  // Where rows cancel each other x is small, and their rounding isn't.
+  for (int i = begin; i < s.order_begin[level + 1]; ++i) {
+    const int row = s.order[i];
+    const double residual = std::abs(s.residual[row]);
+    if (residual > way_ * s.scale[row] && s.scale[row] > 0.0) way_ = residual / s.scale[row];
+  }
   for (int i = begin; i < s.order_begin[level + 1]; ++i) {
     const int row = s.order[i];
     fixed_by_[at(row)] = level;
     if (s.side[row] == 2) continue;
     const double pull = s.side[row] * s.residual[row];
-    const double unit = s.scale[row] * size_;
+    const double unit = s.scale[row] * way_;
     if (pull > tolerance::kViolated * unit) continue;
     fixed_by_[at(row)] = s.num_levels;
     if (pull < -tolerance::kSatisfied * unit) {
@@ -98,8 +107,8 @@ void ActiveSetSearch::judge_norm(Sweep& s, const SweepKernels& kernels) {
 }
 
 void ActiveSetSearch::judge_undecided(const Sweep& s, int level, double scale, double noise) {
-  const double wrong = -(tolerance::kWrongSign * scale + noise);
-  const double strict = tolerance::kStrict * scale + 100.0 * noise;
+  const double wrong = -(tolerance::kWrongSign * scale + tolerance::kWrongSignOfNoise * noise);
+  const double strict = tolerance::kStrict * scale + tolerance::kStrictOfNoise * noise;
   const int num_columns = level < s.num_levels ? s.first_column[level] : s.fixed;
   std::size_t kept = 0;
   for (const Undecided& u : undecided_) {

@@ -67,6 +67,7 @@ class ActiveSetSearch {
   std::vector<Violated> violated_;
   std::vector<int> fixed_by_;
   double size_ = 0.0;  // ‖x‖
+  double way_ = 0.0;   // the same, or how far rows of the levels so far pull it, if that is more
   bool has_judged_norm_ = false;
 };
 

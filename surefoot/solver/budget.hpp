@@ -1,6 +1,9 @@
 #pragma once
 
+#include "surefoot/base/error.hpp"
+
 #include <limits>
+#include <string>
 
 namespace surefoot {
 
@@ -18,8 +21,12 @@ class BudgetWatch {
  public:
   using Clock = double (*)();
 
+  /// Throws Error where a limit is no number ≥ 0.
   BudgetWatch(const SolveBudget& budget, Clock clock)
-      : budget_(budget), clock_(budget.seconds < kNone ? clock : nullptr) {}
+      : budget_(budget), clock_(budget.seconds < kNone ? clock : nullptr) {
+    if (!(budget.flops >= 0.0)) refuse("flops", budget.flops);
+    if (!(budget.seconds >= 0.0)) refuse("seconds", budget.seconds);
+  }
 
   void start() {
     flops_ = 0.0;
@@ -36,6 +43,11 @@ class BudgetWatch {
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  [[noreturn]] static void refuse(const std::string& of, double number) {
+    throw Error("the budget of a solve is " + std::to_string(number) + " " + of +
+                "; expected a number from 0 on");
+  }
 
   SolveBudget budget_;
   Clock clock_;

@@ -19,19 +19,21 @@ double finite_or_infinity(double number) { return std::isfinite(number) ? number
 std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                                       const CertificateOptions& options) {
   std::vector<LevelCertificate> certificates;
+  const std::size_t num_levels = std::min(hierarchy.num_levels(), options.levels);
   if (!x.allFinite()) {
-    certificates.assign(hierarchy.num_levels(), {kNaN, kInfinity});
+    certificates.assign(num_levels, {kNaN, kInfinity});
     return certificates;
   }
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
+  for (std::size_t k = 0; k < num_levels; ++k) {
+    LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
     const Multipliers found = multipliers(level, fixed, touching, options.rank);
-    const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.scale);
+    const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.rounding);
     certificates.push_back(
         {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
-    fix_pushing(level, found, fixed, touching);
+    fix_pushing(found, fixed, touching);
+    fix_violated(hierarchy.level(k), x, fixed, options.rank, level);
     fixed.add(level.fixed);
     touching.add(level.touching);
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace surefoot {
@@ -11,31 +12,34 @@ namespace surefoot {
 /// How far a level is from its lexicographic optimum.
 struct LevelCertificate {
   double residual = 0.0;  ///< √Σ violation²
-  /// 0 at an optimum. With r = Zᵀ (g + Tᵀ μ), Z an orthonormal basis of what E leaves free, and s
-  /// the length of the level's shortest row, the least over μ ≥ 0 of
+  /// 0 at an optimum. With r = Zᵀ (g + Tᵀ μ), Z an orthonormal basis of what E leaves free, U the
+  /// rows uᵢ aᵢ, uᵢ = ‖aᵢ‖ (1 + ‖x‖), of equalities and of what is violated or at a bound, the
+  /// least over μ ≥ 0 of
   ///
-  ///     √(rᵀ (Zᵀ M Z)⁻¹ r),   M = s² (s (1 + ‖x‖) + Σ |vᵢ|)² I
-  ///                               + (1 + ‖x‖)² Σ (‖aᵢ‖² − s²) aᵢ aᵢᵀ
+  ///     √(rᵀ (Zᵀ Uᵀ U Z + w² I)⁻¹ r)
   ///
-  /// where the second sum is over equality rows and those that are violated or at a bound;
-  /// that is ‖r‖ / (s (s (1 + ‖x‖) + Σ |vᵢ|)) where all rows have one length. An error d of x
-  /// changes g by Σ aᵢ aᵢᵀ d, so where longer rows see it, more of r is the same error. It is the
-  /// same for a level in other units, and what only the shortest row sees is not excused by longer
-  /// ones. ∞ where x or a number computed with it isn't finite.
+  /// Times the longest u it is at least what the least-squares step of these rows in the
+  /// directions left would gain, √(residual² − residual² after it): a residual, not a gradient, so
+  /// that nearly parallel rows do not square its error. Each row may be off by its own u, so long
+  /// rows excuse nothing that only short ones see. w is 1e8 times the rounding of forces: the
+  /// rows' and their unit's, μ and λ. ∞ where x or a number computed with it isn't finite.
   double stationarity = 0.0;
 };
 
 struct CertificateOptions {
   double tight = 1e-8;  ///< a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it
   double rank = 1e-8;   ///< relative length below which a row depends on others
+  /// The first so many levels: those for which x is said to be the optimum.
+  std::size_t levels = std::numeric_limits<std::size_t>::max();
 };
 
 /// Checks x against the optimality conditions of every level, without any solver:
 ///
 ///     g = Σ vᵢ aᵢ  the gradient of ½ ‖violation‖² of the level at x
 ///     E            equality rows and violated rows of all levels before: their residual is fixed;
-///                  and rows of T that push back for certain at a level before: all of its optima
-///                  lie on them
+///                  those violated by less than `tight` only where no error of x has made it (see
+///                  `fix_violated`); and rows of T that push back at a level before by more than
+///                  rounding: all of its optima lie on them
 ///     T            satisfied rows of all levels before that touch a bound,
 ///                  signed so that T z ≤ 0 keeps them satisfied
 ///

@@ -113,8 +113,7 @@ void Descent::enter(int level) {
   const Sweep& s = *sweep_;
   level_begin_ = s.level_begin[level];
   level_end_ = s.level_begin[level + 1];
-  keep_tolerance_ = s.keep_tolerance;
-  smallest_pivot_ = s.smallest_pivot;
+  before_ = {s.keep_tolerance, s.smallest_pivot};
   has_factorized_ = false;
 }
 
@@ -143,7 +142,7 @@ void Descent::spend() {
   const double free = sweep_->columns - first_column_;
   const double rows = sweep_->end_row - sweep_->first_row;
   const double counting = level_end_ - level_begin_;
-  budget_->spend(free * (6.0 * rows + 4.0 * counting * std::min(counting, free)));
+  budget_->spend(free * (8.0 * rows + 4.0 * counting * std::min(counting, free)));
 }
 
 Descent::Move Descent::descend() {
@@ -178,11 +177,13 @@ void Descent::factorize_counting() {
   }
   s.order_begin[0] = 0;
   s.order_begin[1] = s.num_taking_part;
-  const double keep_tolerance = s.keep_tolerance, smallest_pivot = s.smallest_pivot;
+  const Pivots held{s.keep_tolerance, s.smallest_pivot};
+  s.keep_tolerance = before_.keep;
   kernels_->gather(s, first_free());
   kernels_->run(s, 0, 1, nullptr);
-  s.keep_tolerance = keep_tolerance;
-  s.smallest_pivot = smallest_pivot;
+  factorized_ = {s.keep_tolerance, s.smallest_pivot};
+  s.keep_tolerance = held.keep;
+  s.smallest_pivot = held.smallest_pivot;
   has_factorized_ = true;
 }
 
@@ -193,8 +194,28 @@ void Descent::set_motion() {
   double square = 0.0;
   for (int j = first_free(); j < s.columns; ++j) square += s.y[j] * s.y[j];
   size_ = std::sqrt(square);
-  kernels_->move(s, first_free(), s.keep_tolerance * size_);
+  const double slow = s.keep_tolerance * size_;
+  const bool has_slow = kernels_->move(s, first_free(), tolerance::kRounding * size_, slow);
   for (const int row : held_) s.motion[row] = 0.0;
+  if (has_slow) stop_dependent_rows(slow);
+}
+
+// Of rows that move slowly.
+void Descent::stop_dependent_rows(double slow) {
+  const Sweep& s = *sweep_;
+  for (int row = s.first_row; row < s.end_row; ++row) {
+    const double motion = std::abs(s.motion[row]);
+    if (motion > 0.0 && motion <= slow * s.scale[row] && is_dependent(row)) s.motion[row] = 0.0;
+  }
+}
+
+// Nothing of the row is left in the free columns but rounding.
+bool Descent::is_dependent(int row) const {
+  const Sweep& s = *sweep_;
+  const double rounding = s.keep_tolerance * s.scale[row];
+  double square = 0.0;
+  for (int j = first_free(); j < s.columns; ++j) square += entry(row, j) * entry(row, j);
+  return square <= rounding * rounding;
 }
 
 bool Descent::is_negligible() const {
@@ -221,12 +242,30 @@ void Descent::hold(int row, signed char side) {
   kernels_->turn(s, reflection_.data(), beta, first);
   for (int j = first + 1; j < s.columns; ++j) entry(row, j) = 0.0;
   entry(row, first) = head;
-  s.smallest_pivot = std::min(s.smallest_pivot, norm / s.scale[row]);
   s.side[row] = side;
   s.base_value[row] = side > 0 ? s.upper[row] : s.lower[row];
   s.limit_lower[row] = -kInfinity;
   s.limit_upper[row] = kInfinity;
   held_.push_back(row);
+  note_pivot(norm / s.scale[row]);
+}
+
+// The weaker what is held of the rows, the larger the rounding in what is left of all others.
+void Descent::note_pivot(double relative) {
+  Sweep& s = *sweep_;
+  if (relative >= s.smallest_pivot) return;
+  s.smallest_pivot = relative;
+  s.keep_tolerance = std::max(before_.keep, tolerance::rounding_after(relative));
+}
+
+void Descent::weigh_pivots() {
+  Sweep& s = *sweep_;
+  s.keep_tolerance = before_.keep;
+  s.smallest_pivot = before_.smallest_pivot;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const double pivot = std::abs(entry(held_[i], first_column_ + static_cast<int>(i)));
+    note_pivot(pivot / s.scale[held_[i]]);
+  }
 }
 
 // Rotations make the rows after it triangular again; its column becomes free.
@@ -245,6 +284,7 @@ void Descent::let_go(std::size_t place) {
   }
   s.limit_lower[gone] = s.lower[gone];
   s.limit_upper[gone] = s.upper[gone];
+  weigh_pivots();
 }
 
 // Forces of the held rows at the present point, positive where they push back.
@@ -270,7 +310,8 @@ void Descent::weigh_forces() {
 // Lets the worst of the held rows go that pulls the wrong way.
 bool Descent::drop_worst() {
   const Sweep& s = *sweep_;
-  double worst = -(tolerance::kWrongSign * force_scale_ + force_noise_);
+  double worst =
+      -(tolerance::kWrongSign * force_scale_ + tolerance::kWrongSignOfNoise * force_noise_);
   std::size_t place = held_.size();
   for (std::size_t i = 0; i < held_.size(); ++i) {
     if (s.force[held_[i]] >= worst) continue;
@@ -288,13 +329,11 @@ void Descent::retire() {
   Sweep& s = *sweep_;
   release_idle();
   const bool is_factorized = collect_fixed();
-  s.keep_tolerance = keep_tolerance_;
-  s.smallest_pivot = smallest_pivot_;
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    const double pivot = std::abs(entry(held_[i], first_column_ + static_cast<int>(i)));
-    s.smallest_pivot = std::min(s.smallest_pivot, pivot / s.scale[held_[i]]);
-  }
-  if (!is_factorized) {
+  if (is_factorized) {
+    s.keep_tolerance = factorized_.keep;
+    s.smallest_pivot = factorized_.smallest_pivot;
+  } else {
+    s.keep_tolerance = before_.keep;
     s.num_taking_part = static_cast<int>(fixed_.size());
     std::copy(fixed_.begin(), fixed_.end(), s.order);
     kernels_->gather(s, first_free());
@@ -316,7 +355,8 @@ void Descent::retire() {
 
 // Held rows that don't push back are constraints again.
 void Descent::release_idle() {
-  const double strict = tolerance::kStrict * force_scale_ + 100.0 * force_noise_;
+  const double strict =
+      tolerance::kStrict * force_scale_ + tolerance::kStrictOfNoise * force_noise_;
   for (std::size_t i = held_.size(); i-- > 0;) {
     const int row = held_[i];
     if (sweep_->force[row] > strict) {

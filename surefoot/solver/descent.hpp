@@ -53,9 +53,13 @@ class Descent {
   [[nodiscard]] Move descend();
   void factorize_counting();
   void set_motion();
+  void stop_dependent_rows(double slow);
+  [[nodiscard]] bool is_dependent(int row) const;
   [[nodiscard]] bool is_negligible() const;
   void hold(int row, signed char side);
   void let_go(std::size_t place);
+  void note_pivot(double relative);
+  void weigh_pivots();
   void weigh_forces();
   [[nodiscard]] bool drop_worst();
   void retire();
@@ -81,7 +85,10 @@ class Descent {
   std::vector<int> held_, fixed_;        // held_[i] has the column first_column_ + i
   double x_size_ = 0.0, size_ = 0.0;     // of x, of the present direction
   double force_scale_ = 0.0, force_noise_ = 0.0;
-  double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // when the level began
+  struct Pivots {
+    double keep = 0.0, smallest_pivot = 1.0;
+  };
+  Pivots before_, factorized_;  // when the level began, with the rows that count
   int level_ = 0, level_begin_ = 0, level_end_ = 0, first_column_ = 0;
   bool has_factorized_ = false;  // the rows that count now
   bool has_minimised_norm_ = false;

@@ -13,9 +13,10 @@ using Index = Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr CertificateOptions kTolerances;
-/// Relative to the scale of a level: a smaller gradient is one of rounding.
-constexpr double kSmall = 1e-9;
+/// Relative to what rounding makes of a level's gradient: a smaller multiplier is none.
+constexpr double kSmall = 5e4;
 
+/// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself.
 void copy(const Level& from, Index i, double lower, double upper, Level& to) {
   Rows row = to.add(1, 0);
   row.A.row(0) = from.A().row(i);
@@ -27,16 +28,17 @@ void copy(const Level& from, Index i, double lower, double upper, Level& to) {
 /// that is missed by no more than rounding is met.
 void copy_pinned(const Level& from, Index i, const VectorXd& x, Level& to) {
   const double value = from.A().row(i).dot(x);
-  const double lower = from.lower()[i];
-  const double upper = from.upper()[i];
+  const double lower = from.lower()[i] - value;
+  const double upper = from.upper()[i] - value;
   const double near = kTolerances.tight * from.A().row(i).norm() * (1.0 + x.norm());
-  const bool is_fixed = lower == upper || value < lower - near || value > upper + near;
-  copy(from, i, is_fixed ? value : std::min(lower, value),
-       is_fixed ? value : std::max(upper, value), to);
+  const bool is_fixed = from.lower()[i] == from.upper()[i] || lower > near || upper < -near;
+  copy(from, i, is_fixed ? 0.0 : std::min(lower, 0.0), is_fixed ? 0.0 : std::max(upper, 0.0), to);
 }
 
-/// Residual of `level` when the levels before it hold what they have at x, but for the rows that
-/// `is_without` names.
+/// NaN unless the search comes to an end. Residual of `level` when the levels before it hold what
+/// they have at x, but for the rows that `is_without` names. Solved for the step from x, because no
+/// step at all keeps what they have: the search for a point that does, from 0, is most of the time
+/// otherwise.
 template <typename Predicate>
 double residual_without(const Hierarchy& hierarchy, std::size_t level, const VectorXd& x,
                         const Predicate& is_without) {
@@ -54,10 +56,25 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
     }
   }
   for (Index i = 0; i < own.num_rows(); ++i) {
-    copy(own, i, own.lower()[i], own.upper()[i], question.level(1));
+    const double value = own.A().row(i).dot(x);
+    copy(own, i, own.lower()[i] - value, own.upper()[i] - value, question.level(1));
   }
   CascadeSolver solver(question);
-  return solver.solve(question).levels[1].residual;
+  const Solution& solution = solver.solve(question);
+  return solution.status == SolveStatus::optimal ? solution.levels[1].residual : std::nan("");
+}
+
+/// Of each row of E, then of each of T; that of a row of T that doesn't push is 1.
+VectorXd independences(const RowSet& fixed, const RowSet& touching, const VectorXd& mu) {
+  const Index num_fixed = fixed.rows.rows();
+  const std::vector<Index> held = pushing(mu);
+  Eigen::MatrixXd rows(num_fixed + static_cast<Index>(held.size()), fixed.rows.cols());
+  rows << fixed.rows, touching.rows(held, Eigen::all);
+  const VectorXd of_rows = independence(rows.transpose());
+  VectorXd result = VectorXd::Ones(num_fixed + mu.size());
+  result.head(num_fixed) = of_rows.head(num_fixed);
+  result.tail(mu.size())(held) = of_rows.tail(of_rows.size() - num_fixed);
+  return result;
 }
 
 /// Rows above with a multiplier; those of length 1 become rows of their own length again.
@@ -65,34 +82,45 @@ std::vector<Blocker> blockers(const Hierarchy& hierarchy, const LevelConditions&
                               const RowSet& fixed, const RowSet& touching) {
   std::vector<Blocker> result;
   const Multipliers found = multipliers(level, fixed, touching, kTolerances.rank);
-  const auto add = [&](const RowSet& rows, const VectorXd& strength) {
+  const VectorXd independence = independences(fixed, touching, found.touching);
+  const auto add = [&](const RowSet& rows, const VectorXd& strength, Index first) {
     for (Index i = 0; i < strength.size(); ++i) {
-      if (std::abs(strength[i]) <= kSmall * level.scale) continue;
+      if (std::abs(strength[i]) <= kSmall * level.rounding) continue;
       const RowIndex at = rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
-      result.push_back({at, std::abs(strength[i]) / size, 0.0});
+      result.push_back({.at = at,
+                        .multiplier = std::abs(strength[i]) / size,
+                        .independence = independence[first + i]});
     }
   };
-  add(touching, found.touching);  // limits first: of equal cost they are what one can change
-  add(fixed, found.fixed);
+  // limits first: of equal cost they are what one can change
+  add(touching, found.touching, fixed.rows.rows());
+  add(fixed, found.fixed, 0);
   return result;
 }
 
 }  // namespace
 
-std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd& x) {
+std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd& x,
+                                      const ExplainOptions& options) {
   std::vector<LevelExplanation> explanations;
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+  for (std::size_t k = 0; k < std::min(hierarchy.num_levels(), options.levels); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
     LevelExplanation result{.residual = level.residual,
                             .blocked_by = blockers(hierarchy, level, fixed, touching),
                             .cost_of_level = std::vector<double>(k, 0.0)};
     const auto cost = [&](const auto& is_without) {
-      return std::max(0.0, level.residual - residual_without(hierarchy, k, x, is_without));
+      const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
+      return fall < 0.0 ? 0.0 : fall;
     };
+    double done = 0.0;
     for (Blocker& blocker : result.blocked_by) {
+      if (options.progress) {
+        options.progress(static_cast<double>(k) +
+                         done++ / static_cast<double>(result.blocked_by.size()));
+      }
       blocker.cost = cost(
           [&](RowIndex at) { return at.level == blocker.at.level && at.row == blocker.at.row; });
       double& of_level = result.cost_of_level[blocker.at.level];
@@ -100,7 +128,9 @@ std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd
         of_level = cost([&](RowIndex at) { return at.level == blocker.at.level; });
     }
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
-                     [](const Blocker& a, const Blocker& b) { return a.cost > b.cost; });
+                     [](const Blocker& a, const Blocker& b) {
+                       return a.cost > b.cost || (std::isnan(b.cost) && !std::isnan(a.cost));
+                     });
     explanations.push_back(std::move(result));
     fixed.add(level.fixed);
     touching.add(level.touching);

@@ -2,7 +2,8 @@
 
 #include "surefoot/solver/optimality_conditions.hpp"
 
-#include <string>
+#include <functional>
+#include <limits>
 #include <vector>
 
 namespace surefoot {
@@ -13,16 +14,30 @@ struct Blocker {
   /// Strength of the row in −g = Eᵀ λ + Tᵀ μ, for rows a of their own length: how fast ½ residual²
   /// of the blocked level falls when the bound gives way. Zero only for rows that do not block.
   double multiplier = 0.0;
-  /// By how much the residual of the blocked level falls without this row, in the unit of its rows.
+  /// By how much the residual of the blocked level falls without this row, in the unit of its rows;
+  /// NaN where the level could not be solved without it.
   double cost = 0.0;
+  /// What of the row, relative to its length, no other row that is fixed or pushes has as well; 1
+  /// where they are orthogonal. A multiplier is known to about ε over it, so of nearly dependent
+  /// rows multipliers say little.
+  double independence = 1.0;
 };
 
 /// How a level came out, and because of what.
 struct LevelExplanation {
   double residual = 0.0;
-  std::vector<Blocker> blocked_by;  ///< dearest first; empty where nothing above holds it back
-  /// By how much the residual falls without any row of level j, for each level j before this one.
+  /// Dearest first, unknown costs last; empty where nothing above holds it back.
+  std::vector<Blocker> blocked_by;
+  /// By how much the residual falls without any row of level j, for each level j before this one;
+  /// NaN where that could not be solved.
   std::vector<double> cost_of_level;
+};
+
+struct ExplainOptions {
+  /// The first so many levels: those for which x is the optimum.
+  std::size_t levels = std::numeric_limits<std::size_t>::max();
+  /// Told now and then how many levels are done, fractions too.
+  std::function<void(double)> progress = nullptr;
 };
 
 /// Says for every level which rows above it cost it how much, at the optimum x of the hierarchy.
@@ -33,6 +48,7 @@ struct LevelExplanation {
 /// rows that hold alone (duplicates) none has a cost by itself; their level has. Allocates and
 /// solves; for the program, tests and reports, not for the loop.
 [[nodiscard]] std::vector<LevelExplanation> explain(const Hierarchy& hierarchy,
-                                                    const Eigen::VectorXd& x);
+                                                    const Eigen::VectorXd& x,
+                                                    const ExplainOptions& options = {});
 
 }  // namespace surefoot

@@ -1,5 +1,9 @@
 #include "surefoot/solver/extra_rows.hpp"
 
+#include "surefoot/base/error.hpp"
+
+#include <string>
+
 namespace surefoot {
 namespace {
 
@@ -7,6 +11,13 @@ using Index = Eigen::Index;
 
 /// Below this share of its length, what is left of a row is rounding.
 constexpr double kDependent = 1e-12;
+
+void check_length(const Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref) {
+  if (x_ref.size() == level.unknowns()) return;
+  throw Error("a reference of " + std::to_string(x_ref.size()) + " elements for level \"" +
+              level.name() + "\"; expected " + std::to_string(level.unknowns()) +
+              ", one for each unknown");
+}
 
 /// Makes the rows orthonormal, from the first to the last; rows that depend on those before become
 /// zero. Twice is enough for rounding.
@@ -28,6 +39,8 @@ void orthonormalise(Eigen::Map<Rows::RowMajor>& A) {
 
 void add_reference(Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref, int first_id,
                    double weight) {
+  check_length(level, x_ref);
+  check_weight(weight, "the weight of a reference");
   Rows rows = level.add(x_ref.size(), first_id);
   rows.A.setIdentity();
   rows.lower = rows.upper = x_ref;
@@ -36,6 +49,8 @@ void add_reference(Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
 
 void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
                  int first_id) {
+  check_length(level, x_ref);
+  check_weight(damping, "damping");
   const Index num_damped = level.num_rows();
   Rows rows = level.add(num_damped, first_id);
   rows.A = level.A().topRows(num_damped);

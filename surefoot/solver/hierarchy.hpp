@@ -25,10 +25,14 @@ struct Rows {
   ///
   /// From here on the row is the weighted one wherever numbers of it are told: residuals, costs and
   /// certificates. A weight changes what a level does only where it can't have all of its rows.
+  /// Throws Error for a weight that is not above 0 and finite, and for a row that there isn't.
   void weigh(Eigen::Index i, double weight);
   /// The same for all rows.
   void weigh(double weight);
 };
+
+/// Throws Error unless a weight, which the message calls `what`, is above 0 and finite.
+void check_weight(double weight, std::string_view what);
 
 /// One priority: rows that are satisfied as well as possible, in the least-squares sense of their
 /// violation, without disturbing any level before.
@@ -47,16 +51,19 @@ class Level {
   /// Appends `count` rows, zeroed in A, for the caller to fill. `first_id` identifies the row
   /// across ticks (a friction row of leg 2 keeps its id when leg 1 lifts off); ids count up from
   /// it. Where there is no room for them the rows belong to no level and the level has overflowed:
-  /// whoever solves it answers `invalid_input`. Only then memory is taken for them.
+  /// whoever solves it answers `invalid_input`. Only then memory is taken for them. Throws Error
+  /// for less than none.
   [[nodiscard]] Rows add(Eigen::Index count, int first_id);
 
   /// Appends the rows of another level over the same unknowns, with its ids plus `id_offset`.
+  /// Throws Error where it has others.
   Rows add(const Level& other, int id_offset = 0);
 
-  /// The rows from `first` on, to be changed in place.
+  /// The rows from `first` on, to be changed in place. Throws Error beyond the last.
   [[nodiscard]] Rows rows(Eigen::Index first = 0);
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Eigen::Index unknowns() const { return A_.cols(); }
   [[nodiscard]] Eigen::Index num_rows() const { return num_rows_; }
   /// Since the last `clear` more rows were added than there is room for.
   [[nodiscard]] bool has_overflowed() const { return has_overflowed_; }
@@ -86,7 +93,8 @@ class Level {
 /// Levels in strict order of priority over the same unknowns x, highest first.
 class Hierarchy {
  public:
-  explicit Hierarchy(Eigen::Index unknowns) : unknowns_(unknowns) {}
+  /// Throws Error for less than no unknowns.
+  explicit Hierarchy(Eigen::Index unknowns);
 
   /// At set-up only: appends a level of fixed capacity, as Level does, and returns its index.
   std::size_t add_level(std::string name, Eigen::Index max_rows);

@@ -163,8 +163,7 @@ static bool is_met(const Sweep& s, int begin, int end) {
 
 /// The weaker the columns used, the larger the rounding in what is left.
 static void lower_rank_tolerance(Sweep& s) {
-  const double rounding = tolerance::kPivotRounding / s.smallest_pivot;
-  s.keep_tolerance = larger(s.keep_tolerance, smaller(rounding, tolerance::kMostRounding));
+  s.keep_tolerance = larger(s.keep_tolerance, tolerance::rounding_after(s.smallest_pivot));
 }
 
 /// Elements of rows that are turned by each reflection as soon as it is there: the others wait
@@ -188,10 +187,14 @@ static void turn_next_levels(Sweep& s, int level, int end_level) {
   s.turned_end = end;
 }
 
-static void run_level(Sweep& s, int begin, int end) {
+static void run_level(Sweep& s, int level) {
+  const int begin = s.order_begin[level], end = s.order_begin[level + 1];
   update_residuals(s, begin, end);
   if (begin == end || s.fixed == s.columns) return;
-  if (solve_last(s, begin, end)) return update_residuals(s, begin, end);
+  if (solve_last(s, begin, end)) {
+    s.solved_last = level;
+    return update_residuals(s, begin, end);
+  }
   const int first = s.fixed;
   const int num_used = factorize_level(s, begin, end);
   substitute(s, begin, end, first);
@@ -230,6 +233,7 @@ SUREFOOT_INLINE void copy_row(Sweep& s, int row) {
 /// A factorization of whole rows begins.
 static void begin_factorization(Sweep& s) {
   s.fixed = s.first_reflection = s.turned_end = 0;
+  s.solved_last = -1;
   for (int j = 0; j < s.stride; j += kPack) at(s.q + j) = Pack{};
 }
 
@@ -327,10 +331,21 @@ void run(Sweep& s, int first, int end, LevelTimer* timer) {
   for (int k = first; k < end; ++k) {
     s.first_column[k] = s.fixed;
     turn_next_levels(s, k, end);
-    run_level(s, s.order_begin[k], s.order_begin[k + 1]);
+    run_level(s, k);
     if (timer != nullptr) timer->take(k);
   }
   s.first_column[end] = s.fixed;
+}
+
+void factorize_last(Sweep& s) {
+  const int level = s.solved_last;
+  if (level < 0) return;
+  for (int j = s.first_column[level]; j < s.columns; ++j) s.q[j] = 0.0;
+  s.fixed = s.first_column[level];
+  s.needs_pivots = true;
+  run_level(s, level);
+  s.needs_pivots = false;
+  s.solved_last = -1;
 }
 
 /// Lᵀ force = −gradient by back substitution over the columns [last, first).

@@ -63,11 +63,12 @@ constexpr double kFullRank = 1e-4;
 constexpr double kSimilar = 1e3;
 
 /// A last level of equalities, with at least as many rows as free columns: takes all columns at
-/// once and needs no factorization from the right. False where their rank isn't clear.
+/// once and needs no factorization from the right, so that no row has them. False where their rank
+/// isn't clear.
 static bool solve_last(Sweep& s, int begin, int end) {
   const int free = s.columns - s.fixed;
   const int num_rows = end - begin;
-  if (end != s.num_taking_part || free == 0 || num_rows < free) return false;
+  if (s.needs_pivots || end != s.num_taking_part || free == 0 || num_rows < free) return false;
   double least = s.scale[s.order[begin]], most = least;
   for (int i = begin; i < end; ++i) {
     if (s.side[s.order[i]] != 2) return false;

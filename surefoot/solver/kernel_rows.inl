@@ -23,8 +23,15 @@ bool read_sides(Sweep& s) {
   const Pack infinity = Pack{} + __builtin_inf();
   Bits wrong = Bits{};
   for (int i = 0; i < s.num_rows; i += kPack) {
-    const Pack lower = at(s.lower + i), upper = at(s.upper + i), scale = at(s.scale + i);
-    const Bits is_sound = (Bits)(lower <= upper) & (Bits)(lower < infinity) &
+    const Pack given_lower = at(s.lower + i), given_upper = at(s.upper + i);
+    const Pack given_scale = at(s.scale + i);
+    // Equality may be asked of NaN; order raises a floating-point exception.
+    const Bits is_number = (Bits)(given_lower == given_lower) & (Bits)(given_upper == given_upper) &
+                           (Bits)(given_scale == given_scale);
+    const Pack lower = is_number ? given_lower : Pack{};
+    const Pack upper = is_number ? given_upper : Pack{};
+    const Pack scale = is_number ? given_scale : Pack{};
+    const Bits is_sound = is_number & (Bits)(lower <= upper) & (Bits)(lower < infinity) &
                           (Bits)(upper > -infinity) & (Bits)(scale < infinity);
     wrong |= ~is_sound & are_rows(i, s.num_rows);
     const Bits guess = sides_at(s.side + i);

@@ -61,7 +61,8 @@ void gather(Sweep& s, int first) {
 
 SUREFOOT_INLINE Pack absolute(Pack p) { return (Pack)((Bits)p & (Bits{} + 0x7fffffffffffffff)); }
 
-void move(Sweep& s, int first, double rounding) {
+bool move(Sweep& s, int first, double rounding, double doubtful) {
+  Bits doubts = Bits{};
   for (int i = first_pack(s); i < s.end_row; i += kPack) {
     Pack even = Pack{}, odd = Pack{};
     const double* column = s.tableau + i + (long)first * s.row_stride;
@@ -71,9 +72,13 @@ void move(Sweep& s, int first, double rounding) {
       odd += s.y[j + 1] * at(column + s.row_stride);
     }
     if (j < s.columns) even += s.y[j] * at(column);
-    const Pack motion = even + odd;
-    at(s.motion + i) = absolute(motion) > rounding * at(s.scale + i) ? motion : Pack{};
+    const Pack motion = even + odd, size = absolute(motion);
+    const Pack scale = at(s.scale + i);  // 0 of a row whose square is none
+    const Bits is_moving = (Bits)(size > rounding * scale) & (Bits)(scale > Pack{});
+    at(s.motion + i) = is_moving ? motion : Pack{};
+    doubts |= is_moving & (Bits)(size <= doubtful * scale);
   }
+  return any(doubts);
 }
 
 double longest_step(Sweep& s, int end, int& row) {

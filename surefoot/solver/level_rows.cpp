@@ -30,6 +30,7 @@ LevelRows::LevelRows(Index max_rows)
     : side_(at(max_rows), Side::inside),
       moved_side_(at(max_rows), Side::inside),
       counting_(at(max_rows), 0),
+      rate_(Eigen::VectorXd::Zero(max_rows)),
       residual_(Eigen::VectorXd::Zero(max_rows)),
       counting_residual_(Eigen::VectorXd::Zero(max_rows)) {}
 
@@ -83,7 +84,7 @@ double LevelRows::residual(const RowValues& values, Index i, Side side, double s
 // Where row i changes its side, not before `step`.
 double LevelRows::break_point(const RowValues& values, Index i, double step) const {
   const Index row = values.level_begin + i;
-  const double rate = values.motion[row];
+  const double rate = rate_[i];
   const Side side = moved_side_[at(i)];
   if (side == Side::equality || rate == 0.0) return kInfinity;
   const bool rising = rate > 0.0;
@@ -93,8 +94,8 @@ double LevelRows::break_point(const RowValues& values, Index i, double step) con
   return std::max(step, (bound - values.value[row]) / rate);
 }
 
-void LevelRows::cross(const RowValues& values, Index i) {
-  const bool rising = values.motion[values.level_begin + i] > 0.0;
+void LevelRows::cross(Index i) {
+  const bool rising = rate_[i] > 0.0;
   Side& side = moved_side_[at(i)];
   if (side == Side::inside) {
     side = rising ? Side::above : Side::below;
@@ -109,7 +110,7 @@ double LevelRows::newton_step(const RowValues& values, double step) const {
   double curvature = 0.0;
   for (Index i = 0; i < num_rows_; ++i) {
     if (moved_side_[at(i)] == Side::inside) continue;
-    const double rate = values.motion[values.level_begin + i];
+    const double rate = rate_[i];
     slope += residual(values, i, moved_side_[at(i)], step) * rate;
     curvature += rate * rate;
   }
@@ -120,6 +121,7 @@ double LevelRows::minimum_along(const RowValues& values, double limit) {
   std::copy_n(side_.begin(), num_rows_, moved_side_.begin());
   double target = 1.0;  // the direction is the full step of the first piece
   if (!has_inequalities_) return std::min(target, limit);
+  for (Index i = 0; i < num_rows_; ++i) rate_[i] = values.rate(values.level_begin + i);
   double step = 0.0;
   for (Index crossings = 0; crossings <= 2 * num_rows_; ++crossings) {
     Index next = -1;
@@ -133,7 +135,7 @@ double LevelRows::minimum_along(const RowValues& values, double limit) {
     }
     step = next_step;
     if (next < 0) break;
-    cross(values, next);
+    cross(next);
     target = newton_step(values, step);
   }
   return step;

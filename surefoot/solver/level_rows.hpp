@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct RowValues {
   /// Smallest change of row i's value that is not rounding.
   [[nodiscard]] double noise(Eigen::Index i) const {
     return tolerance::kRounding * scale[i] * x_size;
+  }
+
+  /// Motion of row i; 0 where a step of length 1 changes nothing but rounding, so that no search
+  /// follows it far away.
+  [[nodiscard]] double rate(Eigen::Index i) const {
+    return std::abs(motion[i]) > noise(i) ? motion[i] : 0.0;
   }
 };
 
@@ -76,7 +83,7 @@ class LevelRows {
   [[nodiscard]] double residual(const RowValues& values, Eigen::Index i, Side side,
                                 double step) const;
   [[nodiscard]] double break_point(const RowValues& values, Eigen::Index i, double step) const;
-  void cross(const RowValues& values, Eigen::Index i);
+  void cross(Eigen::Index i);
   [[nodiscard]] double newton_step(const RowValues& values, double step) const;
 
   Eigen::Index num_rows_ = 0, num_counting_ = 0;
@@ -85,6 +92,7 @@ class LevelRows {
   std::vector<Side> side_;        // at the last update
   std::vector<Side> moved_side_;  // at the end of the last search
   std::vector<Eigen::Index> counting_;
+  Eigen::VectorXd rate_;  // of the present search
   Eigen::VectorXd residual_, counting_residual_;
 };
 

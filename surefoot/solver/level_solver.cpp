@@ -1,5 +1,7 @@
 #include "surefoot/solver/level_solver.hpp"
 
+#include "surefoot/solver/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -86,7 +88,7 @@ void LevelSolver::choose_direction(Tableau& tableau) {
   }
   const double size = direction.norm();
   if (!std::isfinite(size)) tableau.x_size = kInfinity;  // then nothing more can be told
-  tableau.set_direction(first, direction, tolerance_.keep * size);
+  tableau.set_direction(first, direction, present_tolerance(tableau).keep);
 }
 
 void LevelSolver::hold(Tableau& tableau, const Block& block) {
@@ -158,7 +160,8 @@ LevelSolver::Block LevelSolver::first_block(const Tableau& tableau) const {
 // Lets the constraint go that pulls most strongly the wrong way; false if none does.
 bool LevelSolver::drop_constraint(Tableau& tableau) {
   update_forces(tableau);
-  const double wrong = -(tolerance::kWrongSign * force_scale_ + force_noise_);
+  const double wrong =
+      -(tolerance::kWrongSign * force_scale_ + tolerance::kWrongSignOfNoise * force_noise_);
   Index worst = -1;
   for (Index i = 0; i < working_set_.size(); ++i) {
     if (working_set_[i].force >= wrong) continue;
@@ -192,7 +195,7 @@ void LevelSolver::update_forces(const Tableau& tableau) {
 
 void LevelSolver::retire(Tableau& tableau) {
   release_idle_constraints(tableau);
-  note_pivot(working_set_.smallest_pivot(tableau));
+  const double smallest_held = working_set_.smallest_pivot(tableau);
   const Index num_determined = collect_determined_rows(tableau);
   tableau.first_free += working_set_.size();
   const Index free = tableau.num_free();
@@ -205,13 +208,15 @@ void LevelSolver::retire(Tableau& tableau) {
     tableau.first_free += factorization_.num_fixed();
     note_pivot(factorization_.smallest_pivot());
   }
+  note_pivot(smallest_held);
   mark_remaining(tableau);
   working_set_.clear(tableau);
   tableau.retire();
 }
 
 void LevelSolver::release_idle_constraints(Tableau& tableau) {
-  const double strict = tolerance::kStrict * force_scale_ + 100.0 * force_noise_;
+  const double strict =
+      tolerance::kStrict * force_scale_ + tolerance::kStrictOfNoise * force_noise_;
   for (Index i = working_set_.size() - 1; i >= 0; --i) {
     if (working_set_[i].force > strict) continue;
     working_set_.remove(tableau, i, turning_);
@@ -247,8 +252,13 @@ void LevelSolver::mark_remaining(Tableau& tableau) {
 // The weaker the directions already used, the larger the rounding in what is left.
 void LevelSolver::note_pivot(double relative) {
   smallest_pivot_ = std::min(smallest_pivot_, relative);
-  const double rounding = tolerance::kPivotRounding / smallest_pivot_;
-  tolerance_.keep = std::max(tolerance_.keep, std::min(rounding, tolerance::kMostRounding));
+  tolerance_.keep = std::max(tolerance_.keep, tolerance::rounding_after(smallest_pivot_));
+}
+
+// With what is held now.
+RankTolerance LevelSolver::present_tolerance(const Tableau& tableau) const {
+  const double pivot = std::min(smallest_pivot_, working_set_.smallest_pivot(tableau));
+  return {tolerance_.solve, std::max(tolerance_.keep, tolerance::rounding_after(pivot))};
 }
 
 }  // namespace surefoot

@@ -64,6 +64,7 @@ class LevelSolver {
   [[nodiscard]] Eigen::Index collect_determined_rows(const Tableau& tableau);
   void mark_remaining(Tableau& tableau);
   void note_pivot(double relative);
+  [[nodiscard]] RankTolerance present_tolerance(const Tableau& tableau) const;
   [[nodiscard]] bool is_cycling() const { return zero_steps_ > kPatience; }
 
   static constexpr Eigen::Index kWorthTurning = 10;  ///< free columns from which updates pay

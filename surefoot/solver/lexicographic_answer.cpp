@@ -52,13 +52,15 @@ void LexicographicSolver::take_from_sweep(const Hierarchy& hierarchy) {
   is_swept_ = true;
 }
 
-// The end of a budget. The levels before that of the point are finished.
+// The end of a budget. The levels before that of the point are finished, if not all are.
 void LexicographicSolver::take_kept_point() {
   Sweep& s = memory_.sweep;
   std::copy_n(kept_.x.data(), s.unknowns, s.x);
   kernels_.evaluate(s, s.level_begin[first_level_], s.num_rows);
-  solution_.status = SolveStatus::iteration_cap;
-  solution_.failed_level = std::min(kept_.level, s.num_levels - 1);
+  if (!kept_.is_optimal) {
+    solution_.status = SolveStatus::iteration_cap;
+    solution_.failed_level = std::min(kept_.level, s.num_levels);
+  }
   for (int k = first_level_; k < s.num_levels; ++k) {
     solution_.levels[at(k)].degrees_of_freedom_left = kept_.freedom_left[at(k)];
   }

@@ -25,16 +25,20 @@ LexicographicSolver::Outcome LexicographicSolver::find_optimum() {
 }
 
 LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_descend) {
-  if (budget_.is_limited()) keep_point();
+  kept_.is_optimal = false;
+  if (budget_.is_limited())
+    keep_point(num_descents_ > 0 || first_level_ == memory_.sweep.num_levels);
   bool has_released = false;
   while (num_sweeps_ < options_.max_sweeps && !budget_.is_spent()) {
     sweep();
     const bool is_optimal = search_.is_optimal(memory_.sweep, kernels_, first_level_, timer_);
+    kept_.is_optimal = kept_.is_optimal && is_optimal;
     const bool is_open = memory_.sweep.fixed < memory_.sweep.columns || search_.has_judged_norm();
     if (!is_orthonormal_ && is_open) {
       make_basis_orthonormal();
     } else if (is_optimal) {
-      if (has_released || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
+      const bool has_ended = has_released || budget_.is_spent();
+      if (has_ended || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
       has_released = true;
     } else if (may_descend && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
       may_descend = false;
@@ -97,7 +101,7 @@ LexicographicSolver::Outcome LexicographicSolver::descend() {
   s.smallest_pivot = smallest_pivot_;
   ++num_descents_;
   const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_, timer_);
-  if (budget_.is_limited()) keep_point();
+  if (budget_.is_limited()) keep_point(has_ended);
   if (!has_ended) return budget_.is_limited() ? Outcome::out_of_budget : Outcome::stuck;
   if (is_orthonormal_ || !descent_.has_minimised_norm()) return Outcome::optimal;
   make_basis_orthonormal();
@@ -105,8 +109,10 @@ LexicographicSolver::Outcome LexicographicSolver::descend() {
 }
 
 // Where the search is: at the end of the descent's last step, or where the leading equalities leave
-// x. A later point replaces an earlier one only if it has finished as many levels.
-void LexicographicSolver::keep_point() {
+// x. A later point replaces an earlier one only if it has finished as many levels. It is the
+// optimum where all levels are finished and y is the shortest, in a basis where x is, too, or has
+// no choice.
+void LexicographicSolver::keep_point(bool has_finished) {
   Sweep& s = memory_.sweep;
   const int level = num_descents_ > 0 ? descent_.level() : first_level_;
   if (num_descents_ > 1 && level < kept_.level) return;
@@ -116,6 +122,8 @@ void LexicographicSolver::keep_point() {
   kernels_.recover(s);
   std::copy_n(s.x, s.unknowns, kept_.x.data());
   kept_.level = level;
+  const bool is_shortest = is_orthonormal_ || (num_descents_ > 0 && !descent_.has_minimised_norm());
+  kept_.is_optimal = s.columns == 0 || (has_finished && is_shortest);
   for (int k = first_level_; k < s.num_levels; ++k) {
     kept_.freedom_left[at(k)] = num_descents_ > 0 ? descent_.freedom_left(k) : s.columns;
   }

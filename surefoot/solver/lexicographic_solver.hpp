@@ -52,11 +52,13 @@ struct LexicographicOptions {
 ///
 /// **What comes back** is x, the shortest where the levels leave it open, and for each level its
 /// residual √Σ violation², the degrees of freedom left below it, and what each of its rows does
-/// (RowState). `status` says what it is worth:
+/// (RowState). A row whose length squared is no number, because all of it is below 1e-154, counts
+/// as zero; numbers within 1e±100 keep clear of both ends. `status` says what it is worth:
 ///
 ///     optimal          x is the optimum of all levels
 ///     iteration_cap    ended early: levels before `failed_level` are at their optimum, x does not
-///                      disturb them; that level and those after it are not done
+///                      disturb them; that level and those after it are not done (where it is
+///                      the number of levels, all are, and x is only not yet the shortest)
 ///     invalid_input    NaN, lower > upper, a bound that can't be met (lower = ∞), more unknowns,
 ///                      levels or rows than there is room for: x is zero
 ///
@@ -143,7 +145,7 @@ class LexicographicSolver {
   void sweep();
   [[nodiscard]] bool begins_far_off();
   [[nodiscard]] Outcome descend();
-  void keep_point();
+  void keep_point(bool has_finished);
   [[nodiscard]] bool polish();
 
   // lexicographic_answer.cpp
@@ -168,7 +170,8 @@ class LexicographicSolver {
   // Where the descent has come to: it is the answer at the end of a budget.
   struct KeptPoint {
     Eigen::VectorXd x;
-    int level = 0;  // that it was solving
+    int level = 0;            // that it was solving
+    bool is_optimal = false;  // none is left, and no sweep has found it wrong
     std::vector<int> freedom_left;
   };
   KeptPoint kept_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace surefoot {
@@ -18,10 +19,8 @@ using Eigen::VectorXd;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Of sums over a row's elements, relative to ‖a‖ ‖x‖.
 constexpr double kRounding = 100.0 * kEpsilon;
-/// Multipliers above this share of what pulls at all are no rounding of zero.
-constexpr double kPositive = 1e-9;
-/// Beside the longest row of its level, a row this much shorter is rounding of zero.
-constexpr double kNoRow = 1e-13;
+/// What rounding may make of g counts as so much at most.
+constexpr double kOfRounding = 1e-8;
 
 /// Signed violation of a row: positive above, negative below; NaN of a value that is none.
 double violation(double value, double lower, double upper) {
@@ -29,56 +28,88 @@ double violation(double value, double lower, double upper) {
   return value >= lower ? 0.0 : value - lower;
 }
 
-/// Length of the shortest row that is one; 1 where there is none.
-double shortest_row(const Level& level) {
-  const VectorXd length = level.A().rowwise().norm();
-  if (length.size() == 0 || !(length.maxCoeff() > 0.0)) return 1.0;
-  const double least = kNoRow * length.maxCoeff();
-  double shortest = length.maxCoeff();
-  for (const double row : length) shortest = row > least ? std::min(shortest, row) : shortest;
-  return shortest;
-}
-
-/// Rows (1 + ‖x‖) √(‖aᵢ‖² − s²) aᵢ of those longer than s, given with their lengths, the longest
-/// first: in this order a QR keeps what short rows say.
-MatrixXd longer_rows(const Level& level, std::vector<std::pair<double, Index>> longer,
-                     double shortest, double x_size) {
-  std::erase_if(longer, [&](const auto& row) { return row.first <= shortest; });
-  std::ranges::sort(longer, std::greater<>());
-  MatrixXd rows(static_cast<Index>(longer.size()), level.A().cols());
+/// Rows uᵢ aᵢ, given with the lengths of aᵢ, the longest first: in this order a QR keeps what short
+/// rows say.
+MatrixXd in_units(const Level& level, std::vector<std::pair<double, Index>> counting,
+                  double x_size) {
+  std::ranges::sort(counting, std::greater<>());
+  MatrixXd rows(static_cast<Index>(counting.size()), level.A().cols());
   for (Index k = 0; k < rows.rows(); ++k) {
-    const auto [size, i] = longer[static_cast<std::size_t>(k)];
-    rows.row(k) = x_size * std::sqrt((size - shortest) * (size + shortest)) * level.A().row(i);
+    const auto [size, i] = counting[static_cast<std::size_t>(k)];
+    rows.row(k) = size * x_size * level.A().row(i);
   }
   return rows;
 }
 
-struct NullSpace {
-  MatrixXd Z;
-  double smallest_pivot = 1.0;
+/// What rows of length 1 span and what they leave free, by Eigen's own decomposition: nothing here
+/// shares code with a solver.
+class RowSpace {
+ public:
+  RowSpace(const MatrixXd& rows, double rank) : Q_(MatrixXd::Identity(rows.cols(), rows.cols())) {
+    if (rows.rows() == 0) return;
+    qr_.setThreshold(rank);
+    qr_.compute(rows.transpose());
+    used_ = qr_.rank();
+    Q_.applyOnTheLeft(qr_.householderQ());
+  }
+
+  /// Z: an orthonormal basis of what they leave free.
+  [[nodiscard]] MatrixXd free() const { return Q_.rightCols(Q_.cols() - used_); }
+
+  /// Multipliers of those that are independent, which make what of c they span; the others need
+  /// none.
+  [[nodiscard]] VectorXd multipliers_of(const VectorXd& c) const {
+    if (used_ == 0) return VectorXd::Zero(0);
+    const auto R = qr_.matrixR().topLeftCorner(used_, used_);
+    return R.triangularView<Eigen::Upper>().solve(Q_.leftCols(used_).transpose() * c);
+  }
+
+ private:
+  Eigen::ColPivHouseholderQR<MatrixXd> qr_;
+  MatrixXd Q_;
+  Index used_ = 0;
 };
 
-/// Orthonormal basis of what rows of length 1 leave free, by Eigen's own decomposition: nothing
-/// here shares code with a solver.
-NullSpace null_space_of(const MatrixXd& rows, double rank) {
-  const Index n = rows.cols();
-  if (rows.rows() == 0) return {MatrixXd::Identity(n, n)};
-  Eigen::ColPivHouseholderQR<MatrixXd> decomposition(n, rows.rows());
-  decomposition.setThreshold(rank);
-  decomposition.compute(rows.transpose());
-  MatrixXd Q = MatrixXd::Identity(n, n);
-  Q.applyOnTheLeft(decomposition.householderQ());
-  const Index used = decomposition.rank();
-  if (used == 0) return {Q};
-  return {Q.rightCols(n - used), std::abs(decomposition.matrixQR()(used - 1, used - 1))};
+/// What is left of numbers b after the step that makes ‖A y + b‖ least.
+VectorXd left_over(const MatrixXd& A, const VectorXd& b) {
+  if (A.rows() == 0 || A.cols() == 0) return b;
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(kRounding);
+  qr.compute(A);
+  VectorXd rest = qr.householderQ().adjoint() * b;
+  rest.head(qr.rank()).setZero();
+  return qr.householderQ() * rest;
 }
 
-/// What an error of x does to g in the space of Z, so that directions that long rows see are
-/// measured in larger units: Rᵀ R = I + Zᵀ longerᵀ longer Z / scale², up to an order of the
-/// columns.
+/// Rows of a level and by how much they are beyond their bounds.
+struct Violations {
+  std::vector<Index> rows;
+  MatrixXd A;
+  VectorXd by;
+};
+
+/// Of equalities and the rows that `counts` names.
+Violations violations(const Level& level, const VectorXd& x, const std::vector<bool>& counts) {
+  Violations result;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    if (counts[static_cast<std::size_t>(i)]) result.rows.push_back(i);
+  }
+  const auto count = static_cast<Index>(result.rows.size());
+  result.A.resize(count, level.unknowns());
+  result.by.resize(count);
+  for (Index k = 0; k < count; ++k) {
+    const Index i = result.rows[static_cast<std::size_t>(k)];
+    result.A.row(k) = level.A().row(i);
+    result.by[k] = violation(level.A().row(i).dot(x), level.lower()[i], level.upper()[i]);
+  }
+  return result;
+}
+
+/// What violations, or rounding of size w, make of g in the space of Z: Rᵀ R = I + Zᵀ U² Z / w²
+/// with the rows `U` = uᵢ aᵢ, up to an order of the columns.
 class Measure {
  public:
-  Measure(const LevelConditions& level, const MatrixXd& Z) : qr_(stacked(level, Z)) {}
+  Measure(const MatrixXd& U, const MatrixXd& Z, double w) : qr_(stacked(U, Z, w)) {}
 
   /// R⁻ᵀ of each column.
   [[nodiscard]] MatrixXd of(const MatrixXd& columns) const {
@@ -89,9 +120,9 @@ class Measure {
   }
 
  private:
-  static MatrixXd stacked(const LevelConditions& level, const MatrixXd& Z) {
-    MatrixXd rows(level.longer.rows() + Z.cols(), Z.cols());
-    rows << level.longer / level.scale * Z, MatrixXd::Identity(Z.cols(), Z.cols());
+  static MatrixXd stacked(const MatrixXd& U, const MatrixXd& Z, double w) {
+    MatrixXd rows(U.rows() + Z.cols(), Z.cols());
+    rows << U / w * Z, MatrixXd::Identity(Z.cols(), Z.cols());
     return rows;
   }
 
@@ -145,12 +176,12 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
                                       double tight) {
   const Index n = hierarchy.unknowns();
   LevelConditions result{.gradient = VectorXd::Zero(n),
-                         .longer = MatrixXd(0, n),
+                         .in_units = MatrixXd(0, n),
                          .fixed = RowSet(n),
                          .touching = RowSet(n)};
   const Level& level = hierarchy.level(k);
   const double x_size = 1.0 + x.norm();
-  double sum_of_squares = 0.0, sum = 0.0;
+  double sum_of_squares = 0.0;
   std::vector<std::pair<double, Index>> counting;  // those that an error of x may put into g
   for (Index i = 0; i < level.num_rows(); ++i) {
     const VectorXd row = level.A().row(i).transpose();
@@ -161,13 +192,13 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     const double size = row.norm();
     const double near = tight * size * x_size;
     result.gradient += v * row;
-    sum += std::abs(v);
     sum_of_squares += v * v;
-    result.pull += std::abs(v) * size;
-    result.rounding += kRounding * size * size * x_size;
     if (size == 0.0) continue;
-    if (lower == upper || value >= upper - near || value <= lower + near)
+    if (lower == upper || value >= upper - near || value <= lower + near) {
       counting.emplace_back(size, i);
+      result.pull += size * std::abs(v);
+      result.rounding += kRounding * size * (std::abs(v) + size * x_size);
+    }
     if (lower == upper || std::abs(v) > near) {
       result.fixed.add(row / size, {k, i});
       continue;
@@ -175,10 +206,35 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     if (value >= upper - near) result.touching.add(row / size, {k, i});
     if (value <= lower + near) result.touching.add(-row / size, {k, i});
   }
-  const double shortest = shortest_row(level);
-  result.scale = shortest * (shortest * x_size + sum);
-  result.longer = longer_rows(level, std::move(counting), shortest, x_size);
+  if (!counting.empty()) {
+    const double shortest = std::ranges::min(counting).first;
+    result.pull += shortest * shortest * x_size;
+  }
+  result.in_units = in_units(level, std::move(counting), x_size);
   result.residual = std::sqrt(sum_of_squares);
+  return result;
+}
+
+std::vector<Index> pushing(const VectorXd& mu) {
+  std::vector<Index> result;
+  for (Index j = 0; j < mu.size(); ++j) {
+    if (mu[j] > 0.0) result.push_back(j);
+  }
+  return result;
+}
+
+VectorXd independence(const MatrixXd& columns) {
+  const Index count = columns.cols();
+  if (count == 0) return VectorXd(0);
+  const auto decomposition = columns.completeOrthogonalDecomposition();
+  const MatrixXd inverse = decomposition.pseudoInverse();
+  const VectorXd growth = inverse.rowwise().norm();
+  VectorXd result = growth.cwiseInverse();
+  if (decomposition.rank() == count) return result;
+  const MatrixXd by_others = MatrixXd::Identity(count, count) - inverse * columns;
+  for (Index j = 0; j < count; ++j) {
+    if (by_others.row(j).norm() > kRounding * growth[j]) result[j] = 0.0;
+  }
   return result;
 }
 
@@ -186,22 +242,30 @@ Multipliers multipliers(const LevelConditions& level, const RowSet& fixed, const
                         double rank) {
   Multipliers result;
   result.fixed = VectorXd::Zero(fixed.rows.rows());
-  result.touching = VectorXd::Zero(touching.rows.rows());
-  const auto [Z, smallest_pivot] = null_space_of(fixed.rows, rank);
-  if (Z.cols() > 0) {
-    const Measure measure(level, Z);
-    const VectorXd target = -Z.transpose() * level.gradient / level.scale;
+  result.touching = result.rounding = VectorXd::Zero(touching.rows.rows());
+  const RowSpace space(fixed.rows, rank);
+  const MatrixXd Z = space.free();
+  if (Z.cols() > 0 && level.pull > 0.0 && std::isfinite(level.rounding)) {
     MatrixXd generators = (touching.rows * Z).transpose();
     for (auto generator : generators.colwise()) {
       if (generator.norm() <= rank) generator.setZero();  // E has it, but for rounding
     }
-    const VectorXd mu = non_negative_least_squares(measure.of(generators), measure.of(target));
-    const VectorXd rest = generators * mu - target;
-    result.touching = level.scale * mu;
-    result.distance = level.scale * rest.norm();
-    result.stationarity = measure.of(rest).norm();
-    const double largest = result.touching.size() > 0 ? result.touching.maxCoeff() : 0.0;
-    result.rounding = kRounding / smallest_pivot * largest;
+    double forces = 0.0;
+    for (int pass = 0; pass < 2; ++pass) {  // the first finds how large the multipliers are
+      const double w = kRounding * (level.pull + forces) / kOfRounding;
+      const Measure measure(level.in_units, Z, w);
+      const VectorXd target = -Z.transpose() * level.gradient / w;
+      const VectorXd mu = non_negative_least_squares(measure.of(generators), measure.of(target));
+      const VectorXd rest = generators * mu - target;
+      result.touching = w * mu;
+      result.distance = w * rest.norm();
+      result.stationarity = measure.of(rest).norm();
+      const VectorXd held = level.gradient + touching.rows.transpose() * result.touching;
+      forces = result.touching.sum() + space.multipliers_of(held).lpNorm<1>();
+    }
+    const std::vector<Index> held = pushing(result.touching);
+    result.rounding(held) = (level.rounding + kRounding * forces + 10.0 * result.distance) *
+                            independence(generators(Eigen::all, held)).cwiseInverse();
   }
   if (fixed.rows.rows() > 0) {
     const VectorXd rest = -level.gradient - touching.rows.transpose() * result.touching;
@@ -210,16 +274,48 @@ Multipliers multipliers(const LevelConditions& level, const RowSet& fixed, const
   return result;
 }
 
-void fix_pushing(const LevelConditions& level, const Multipliers& multipliers, RowSet& fixed,
-                 RowSet& touching) {
-  const double positive =
-      kPositive * level.pull + level.rounding + multipliers.rounding + 10.0 * multipliers.distance;
+void fix_pushing(const Multipliers& multipliers, RowSet& fixed, RowSet& touching) {
   RowSet rest(touching.rows.cols());
   for (Index i = 0; i < touching.rows.rows(); ++i) {
-    RowSet& to = multipliers.touching[i] > positive ? fixed : rest;
+    RowSet& to = multipliers.touching[i] > multipliers.rounding[i] ? fixed : rest;
     to.add(touching.rows.row(i).transpose(), touching.origin[static_cast<std::size_t>(i)]);
   }
   touching = std::move(rest);
+}
+
+void fix_violated(const Level& rows, const VectorXd& x, const RowSet& fixed, double rank,
+                  LevelConditions& level) {
+  const auto beyond = [&](Index i) {
+    return violation(rows.A().row(i).dot(x), rows.lower()[i], rows.upper()[i]);
+  };
+  std::vector<bool> counts(static_cast<std::size_t>(rows.num_rows()), false);
+  for (const RowIndex at : level.fixed.origin) counts[static_cast<std::size_t>(at.row)] = true;
+  std::set<Index> candidates;
+  for (const auto [k, i] : level.touching.origin) {
+    if (std::abs(beyond(i)) <= kRounding * rows.A().row(i).norm() * (1.0 + x.norm())) continue;
+    counts[static_cast<std::size_t>(i)] = true;
+    candidates.insert(i);
+  }
+  if (candidates.empty()) return;
+  const MatrixXd Z = RowSpace(fixed.rows, rank).free();
+  for (bool is_settled = false; !is_settled;) {
+    const Violations now = violations(rows, x, counts);
+    const VectorXd rest = left_over(now.A * Z, now.by);
+    is_settled = true;
+    for (Index k = 0; k < rest.size(); ++k) {
+      const Index i = now.rows[static_cast<std::size_t>(k)];
+      if (rest[k] * now.by[k] >= 0.5 * now.by[k] * now.by[k] || candidates.erase(i) == 0) continue;
+      counts[static_cast<std::size_t>(i)] = false;
+      is_settled = false;
+    }
+  }
+  RowSet touching(x.size());
+  for (Index j = 0; j < level.touching.rows.rows(); ++j) {
+    const RowIndex at = level.touching.origin[static_cast<std::size_t>(j)];
+    RowSet& to = candidates.erase(at.row) > 0 ? level.fixed : touching;  // once of two sides
+    to.add(level.touching.rows.row(j).transpose(), at);
+  }
+  level.touching = std::move(touching);
 }
 
 // With columns and b of length 1, so that neither their units nor each other's decide.

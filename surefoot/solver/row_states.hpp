@@ -19,6 +19,7 @@ inline double signed_violation(double value, double lower, double upper) {
 /// lower ≤ upper, and neither is an infinity that nothing can meet. False for NaN.
 inline bool are_sound(double lower, double upper) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (std::isunordered(lower, upper)) return false;  // asking for order would raise an exception
   return lower <= upper && lower < kInfinity && upper > -kInfinity;
 }
 

@@ -22,6 +22,7 @@ SoftLevels::SoftLevels(const Hierarchy& capacity)
       value_(Eigen::VectorXd::Zero(max_rows_of_a_level(capacity))) {}
 
 const Hierarchy& SoftLevels::select(const Hierarchy& hierarchy, const LevelSet& present) noexcept {
+  if (hierarchy.unknowns() != selected_.unknowns()) return hierarchy;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     selected_.level(k).clear();
     if (k >= present.size() || present[k]) selected_.level(k).add(hierarchy.level(k));

@@ -31,7 +31,8 @@ class SoftLevels {
   explicit SoftLevels(const Hierarchy& capacity);
 
   /// The hierarchy with the rows of the levels in `present`; the others have none. `hierarchy` must
-  /// be within the capacity. The reference stays valid until the next call. Does not allocate.
+  /// be within the capacity; over other unknowns it comes back as it is, for the solver to refuse.
+  /// The reference stays valid until the next call. Does not allocate.
   const Hierarchy& select(const Hierarchy& hierarchy, const LevelSet& present) noexcept;
 
   /// x(s), and what each row of `hierarchy`, with all levels of either side, does there. If one

@@ -11,7 +11,8 @@ namespace surefoot {
 enum class SolveStatus : int {
   optimal = 0,  ///< every level is at its lexicographic optimum
   /// ended early at `failed_level`, at the cap of iterations or of the budget; all levels before
-  /// are optimal, x is feasible for them
+  /// are optimal, x is feasible for them. The number of levels where all are: then x is only not
+  /// yet the shortest
   iteration_cap = 1,
   /// NaN, or lower > upper, or infinities that make no sense, or a level with more rows than it has
   /// room for: then `failed_level` is the first such level. −1: a hierarchy beyond the capacity, or

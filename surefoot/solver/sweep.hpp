@@ -43,6 +43,8 @@ struct Sweep {
   int* list = nullptr;           ///< of rows, for whoever needs one
   int* first_column = nullptr;   ///< by level: columns that the levels before have fixed
   int fixed = 0;                 ///< columns that are fixed
+  int solved_last = -1;          ///< level whose columns no row has, see `factorize_last`; −1: none
+  bool needs_pivots = false;     ///< so there must be none
   int first_reflection = 0;      ///< columns that were fixed when the factorization began
   int turned_end = 0;            ///< rows of `order` before it are turned by all reflections so far
   int* reach = nullptr;          ///< column → its reflector is zero from there on, in x
@@ -113,8 +115,9 @@ struct SweepKernels {
   void (*rotate)(Sweep&, int first, double cosine, double sine);
   /// Starts a factorization of the rows listed in `order`, from column `first` of the tableau on.
   void (*gather)(Sweep&, int first);
-  /// motion ← tableau · q from column `first` on; 0 where it is at most `rounding` ‖a‖.
-  void (*move)(Sweep&, int first, double rounding);
+  /// motion ← tableau · q from column `first` on; 0 where it is at most `rounding` ‖a‖. Whether
+  /// any other is at most `doubtful` ‖a‖.
+  bool (*move)(Sweep&, int first, double rounding, double doubtful);
   /// Longest step along the motion within the limits of the rows before `end`, those after it in a
   /// pack have none, and the row that ends it, −1 for none.
   double (*longest_step)(Sweep&, int end, int& row);
@@ -130,6 +133,9 @@ struct SweepKernels {
   void (*recover)(Sweep&);
   /// value[i] ← aᵢ x for rows [first, end).
   void (*evaluate)(Sweep&, int first, int end);
+  /// A last level that was solved as a whole is solved again, so that its rows have columns and
+  /// can hold x against a gradient; y as it was found stays.
+  void (*factorize_last)(Sweep&);
   /// Multipliers with which earlier rows balance the gradient of a level, down to this column.
   void (*balance)(Sweep&, int level, int last_column);
   /// The same for the gradient q of ½ ‖x‖².

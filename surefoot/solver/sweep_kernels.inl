@@ -31,6 +31,7 @@ constexpr SweepKernels kKernels{.name = SUREFOOT_ISA_NAME,
                                 .turn_back = turn_back,
                                 .recover = recover,
                                 .evaluate = evaluate,
+                                .factorize_last = factorize_last,
                                 .balance = balance,
                                 .balance_norm = balance_norm};
 

@@ -1,6 +1,7 @@
 #include "surefoot/solver/tableau.hpp"
 
 #include "surefoot/solver/householder.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,11 +101,19 @@ void Tableau::gather(Index row, Index first, std::vector<Rotation>& rotations) {
 }
 
 void Tableau::set_direction(Index first, const Eigen::Ref<const Eigen::VectorXd>& p,
-                            double negligible) {
+                            double rounding) {
   motion.head(num_rows).noalias() = rows(first, p.size()) * p;
+  const double size = p.norm();
   for (Index i = unknowns; i < num_rows; ++i) {
-    if (std::abs(motion[i]) <= negligible * scale[i]) motion[i] = 0.0;
+    const double rate = std::abs(motion[i]), unit = scale[i] * size;
+    const bool is_rounding = !(unit > 0.0) || rate <= tolerance::kRounding * unit ||
+                             (rate <= rounding * unit && is_dependent(i, first, rounding));
+    if (is_rounding) motion[i] = 0.0;
   }
+}
+
+bool Tableau::is_dependent(Index row, Index first, double rounding) const {
+  return T.row(row).segment(first, unknowns - first).norm() <= rounding * scale[row];
 }
 
 void Tableau::move(double step) {

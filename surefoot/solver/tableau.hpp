@@ -44,10 +44,13 @@ class Tableau {
   /// x and the values of all rows move by `step` · T(:, first …) p; see `motion`.
   void move(double step);
 
-  /// motion ← T(:, first …) p, the rate of all values along p; 0 where it is at most
-  /// `negligible` ‖aᵢ‖, which is rounding: a row that depends on fixed ones does not move.
+  /// motion ← T(:, first …) p, the rate of all values along p; 0 where it is rounding, and where
+  /// the row depends on those before `first`, see `RankTolerance::keep`.
   void set_direction(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& p,
-                     double negligible);
+                     double rounding);
+
+  /// At most `rounding` ‖aᵢ‖ is left of row i in the columns from `first` on.
+  [[nodiscard]] bool is_dependent(Eigen::Index row, Eigen::Index first, double rounding) const;
 
   /// Ends a level: rows for which `keep` is not set leave, the rest become constraints.
   void retire();

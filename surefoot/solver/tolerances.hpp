@@ -24,9 +24,16 @@ struct RankTolerance {
 namespace tolerance {
 
 /// Relative to what is used of a row: rounding in the rows that follow.
-inline constexpr double kPivotRounding = 64.0 * std::numeric_limits<double>::epsilon();
+inline constexpr double kPivotRounding = 16.0 * std::numeric_limits<double>::epsilon();
 /// What is taken for rounding at most, however weak the directions used.
 inline constexpr double kMostRounding = 1e-4;
+
+/// Rounding in what is left of rows, relative to their lengths, where a row has been used of which
+/// so much was left.
+constexpr double rounding_after(double smallest_pivot) {
+  const double rounding = kPivotRounding / smallest_pivot;
+  return rounding < kMostRounding ? rounding : kMostRounding;
+}
 
 /// Values of rows, relative to ‖a‖ ‖x‖. Below: a difference may be rounding.
 inline constexpr double kRounding = 2e-14;
@@ -41,6 +48,10 @@ inline constexpr double kViolated = 1e-9;
 inline constexpr double kWrongSign = 1e-11;
 /// above kStrict it is certain to be needed.
 inline constexpr double kStrict = 1e-9;
+/// The same, relative to what kRounding makes of Σ ‖aᵢ‖²: where nearly parallel rows make x large
+/// and forces small, a row that is kept in error costs more than one that is let go in vain.
+inline constexpr double kWrongSignOfNoise = 0.2;
+inline constexpr double kStrictOfNoise = 100.0;
 
 }  // namespace tolerance
 }  // namespace surefoot

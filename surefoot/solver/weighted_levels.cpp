@@ -13,11 +13,12 @@ WeightedLevels::WeightedLevels(const Hierarchy& capacity, std::size_t first,
     throw Error("weighted from level " + std::to_string(first) + ", counted from 0; there are " +
                 std::to_string(capacity.num_levels()) + " levels");
   }
-  for (const double weight : weights_) {
-    if (!(weight > 0.0)) {
-      throw Error("weight of a level is " + std::to_string(weight) + "; expected a number > 0");
-    }
+  if (weights_.size() > capacity.num_levels() - first) {
+    throw Error(std::to_string(weights_.size()) + " weights are given from level " +
+                std::to_string(first) + " on; expected at most " +
+                std::to_string(capacity.num_levels() - first) + ", one for each");
   }
+  for (const double weight : weights_) check_weight(weight, "the weight of a level");
   weights_.resize(capacity.num_levels() - first, 1.0);
   Eigen::Index rows = 0;
   for (std::size_t k = 0; k < capacity.num_levels(); ++k) {
@@ -29,6 +30,7 @@ WeightedLevels::WeightedLevels(const Hierarchy& capacity, std::size_t first,
 }
 
 const Hierarchy& WeightedLevels::update(const Hierarchy& hierarchy) noexcept {
+  if (hierarchy.unknowns() != weighted_.unknowns()) return hierarchy;
   for (std::size_t k = 0; k <= first_; ++k) weighted_.level(k).clear();
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     if (k < first_) {

@@ -23,7 +23,8 @@ class WeightedLevels {
   WeightedLevels(const Hierarchy& capacity, std::size_t first, std::vector<double> weights = {},
                  const std::string& name = "weighted");
 
-  /// `hierarchy` must be within the capacity. The reference stays valid until the next call.
+  /// `hierarchy` must be within the capacity; over other unknowns it comes back as it is, for the
+  /// solver to refuse. The reference stays valid until the next call.
   const Hierarchy& update(const Hierarchy& hierarchy) noexcept;
 
  private:

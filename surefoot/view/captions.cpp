@@ -27,7 +27,7 @@ std::string adaptation_caption(const RunData& run) {
                                [](const FootPlan& foot) { return foot.phase == LegPhase::search; });
   });
   return text + ". Grey: the leg stands" +
-         (searches ? ", orange: it searches for ground, white: it swings." : ", white: it swings.");
+         (searches ? ", amber: it searches for ground, white: it swings." : ", white: it swings.");
 }
 
 std::string map_caption(const RunData& run) {

@@ -85,12 +85,34 @@ std::string goal_of(const json& goal) {
 }
 
 void read_options(const json& options, Outcome& outcome) {
+  outcome.criteria = asked(member(options, "criteria"));
   outcome.goal = goal_of(member(options, "goal"));
   const json paper = member(options, "paper");
   for (const auto& [metric, figure] : paper.items()) {
     if (figure.is_null()) continue;
     outcome.paper.emplace_back(metric,
                                figure.is_string() ? figure.get<std::string>() : figure.dump());
+  }
+}
+
+void read_summary(const json& summary, Outcome& outcome) {
+  outcome.criteria = judged(summary.at("criteria"));
+  const json& metrics = summary.at("metrics");
+  outcome.reason = metrics.value("reason", "");
+  outcome.metrics = read_metrics(metrics);
+  outcome.succeeded = is_true(metrics, "succeeded");
+  outcome.goal_reached = is_true(metrics, "goal_reached");
+  outcome.interrupted = outcome.reason == "interrupted" || outcome.reason == "begun again";
+  outcome.known = true;
+}
+
+/// What is read of JSON, as far as `outcome` was before where it is of another shape.
+void read_whole(void (*read)(const json&, Outcome&), const std::string& text, Outcome& outcome) {
+  Outcome more = outcome;
+  try {
+    read(parse(text), more);
+    outcome = std::move(more);
+  } catch (const json::exception&) {
   }
 }
 
@@ -116,19 +138,9 @@ const std::string* Outcome::figure_of_paper(const std::string& name) const {
 }
 
 Outcome read_outcome(const std::string& summary_text, const std::string& options_text) {
-  const json summary = parse(summary_text), options = parse(options_text);
   Outcome outcome;
-  read_options(options, outcome);
-  outcome.known = summary.contains("metrics") && summary.contains("criteria");
-  outcome.criteria =
-      outcome.known ? judged(summary.at("criteria")) : asked(member(options, "criteria"));
-  if (!outcome.known) return outcome;
-  const json metrics = member(summary, "metrics");
-  outcome.metrics = read_metrics(metrics);
-  outcome.succeeded = is_true(metrics, "succeeded");
-  outcome.reason = metrics.value("reason", "");
-  outcome.goal_reached = is_true(metrics, "goal_reached");
-  outcome.interrupted = outcome.reason == "interrupted";
+  read_whole(read_options, options_text, outcome);
+  read_whole(read_summary, summary_text, outcome);
   if (outcome.interrupted) {
     for (Requirement& one : outcome.criteria) one.passed.reset();
   }

@@ -24,8 +24,8 @@ struct Requirement {
 
 /// What a log says of how its run came out.
 struct Outcome {
-  bool known = false;  ///< the run came to its end, and the log with it; else nothing is judged
-  bool interrupted = false;  ///< from outside; nothing is judged either
+  bool known = false;        ///< the log has a summary that can be read; else nothing is judged
+  bool interrupted = false;  ///< from outside, or begun again; nothing is judged either
   bool succeeded = false;
   std::string reason;  ///< why it ended
   std::string goal;    ///< what the scenario is for, in words; empty: it names none
@@ -39,8 +39,8 @@ struct Outcome {
   [[nodiscard]] const std::string* figure_of_paper(const std::string& name) const;
 };
 
-/// From the log's summary and from the options of its header, both JSON; what is not there is left
-/// out.
+/// From the log's summary and from the options of its header, both JSON; what is not there, or of
+/// another shape, is left out.
 [[nodiscard]] Outcome read_outcome(const std::string& summary, const std::string& options);
 
 }  // namespace surefoot::report

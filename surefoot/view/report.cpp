@@ -66,7 +66,7 @@ std::string body(const RunData& run, const ReportPictures& pictures) {
   Figures figure;
   std::string out = report::title(run.header) + report::verdict(run, outcome);
   out += report::pictures(pictures);
-  out += "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run.header);
+  out += "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run, outcome);
   out += motion(run, figure);
   out += forces(run, figure);
   out += hierarchy(run, figure);

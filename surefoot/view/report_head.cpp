@@ -67,7 +67,7 @@ std::string trouble_list(const RunData& run) {
   std::string out = "<ul class=\"troubles\">\n";
   for (const Happening& one : list) {
     out += "<li><b>" + std::to_string(one.count) + " ×</b> " + escape(one.what) +
-           (one.count > 1 ? ", first at " : ", at ") + decimal(one.first, 2) + " s</li>\n";
+           (one.count > 1 ? ", first at " : ", at ") + decimal(one.first, 4) + " s</li>\n";
   }
   return out + "</ul>\n";
 }
@@ -129,13 +129,27 @@ std::string cut_warning(const RunData& run, const Outcome& outcome) {
     return warning("The log is not whole: " + run.problem +
                    ". This shows what could be read of it, to " + end_time(run) + ".");
   if (outcome.interrupted)
-    return warning("The run was interrupted at " + end_time(run) +
+    return warning("The run was " + outcome.reason + " at " + end_time(run) +
                    ", so this shows only its beginning, and its criteria are not judged.");
   return outcome.known ? ""
                        : warning(
                              "The log holds no summary: its run did not end in the usual way. "
                              "This shows it to " +
                              end_time(run) + ".");
+}
+
+// By the command alone another run is had.
+std::string left_out(const RunData& run, const Outcome& outcome) {
+  std::string out;
+  if (outcome.interrupted || !outcome.known)
+    out += "<p>That run goes on where this log ends.</p>\n";
+  else if (!run.problem.empty())
+    out += "<p>What of it was changed by hand may be missing here: the log is damaged.</p>\n";
+  if (run.num_changes > 0)
+    out += "<p>It is without what was changed and pushed by hand (" +
+           std::to_string(run.num_changes) + (run.num_changes == 1 ? " message" : " messages") +
+           " on /changes): <code>replay --verify</code> on the log repeats that.</p>\n";
+  return out;
 }
 
 }  // namespace
@@ -159,9 +173,11 @@ std::string verdict(const RunData& run, const Outcome& outcome) {
   return out;
 }
 
-std::string provenance(const LogHeader& header) {
+std::string provenance(const RunData& run, const Outcome& outcome) {
+  const LogHeader& header = run.header;
   std::string out = "<h2>How to make it again</h2>\n";
-  if (!header.command.empty()) out += "<pre>" + escape(header.command) + "</pre>\n";
+  if (!header.command.empty())
+    out += "<pre>" + escape(header.command) + "</pre>\n" + left_out(run, outcome);
   const double period = header.control_period;
   std::vector<std::vector<Cell>> rows{
       {{"surefoot"}, {header.version + (header.commit.empty() ? "" : ", commit " + header.commit)}},

@@ -16,6 +16,6 @@ namespace surefoot::report {
 [[nodiscard]] std::string verdict(const RunData& run, const Outcome& outcome);
 
 /// The command that makes the run again, and everything that its result depends on.
-[[nodiscard]] std::string provenance(const LogHeader& header);
+[[nodiscard]] std::string provenance(const RunData& run, const Outcome& outcome);
 
 }  // namespace surefoot::report

@@ -14,12 +14,12 @@ constexpr std::string_view kStyle = R"css(
 :root { color-scheme: light dark;
   --ground: #ffffff; --ink: #1c1f23; --soft: #5c636b; --rule: #d9dde1; --grid: #e8ebee; --card: #f6f7f8;
   --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #aa4499; --c5: #8a6d00; --bound: #7a1f1f;
-  --good: #00704f; --bad: #b3261e; --stance: #5c636b1f; --search: #d55e0033;
+  --good: #00704f; --bad: #b3261e; --stance: #5c636b1f; --search: #c9a10059;
   --g0: #ffffff; --g1: #f7f7f6; --g2: #f0f0ee; --g3: #e9e9e6; --g4: #e1e1dd; }
 @media (prefers-color-scheme: dark) { :root {
   --ground: #14171a; --ink: #e8eaed; --soft: #a3abb3; --rule: #363c42; --grid: #262b30; --card: #1c2024;
-  --c0: #56b4e9; --c1: #f5934e; --c2: #3fc99c; --c3: #e29bd3; --c5: #e0c34a; --bound: #ff9b94;
-  --good: #59d2a5; --bad: #ff8a80; --stance: #a3abb32b; --search: #f5934e47;
+  --c0: #56b4e9; --c1: #f5934e; --c2: #3fc99c; --c3: #d070c0; --c5: #e0c34a; --bound: #ff9b94;
+  --good: #59d2a5; --bad: #ff8a80; --stance: #a3abb32b; --search: #d9a80059;
   --g0: #2b3137; --g1: #262b31; --g2: #20252a; --g3: #1a1e22; --g4: #0f1113; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 2.5rem 1.25rem 4rem; max-width: 60rem; background: var(--ground);

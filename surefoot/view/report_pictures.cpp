@@ -1,5 +1,6 @@
 #include "surefoot/view/report_pictures.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/view/svg.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace surefoot::report {
 namespace {
 
-std::string seconds(double time) { return plot::decimal(time, 2) + " s"; }
+/// As the pictures themselves have it.
+std::string seconds(double time) { return formatted("%.2f s", time); }
 
 std::string times_of(const ReportPictures& pictures) {
   std::string out;
@@ -23,10 +25,11 @@ std::string strip(const ReportPictures& pictures) {
          "\" src=\"data:image/jpeg;base64," + base64(pictures.strip) +
          "\">\n<figcaption>The robot in the simulation, after the paper's Fig. 5, at " +
          times_of(pictures) +
-         ". Arrows: ground forces, blue well inside their friction cone, yellow near it, orange "
-         "at it. Green: the region between the feet that carry, at the height of the highest; "
-         "pink: "
-         "the centre of mass over it. Legs in blue carry, in white swing, in orange search for "
+         ". Arrows: ground forces, grey well inside their friction cone, amber near it, black "
+         "at it; the yellow arrow, 0.2 m longer than its force alone would make it: what pushes "
+         "the robot from outside. Dark green: "
+         "the region between the feet that carry, at the height of the highest; black: the centre "
+         "of mass over it. Legs in grey carry, in white are in the air, in amber search for "
          "ground.</figcaption>\n</figure>\n";
 }
 

@@ -177,6 +177,7 @@ RunData read_run(const std::string& log_path) {
   LogReader log(log_path, [&](const McapMessage& message) {
     if (message.channel->topic == "/truth")
       truths.push_back(truth_sample(message, forces, run.applied));
+    if (message.channel->topic == "/changes") ++run.num_changes;
   });
   run.header = log.header();
   ActiveTimes active(run.header.control_period);

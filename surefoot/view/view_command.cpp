@@ -180,7 +180,8 @@ ViewMessage read_message(std::string_view text) {
   const auto token = message.find("token");
   if (token != message.end() && token->is_string()) result.token = token->get<std::string>();
   try {
-    result.command = read_command(message);
+    result.is_hello = message.value("type", json()) == "hello";
+    if (!result.is_hello) result.command = read_command(message);
   } catch (const BadMessage& bad) {
     result.error = bad.what;
   }

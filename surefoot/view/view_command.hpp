@@ -49,7 +49,8 @@ struct ViewCommand {
 struct ViewMessage {
   std::int64_t id = 0;
   std::string token;
-  std::string error;  ///< what is wrong with the rest of it; empty: nothing
+  bool is_hello = false;  ///< it asks only whether its token is known; without a command
+  std::string error;      ///< what is wrong with the rest of it; empty: nothing
   ViewCommand command;
 };
 

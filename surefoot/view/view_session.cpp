@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-constexpr int kProtocol = 1;
+constexpr int kProtocol = 2;
 
 void limits_member(JsonText& json, const ViewLimits& limits) {
   json.key("limits")
@@ -18,7 +18,8 @@ void limits_member(JsonText& json, const ViewLimits& limits) {
       .member("walk_yaw_rate", limits.walk_yaw_rate)
       .member("walk_height", limits.walk_height)
       .member("friction_min", limits.friction_min)
-      .member("friction_max", limits.friction_max);
+      .member("friction_max", limits.friction_max)
+      .member("changes", limits.changes);
   json.key("speeds").array();
   for (double speed = limits.slowest; speed <= limits.fastest; speed *= 2.0) json.value(speed);
   json.end_array().end_object();
@@ -83,7 +84,7 @@ std::string to_json(const ViewSession& session) {
       .member("version", std::string_view(session.version))
       .member("title", std::string_view(session.title))
       .member("source", std::string_view(session.source))
-      .member("whole", session.whole)
+      .member("cut", session.cut)
       .member("period", session.period)
       .member("first_tick", session.first_tick)
       .member("ticks", session.ticks)

@@ -22,6 +22,7 @@ struct ViewLimits {
   double walk_yaw_rate = 0.6;  ///< [rad/s]
   double walk_height = 0.1;    ///< offset, up or down [m]
   double friction_min = 0.05, friction_max = 2.0;
+  std::size_t changes = 200;  ///< of a live run that pages are told, the last
 };
 
 /// A number of a task that can be changed.
@@ -58,7 +59,7 @@ struct ViewSession {
   std::string start;  ///< names this start of the program: another one serves another run
   std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
-  bool whole = true;       ///< the log was closed
+  std::string cut;         ///< of a log: why the run does not end where it should; "": it does
   std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;

@@ -86,19 +86,22 @@ void WebClient::read() {
 void WebClient::take(std::string_view text) {
   const ViewMessage message = read_message(text);
   if (!is_same_secret(message.token, shared_.options.token)) {
-    reply(message.id, "commands need the token of the link that the program printed");
+    reply(message.id, "commands need the token of the link that the program printed", false);
   } else if (!message.error.empty()) {
     reply(message.id, message.error);
+  } else if (message.is_hello) {
+    reply(message.id, "");
   } else {
     reply(message.id, shared_.content.command(message.command));
   }
 }
 
-void WebClient::reply(std::int64_t id, const std::string& error) {
+void WebClient::reply(std::int64_t id, const std::string& error, bool is_token_known) {
   auto text = std::make_shared<std::string>();
   JsonText json(*text);
   json.object().member("type", "reply").member("id", id).member("ok", error.empty());
   if (!error.empty()) json.member("error", std::string_view(error));
+  if (!is_token_known) json.member("token", false);
   json.end_object();
   send(std::move(text));
 }

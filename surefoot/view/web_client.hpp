@@ -78,7 +78,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void part(const boost::beast::websocket::close_reason& reason);
   void read();
   void take(std::string_view text);
-  void reply(std::int64_t id, const std::string& error);
+  void reply(std::int64_t id, const std::string& error, bool is_token_known = true);
   void put(Message message);
   [[nodiscard]] std::deque<Message>::iterator place_of(Kind kind);
   void drop_oldest_block();

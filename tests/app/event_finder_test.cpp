@@ -6,54 +6,161 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace surefoot {
 namespace {
 
-/// What is told of a force of 50 N on the base from 1 s to 2 s, and what the operator did.
-std::vector<std::string> told(const std::vector<logged::Change>& changes) {
+/// A force along y on the trunk or the shank [N], from a time to another.
+struct Acts {
+  double from, to, force;
+  std::size_t body = 1;
+};
+
+logged::Change change(const std::string& kind, double time, double force, double duration = kNaN,
+                      const std::string& body = "trunk") {
+  return {.time = time,
+          .kind = kind,
+          .text = {},
+          .stack = {},
+          .duration = duration,
+          .body = body,
+          .force = Vec3(0.0, force, 0.0)};
+}
+
+/// The events of four seconds in which these forces act, each in the physics' last step before a
+/// tick, of which the operator did some; the changes of each second are known before its ticks.
+std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
+                                      const std::vector<logged::Change>& changes) {
+  constexpr double kPeriod = 0.0025, kStep = 0.001;
   GroundTruth truth;
-  truth.xfrc_applied.assign(12, 0.0);
+  truth.xfrc_applied.assign(18, 0.0);
   const ViewChannels channels = tick_channels({"first"}, truth);
   const auto offset = [&](const char* name) {
     return std::ranges::find(channels.channels, name, &ViewChannel::name)->offset;
   };
-  EventFinder finder(channels, {"world", "trunk"});
-  for (const logged::Change& change : changes) finder.acts(change);
-  std::vector<std::string> events, texts;
-  for (int tick = 0; tick < 1200; ++tick) {
+  EventFinder finder(channels, {"world", "trunk", "LF_SHANK"});
+  std::vector<std::string> events;
+  for (int tick = 0; tick < 1600; ++tick) {
+    const double time = kPeriod * tick;
+    for (const logged::Change& one : changes)
+      if (tick % 400 == 0 && std::floor(one.time) == std::round(time)) finder.acts(one);
     ViewFrame frame;
     frame.tick = static_cast<std::uint32_t>(tick);
-    frame.time = 0.0025 * tick;
+    frame.time = time;
     frame.floats.assign(channels.floats, 0.0F);
     frame.floats[offset("truth.q_WB")] = 1.0F;
-    const bool acts = tick > 400 && tick <= 800;
-    frame.floats[offset("truth.xfrc_applied") + 6] = acts ? 50.0F : 0.0F;
+    for (const Acts& one : forces) {
+      const double share = std::min(time, one.to) - std::max(time - kStep, one.from);
+      frame.floats[offset("truth.xfrc_applied") + 6 * one.body + 1] +=
+          static_cast<float>(std::max(share, 0.0) / kStep * one.force);
+    }
     finder.see(frame, events);
   }
-  for (const std::string& event : events) {
-    const auto json = nlohmann::json::parse(event);
-    EXPECT_EQ(json.at("kind"), "force");
-    texts.push_back(std::to_string(json.at("time").get<double>()).substr(0, 4) + " " +
-                    json.at("text").get<std::string>());
+  std::vector<nlohmann::json> parsed;
+  for (const std::string& event : events) parsed.push_back(nlohmann::json::parse(event));
+  return parsed;
+}
+
+std::vector<std::string> told(const std::vector<Acts>& forces,
+                              const std::vector<logged::Change>& changes) {
+  std::vector<std::string> texts;
+  for (const nlohmann::json& event : events_of(forces, changes)) {
+    EXPECT_EQ(event.at("kind"), "force");
+    texts.push_back(std::to_string(event.at("time").get<double>()).substr(0, 4) + " " +
+                    event.at("text").get<std::string>());
   }
   return texts;
 }
 
+const std::vector<std::string> kPush{"1.00 pushed by 50 N, 90° from ahead to the left, on the base",
+                                     "2.00 the push on the base ends"};
+
 TEST(EventFinder, ForcesFromOutsideAreToldWhenTheyBeginAndEnd) {
-  EXPECT_EQ(told({}), (std::vector<std::string>{"1.00 pushed by 50 N, 0° from ahead, on the base",
-                                                "2.00 the push on the base ends"}));
+  EXPECT_EQ(told({{1.0, 2.0, 50.0}}, {}), kPush);
+  const auto events = events_of({{1.0, 2.0, 50.0, 2}}, {});
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].at("force"),
+            (nlohmann::json{{"kind", "scenario"}, {"body", "LF_SHANK"}, {"begins", true}}));
+  EXPECT_EQ(events[1].at("force").at("begins"), false);
 }
 
 TEST(EventFinder, WhatTheOperatorDoesIsNotToldTwice) {
-  logged::Change push;
-  push.kind = "push";
-  push.time = 1.0;
-  push.duration = 1.0;
-  EXPECT_TRUE(told({push}).empty());
-  push.time = 0.5;
-  push.duration = 0.2;
-  EXPECT_EQ(told({push}).size(), 2U);
+  EXPECT_TRUE(told({{1.0, 2.0, 50.0}}, {change("push", 1.0, 50.0, 1.0)}).empty());
+  EXPECT_TRUE(told({{1.0, 1.5013, 50.0}}, {change("push", 1.0, 50.0, 0.5013)}).empty())
+      << "it acts in a part of its last step";
+  EXPECT_TRUE(told({{1.0, 2.0, 50.0}, {2.0, 2.5, 33.3}},
+                   {change("pull", 1.0, 50.0), change("pull", 2.0, 33.3), change("pull", 2.5, 0.0)})
+                  .empty());
+}
+
+TEST(EventFinder, WhateverTheOperatorDoesAForceOfTheScenarioIsToldAsItIs) {
+  const Acts scenario{1.0, 2.0, 50.0};
+  const auto expect = [&](std::vector<Acts> forces, const std::vector<logged::Change>& changes) {
+    forces.push_back(scenario);
+    EXPECT_EQ(told(forces, changes), kPush) << changes.front().time;
+  };
+  for (const std::string body : {"trunk", "LF_SHANK"}) {
+    SCOPED_TRACE(body);
+    const std::size_t row = body == "trunk" ? 1 : 2;
+    for (const auto& [from, to] : {std::pair(0.5, 3.0), {0.5, 1.5}, {1.5, 3.0}, {1.2, 1.8}}) {
+      expect({{from, to, 40.0, row}},
+             {change("pull", from, 40.0, kNaN, body), change("pull", to, 0.0, kNaN, body)});
+      expect({{from, to, -50.0, row}}, {change("push", from, -50.0, to - from, body)});
+      expect({{from, to + 0.0013, 40.0, row}},
+             {change("push", from, 40.0, to + 0.0013 - from, body)});
+    }
+    std::vector<Acts> forces;
+    std::vector<logged::Change> changes;
+    for (int i = 0; i < 40; ++i) {  // the mouse moves all the time
+      const double time = 0.5 + 0.05 * i, force = 20.0 + i;
+      forces.push_back({time, time + 0.05, force, row});
+      changes.push_back(change("pull", time, force, kNaN, body));
+    }
+    changes.push_back(change("pull", 2.5, 0.0, kNaN, body));
+    expect(forces, changes);
+  }
+}
+
+TEST(EventFinder, OfTheOperatorsForcesAMarkHasWhatThePageNeeds) {
+  using nlohmann::json;
+  const auto mark = [](const logged::Change& one) {
+    return json::parse(text_event(1.0, "change", "", force_mark(one, 40.0)));
+  };
+  EXPECT_EQ(mark(change("push", 1.0, 50.0, 0.123)).at("force"),
+            (json{{"kind", "push"}, {"body", "trunk"}, {"begins", true}, {"duration", 0.123}}));
+  EXPECT_EQ(mark(change("pull", 1.0, 50.0)).at("force"),
+            (json{{"kind", "pull"}, {"body", "trunk"}, {"begins", true}}));
+  EXPECT_EQ(mark(change("pull", 1.0, 0.0)).at("force"),
+            (json{{"kind", "pull"}, {"body", "trunk"}, {"begins", false}, {"given", 40.0}}));
+  EXPECT_FALSE(mark(change("walk", 1.0, kNaN)).contains("force"));
+}
+
+TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
+  const ViewChannels channels = tick_channels({"first"}, GroundTruth());
+  const auto at = [&](ViewFrame& frame, const char* name) -> float& {
+    return frame.floats[std::ranges::find(channels.channels, name, &ViewChannel::name)->offset];
+  };
+  for (const bool is_older : {false, true}) {
+    EventFinder finder(channels);
+    std::vector<std::string> events;
+    ViewFrame frame;
+    frame.floats.assign(channels.floats, 0.0F);
+    finder.see(frame, events);
+    at(frame, "command.mode") = static_cast<float>(CommandMode::damping);
+    at(frame, "command.cause") = static_cast<float>(StopCause::encoders);
+    at(frame, "command.fault") =
+        static_cast<float>(is_older ? SampleFault::none : SampleFault::jump);
+    at(frame, "command.joint") = -1.0F;
+    at(frame, "health.encoders.fault") = static_cast<float>(SampleFault::not_a_number);
+    at(frame, "health.encoders.joint") = 2.0F;
+    finder.see(frame, events);
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(nlohmann::json::parse(events[0]).at("text"),
+              is_older ? "command mode: damping, as encoder LF_KFE gave no numbers"
+                       : "command mode: damping, as encoders of several joints changed too fast");
+  }
 }
 
 }  // namespace

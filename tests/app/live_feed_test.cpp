@@ -39,6 +39,7 @@ class CountedView final : public RunSteering {
     count([&] { view_.after_tick(tick, truth, timing); });
     ++ticks;
   }
+  void end(double time) override { view_.end(time); }
 
   std::size_t ticks = 0, allocations = 0, locks = 0;
 
@@ -196,6 +197,33 @@ TEST(LiveFeed, a_speed_that_was_asked_for_just_now_is_not_said_to_be_missed) {
   EXPECT_GT(number("real_factor")(*(faster - 1)), 0.0) << "measured by then";
   EXPECT_EQ(number("real_factor")(*faster), 0.0);
   EXPECT_TRUE(std::ranges::is_sorted(told, {}, number("clock")));
+}
+
+TEST(LiveFeed, the_first_status_of_a_run_knows_no_speed_however_long_the_machine_has_been_up) {
+  WatchedRun watched;
+  watched.scenario.duration = 0.1;
+  ClosedLoopOptions options;
+  options.steering = &watched.counted;
+  (void)run_closed_loop(watched.scenario, options);
+  (void)watched.feed.blocks();
+  const auto status = nlohmann::json::parse(watched.feed.status(1));
+  EXPECT_GT(status.at("time").get<double>(), 0.0);
+  EXPECT_EQ(status.at("real_factor").get<double>(), 0.0);
+}
+
+TEST(LiveFeed, a_run_that_has_begun_again_has_no_command_of_the_one_before) {
+  WatchedRun watched;
+  watched.scenario.duration = 0.05;
+  watched.run([&] {
+    const ViewCommand walk{.type = ViewCommandType::walk, .walk = true, .yaw_rate = 0.25};
+    EXPECT_EQ(watched.wishes.command(walk), "");
+  });
+  const auto yaw_rate = [&] {
+    (void)watched.feed.blocks();
+    return nlohmann::json::parse(watched.feed.status(1)).at("command").at("yaw_rate");
+  };
+  EXPECT_EQ(yaw_rate(), 0.25);
+  watched.run([&] { EXPECT_EQ(yaw_rate(), 0.0); });
 }
 
 TEST(LiveFeed, changes_of_a_run_before_are_not_told_with_those_of_the_run_that_has_begun) {

@@ -1,4 +1,7 @@
 #include "app/live_view.hpp"
+#include "app/log_content.hpp"
+#include "app/tick_explanation.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "tests/app/live_test_run.hpp"
@@ -7,9 +10,14 @@
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <deque>
+#include <functional>
+#include <thread>
 
 namespace surefoot {
 namespace {
@@ -65,6 +73,111 @@ TEST(LiveForces, a_pull_at_a_point_turns_the_robot_and_ends_when_it_is_not_renew
   ASSERT_EQ(run.messages.size(), 2u);
   EXPECT_TRUE(test::holds(run.messages[0], "pull at base"));
   EXPECT_TRUE(test::holds(run.messages[1], "the pull ends"));
+}
+
+TEST(LiveForces, a_pull_that_still_acts_ends_with_the_run) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=0.5"});
+  for (long tick = 100; tick < 200; tick += 10) {
+    run.at(tick, ViewCommand{.type = Type::pull, .body = "base", .force = Vec3(0.0, 40.0, 0.0)});
+  }
+  run.run(folder / "run.mcap");
+  const std::vector<logged::Change> changes = changes_of(folder / "run.mcap");
+  ASSERT_FALSE(changes.empty());
+  EXPECT_EQ(changes.back().kind, "pull");
+  EXPECT_TRUE(changes.back().force.isZero());
+  EXPECT_NEAR(changes.back().time, 200 * kPeriod, 1e-9) << "the last tick's force has acted";
+  ASSERT_EQ(run.messages.size(), 2u);
+  EXPECT_TRUE(test::holds(run.messages[1], "the pull ends after"));
+  EXPECT_TRUE(test::holds(run.feed.status(1), R"("pull":{)"));
+  run.feed.set_ended("fell");
+  (void)run.feed.blocks();
+  EXPECT_TRUE(test::holds(run.feed.status(1), R"("pull":null)"));
+}
+
+/// What a page is told of a run, in the order of time; what pulls gave is not compared.
+std::vector<nlohmann::json> told_by(WebContent& content) {
+  std::vector<nlohmann::json> events;
+  for (nlohmann::json event : nlohmann::json::parse(content.get("/api/events", {}).body)) {
+    if (!event.is_object()) continue;
+    if (event.contains("force")) event["force"].erase("given");
+    events.push_back(std::move(event));
+  }
+  std::ranges::stable_sort(
+      events, {}, [](const nlohmann::json& event) { return event.at("time").get<double>(); });
+  return events;
+}
+
+std::vector<nlohmann::json> told_by_log(const std::string& path) {
+  LogContent content(path);
+  const auto is_read = [&] {
+    const auto session = nlohmann::json::parse(content.get("/api/session", {}).body);
+    return session.at("summarised") == session.at("ticks");
+  };
+  while (!is_read()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return told_by(content);
+}
+
+/// Of the events around a tick those that are told as whose.
+std::vector<std::string> told_by_explain(const std::string& path, double time,
+                                         const std::string& whose) {
+  std::vector<std::string> texts;
+  for (const NearbyEvent& event : read_tick(path, time).events)
+    if (event.by == whose) texts.push_back(event.text);
+  return texts;
+}
+
+TEST(LiveForces, a_log_tells_of_forces_what_the_live_page_was_told) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1.2", "disturbances.pushes.a.time=0.412",
+                   "disturbances.pushes.a.duration=0.3", "disturbances.pushes.a.force.y=35"});
+  for (long tick = 100; tick < 280; tick += 10) {  // the mouse moves
+    const Vec3 force(0.0, 20.0 + 0.1 * static_cast<double>(tick), 0.0);
+    run.at(tick, ViewCommand{.type = Type::pull, .body = "base", .force = force});
+  }
+  run.run(folder / "run.mcap");
+  const std::vector<nlohmann::json> live = told_by(run.feed);
+  EXPECT_EQ(live, told_by_log(folder / "run.mcap"));
+  std::vector<nlohmann::json> scenario, pulls;
+  for (const nlohmann::json& event : live) {
+    if (event.at("kind") == "mode") continue;
+    (event.at("kind") == "force" ? scenario : pulls).push_back(event);
+  }
+  ASSERT_EQ(scenario.size(), 2u);
+  EXPECT_TRUE(scenario[0].at("text").get<std::string>().starts_with("pushed by 35 N, "));
+  EXPECT_NEAR(scenario[0].at("time").get<double>(), 0.412, kPeriod);
+  EXPECT_EQ(scenario[1].at("text"), "the push on the base ends");
+  EXPECT_NEAR(scenario[1].at("time").get<double>(), 0.712, kPeriod);
+  ASSERT_EQ(pulls.size(), 2u) << "begin and end";
+  const std::vector<std::string> explained = told_by_explain(folder / "run.mcap", 0.6, "outside");
+  ASSERT_EQ(explained.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(explained[i], scenario[i].at("text"));
+}
+
+TEST(LiveForces, of_a_pull_that_began_long_before_a_tick_explain_tells_the_end_once) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1.8"});
+  run.at(100, ViewCommand{.type = Type::pull, .body = "base", .force = Vec3(0.0, 40.0, 0.0)});
+  run.at(500, ViewCommand{.type = Type::pull, .body = "base", .force = Vec3::Zero()});
+  run.run(folder / "run.mcap");
+  EXPECT_EQ(told_by_explain(folder / "run.mcap", 1.6, "operator").size(), 1u);
+  EXPECT_TRUE(told_by_explain(folder / "run.mcap", 1.6, "outside").empty());
+}
+
+TEST(LiveForces, a_pull_that_ends_says_what_it_gave) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=0.5"});
+  for (const long tick : {100, 150}) {
+    const Vec3 force(0.0, tick == 100 ? 60.0 : 20.0, 0.0);
+    run.at(tick, ViewCommand{.type = Type::pull, .body = "base", .force = force});
+  }
+  run.run(folder / "run.mcap");
+  ASSERT_EQ(run.messages.size(), 2u);
+  const auto end = nlohmann::json::parse(run.messages[1]);
+  const double given = end.at("force").at("given");
+  EXPECT_NEAR(given, 40.0 * 100 * kPeriod, 40.0 * 2 * kPeriod);
+  EXPECT_EQ(end.at("text"), formatted("the pull ends after %.1f N·s", given));
+  EXPECT_EQ(end.at("force").at("begins"), false);
 }
 
 /// The forces of a log on the robot: those that its truth has at each tick, and those that a plant
@@ -172,6 +285,40 @@ TEST(LiveForces, pushes_that_are_pressed_while_it_is_paused_do_not_add_up_beyond
     return text.find("is left out") != std::string::npos;
   });
   EXPECT_EQ(left_out, 7);
+}
+
+TEST(LiveForces, pushes_that_wait_are_told_and_counted_before_a_tick_has_them) {
+  LiveTestRun run({"duration=0.6"});
+  std::vector<nlohmann::json> told;
+  std::size_t heard = 0;
+  std::deque<ViewCommand> commands{push_of(15.0, 0.2), push_of(45.0, 0.2), push_of(15.0, 0.2)};
+  std::function<void()> go_on = [&] {
+    told.push_back(nlohmann::json::parse(run.feed.status(1)));
+    heard = run.messages.size();
+    if (commands.empty()) commands.push_back({.type = Type::resume});
+    EXPECT_EQ(run.wishes.command(commands.front()), "");
+    const bool is_last = commands.front().type == Type::resume;
+    commands.pop_front();
+    if (!is_last) run.at(100, go_on);
+  };
+  run.at(100, {.type = Type::pause});
+  run.at(100, go_on);
+  run.at(102, [&] { told.push_back(nlohmann::json::parse(run.feed.status(1))); });
+  run.run();
+  ASSERT_EQ(told.size(), 5u);
+  std::vector<double> left;
+  std::vector<std::string> pending;
+  for (const nlohmann::json& status : told) {
+    left.push_back(std::round(status.at("newton_seconds_left").get<double>()));
+    pending.push_back(status.at("pending"));
+  }
+  EXPECT_EQ(left, (std::vector<double>{60, 45, 0, 0, 0}));
+  EXPECT_EQ(pending,
+            (std::vector<std::string>{"", "push of 15 N·s at base", "2 pushes, 60 N·s together",
+                                      "2 pushes, 60 N·s together", ""}));
+  ASSERT_EQ(heard, 1u) << "of pushes that wait nothing is told as done";
+  EXPECT_TRUE(test::holds(run.messages[0], "300 N act already or wait for the next tick"));
+  EXPECT_EQ(run.messages.size(), 3u) << "both, once they act";
 }
 
 TEST(LiveForces, a_pull_fades_towards_what_may_be_given_each_second) {

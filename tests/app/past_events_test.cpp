@@ -6,7 +6,7 @@ namespace surefoot {
 namespace {
 
 TEST(PastEvents, come_in_the_order_of_time) {
-  PastEvents past;
+  PastEvents past(200);
   EXPECT_EQ(past.json(), "[]");
   past.add(1.0, "a");
   past.add_change(2.0, "b");
@@ -19,7 +19,7 @@ TEST(PastEvents, come_in_the_order_of_time) {
 }
 
 TEST(PastEvents, changes_are_remembered_for_longer_than_events_but_not_all_of_them) {
-  PastEvents past;
+  PastEvents past(200);
   past.add(1.0, "touchdown");
   past.add_change(1.0, "first");
   past.add(9.0, "lift-off");

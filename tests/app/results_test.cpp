@@ -123,8 +123,9 @@ TEST(RunJson, tells_the_events_in_words_with_leg_count_and_first_time) {
   EXPECT_EQ(json.at("events")[0].at("count"), 3);
   EXPECT_EQ(json.at("events")[0].at("first_s"), 5.25);
   const std::string table = run_table(Scenario{}, json);
-  EXPECT_NE(table.find("no ground within reach: foot taken back   LF   3 times   first at 5.25 s"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find("no ground within reach: foot taken back   LF   3 times   first at 5.2500 s"),
+      std::string::npos)
       << table;
 }
 

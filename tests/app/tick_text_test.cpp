@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace surefoot {
 namespace {
 
@@ -46,6 +48,68 @@ TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
   EXPECT_NE(text.find("because the torso tilted too far"), std::string::npos) << text;
   for (const char* absent : {"17522", "com_xy", "No limit acts", "stance", "nan"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
+}
+
+/// A tick at which two levels gave way to the same rows, none of which costs anything alone.
+TickExplanation pushed_over() {
+  TickExplanation explanation;
+  LogHeader& header = explanation.header;
+  header.level_names = {"friction_cone", "com_xy", "torso_yaw"};
+  header.level_units = {"N", "m/s²", "rad/s²"};
+  header.robot.torque_limit.setConstant(40.0);
+  explanation.order = {0, 1, 2};
+  TickRecord& tick = explanation.tick;
+  tick.command.mode = CommandMode::optimal;
+  for (FootPlan& foot : tick.plan.feet) {
+    foot.phase = LegPhase::stance;
+    foot.force_max = 400.0;
+  }
+  HierarchyReport& report = tick.hierarchy;
+  report.num_levels = 3;
+  report.blocking_is_known = true;
+  for (const std::int16_t level : std::array<std::int16_t, 2>{1, 2}) {
+    report.levels[static_cast<std::size_t>(level)].residual = 30.0 + level;
+    for (const std::int32_t id : {0, 1}) {
+      BlockingRow& row = report.blocking[static_cast<std::size_t>(report.num_blocking++)];
+      row.level = level;
+      row.by_level = 0;
+      row.id = id;
+      row.cost = 0.0;
+    }
+  }
+  explanation.row_names = {{{0, 0}, "LF +x"}, {{0, 1}, "RH −y"}};
+  explanation.forces.normal = {100.0, -16392.6, 399.0, 0.0};
+  return explanation;
+}
+
+TEST(TickText, LevelsThatGaveWayToTheSameRowsAreToldOnceWithThem) {
+  EXPECT_EQ(gave_way_sentence(pushed_over()),
+            "com_xy gave way by 31 m/s² to friction_cone LF +x and RH −y; torso_yaw gave way by 32 "
+            "rad/s² to the same; rows without a number cost nothing alone.");
+}
+
+TEST(TickText, AForceBeyondItsLimitsIsToldAsAWish) {
+  TickExplanation explanation = pushed_over();
+  const std::string text = tick_text("run.mcap", explanation);
+  EXPECT_NE(text.find("-16392.6 N *"), std::string::npos) << text;
+  EXPECT_EQ(text.find("399.0 N *"), std::string::npos) << text;
+  EXPECT_NE(text.find("* the solution's wish"), std::string::npos) << text;
+  EXPECT_NE(text.find("optimal, but for contact forces that no ground gives"), std::string::npos)
+      << text;
+  explanation.forces.normal[1] = 100.0;
+  EXPECT_EQ(tick_text("run.mcap", explanation).find("no ground gives"), std::string::npos);
+}
+
+TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
+  TickExplanation stopped = unsolved();
+  stopped.tick.command.cause = StopCause::encoders;
+  stopped.tick.command.fault = SampleFault::jump;
+  stopped.tick.health.encoders = {.fault = SampleFault::out_of_range, .age = 0.15, .joint = 4};
+  const std::string text = tick_text("run.mcap", stopped);
+  EXPECT_NE(text.find("because encoders of several joints changed too fast"), std::string::npos);
+  EXPECT_NE(text.find("sensors now: encoder RF_HFE left the range (last good 0.1500 s ago)"),
+            std::string::npos)
+      << text;
 }
 
 TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {

@@ -51,9 +51,9 @@ TEST(HierarchyJson, ReadsEqualitiesAndInequalities) {
   EXPECT_EQ(level.upper()[2], -0.9);
 }
 
-TEST(HierarchyJson, EmptyAndMissingBlocksAndOtherMembersAreAllowed) {
-  const Hierarchy hierarchy = parse(
-      R"({"n":5,"levels":[{"A":[],"b":[],"D":[],"f":[]},{"note":[1,"x"],"A":[[1]],"b":[2]},{}]})");
+TEST(HierarchyJson, EmptyAndMissingBlocksAreAllowed) {
+  const Hierarchy hierarchy =
+      parse(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]},{"A":[[1]],"b":[2]},{}]})");
   ASSERT_EQ(hierarchy.num_levels(), 3u);
   EXPECT_EQ(hierarchy.level(0).num_rows(), 0);
   EXPECT_EQ(hierarchy.level(1).num_rows(), 1);
@@ -78,7 +78,7 @@ TEST(HierarchyJson, WhatIsWrittenReadsBackToTheSameRowsBoundsAndIds) {
     for (const LevelData& level : random_levels(random, {.unknowns = 5, .levels = 4})) {
       const std::size_t k = original.add_level("any", level.A.rows());
       for (Eigen::Index i = 0; i < level.A.rows(); ++i) {
-        Rows row = original.level(k).add(1, random.integer(0, 1000));
+        Rows row = original.level(k).add(1, 10 * static_cast<int>(i) + random.integer(0, 9));
         row.A = level.A.row(i);
         row.lower[0] = random.chance(0.3) ? -kInfinity : level.lower[i];
         row.upper[0] = level.upper[i];
@@ -119,16 +119,81 @@ TEST(HierarchyJson, ARowMayHaveALowerBoundAnUpperBoundOrBoth) {
 TEST(HierarchyJson, ARowWithoutABoundOrWithBoundsThatCrossIsNamed) {
   expect_error(R"({"levels":[{"D":[[1],[2]],"lower":[0,null],"f":[1,null]}]})",
                "level 1: row 2 of D has no bound");
-  expect_error(R"({"levels":[{"D":[[1]],"lower":[2],"f":[1]}]})", "row 1 of D has lower above f");
-  expect_error(R"({"levels":[{"D":[[1]],"f":[null]}]})", "f: element 1 is null");
+  expect_error(R"({"levels":[{"D":[[1]],"lower":[2],"f":[1]}]})",
+               "level 1: row 1 of D has lower 2.0 above f 1.0; expected lower ≤ f");
+  expect_error(R"({"levels":[{"D":[[1],[2]],"f":[3,null]}]})",
+               "level 1: f: element 2 is null, no bound, and there is no lower; expected a finite "
+               "number, or lower beside f");
   expect_error(R"({"levels":[{"D":[[1]],"lower":[],"f":[1]}]})",
                "lower has 0 elements, D has 1 row");
+}
+
+TEST(HierarchyJson, BoundsThatAreMissingOrHaveNoRowsAreNamed) {
+  expect_error(R"({"levels":[{"D":[[1],[2]]}]})",
+               "level 1: D has 2 rows and no f; expected f with one element for each row");
+  expect_error(R"({"levels":[{"D":[[1]],"lower":[2]}]})", "D has 1 row and no f");
+  expect_error(R"({"levels":[{"A":[[1]]}]})", "level 1: A has 1 row and no b");
+  expect_error(R"({"levels":[{"b":[1,2]}]})",
+               "level 1: b has 2 elements and there is no A; expected A with a row for each");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"lower":[0]}]})",
+               "lower has 1 element and there is no D");
+}
+
+TEST(HierarchyJson, AKeyThatThereIsNotIsNamedWithTheOneThatWasMeant) {
+  expect_error(
+      R"({"levels":[{},{"D":[[1]],"lowr":[0],"f":[1]}]})",
+      "level 2: unknown key \"lowr\"; did you mean \"lower\"? valid are: name, unit, A, b, "
+      "D, f, lower, A_names, D_names, A_ids, D_ids");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"weights":[2]}]})",
+               "level 1: unknown key \"weights\"; did you mean \"A_weights\"? valid are: name");
+  expect_error(R"({"level":[{"A":[[1]],"b":[1]}]})",
+               "unknown key \"level\"; did you mean \"levels\"? valid are: levels");
+}
+
+TEST(HierarchyJson, AKeyThatIsGivenTwiceIsNamed) {
+  expect_error(R"({"levels":[{},{"A":[[1]],"b":[1],"b":[2]}]})",
+               "levels: element 2: the key \"b\" is given twice; expected once");
+  expect_error(R"({"levels":[],"levels":[{"A":[[1]],"b":[1]}]})",
+               "stack.jsonl:3: the key \"levels\" is given twice");
+  EXPECT_EQ(parse(R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]}]})").num_levels(), 2u);
+}
+
+TEST(HierarchyJson, NamesAndUnitsThatAreNoTextsAreNamed) {
+  expect_error(R"({"levels":[{"name":3,"A":[[1]],"b":[1]}]})",
+               "level 1: name is 3; expected a text");
+  expect_error(R"({"levels":[{"unit":["N"],"A":[[1]],"b":[1]}]})",
+               "level 1: unit is [\"N\"]; expected a text");
+}
+
+TEST(HierarchyJson, IdsThatALevelHasTwiceAreNamed) {
+  expect_error(R"({"levels":[{"A":[[1],[2]],"b":[1,2],"A_ids":[7,7]}]})",
+               "level 1: A_ids: element 2 is 7, which another row of the level has; expected one "
+               "that none has");
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[4],"D":[[1]],"f":[2],"D_ids":[4]}]})",
+               "level 1: D_ids: element 1 is 4, which another");
+  const Hierarchy two =
+      parse(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[4]},{"A":[[1]],"b":[1],"A_ids":[4]}]})");
+  EXPECT_EQ(two.level(1).id(0), 4);
+}
+
+TEST(HierarchyJson, RowsWithoutIdsAreCountedPastThoseThatOthersHave) {
+  const Level level = parse(
+                          R"({"levels":[{"A":[[1],[2]],"b":[1,2],
+                              "D":[[1],[2]],"f":[2,3],"D_ids":[1,0]}]})")
+                          .level(0);
+  EXPECT_EQ(level.id(0), 2);
+  EXPECT_EQ(level.id(1), 3);
+  EXPECT_EQ(level.id(2), 1);
 }
 
 TEST(HierarchyJson, IdsThatAreNoneAreNamed) {
   expect_error(R"({"levels":[{"D":[[1]],"f":[1],"D_ids":[1.5]}]})", "level 1: D_ids is [1.5]");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[1,2]}]})", "array of 1 integer");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[5000000000]}]})", "A_ids is [5000000000]");
+  expect_error(
+      R"({"levels":[{"A":[[1]],"b":[1],"A_ids":[2147483648]}]})",
+      "A_ids is [2147483648]; expected an array of 1 integer from -2147483648 to 2147483647, "
+      "one for each row of A");
 }
 
 TEST(HierarchyJson, LevelsKeepTheirNames) {
@@ -164,14 +229,51 @@ TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
                "level 2: A: row 2: element 2 is \"-Infinity\"; expected a finite number");
   expect_error(R"({"levels":[{"D":[[nan]],"f":[1]}]})", "level 1: D: row 1: element 1 is \"nan\"");
   expect_error(R"({"levels":[{"A":[[1e999]],"b":[1]}]})",
-               "level 1: A: row 1: element 1 is \"1e999\"");
-  EXPECT_EQ(parse(R"({"note":"NaN \" NaN","levels":[{"A":[[1]],"b":[2]}]})").num_levels(), 1u);
+               "level 1: A: row 1: element 1 is 1e999, too large");
+  EXPECT_EQ(parse(R"({"levels":[{"name":"NaN \" NaN","A":[[1]],"b":[2]}]})").num_levels(), 1u);
 }
 
 TEST(HierarchyJson, NumbersTooLargeToComputeWithAreNamedWithLevelAndRow) {
   expect_error(R"({"levels":[{"A":[[1,2],[3,1e200]],"b":[1,2]}]})",
                "level 1: A: row 2: element 2 is 1e+200, too large");
   expect_error(R"({"levels":[{"D":[[1]],"f":[-1e150]}]})", "level 1: f: element 1 is -1e+150");
+}
+
+TEST(HierarchyJson, NumbersUpTo1e100AreReadAndAreBounds) {
+  const Level level =
+      parse(R"({"levels":[{"A":[[1e100]],"b":[-1e100],"D":[[1]],"lower":[-1e100],"f":[1e100]}]})")
+          .level(0);
+  EXPECT_EQ(level.A()(0, 0), 1e100);
+  EXPECT_EQ(level.lower()[1], -1e100);
+  EXPECT_EQ(level.upper()[1], 1e100);
+  expect_error(R"({"levels":[{"D":[[1]],"f":[1.0001e100]}]})",
+               "f: element 1 is 1.0001e+100, too large to compute with; expected at most 1e100 "
+               "either way");
+}
+
+TEST(HierarchyJson, RowsTooSmallToComputeWithAreNamed) {
+  expect_error(R"({"levels":[{"A":[[1,2],[1e-300,-1e-301]],"b":[1,2]}]})",
+               "level 1: A: row 2: has nothing larger than 1e-300, too small to compute with; "
+               "expected at least 1e-100, or zeros only");
+  expect_error(R"({"levels":[{"D":[[-9e-101]],"f":[0]}]})",
+               "level 1: D: row 1: has nothing larger");
+  expect_error(R"({"levels":[{"A":[[1e-400]],"b":[1]}]})",
+               "level 1: A: row 1: element 1 is 1e-400, too small");
+  const Level level =
+      parse(R"({"levels":[{"A":[[1e-100,0],[0,0],[1,1e-300]],"b":[0,0,1e-300]}]})").level(0);
+  EXPECT_EQ(level.A()(0, 0), 1e-100);
+  EXPECT_EQ(level.A()(2, 1), 1e-300);
+}
+
+TEST(HierarchyJson, AWrongValueIsQuotedInWholeCharacters) {
+  for (int before = 0; before < 4; ++before) {
+    std::string text(static_cast<std::size_t>(before), 'a');
+    for (int i = 0; i < 30; ++i) text += "ü";
+    const std::string message = error_of(R"({"levels":[{"A":")" + text + R"("}]})");
+    const std::size_t cut = message.find("…");
+    ASSERT_NE(cut, std::string::npos);
+    EXPECT_EQ(message.substr(cut - 2, 2), "ü");
+  }
 }
 
 TEST(HierarchyJson, ALineNestedTooDeepIsNamed) {
@@ -187,8 +289,10 @@ TEST(HierarchyJson, ALineWithoutLevelsIsNamed) {
 }
 
 TEST(HierarchyJson, AHierarchyWithoutUnknownsIsNamed) {
-  expect_error(R"({"levels":[]})", "no unknowns");
-  expect_error(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]}]})", "no unknowns");
+  expect_error(R"({"levels":[]})", "levels is empty, so there are no unknowns");
+  expect_error(R"({"levels":[{"A":[],"b":[],"D":[],"f":[]}]})",
+               "level 1: has no row in A or D, so there are no unknowns");
+  expect_error(R"({"levels":[{},{}]})", "levels 1 to 2: have no row in A or D");
 }
 
 TEST(HierarchyJson, RaggedRowsAreNamed) {
@@ -238,6 +342,56 @@ TEST(HierarchyJson, NamesThatDoNotFitTheRowsAreNamed) {
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":["a","b"]}]})",
                "level 1: A_names is [\"a\",\"b\"]; expected an array of 1 text");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"A_names":[3]}]})", "A_names");
+}
+
+TEST(HierarchyJson, NumbersThatNoDoubleHoldsAreTooSmallOrTooLarge) {
+  expect_error(R"({"levels":[{"A":[[1,1e-400]],"b":[1]}]})",
+               "level 1: A: row 1: element 2 is 1e-400, too small for a double; expected 0 or");
+  expect_error(R"({"levels":[{"A":[[1,1]],"b":[-1e400]}]})",
+               "level 1: b: element 1 is -1e400, too large to compute with");
+  EXPECT_EQ(parse(R"({"levels":[{"A":[[1,4.9406564584124654e-324]],"b":[1]}]})").level(0).A()(0, 1),
+            std::numeric_limits<double>::denorm_min());
+}
+
+TEST(HierarchyJson, RowsAreWeighedAndALevelDampedAndXPulledToAReference) {
+  const NamedHierarchy read = parse_hierarchy(
+      R"({"levels":[{"A":[[0,2]],"b":[3],"A_weights":[10],"A_ids":[0],
+          "D":[[0,4]],"f":[null],"lower":[1],"D_weights":[0.5],"D_ids":[2],"damping":0.25}],
+          "x_ref":[7,8]})",
+      "");
+  ASSERT_EQ(read.hierarchy.num_levels(), 2u);
+  const Level& level = read.hierarchy.level(0);
+  ASSERT_EQ(level.num_rows(), 4);
+  EXPECT_EQ(level.A()(0, 1), 20.0);
+  EXPECT_EQ(level.lower()[0], 30.0);
+  EXPECT_EQ(level.A()(1, 1), 2.0);
+  EXPECT_EQ(level.lower()[1], 0.5);
+  EXPECT_EQ(level.upper()[1], kInfinity);
+  EXPECT_EQ(level.id(2), 3);
+  EXPECT_NEAR(level.A().bottomRows(2).norm(), 0.25, 1e-15);
+  EXPECT_NEAR(level.upper().tail(2).norm(), 0.25 * 8.0, 1e-14);
+  EXPECT_EQ(read.row_names[0], (std::vector<std::string>{"A 1", "D 1", "damping 1", "damping 2"}));
+  const Level& last = read.hierarchy.level(1);
+  EXPECT_EQ(last.name(), "x_ref");
+  ASSERT_EQ(last.num_rows(), 2);
+  EXPECT_EQ(last.upper()[1], 8.0);
+  EXPECT_EQ(read.row_names[1], (std::vector<std::string>{"x 1", "x 2"}));
+}
+
+TEST(HierarchyJson, WeightsDampingAndReferencesThatMakeNoSenseAreErrors) {
+  const std::string level = R"({"levels":[{"A":[[1,1]],"b":[1])";
+  for (const auto& [rest, message] : std::vector<std::pair<std::string, std::string>>{
+           {R"(,"A_weights":[0]}]})", "A_weights: element 1: is 0; expected a number above 0"},
+           {R"(,"A_weights":[1,1]}]})", "A_weights is [1,1]; expected an array of 1 number, one"},
+           {R"(,"D_weights":[1]}]})", "D_weights is [1]; expected an array of 0 numbers"},
+           {R"(,"A_weights":[1e-99],"D":[[1e-3,0]],"f":[1],"D_weights":[1e-99]}]})",
+            "D_weights: element 1: the weighted row: has nothing larger than 1"},
+           {R"(,"damping":-1}]})", "damping: is -1; expected a number above 0"},
+           {R"(}],"x_ref":[1]})", "x_ref has 1 element; expected 2, one for each unknown"},
+           {R"(}],"x_ref":3})", "x_ref is 3; expected an array"}})
+    expect_error(level + rest, message);
+  expect_error(R"({"levels":[{"A":[[1]],"b":[1e60],"A_weights":[1e60]}]})",
+               "element 1: a number of the weighted row: is ");
 }
 
 }  // namespace

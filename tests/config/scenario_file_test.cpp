@@ -308,6 +308,11 @@ TEST_F(ScenarioFile, chooses_the_solver) {
   EXPECT_TRUE(holds(complaint("solver: {method: simplex}\n"), "trial.yaml:2: solver.method"));
 }
 
+TEST_F(ScenarioFile, may_leave_out_the_weighing_of_legs_in_the_air) {
+  EXPECT_TRUE(read("").controller.link_masses.enabled);
+  EXPECT_FALSE(read("link_masses: {enabled: false}\n").controller.link_masses.enabled);
+}
+
 TEST_F(ScenarioFile, that_uses_foot_sensors_must_give_them_to_the_robot) {
   EXPECT_TRUE(holds(complaint("contact_force: {use_foot_sensor: true}\n"),
                     "trial.yaml:2: contact_force.use_foot_sensor"));

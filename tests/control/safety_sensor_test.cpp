@@ -100,6 +100,22 @@ TEST(SafetyOfSensors, AnEncoderThatIsLostFadesTheTorques) {
   EXPECT_EQ(stage.tick().torque, JointVector::Zero());
 }
 
+TEST(SafetyOfSensors, WhatWasWrongWhenItStoppedStaysTheReason) {
+  Stage stage;
+  (void)stage.tick();
+  EXPECT_EQ(stage.tick().fault, SampleFault::none);
+  SensorHealth health = failing(&SensorHealth::encoders, 0.03);
+  health.encoders.fault = SampleFault::jump;
+  health.encoders.joint = 5;
+  (void)stage.tick(health);
+  health.encoders.fault = SampleFault::out_of_range;
+  health.encoders.joint = -1;
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_EQ(stage.tick(i < 50 ? health : SensorHealth()).fault, SampleFault::jump);
+    ASSERT_EQ(stage.tick(health).joint, 5);
+  }
+}
+
 TEST(SafetyOfSensors, ASittingRobotThatTiltsOrLosesItsEncodersDamps) {
   Stage tilts, loses;
   for (Stage* stage : {&tilts, &loses}) {

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -185,6 +186,16 @@ TEST(TaskStack, AnUnknownOrImpossibleParameterIsAnErrorThatSaysWhatIsValid) {
   expect_mentions(error_of(stack_of({not_a_number})), {"com_xy", "kp", "nan"});
   const LevelSpec wrong_word{"friction", {{"friction_cone", {}, {{"pyramid", "round"}}}}};
   expect_mentions(error_of(stack_of({wrong_word})), {"round", "inner", "outer"});
+}
+
+TEST(TaskStack, AWeightOrADampingThatIsNoneIsAnErrorBeforeItCountsInATick) {
+  for (const double number : {-1.0, kNaN, HUGE_VAL}) {
+    const LevelSpec weighted{"com", {{"com_xy", {}, {}, number}}};
+    expect_mentions(error_of(stack_of({weighted})), {"com_xy", "expected a finite number > 0"});
+    LevelSpec damped = level("com_xy");
+    damped.damping = number;
+    expect_mentions(error_of(stack_of({damped})), {"com_xy", "expected a finite number > 0"});
+  }
 }
 
 TEST(TaskStack, AStackWithoutLevelsOrWithTooManyIsAnError) {

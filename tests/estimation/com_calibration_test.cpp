@@ -86,5 +86,59 @@ TEST(ComCalibration, BelievesNoOffsetBeyondTenCentimetresAndNoNumberThatIsNone) 
   EXPECT_NEAR(calibration.offset().norm(), 0.1, 1e-9);
 }
 
+/// What the forces become of which the model takes links to be lighter than they are by `heavier`.
+PerLeg<Vec3> misread(const Standing& robot, PerLeg<Vec3> forces,
+                     const LinkMassEstimator::Shares& heavier) {
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const Vec3 weight =
+        -robot.dynamics.links[k].free_rate * heavier.segment<kJointsPerLeg>(first_joint(leg));
+    const Mat3 J = robot.dynamics.contact[k].J.middleCols<3>(6 + first_joint(leg));
+    forces[k] -= J.transpose().inverse() * weight;
+  }
+  return forces;
+}
+
+TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {
+  const Standing robot;
+  LinkMassEstimator::Shares heavier;
+  heavier << 0.1, -0.15, 0.12, 0.0, 0.1, -0.1, 0.15, 0.15, 0.15, -0.1, 0.1, -0.05;
+  const Vec3 truth(0.011, -0.007, 0.0);
+  const PerLeg<Vec3> felt = misread(robot, robot.forces(truth.head<2>()), heavier);
+  ComCalibration calibration(kPeriod);
+  run(calibration, robot, felt, 1.5, true);
+  run(calibration, robot, felt, 2.0, false);
+  const Vec3 wrong = calibration.offset();
+  EXPECT_GT((wrong - truth).norm(), 1e-3);
+  calibration.correct(heavier);
+  EXPECT_EQ(calibration.offset(), wrong) << "not at once";
+  run(calibration, robot, felt, 0.01, false);
+  EXPECT_LT((calibration.offset() - wrong).norm(), 0.1 * (truth - wrong).norm()) << "not at once";
+  run(calibration, robot, felt, 8.0, false);
+  EXPECT_LT((calibration.offset() - truth).norm(), 0.05 * (wrong - truth).norm());
+}
+
+// The model has the offset in use; a second weighing finds nothing more, and it stays, as do the
+// links, for which it has begun already.
+TEST(ComCalibration, WeighsAgainWithLinksThatAreKnown) {
+  const Standing robot;
+  const LinkMassEstimator::Shares heavier = LinkMassEstimator::Shares::Constant(0.1);
+  const Vec3 truth(0.011, -0.007, 0.0);
+  const PerLeg<Vec3> felt = misread(robot, robot.forces(truth.head<2>()), heavier);
+  ComCalibration calibration(kPeriod);
+  run(calibration, robot, felt, 1.5, true);
+  calibration.correct(heavier);
+  run(calibration, robot, felt, 8.0, false);
+  const Vec3 known = calibration.offset();
+  Standing moved;  // the same robot; its model has the offset
+  moved.dynamics.com.p += moved.dynamics.base_rotation.R * known;
+  run(calibration, moved, felt, 1.5, true);
+  EXPECT_LT((calibration.offset() - known).norm(), 1e-12) << "while it lasts";
+  run(calibration, moved, felt, kPeriod, false);
+  EXPECT_LT((calibration.offset() - known).norm(), 1e-4) << "no jump";
+  run(calibration, moved, felt, 8.0, false);
+  EXPECT_LT((calibration.offset() - truth).norm(), 1e-4);
+}
+
 }  // namespace
 }  // namespace surefoot

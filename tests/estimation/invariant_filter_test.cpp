@@ -193,6 +193,27 @@ TEST(InvariantFilter, AFootThatSlipsMovesTheFootAndHardlyTheBase) {
   EXPECT_LT(bench.velocity_error(), 0.005);
 }
 
+/// Heading that is believed after the feet turned by 10 mrad in 5 s, and the filter was told of a
+/// turn with this standard deviation [rad/√s].
+double heading_over_turning_feet(double told) {
+  Bench bench(9, 0.0);
+  bench.start();
+  bench.run_until(6.0);
+  const Mat3 turn = rotation_about_z(0.01 * kPeriod / 5.0);
+  while (bench.time < 11.0) {
+    for (Vec3& foot : bench.feet) foot = turn * foot;
+    bench.filter.turn_feet(told * std::sqrt(kPeriod));
+    bench.tick();
+  }
+  return yaw(bench.filter.R_WB()) - yaw(bench.body.R(bench.time));
+}
+
+TEST(InvariantFilter, FeetThatMayTurnTogetherSayLittleOfTheHeading) {
+  const double trusted = std::abs(heading_over_turning_feet(0.0));
+  EXPECT_GT(trusted, 1e-3);
+  EXPECT_LT(std::abs(heading_over_turning_feet(0.02)), 0.1 * trusted);
+}
+
 TEST(InvariantFilter, FeetMayComeAndGo) {
   Bench bench = noisy(6, 0.1);
   bench.start();

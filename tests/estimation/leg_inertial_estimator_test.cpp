@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace surefoot {
 namespace {
 
@@ -109,10 +112,46 @@ TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
   const double askew = imu.head<2>().norm();
   EXPECT_NEAR(tilt_error(state, robot), askew, 0.15 * askew);
   const Vec3 p_WB = state.p_WB;
+  const double heading = yaw(state.R_WB());
   while (robot.time() < 8.0) tick(smoothstep(std::min(1.0, robot.time() - 7.0)));
   EXPECT_LT(tilt_error(state, robot), 0.15 * askew);
   EXPECT_LT((state.p_WB - p_WB).norm(), 5e-4);
   EXPECT_LT(state.v_WB.norm(), 1e-3);
+  EXPECT_NEAR(yaw(state.R_WB()), heading, 0.05 * std::abs(imu.z()))
+      << "what is counted from the start does not depend on the mounting";
+}
+
+/// Heading that is believed after the base went forward by 0.1 m in a second, over legs that are
+/// longer on the left than is known and shorter on the right [rad].
+double heading_after_a_way(const LegInertialOptions& options) {
+  KinematicErrors wrong;
+  wrong.thigh = wrong.shank = {0.008, -0.008, 0.008, -0.008};
+  CalibrationOptions still = kMotion;
+  still.roll = still.pitch = still.yaw = 0.0;
+  TurningRobot robot(wrong, still);
+  LegInertialEstimator estimator(robot.description(), options, TurningRobot::kPeriod);
+  RobotState state;
+  Motion<double> way{0.0, 0.0, 0.0};
+  while (robot.time() < 7.0) {
+    const Motion<double> before = way;
+    const double t = std::clamp(robot.time() + TurningRobot::kPeriod - 6.0, 0.0, 1.0);
+    way.p = 0.1 * smoothstep(t);
+    way.v = (way.p - before.p) / TurningRobot::kPeriod;
+    way.a = (way.v - before.v) / TurningRobot::kPeriod;
+    robot.shift_base({way.p - before.p, 0.0, 0.0});
+    robot.tick();
+    SensorReading reading = robot.reading();
+    reading.accelerometer.x() += way.a;
+    state = estimator.update(reading, standing());
+  }
+  EXPECT_NEAR(state.p_WB.x(), 0.1, 0.005);
+  return yaw(state.R_WB());
+}
+
+TEST(LegInertialEstimator, OfTheHeadingOnAWayTheGyroscopeKnowsMoreThanTheLegs) {
+  const double of_the_legs = std::abs(heading_after_a_way({.filter = {}, .stance_turn = 0.0}));
+  EXPECT_GT(of_the_legs, 4e-4);
+  EXPECT_LT(std::abs(heading_after_a_way({})), 0.1 * of_the_legs);
 }
 
 TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) {

@@ -294,7 +294,7 @@ TEST(Evaluator, TheTorsoOnTheGroundIsAFall) {
   EXPECT_TRUE(run.evaluator.fell());
   EXPECT_TRUE(run.metrics().fell);
   EXPECT_EQ(run.metrics().torso_contacts, 1);
-  EXPECT_EQ(run.metrics().reason, "fell at 1.00 s: the torso touched the ground");
+  EXPECT_EQ(run.metrics().reason, "fell at 1.0000 s: the torso touched the ground");
 }
 
 TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {

@@ -1,5 +1,6 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/crc32.hpp"
+#include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/mcap_reader.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "tests/logging/temporary_folder.hpp"
@@ -81,6 +82,22 @@ TEST(Mcap, WhatWasWrittenIsRead) {
   EXPECT_TRUE(reader.complete()) << reader.problem();
   EXPECT_EQ(reader.problem(), "");
   EXPECT_EQ(reader.attachments().at("end.txt"), "the end");
+}
+
+TEST(Mcap, OfAttachmentsWithOneNameTheLastThatIsWholeIsFound) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.mcap";
+  McapWriter writer(path);
+  for (const char* data : {"the first", "the second"}) writer.attach("end.txt", "text/plain", data);
+  writer.close();
+  EXPECT_EQ(McapChunks(path).attachment("end.txt"), "the second");
+  EXPECT_EQ(McapChunks(path).attachment("note.txt"), "");
+  for (const auto& [damaged, left] : {std::pair("the second", "the first"), {"the first", ""}}) {
+    std::string bytes = contents(path);
+    bytes.at(bytes.find(damaged)) ^= '\x20';
+    write_file(path, bytes);
+    EXPECT_EQ(McapChunks(path).attachment("end.txt"), left);
+  }
 }
 
 TEST(Mcap, TheSameCallsGiveTheSameBytes) {

@@ -74,6 +74,27 @@ TEST(RobotModel, has_the_mass_matrix_and_bias_forces_of_an_independent_implement
   });
 }
 
+TEST(RobotModel, has_of_each_leg_what_its_links_have_to_do_with_its_joints) {
+  RobotModel model(anymal_b());
+  at_random_states(model, 5, [&](const Dynamics& now, const RobotState& state) {
+    const Dynamics dynamics = now;
+    for (const Leg leg : kLegs) {
+      const std::size_t k = index(leg);
+      const int first = 6 + first_joint(leg);
+      const Vec3 momentum = dynamics.links[k].momentum.rowwise().sum();
+      EXPECT_LT(difference(momentum, (dynamics.M * dynamics.u).segment<3>(first).eval()), 1e-9);
+      const Vec3 rate =
+          derivative(model, state, kUp, [k](const Dynamics& d) { return d.links[k].momentum; })
+              .rowwise()
+              .sum();
+      const Vec3 torque = rate - dynamics.links[k].free_rate.rowwise().sum();
+      EXPECT_LT(difference(torque, dynamics.h.segment<3>(first).eval()), 1e-5);
+      EXPECT_TRUE(dynamics.links[k].momentum.isUpperTriangular(0.0))
+          << "a link moves no joint behind it";
+    }
+  });
+}
+
 TEST(RobotModel, has_the_points_jacobians_and_drifts_of_an_independent_implementation) {
   const RobotDescription robot = anymal_b();
   RobotModel model(robot);

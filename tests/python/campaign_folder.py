@@ -8,7 +8,6 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAKE = ROOT / "tests/python/fake_surefoot.py"
-sys.path.insert(0, str(ROOT / "python"))
 
 SPEC = """\
 scenario: fake

@@ -1,11 +1,19 @@
 """Files that are not what they should be, made from a log that is."""
 
+import io
 import json
+import struct
 
+from mcap.data_stream import ReadDataStream
+from mcap.opcode import Opcode
 from mcap.reader import make_reader
+from mcap.records import Channel
 from mcap.writer import Writer
 
 from log_file import attachment
+
+MAGIC = b"\x89MCAP0\r\n"
+HEAD = struct.Struct("<BQ")
 
 
 def written(path, attachments):
@@ -18,8 +26,9 @@ def written(path, attachments):
     return path
 
 
-def in_other_chunks(log, folder, by_time=True, **options):
-    """The same messages in the chunks of another writer, by their times or in their order."""
+def in_other_chunks(log, folder, by_time=True, channels_first=False, **options):
+    """The same messages in the chunks of another writer, by their times or in their order; channels before all of them, or each before its
+    first message."""
     path = folder / "in_other_chunks.mcap"
     with open(log, "rb") as file, open(path, "wb") as copy:
         reader, writer = make_reader(file), Writer(copy, **options)
@@ -29,10 +38,18 @@ def in_other_chunks(log, folder, by_time=True, **options):
         for one in reader.iter_metadata():
             writer.add_metadata(one.name, one.metadata)
         ids = {}
+
+        def describe(schema, channel):
+            made = writer.register_schema(schema.name, schema.encoding, schema.data)
+            ids[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, made, channel.metadata)
+
+        if channels_first:
+            summary = reader.get_summary()
+            for channel in summary.channels.values():
+                describe(summary.schemas[channel.schema_id], channel)
         for schema, channel, message in reader.iter_messages(log_time_order=by_time):
             if channel.id not in ids:
-                made = writer.register_schema(schema.name, schema.encoding, schema.data)
-                ids[channel.id] = writer.register_channel(channel.topic, channel.message_encoding, made, channel.metadata)
+                describe(schema, channel)
             writer.add_message(ids[channel.id], message.log_time, message.data, message.publish_time, message.sequence)
         writer.finish()
     return path
@@ -90,6 +107,22 @@ def timings_chunk(log):
         behind = [chunk for chunk in make_reader(file).get_summary().chunk_indexes if chunk.chunk_start_offset > last]
     chunk = min(behind, key=lambda chunk: chunk.chunk_start_offset)
     return chunk.chunk_start_offset + chunk.chunk_length // 2
+
+
+def bare_messages(log, topic):
+    """Of the messages on a topic that stand outside of chunks: where each record begins."""
+    places = []
+    with open(log, "rb") as file:
+        file.seek(len(MAGIC))
+        channel = None
+        while len(head := file.read(HEAD.size)) == HEAD.size:
+            opcode, length = HEAD.unpack(head)
+            place, content = file.tell() - HEAD.size, file.read(length)
+            if opcode == Opcode.CHANNEL and (made := Channel.read(ReadDataStream(io.BytesIO(content)))).topic == topic:
+                channel = made.id
+            if opcode == Opcode.MESSAGE and struct.unpack_from("<H", content)[0] == channel:
+                places.append(place)
+    return places
 
 
 def damaged_at(log, folder, place, name="damaged"):

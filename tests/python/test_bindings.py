@@ -129,7 +129,13 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
         (lambda: surefoot.solve([{"A": [[1]], "b": [1]}, {"D": [[1, 2]], "f": [1]}]), surefoot.Error,
          "level 2: D has 2 columns; the rows before it have 1"),
         (lambda: surefoot.solve([{}, {"A": [[-1e200]], "b": [1]}]), surefoot.Error,
-         "level 2: A or D holds 1e[+]200, too large .* expected at most about 1e100"),
+         r"level 2: A\[0, 0\] is -1e[+]200, too large .* expected at most 1e100"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1e120]}]), surefoot.Error,
+         r"level 1: b\[0\] is 1e[+]120, too large .* expected at most 1e100"),
+        (lambda: surefoot.solve([{"name": 3, "A": [[1]], "b": [1]}]), surefoot.Error, "level 1: name is 3; expected a text"),
+        (lambda: surefoot.solve([{"A": [[1, 2], [1e-300, 0]], "b": [1, 2]}]), surefoot.Error,
+         r"level 1: A\[1\] has nothing larger than 1e-300, too small .* at least 1e-100, or zeros only"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "lowr": [0]}]), surefoot.Error, "unknown key \"lowr\"; did you mean \"lower\""),
     ],
 )
 def test_wrong_input_raises_and_says_what_would_be_valid(call, error, message):

@@ -79,3 +79,14 @@ def test_what_the_readme_says_that_explain_begins_with_is_what_it_prints(tmp_pat
     (time,) = re.findall(r"explain run\.mcap --at ([\d.]+)", (ROOT / "README.md").read_text())
     record(tmp_path / "run.mcap", scenario="step_down", duration=float(time) + 0.1)
     assert surefoot("explain", tmp_path / "run.mcap", "--at", time).stdout.splitlines()[2] == quoted.strip()
+
+
+def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
+    def colours(text, pattern):
+        return [re.findall(r"[0-9a-f]{6}", one) for one in re.findall(pattern, text)]
+
+    variables = r"--c0: #\w{6}; --c1: #\w{6}; --c2: #\w{6}; --c3: #\w{6}"
+    picture = colours((ROOT / "viewer/src/scene/palette.ts").read_text(), r"legs: \[0x[^\]]*\]")
+    assert len(picture) == 2, "light and dark"
+    for file in ("viewer/src/style/page.css", "surefoot/view/report_page.cpp"):
+        assert colours((ROOT / file).read_text(), variables) == picture, file

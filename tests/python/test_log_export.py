@@ -10,11 +10,13 @@ import struct
 import numpy as np
 import pyarrow.parquet
 import pytest
-from damaged_logs import cut, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, without_chunk, without_ticks
+from damaged_logs import HEAD, bare_messages, cut, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, without_chunk, without_ticks
 from foxglove_fields import FIELDS, bare, differences, schema_of
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from log_tools import complaint_of, log_command
+from mcap.opcode import Opcode
 from mcap.reader import NonSeekingReader, make_reader
+from mcap.writer import CompressionType
 from surefoot_campaign.errors import InputError
 from surefoot_log import chunk
 from surefoot_log.log_file import LogFile
@@ -205,11 +207,42 @@ def test_of_a_log_whose_chunk_has_a_damaged_head_the_rest_is_exported(log, table
     assert part.num_rows > TICKS - 100 and part["time"][-1].as_py() == table["time"][-1].as_py()
 
 
-@pytest.mark.parametrize("by_time", [True, False])
-def test_a_log_that_another_writer_wrote_anew_is_exported_whole(log, table, tmp_path, by_time):
-    file = in_other_chunks(log, tmp_path, by_time)
+@pytest.mark.parametrize("options", [{"by_time": True}, {"by_time": False}, {"use_chunking": False}, {"by_time": False, "use_chunking": False},
+                                     {"channels_first": True, "use_chunking": False}], ids=str)
+def test_a_log_that_another_writer_wrote_anew_is_exported_whole(log, table, tmp_path, options):
+    file = in_other_chunks(log, tmp_path, **options)
     exported(file, "--parquet", tmp_path / "again.parquet")
     assert pyarrow.parquet.read_table(tmp_path / "again.parquet").equals(table)
+
+
+def times(log, topic):
+    return [time for time, group in log.by_time() for message in group if message.topic == topic]
+
+
+@pytest.mark.parametrize("channels_first", [False, True])
+def test_a_log_without_chunks_has_its_timings_beside_its_ticks(log, tmp_path, channels_first):
+    read = LogFile(in_other_chunks(log, tmp_path, channels_first=channels_first, use_chunking=False))
+    assert times(read, "/timings") == times(LogFile(log), "/timings")
+
+
+def test_a_damaged_message_outside_of_chunks_costs_that_message_alone(log, tmp_path):
+    file = in_other_chunks(log, tmp_path, by_time=False, use_chunking=False)
+    place = bare_messages(file, "/plan")[100]
+    read, whole = LogFile(damaged_at(file, tmp_path, place + HEAD.size)), LogFile(log)
+    plans = times(whole, "/plan")
+    assert times(read, "/plan") == plans[:100] + plans[101:]
+    for topic in ("/state", "/command", "/timings"):
+        assert times(read, topic) == times(whole, topic)
+    assert read.problem.startswith(f"a message's channel is unknown at byte {place} of ") and read.problem.count("at byte") == 1
+
+
+def test_a_message_outside_of_chunks_that_is_too_short_costs_nothing_else(log, tmp_path):
+    file = in_other_chunks(log, tmp_path, by_time=False, use_chunking=False)
+    place, data = bare_messages(file, "/plan")[100], file.read_bytes()
+    file.write_bytes(data[:place] + HEAD.pack(Opcode.MESSAGE, 12) + bytes(12) + data[place:])
+    read = LogFile(file)
+    assert times(read, "/plan") == times(LogFile(log), "/plan")
+    assert f"a record is shorter than it says at byte {place} of " in read.problem
 
 
 def test_what_stands_behind_a_last_chunk_with_a_damaged_head_is_read(log, tmp_path):
@@ -391,3 +424,9 @@ def test_the_log_itself_is_never_written_over(log, tmp_path, command):
     for written in (copy, tmp_path / "link.mcap"):
         assert "is the log itself" in complaint_of(name, copy, option, written)
     assert copy.read_bytes() == pathlib.Path(log).read_bytes()
+
+
+def test_a_log_with_another_compression_is_refused_with_what_to_do(log, tmp_path):
+    file = in_other_chunks(log, tmp_path, compression=CompressionType.LZ4)
+    with pytest.raises(InputError, match="compressed with lz4; .* `mcap compress LOG -o NEW.mcap --compression zstd` rewrites it"):
+        list(LogFile(file).messages())

@@ -8,10 +8,11 @@ import time
 
 import pytest
 from conftest import record
-from damaged_logs import attachment_place, changed, cut, cut_at, damaged, damaged_at, foreign, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
+from damaged_logs import HEAD, attachment_place, bare_messages, changed, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
 from live_page import Served
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from mcap.reader import make_reader
+from mcap.writer import CompressionType
 from program import complaint, surefoot
 
 COMMANDS = {"info": [], "explain": ["--at", 0.5], "replay": ["--verify"]}
@@ -161,10 +162,10 @@ def test_explain_makes_no_tick_of_the_rest_of_one_that_is_lost(log, tmp_path):
     """Chunks end within ticks: what stands of one behind the damage is no whole tick."""
     ends = [1e-9 * chunk.message_end_time for chunk in tick_chunks(log)]
     starts = [1e-9 * chunk.message_start_time for chunk in tick_chunks(log)]
-    number = next(i for i in range(1, len(ends) - 1) if ends[i] == starts[i + 1] and ends[i - 1] == starts[i])
-    file, first, last = without_chunk(log, tmp_path, number)
-    for time in (first, last):
-        assert f"--at is {time:.6g} s, where no tick can be read" in complaint("explain", file, "--at", time)
+    cut = next(i for i in range(1, len(ends) - 1) if ends[i] == starts[i + 1])  # in a tick that both chunks have a part of
+    for number, end in [(cut, 2), (cut + 1, 1)]:
+        found = without_chunk(log, tmp_path, number)
+        assert f"--at is {found[end]:.6g} s, where no tick can be read" in complaint("explain", found[0], "--at", found[end])
 
 
 @pytest.mark.parametrize("number", [0, 3, -1])
@@ -222,7 +223,7 @@ def test_replay_says_in_the_terminal_what_its_log_lacks(log, tmp_path):
     for file, words in {
         log: "",
         cut(log, tmp_path, 0.6): "warning: the log was never closed, or is cut off: what is left of it is shown",
-        damaged_log: f"{first:.2f} s to {last:.2f} s can't be read",
+        damaged_log: f"{first:.4f} s to {last:.4f} s can't be read",
         damaged_at(log, tmp_path, tick_chunks(log)[3].chunk_start_offset + 1): "1 piece of the log can't be read",
     }.items():
         with Served("replay", file) as served:
@@ -379,3 +380,28 @@ def test_a_report_of_a_log_that_lacks_its_index_shows_all_of_the_run_and_says_wh
     text = page.read_text()
     assert "only the index of the file is lost. This shows what could be read of it, to 2 s." in text
     assert str(tmp_path) not in text
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_log_with_another_compression_is_refused_with_what_to_do(log, tmp_path, command):
+    file = in_other_chunks(log, tmp_path, compression=CompressionType.LZ4)
+    said = complaint(command, file, *COMMANDS[command])
+    assert f"{file}: its chunks are compressed with lz4; chunks with zstd or without compression would be valid" in said
+    assert "`mcap compress LOG -o NEW.mcap --compression zstd`" in said
+
+
+def test_a_damaged_message_without_chunks_costs_explain_no_timing_beside_it(log, tmp_path):
+    file = in_other_chunks(log, tmp_path, by_time=False, use_chunking=False)
+    place = bare_messages(file, "/timings")[302]
+    asked = ["--at", 0.75]
+    found = of_json("explain", damaged_at(file, tmp_path, place + HEAD.size), *asked)
+    assert found["levels"] == of_json("explain", log, *asked)["levels"]
+
+
+@pytest.mark.parametrize("options", [{"compression": CompressionType.NONE}, {"use_chunking": False}], ids=str)
+def test_a_log_without_compression_or_without_chunks_is_the_same_run(log, tmp_path, options):
+    file = in_other_chunks(log, tmp_path, by_time=False, **options)
+    for arguments in (["--verify"], ["--stack", "regular"]):
+        same, again = (of_json("replay", one, *arguments) for one in (log, file))
+        assert {**again, "log": same["log"]} == same
+    assert of_json("explain", file, "--at", 0.75)["plan"] == of_json("explain", log, "--at", 0.75)["plan"]

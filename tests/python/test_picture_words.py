@@ -1,11 +1,16 @@
 """What of a run is shown in its pictures, from where, and what is said of it."""
 
+import json
+
 import numpy as np
 import pytest
+from log_tools import ROOT
 from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays  # isort: skip
-from surefoot_log.frames import Touch, gave_way  # isort: skip
+from surefoot_log.foxglove import scene_entities  # isort: skip
+from surefoot_log.frames import LEGS, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.offscreen import mujoco  # isort: skip
 
 
 def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
@@ -25,7 +30,7 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
     quiet = [frame_at(0.01 * i, 0.1 * i, phases={"LF": "stance"}) for i in range(200)]
     quiet[80].phases = {"LF": "search"}
-    quiet[120].pushes = [(1, np.array([30.0, 0, 0]))]
+    quiet[120].pushes = [(1, np.array([30.0, 0, 0]), np.zeros(3))]
     span = moments.span_of_interest(quiet)
     assert (span.first, span.last) == (pytest.approx(6.5), pytest.approx(13.5))
     chosen = moments.chosen(quiet, span, 7)
@@ -68,6 +73,12 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
     frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
     assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
+    frame.gave_way = ("torso_yaw", 2.0, "height", "torso_height", ())
+    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to torso height"
+    frame.gave_way = ("torso_yaw", 2.0, "y", "com_xy", ())
+    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to com xy y"
+    frame.stop = "encoder LF_KFE changed too fast"
+    assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
     from PIL import Image
 
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
@@ -75,6 +86,27 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     drawn = np.asarray(captions.Captions(240, header).draw(blank, frame, "a title that is much longer than such a small picture is wide, really", 2))
     lit = np.nonzero(drawn.sum(axis=2))
     assert lit[1].max() < 318 and lit[0].max() < 238 and lit[0].min() > 1
+
+
+def test_words_that_are_too_long_for_a_line_go_on_in_the_next():
+    assert captions.wrapped("torso height gives way to com", len, 12) == ["torso height", "gives way to", "com"]
+    assert captions.wrapped("incomprehensibilities stay", len, 12) == ["incomprehensibilities", "stay"]
+    assert captions.wrapped("short", len, 12) == ["short"]
+
+
+def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_stay_inside():
+    from PIL import Image
+
+    def rows(title):
+        """Of the picture, that have ink: of the title alone, as nothing else is drawn that far up."""
+        drawn = np.asarray(captions.Captions(480, {"level_names": []}).draw(Image.new("RGB", (640, 480), "white"), frame_at(0.0, 1.0), title))
+        assert (drawn[:, :8] == 255).all() and (drawn[:, -8:] == 255).all()
+        dark = np.nonzero((drawn[:400] < 200).all(axis=2).any(axis=1))[0]
+        return np.split(dark, np.nonzero(np.diff(dark) > 1)[0] + 1)
+
+    short, long = rows("Hd"), rows(" ".join(40 * ["Hd"]))
+    assert len(short) == 1 and len(long) > 2
+    assert {len(line) for line in long} == {len(short[0])}
 
 
 def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
@@ -93,3 +125,47 @@ def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
     del header["level_visible"]
     levels[0]["residual"] = 0.01
     assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"
+
+
+def test_an_arrow_of_a_push_begins_in_the_line_of_its_force_and_a_leg_in_the_air_does_not_carry():
+    held, force = np.array([0.3, 0.1, 0.0]), np.array([0.0, 50.0, 0.0])
+    start, vector = overlays.push_arrow(np.zeros(3), force, np.cross(held, force))
+    assert start == pytest.approx([0.3, 0.0, 0.0]) and vector / np.linalg.norm(vector) == pytest.approx([0, 1, 0])
+    assert overlays.push_arrow(np.ones(3), force, np.array([0.0, 0.0, 500.0]))[0] == pytest.approx([1, 1, 1]), "no body is so large"
+    frame = frame_at(0.0, 0.0, phases={"LF": "stance", "RF": "stance", "LH": "swing"})
+    assert frame.carrying == ["LF", "RF"], "as planned, where the truth is not known"
+    frame.p_WCom, frame.forces = np.zeros(3), [Touch("RF", np.zeros(3), np.array([0, 0, 90.0]), np.array([0, 0, 1.0]), 0.5)]
+    assert frame.carrying == ["RF"]
+
+
+def test_a_log_without_truth_is_drawn_with_what_it_knows():
+    state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12}
+    plan = {"feet": {leg: {"phase": "stance"} for leg in LEGS}}
+    frame = frame_of({"/state": json.dumps(state).encode(), "/plan": json.dumps(plan).encode()}, {"level_names": []}, "")
+    assert frame.carrying == list(LEGS)
+    scene = mujoco.MjvScene(mujoco.MjModel.from_xml_string("<mujoco/>"), maxgeom=10)
+    overlays.Overlays(scene, 0.03).draw(frame)
+    assert scene.ngeom == 0
+    assert [entity["id"] for entity in scene_entities(frame, 0.03, [])] == ["forces", "pushes", "support polygon"]
+
+
+def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
+    state = json.dumps({"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12}).encode()
+    for cause, fault, text, text_of_joint in json.loads((ROOT / "tests/support/stop_words.json").read_text()):
+        for joint, told in [(-1, text), (2, text_of_joint)]:
+            health = {group: {"fault": fault, "joint": joint} for group in ("encoders", "joint_torques", "imu")}
+            tick = {"/state": state, "/command": json.dumps({"mode": "damping", "cause": cause}).encode(), "/health": json.dumps(health).encode()}
+            assert frame_of(tick, {"level_names": []}, "").stop == told
+            if text != text_of_joint and fault != "none":  # what was wrong then stays the reason
+                tick["/command"] = json.dumps({"mode": "damping", "cause": cause, "fault": fault, "joint": joint}).encode()
+                tick["/health"] = json.dumps({group: {"fault": "late", "joint": 5} for group in health}).encode()
+                assert frame_of(tick, {"level_names": []}, "").stop == told
+
+
+def test_a_push_is_one_from_more_than_rounding_on():
+    feet = {leg: {"touching": False} for leg in LEGS}
+    truth = {"p_WCom": [0, 0, 0.5], "p_WF": dict.fromkeys(LEGS, [0, 0, 0]), "feet": feet}
+    for newtons, pushes in [(0.0, 0), (3e-11, 0), (1e-5, 1)]:
+        frame = frame_at(0.0, 0.0)
+        add_truth(frame, {**truth, "xfrc_applied": [0.0] * 6 + [newtons, 0, 0, 0, 0, 0]})
+        assert len(frame.pushes) == pushes, newtons

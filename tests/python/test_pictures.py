@@ -1,10 +1,15 @@
 """Pictures without a screen: the robot stands in them where the log says, with all that acts on it."""
 
 import numpy as np
+import pytest
 from log_file import messages
-from pictures_made import SIZE, cache, painted, run  # noqa: F401, fixtures
+from pictures_made import SIZE, cache, dressed, painted, run  # noqa: F401, fixtures
 
+from surefoot_log import camera  # isort: skip
 from surefoot_log.frames import Frame  # isort: skip
+from surefoot_log.offscreen import mujoco  # isort: skip
+from surefoot_log.painter import painter  # isort: skip
+from surefoot_log.push_arrows import Lens  # isort: skip
 
 
 def test_frames_are_the_ticks_of_the_log(log, run):
@@ -42,17 +47,45 @@ def test_the_robot_is_drawn_where_it_is(log, run, cache):
 def test_forces_and_the_support_polygon_are_drawn_over_it(log, run, cache):
     frame = run.frames[5]
     bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array([0.0, 0.0, -120.0]))])
+    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array([0.0, 0.0, 120.0]), np.zeros(3))])
     plain, full, push = painted(log, run, [bare, frame, pushed], cache=cache)
     green = (full[..., 1] - full[..., 0]) - (plain[..., 1] - plain[..., 0]) > 15
     assert green.sum() > 40
     assert (np.abs(push - plain).sum(axis=2) > 60).sum() > 15
 
 
+@pytest.mark.parametrize("way", [(0.0, 300.0, 0.0), (0.0, -300.0, 0.0), (-300.0, 0.0, 0.0)])
+def test_a_push_is_seen_from_wherever_it_acts_also_behind_the_body(log, run, cache, way):
+    frame = run.frames[5]
+    bare = Frame(frame.time, frame.qpos, frame.p_WB)
+    pushed = Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(1, np.array(way), np.zeros(3))])
+    plain, push = painted(log, run, [bare, pushed], cache=cache)
+    changed = np.abs(push - plain).sum(axis=2) > 60
+    yellow = changed & (push[..., 0] > 180) & (push[..., 1] > 170) & (push[..., 2] < 120)
+    assert yellow.sum() > 15
+
+
+def test_an_arrow_over_the_image_lies_where_the_camera_sees_it(log, run, cache):
+    frame = run.frames[5]
+    view = camera.Camera(run.frames)
+    with painter(dressed(log, cache=cache), run.header, SIZE) as artist:
+        plain = np.asarray(artist.paint(frame, view), int)
+        scene = artist._renderer.scene
+        for offset in ((0.0, 0.0, 0.6), (0.4, 0.0, 0.5), (-0.3, 0.3, 0.6)):
+            point = frame.p_WB + offset
+            artist.paint(frame, view)
+            mujoco.mjv_initGeom(scene.geoms[scene.ngeom], mujoco.mjtGeom.mjGEOM_SPHERE, np.full(3, 0.04), point, np.eye(3).ravel(), np.array([1, 0, 0, 1], np.float32))
+            scene.ngeom += 1
+            with_ball = np.asarray(artist._renderer.render(), int)
+            rows, columns = np.nonzero(np.abs(with_ball - plain).sum(axis=2) > 60)
+            x, y = Lens(scene.camera, SIZE).pixel(point)
+            assert abs(np.median(columns) + 0.5 - x) < 1.5 and abs(np.median(rows) + 0.5 - y) < 1.5
+
+
 def test_a_push_on_a_leg_is_drawn_at_that_leg(log, run, cache):
     frame = run.frames[5]
     bare = Frame(frame.time, frame.qpos, frame.p_WB)
-    pushed = [Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array([0.0, 0.0, -120.0]))]) for body in (1, 4)]
+    pushed = [Frame(frame.time, frame.qpos, frame.p_WB, pushes=[(body, np.array([0.0, 0.0, 120.0]), np.zeros(3))]) for body in (1, 4)]
     plain, base, leg = painted(log, run, [bare, *pushed], cache=cache)
     places = [np.nonzero(np.abs(image - plain).sum(axis=2) > 60) for image in (base, leg)]
     assert abs(places[0][1].mean() - places[1][1].mean()) + abs(places[0][0].mean() - places[1][0].mean()) > 4

@@ -17,13 +17,16 @@ GOOD = '{"levels":[{"A":[[1]],"b":[3]}]}'
         ("\x00\x01", "is not JSON"),
         ("[" * 100000, "is nested deeper than 64"),
         ("[]", 'has no array "levels"'),
-        ('{"levels":[]}', "has no unknowns"),
-        ('{"levels":[{},{"A":[],"b":[]}]}', "has no unknowns"),
+        ('{"levels":[]}', "levels is empty, so there are no unknowns"),
+        ('{"levels":[{},{"A":[],"b":[]}]}', "levels 1 to 2: have no row in A or D, so there are no unknowns"),
         ('{"levels":[{"A":[[1]],"b":[1]},{"A":[[1],[1,2]],"b":[1,2]}]}', "level 2: A: row 2: has 2 elements"),
         ('{"levels":[{"A":[[1]],"b":[1]},{"D":[[1]],"f":[1,2]}]}', "level 2: f has 2 elements, D has 1 row"),
         ('{"levels":[{},{"A":[[1,2],[NaN,1]],"b":[1,2]}]}', 'level 2: A: row 2: element 1 is "NaN"'),
         ('{"levels":[{"D":[[1]],"f":[-Infinity]}]}', 'level 1: f: element 1 is "-Infinity"'),
-        ('{"levels":[{"A":[[1e999]],"b":[1]}]}', 'level 1: A: row 1: element 1 is "1e999"'),
+        ('{"levels":[{"A":[[1e999]],"b":[1]}]}', 'level 1: A: row 1: element 1 is 1e999, too large'),
+        ('{"levels":[{"D":[[1]],"lowr":[0],"f":[1]}]}', 'level 1: unknown key "lowr"; did you mean "lower"? valid are: '),
+        ('{"levels":[{"A":[[1]],"b":[1],"b":[2]}]}', 'levels: element 1: the key "b" is given twice'),
+        ('{"levels":[{"A":[[1e-300]],"b":[1]}]}', "level 1: A: row 1: has nothing larger than 1e-300"),
         ('{"levels":[{"A":[[1e200]],"b":[1]}]}', "level 1: A: row 1: element 1 is 1e+200, too large"),
         (json.dumps({"levels": [{"A": [[1] * 501], "b": [1]}]}), "has 501 unknowns; expected at most 500"),
         (
@@ -39,6 +42,26 @@ def test_a_bad_line_is_named_and_the_lines_around_it_are_solved(line, message, t
     assert done.stderr.startswith("lines.jsonl:3: ") and message in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert [json.loads(answer)["x"] for answer in done.stdout.splitlines()] == [[3.0], [3.0]]
+
+
+@pytest.mark.parametrize("text", ["", "\n\n"])
+def test_a_file_without_a_line_is_wrong_input(text, tmp_path):
+    (tmp_path / "lines.jsonl").write_text(text)
+    done = subprocess.run([PROGRAM, "solve", "lines.jsonl"], cwd=tmp_path, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "lines.jsonl: is empty; expected a file with one JSON object a line" in done.stderr
+    done = subprocess.run([PROGRAM, "solve", "-"], input=text, capture_output=True, text=True)
+    assert done.returncode == 2 and "standard input: is empty" in done.stderr
+
+
+def test_help_says_which_numbers_are_accepted(tmp_path):
+    words = subprocess.run([PROGRAM, "solve", "--help"], capture_output=True, text=True).stdout
+    assert "from -1e100 to 1e100" in words and "at least 1e-100" in words
+    numbers = {"1e100": 0, "-1e100": 0, "1.01e100": 2, "-1.01e100": 2, "1e-100": 0, "-1e-100": 0, "9e-101": 2, "0": 0}
+    for number, code in numbers.items():
+        (tmp_path / "line.jsonl").write_text('{"levels":[{"A":[[%s]],"b":[0]}]}' % number)
+        done = subprocess.run([PROGRAM, "solve", "line.jsonl"], cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode == code, number
 
 
 def test_a_level_without_rows_is_met_by_any_x(tmp_path):
@@ -65,7 +88,7 @@ def test_python_solves_by_either_method(method):
     levels = [{"D": [[1.0]], "f": [1.0]}, {"A": [[1.0]], "b": [3.0]}]
     assert surefoot.solve(levels, method=method).x[0] == pytest.approx(1.0)
     with pytest.raises(surefoot.Error, match="beyond the range of doubles"):
-        surefoot.solve([{"A": [[1e-10]], "b": [1e300]}], method=method)
+        surefoot.solve([{"A": [[1e-100]], "b": [1e100]}], method=method)
 
 
 def test_python_says_what_is_wrong_with_a_method_or_a_budget():

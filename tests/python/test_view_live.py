@@ -18,7 +18,7 @@ def test_the_link_opens_the_page_and_its_session_describes_the_run(run):
     assert status == 200 and b"<html" in body
     assert headers["Content-Security-Policy"].startswith("default-src 'none'; script-src 'self'; style-src 'self';")
     session = run.session()
-    assert session["mode"] == "live" and session["protocol"] == 1
+    assert session["mode"] == "live" and session["protocol"] == 2
     assert session["title"] == "walk_flat"
     assert session["header"]["scenario"] == "walk_flat"
     assert session["frame_floats"] == sum(channel["size"] for channel in session["channels"])

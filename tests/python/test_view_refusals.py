@@ -15,7 +15,10 @@ def test_the_four_refusals(run):
         Page(run, origin="http://evil.example")
     with run.page(token="wrong") as page:
         reply = page.ask("pause")
-    assert not reply["ok"] and "token" in reply["error"]
+        assert page.ask("hello") == {**reply, "id": 2}, "it is told of its token before it asks for anything"
+    assert not reply["ok"] and "token" in reply["error"] and reply["token"] is False
+    with run.page() as page:
+        page.do("hello")
     assert "--token" in complaint("run", "walk_flat", "--view", "--listen", "0.0.0.0")
 
 

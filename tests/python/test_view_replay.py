@@ -8,8 +8,9 @@ import subprocess
 import time
 
 import pytest
+from mcap.writer import CompressionType
 
-from damaged_logs import changed, damaged, in_other_chunks
+from damaged_logs import changed, damaged, in_other_chunks, tick_chunks, without_chunk
 from live_page import Frames, Refused, Served
 from program import PROGRAM, complaint
 
@@ -155,15 +156,49 @@ def test_a_log_that_was_cut_off_shows_what_is_left(tmp_path, log):
     cut.write_bytes(whole[: len(whole) // 2])
     with Served("replay", cut) as served:
         session = served.session()
-        assert 200 < session["ticks"] < 2400 and session["whole"] is False
+        assert 200 < session["ticks"] < 2400 and session["cut"].startswith("the log was never closed")
         last = session["ticks"] - 1
         assert Frames(session, [served.get(f"/api/frames?from={last}&count=10&stride=1")[2]]).ticks == [last]
 
 
-@pytest.mark.parametrize("options", [{"by_time": True}, {"by_time": False}, {"by_time": False, "chunk_size": 20000}], ids=str)
+def test_a_log_whose_run_was_interrupted_is_told_from_one_that_was_cut_off(replay, tmp_path):
+    assert replay.session()["cut"] == ""
+    with Served("run", "walk_flat_ideal", "--view", "--record", tmp_path / "run.mcap") as run:
+        time.sleep(1)
+        assert run.end() == 2
+    kept = (tmp_path / "run.mcap.partial").rename(tmp_path / "kept.mcap")  # it is told by what is in it
+    with Served("replay", kept) as served:
+        assert served.session()["cut"] == "the run was interrupted: the log's file is whole, and ends there"
+
+
+@pytest.mark.parametrize("options", [{"by_time": True}, {"by_time": False}, {"by_time": False, "chunk_size": 20000},
+                                     {"by_time": False, "compression": CompressionType.NONE}, {"by_time": False, "use_chunking": False}], ids=str)
 def test_a_log_that_another_writer_wrote_anew_has_all_its_ticks_and_their_timings(replay, log, tmp_path, options):
     with Served("replay", in_other_chunks(log, tmp_path, **options)) as served:
         session = served.session()
         assert (session["first_tick"], session["ticks"], session["damage"]) == (0, 2400, [])
         query = "/api/frames?from=2390&count=10&stride=1"
         assert served.get(query)[2] == replay.get(query)[2]
+
+
+def test_page_and_terminal_tell_the_same_place_of_damage(log, tmp_path):
+    file, _, _ = without_chunk(log, tmp_path, 3)
+    place = f"at byte {tick_chunks(log)[3].chunk_start_offset}"
+    info = subprocess.run([PROGRAM, "info", file], capture_output=True, text=True)
+    assert f"{place} of " in info.stdout
+    with Served("replay", file) as served:
+        for _ in range(200):
+            if served.session()["damage"]:
+                break
+            time.sleep(0.05)
+        (damage,) = served.session()["damage"]
+        assert damage.endswith(place)
+        assert re.match(r"\d+\.\d{4} s to \d+\.\d{4} s can't be read: ", damage), "as finely as ticks are told"
+
+
+def test_meshes_that_are_missing_are_told_in_the_terminal(log, tmp_path, monkeypatch):
+    monkeypatch.setenv("SUREFOOT_ROBOT_PACKAGES", str(tmp_path))
+    with Served("replay", log) as served:
+        missing = [mesh["uri"].rsplit("/", 1)[1] for mesh in served.session()["meshes"] if not mesh["found"]]
+        assert len(missing) > 3
+        assert f"the page shows primitives, as these meshes are missing: {', '.join(missing[:3])} and {len(missing) - 3} more" in served.errors

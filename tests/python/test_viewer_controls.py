@@ -1,5 +1,6 @@
 """Keys, mouse, fingers and gamepad of the viewer's page, as the browser's own input events: each does what the help says, and nothing else."""
 
+import contextlib
 import math
 import time
 
@@ -185,12 +186,12 @@ def test_the_arrow_of_a_pull_is_seen_before_the_torso(page):
     for step in range(1, 7):
         page.mouse("mouseMoved", x - 10 + 12 * step, y)  # to where the torso still is, and no nearer than it
 
-    def is_pink(pixel):
+    def is_yellow(pixel):
         red, green, blue = pixel
-        return red > green + 40 and blue > green + 40
+        return min(red, green) > blue + 60
 
-    assert not is_pink(body)
-    wait_for(lambda: is_pink(page.run(middle)), "the arrow over the torso")
+    assert not is_yellow(body)
+    wait_for(lambda: is_yellow(page.run(middle)), "the arrow over the torso")
     page.screenshot(SCREENSHOTS / "pull_over_torso.png")
     page.mouse("mouseReleased", x + 62, y)
     page.wait("surefoot.status.pull === null")
@@ -204,9 +205,13 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
 
     def dragged():
         page.drop(page.middle(f"[data-level={moving}] .status"), page.middle(f"[data-level={place}] .status"))
-        time.sleep(0.5)
-        return sent(page, "order")
+        with contextlib.suppress(AssertionError):  # once more only if it was not taken: twice is another order
+            return wait_for(lambda: sent(page, "order"), "the order to be sent", 10)
+        return None
+    pause(page)  # cards stand still
     wait_for(dragged, "the level to be dragged", 60)
+    page.run("document.activeElement.blur()")  # of what was pressed, which may be a button
+    page.press(" ")
     expected = [*order[:-4], moving, *order[-4:-2], order[-1]]
     wait_for(lambda: page.run(names) == expected, "the new order", 60)
     page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {moving} from {len(order) - 1} to {len(order) - 3}'))")

@@ -129,7 +129,7 @@ def test_dragging_the_torso_pulls_it_and_says_by_how_many_newton_seconds(browser
     for time_ in (end, end - 0.0025, end - 0.01):  # a pull that is looked at again is one, too
         browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {time_ + 1e-4}; scrub.dispatchEvent(new Event('input')); }})()")
         browser.wait(f"Math.abs(surefoot.drawn - {time_}) < 1e-6")
-        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /^pull \\d+ N$/.test(one.textContent))")
+        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /^pull \\d+ N \\(of [\\d.]+ N·s in all\\)$/.test(one.textContent))")
     texts = browser.run("[...said]")
     assert texts and all(text.startswith("pull") for text in texts), texts
     browser.press("l")
@@ -216,6 +216,7 @@ def test_rough_ground_is_drawn_as_it_is_and_a_missing_mesh_is_told(browser, tmp_
     shutil.copytree(packages / robot, tmp_path / robot, ignore=shutil.ignore_patterns("anymal_thigh.dae"))
     monkeypatch.setenv("SUREFOOT_ROBOT_PACKAGES", str(tmp_path))
     with Viewer("run", "rough_field", "--view") as viewer:
+        assert any("primitives" in line and "anymal_thigh.dae" in line for line in viewer.said), "in the terminal, too"
         show(browser, viewer.link)
         browser.wait("surefoot.meshesLoading === 0", 60)
         pause(browser)

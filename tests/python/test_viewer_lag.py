@@ -11,7 +11,7 @@ from browser import Browser
 from viewer import Viewer
 from viewer_page import SCREENSHOTS, WALK, show
 
-FACTS = "document.querySelector('#rates').textContent"
+FACTS = "document.querySelector('#head-facts').textContent"
 # What the program says comes to the page `window.late` milliseconds later.
 LATE = """(() => {
   window.late = 0;
@@ -52,7 +52,7 @@ def test_a_run_that_is_slower_than_asked_for_says_how_fast_it_is_and_why():
             said = browser.run(FACTS)
             browser.screenshot(SCREENSHOTS / "slow_run.png")
         assert 0 < float(re.match(r"([\d.]+)× of", said)[1]) < 0.9
-        assert browser.run("document.querySelector('#rates').getBoundingClientRect().width") > 200
+        assert browser.run("document.querySelector('#head-facts').getBoundingClientRect().width") > 200
 
 
 def test_a_page_that_hears_late_says_how_old_its_picture_is_while_the_run_goes_on():

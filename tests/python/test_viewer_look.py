@@ -215,7 +215,7 @@ def test_what_is_old_is_grey_and_says_since_when(browser):
         assert not browser.run("document.body.classList.contains('stale')")
     browser.wait("/^Nothing new for [1-9]\\d* s: all numbers are from \\d+\\.\\d+ s of the run\\.$/.test(document.querySelector('#stale').textContent)")
     browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = 0.5 * (surefoot.first + surefoot.last); scrub.dispatchEvent(new Event('input')); })()")
-    browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(3)} s of`)")
+    browser.wait("surefoot.drawn < surefoot.last - 0.01 && document.querySelector('#stale').textContent.includes(`from ${surefoot.drawn.toFixed(4)} s of`)")
     assert "grayscale" in browser.run("getComputedStyle(document.querySelector('#panel-hierarchy')).filter")
     for _ in every_look(browser, "stale"):
         pass
@@ -251,7 +251,7 @@ def test_numbers_are_never_newer_than_the_picture(browser, live):
       look();
     })""")
     assert len({drawn for drawn, *_ in seen}) > 1, "it goes on"
-    newer = [(drawn, told) for drawn, *both in seen for told in both if told > drawn + 6e-4]  # rounded
+    newer = [(drawn, told) for drawn, *both in seen for told in both if told > drawn + 6e-5]  # rounded
     assert newer == []
     browser.click("#tab-hierarchy")
 

@@ -16,6 +16,10 @@ from live_page import Page
 from viewer import Viewer
 from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
 
+# What changes the run, in the panel Drive.
+CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
+VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('View only')"
+
 
 @pytest.fixture(scope="module")
 def live():
@@ -154,8 +158,9 @@ def step_until(browser, condition, what, ticks=200):
 
 
 def test_a_push_moves_the_robot_and_is_shown_with_its_force(browser):
-    with Viewer(*WALK) as walk:
-        show(browser, walk.link)
+    # It stands all the while: how a push ends that meets a walk depends on the moment.
+    with Viewer(*WALK, "--set", "planner.gait.start_duration=600") as robot:
+        show(browser, robot.link)
         browser.wait("surefoot.tick > 100", 60)
         browser.click("#tab-drive")
         browser.run("document.querySelector('#push-impulse').value = 55; document.querySelector('#push-duration').value = 0.35")
@@ -192,17 +197,38 @@ def test_a_limit_that_becomes_active_is_seen_in_the_panel_by_words_and_colour(br
         assert {colour for *_, colour in held}.isdisjoint({colour for status, _, colour in cards if status == "met"})
 
 
+def test_a_pull_that_still_acts_ends_with_the_run_and_nothing_can_be_pushed_after_it(browser):
+    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1") as short, Page(short) as hand:
+        hand.do("pause")
+        show(browser, short.link)
+        browser.click("#tab-drive")
+        hand.do("resume")
+        while hand.status()["ended"] is None:
+            hand.ask("pull", body="base", point=[0, 0, 0], force=[0, 30, 0])
+        browser.wait("surefoot.status.ended !== null")
+        browser.wait("/the pull ends after/.test(document.querySelector('.changes').textContent)")
+        browser.wait("surefoot.status.pull === null && /The run has ended/.test(document.querySelector('#asked').textContent)")
+        assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled'))")
+        browser.press("r")
+        browser.wait(f"surefoot.status.ended === null && {CONTROLS}.every(one => !one.matches(':disabled'))", 60)
+
+
 def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
     with Viewer(*WALK) as first:
         show(browser, first.link)
         port = first.port
     browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
-    assert "tries again by itself" in browser.run("document.querySelector('#notes').textContent")
+    told = browser.run("document.querySelector('#notes').textContent")
+    assert "Look in its terminal" in told and "comes back by itself" in told
+    browser.click("#tab-drive")
+    assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled') && getComputedStyle(one).filter === 'grayscale(1)')")
+    assert browser.run("document.querySelector('#panel-drive .view-only').hidden"), "its token is not refused"
     browser.screenshot(SCREENSHOTS / "lost.png")
     with Viewer(*WALK, port=port):
         browser.wait("document.querySelector('#link-state')?.textContent === 'connected'", 40)
         browser.wait("window.surefoot !== undefined && surefoot.tick > 0 && surefoot.following", 40)
         browser.wait("!document.querySelector('#notes').textContent.includes('lost')", 40)
+        browser.wait(VIEW_ONLY, 40)  # another start has another token
 
 
 def test_a_page_that_finds_another_run_loads_itself_anew(browser):
@@ -253,8 +279,11 @@ def test_a_page_of_another_origin_can_neither_watch_nor_read(live, tmp_path):
 
 def test_a_wrong_token_can_change_nothing(browser, live):
     show(browser, live.address + "#token=0123456789abcdef0123456789abcdef")
-    browser.press(" ")
+    browser.wait(VIEW_ONLY)
+    assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled'))")
+    browser.press("p")
     browser.wait("document.querySelector('#notes').textContent.includes('token')")
+    browser.press(" ")
     browser.wait("surefoot.status !== undefined")
     assert not browser.run("surefoot.status.paused")
 
@@ -275,8 +304,48 @@ def test_no_mesh_is_missing_and_pictures_come_in_time(browser, live):
 
 def test_without_a_token_the_page_only_looks(browser, live):
     show(browser, live.address)
-    assert "View only" in browser.run("document.querySelector('#panel-drive').textContent")
-    assert browser.run("document.querySelector('#push').disabled")
+    assert browser.run(VIEW_ONLY)
+    assert browser.run(f"{CONTROLS}.every(one => one.matches(':disabled'))")
+    held = "['#reset', '#speed'].map(name => document.querySelector(name).matches(':disabled'))"
+    browser.wait(f"{held}.join() === 'true,true' && document.querySelector('#reset').title.includes('#token=')")
+    browser.press(" ")
+    browser.wait(f"!surefoot.following && {held}.join() === 'true,false'")  # what was before goes as fast as one likes
+    browser.press("l")
+
+
+def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, live, tmp_path):
+    log = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Log')?.nextSibling.textContent"
+    show(browser, live.link)
+    browser.wait(f"{log} === 'none: run it with --record FILE to keep one'")
+    with Viewer(*WALK, "--record", tmp_path / "kept.mcap") as recorded:
+        show(browser, recorded.link)
+        browser.wait("document.querySelector('#head-facts').textContent.startsWith('recording kept.mcap')")
+        browser.wait(f"{log} === 'recorded in {tmp_path / 'kept.mcap'}'")
+
+
+def test_the_time_bar_has_the_colours_of_the_page(browser, replayed):
+    marks = "[...new Uint32Array(document.querySelector('.marks').getContext('2d').getImageData(0, 0, 2000, 30).data.buffer)]"
+    colours = f"[...new Set({marks}.filter(one => one >>> 24 === 255))]"
+    browser.prefer("light")
+    show(browser, replayed.link)
+    browser.run("surefoot.playing && document.querySelector('#play').click()")
+    browser.wait(f"document.querySelector('#plots-progress').textContent === '' && {colours}.length > 0")
+    time.sleep(0.5)
+    try:
+        light = browser.run(colours)
+        for theme in ("dark", "light"):
+            browser.prefer(theme)
+            browser.wait(f"document.documentElement.dataset.theme === '{theme}'")
+            browser.wait(f"{colours}.length > 0 && {colours}.some(one => {light}.includes(one)) === {str(theme == 'light').lower()}")
+    finally:
+        browser.prefer("light")
+
+
+def test_the_menu_of_overlays_leaves_the_buttons_below_it_free(browser, replayed):
+    show(browser, replayed.link)
+    browser.click("#overlays-open")
+    menu, bar = (browser.run(f"document.querySelector('{name}').getBoundingClientRect().{edge}") for name, edge in (("#overlays", "bottom"), ("#transport", "top")))
+    assert menu <= bar
 
 
 def test_a_log_is_shown_at_any_time_of_it(browser, replayed):
@@ -349,7 +418,7 @@ def test_a_tick_that_can_not_be_read_says_which_is_shown_and_steps_go_on_over_it
             go_to(browser, tick)
         assert "can't be read: shown" not in browser.run("document.querySelector('#notes').textContent")
         browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {(begin + end) / 2}; scrub.dispatchEvent(new Event('input')); }})()")
-        browser.wait("document.querySelector('[data-note=unreadable]')?.textContent.includes(`This tick can't be read: shown is ${+surefoot.drawn.toFixed(4)} s.`)")
+        browser.wait("document.querySelector('[data-note=unreadable]')?.textContent.includes(`This tick can't be read: shown is ${surefoot.drawn.toFixed(4)} s.`)")
         browser.screenshot(SCREENSHOTS / "unreadable.png")
         browser.press(".")
         browser.wait(f"surefoot.drawn > {end} && document.querySelector('[data-note=unreadable]') === null")

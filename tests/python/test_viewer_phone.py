@@ -78,9 +78,32 @@ def test_what_is_wrong_with_a_log_covers_no_button_and_can_be_taken_away(browser
         browser.mouse("mouseMoved", x + width * begin / browser.run("surefoot.last"), y)
         hint = "document.querySelector('.mark-hint:not([hidden])')"
         told = browser.wait(f"{hint}?.textContent")
-        assert told.startswith(f"{begin:.2f} s to ") and told.count(f"{begin:.2f} s") == 1
+        assert told.startswith(f"{begin:.4f} s to ") and told.count(f"{begin:.4f} s") == 1
         left, right = browser.run(f"(() => {{ const b = {hint}.getBoundingClientRect(); return [b.left, innerWidth - b.right]; }})()")
         assert min(left, right) >= 0
         tap(browser, "[data-note=damage] .close")
         browser.run("new Promise(done => setTimeout(done, 1000))")  # longer than the page waits to look again
         assert browser.run(note) is None
+
+
+def test_the_key_stands_below_the_picture(browser, live):
+    with phone(browser):
+        show(browser, live.link)
+        bottom, top, end, view = browser.run("""(() => {
+          const box = query => document.querySelector(query).getBoundingClientRect();
+          return [box('#canvas').bottom, box('#legend').top, box('#legend').bottom, box('#view').bottom];
+        })()""")
+        assert bottom <= top < end <= view
+        browser.screenshot(SCREENSHOTS / "phone_key.png")
+
+
+def test_the_head_keeps_its_line_when_the_connection_is_lost(browser):
+    with phone(browser):
+        with Viewer(*WALK) as walk:
+            show(browser, walk.link)
+        browser.wait("document.querySelector('#link-state').textContent === 'connection lost'", 30)
+        browser.run("document.querySelector('#title').textContent = 'payload_step_down_without_limits, seed 12345'")
+        tops = browser.run("[...document.querySelectorAll('#head > :is(h1, .badge, button)')].map(one => { const b = one.getBoundingClientRect(); return [b.top, b.bottom, b.right]; })")
+        assert max(top for top, _, _ in tops) < min(bottom for _, bottom, _ in tops), "one line"
+        assert max(right for _, _, right in tops) <= 390
+        browser.screenshot(SCREENSHOTS / "phone_lost.png")

@@ -1,6 +1,10 @@
 """The plots of the viewer's page: any channel and any part of one, each plot whole, lines that can be told apart, and no holes where the program has the ticks."""
 
+import io
+
+import numpy as np
 import pytest
+from PIL import Image
 
 from browser import wait_for
 from viewer import Viewer
@@ -83,6 +87,22 @@ def test_a_line_is_hidden_and_shown_again_by_a_press_on_its_name(replayed):
     assert replayed.run("document.querySelector('.legend .line').getAttribute('aria-pressed')") == "true"
 
 
+def test_the_values_of_a_plot_are_zoomed_with_shift_and_the_wheel(replayed):
+    replayed.run("surefoot.playing && document.querySelector('#play').click()")
+    drawn = "document.querySelector('.plot canvas').toDataURL()"
+    span = "document.querySelector('#span').value"
+    plain, time = replayed.run(f"[{drawn}, {span}]")
+    turn = "document.querySelector('.u-over').dispatchEvent(new WheelEvent('wheel', { deltaX: -500, shiftKey: true, cancelable: true, bubbles: true, clientX: %d, clientY: %d }))"
+    x, y = replayed.middle(".u-over")
+    replayed.run(turn % (x, y))
+    replayed.wait(f"document.querySelector('.plot').classList.contains('part') && {drawn} !== '{plain}'")
+    assert replayed.run(span) == time
+    assert replayed.run("document.querySelectorAll('.plot.part').length") == 1, "each plot by itself"
+    zoomed = replayed.run(drawn)
+    replayed.run("document.querySelector('.u-over').dispatchEvent(new MouseEvent('dblclick', { bubbles: true }))")
+    replayed.wait(f"!document.querySelector('.plot.part') && {drawn} !== '{zoomed}'")
+
+
 def test_twelve_lines_of_a_plot_are_told_apart_by_colours_of_the_legs_and_dashes(replayed):
     plot(replayed, "state.qd")
     for theme in ("light", "dark"):
@@ -137,6 +157,36 @@ def test_what_does_not_fit_of_a_name_is_its_beginning_and_the_unit_is_whole(repl
     assert text[0] < name[0] - 5 and text[1] <= name[1] + 1, "cut at its beginning"
     assert name[1] <= unit[0] + 1 and unit[1] <= whole[1] + 1, "the unit is whole"
     replayed.screenshot(SCREENSHOTS / "plot_names.png")
+
+
+def pixels(png):
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+
+
+def test_the_picture_above_the_search_stays_as_it_was(replayed):
+    """Chromium laid the list's ground over it where the processor draws."""
+    replayed.wait("surefoot.meshesLoading === 0")
+    before = pixels(replayed.screenshot())
+    type_in_search(replayed, "readings")
+    left, top, right, list_top = replayed.run("""(() => {
+      const picture = document.querySelector('#canvas').getBoundingClientRect(), list = document.querySelector('.found').getBoundingClientRect();
+      return [list.left, picture.top, list.right, list.top].map(Math.round);
+    })()""")
+    assert list_top - top > 60
+    replayed.run("new Promise(done => setTimeout(done, 500))")
+    after = pixels(replayed.screenshot(SCREENSHOTS / "search_over_picture.png"))
+    replayed.press("Escape")
+    seen = (slice(top + 50, list_top - 30), slice(left + 8, right - 8))  # without the buttons and the list's shadow
+    assert np.mean(np.abs(after[seen] - before[seen]).max(axis=2) > 24) < 0.05
+
+
+def test_escape_leaves_the_search_and_gives_the_keys_back_to_the_page(replayed):
+    type_in_search(replayed, "torque")
+    replayed.press("Escape")
+    assert replayed.run("document.querySelector('.found').hidden && document.activeElement === document.body")
+    replayed.press("?")
+    assert replayed.run("document.querySelector('#help').open && document.querySelector('#help').textContent.includes(\"leave the plots' search\")")
+    replayed.press("Escape")
 
 
 def test_channels_of_words_are_told_as_words(replayed):

@@ -52,15 +52,15 @@ const std::vector<Fault>& faults() {
       {"accelerometer", "jump", "size: 400", "IMU left the range"},
       {"encoders", "stops", "", "encoders stopped"},
       {"encoders", "repeats", "", "encoders stopped"},
-      {"encoders", "nan", "", "encoders gave no numbers"},
+      {"encoders", "nan", "", "encoders of several joints gave no numbers"},
       {"encoders", "nan", "joint: LF_KFE", "encoder LF_KFE gave no numbers"},
       {"encoders", "late", "size: 10", "encoders came late"},
-      {"encoders", "jump", "size: 0.3", "encoders changed too fast"},
+      {"encoders", "jump", "size: 0.3", "encoders of several joints changed too fast"},
       {"joint_torques", "stops", "", "joint torques stopped"},
       {"joint_torques", "repeats", "", "joint torques stopped"},
-      {"joint_torques", "nan", "", "joint torques gave no numbers"},
+      {"joint_torques", "nan", "", "joint torques of several joints gave no numbers"},
       {"joint_torques", "late", "size: 10", "joint torques came late"},
-      {"joint_torques", "jump", "size: 200", "joint torques left the range"},
+      {"joint_torques", "jump", "size: 200", "joint torques of several joints left the range"},
   };
   return all;
 }

@@ -31,6 +31,39 @@ TEST(Walk, NothingIsAllocatedAfterTheFirstTick) {
   EXPECT_GE(loop.count(PlanEvent::lift_off), 7);
 }
 
+// Of a robot with links that weigh other than modelled, once each leg has swung.
+TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
+  const auto com_error = [](bool weighs) {
+    Loop loop(scenario(
+        "walk_flat",
+        {"disturbances.link_mass_scale.LF_THIGH=1.3", "disturbances.link_mass_scale.LF_SHANK=1.3",
+         "disturbances.link_mass_scale.RH_THIGH=0.7", "disturbances.link_mass_scale.RH_SHANK=0.7",
+         std::string("link_masses.enabled=") + (weighs ? "true" : "false")},
+        5));
+    loop.run_until(16.0);
+    Vec2 sum = Vec2::Zero();
+    int count = 0;
+    while (loop.truth().time < 20.0) {
+      (void)loop.tick();
+      Vec3 believed = loop.record().model.p_WCom, truth = loop.truth().p_WCom;
+      for (const Leg leg : kLegs) {
+        believed -= loop.record().model.p_WF[index(leg)] / kNumLegs;
+        truth -= loop.truth().p_WF[index(leg)] / kNumLegs;
+      }
+      const Mat3 turn = Eigen::AngleAxisd(yaw(loop.truth().q_WB.toRotationMatrix()) -
+                                              yaw(loop.record().state.q_WB.toRotationMatrix()),
+                                          Vec3::UnitZ())
+                            .toRotationMatrix();
+      sum += (truth - turn * believed).head<2>();
+      ++count;
+    }
+    return sum.norm() / count;
+  };
+  const double without = com_error(false), with = com_error(true);
+  EXPECT_GT(without, 0.001);
+  EXPECT_LT(with, 0.5 * without);
+}
+
 TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   Scenario asked = scenario("walk_flat", {"planner.calibration.duration=3"}, 4);
   asked.commands.push_back(asked.commands.back());

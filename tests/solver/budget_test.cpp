@@ -1,5 +1,6 @@
 #include "surefoot/solver/budget.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "tests/solver/solve.hpp"
 #include "tests/support/malloc_counter.hpp"
 
@@ -64,6 +65,57 @@ TEST(Budget, WhereverItEndsTheFinishedLevelsAreOptimal) {
   }
   EXPECT_GT(num_early, 200);
   EXPECT_GT(most_finished, 5);
+}
+
+TEST(Budget, EqualitiesAreSolvedInAnyCaseSoTheyAreOptimalWithoutOne) {
+  for (int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels;
+    for (const Eigen::Index rows : {6, 8, 1 + seed}) {
+      const Eigen::VectorXd b = random.vector(rows);
+      levels.push_back({random.matrix(rows, kUnknowns), b, b});
+    }
+    const Hierarchy hierarchy = make_hierarchy(kUnknowns, levels);
+    const Solution optimum = LexicographicSolver(hierarchy).solve(hierarchy);
+    const Solution solution = LexicographicSolver(hierarchy, with_flops(0.0)).solve(hierarchy);
+    EXPECT_EQ(solution.status, SolveStatus::optimal);
+    EXPECT_EQ(solution.failed_level, -1);
+    EXPECT_LE((solution.x - optimum.x).norm(), kTolerance * (1.0 + optimum.x.norm()));
+  }
+}
+
+TEST(Budget, SpentBetweenTheLastLevelAndTheProofTheOptimumIsCalledIt) {
+  int num_before_the_end = 0;
+  for (int seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Hierarchy hierarchy =
+        make_hierarchy(kUnknowns, table_one_levels(random, 2 + seed % 3, 1.0));
+    LexicographicSolver whole(hierarchy);
+    const Solution optimum = whole.solve(hierarchy);
+    const double all = whole.flops();
+    for (double flops = 0.5 * all; flops < all; flops += 0.01 * all) {
+      LexicographicSolver solver(hierarchy, with_flops(flops));
+      const Solution& solution = solver.solve(hierarchy);
+      if (solution.status != SolveStatus::optimal) continue;
+      ASSERT_EQ(solution.failed_level, -1);
+      ASSERT_LE((solution.x - optimum.x).norm(), kTolerance * (1.0 + optimum.x.norm()));
+      for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+        const LevelResult &now = solution.levels[k], &then = optimum.levels[k];
+        ASSERT_EQ(now.degrees_of_freedom_left, then.degrees_of_freedom_left);
+      }
+      num_before_the_end += solver.flops() < all ? 1 : 0;
+    }
+  }
+  EXPECT_GT(num_before_the_end, 20);
+}
+
+TEST(Budget, ThatIsNoNumberFromZeroOnIsRefused) {
+  const Hierarchy hierarchy(2);
+  EXPECT_THROW(LexicographicSolver(hierarchy, with_flops(std::nan(""))), Error);
+  EXPECT_THROW(LexicographicSolver(hierarchy, with_flops(-1.0)), Error);
+  EXPECT_NO_THROW(LexicographicSolver(hierarchy, with_flops(0.0)));
 }
 
 TEST(Budget, ItsEndIsTheSameToTheBit) {
@@ -204,7 +256,7 @@ TEST(Budget, WhereverItEndsXIsReadInTheBasisInWhichItWasFound) {
     }
   }
   EXPECT_GT(num_early, 200);
-  EXPECT_EQ(most_finished, 4);
+  EXPECT_EQ(most_finished, 5);  // all, and x is not yet the shortest
 }
 
 }  // namespace

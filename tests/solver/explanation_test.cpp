@@ -175,5 +175,16 @@ TEST(Explanation, MultipliersAreHowFastTheResidualFallsAsTheBoundGivesWay) {
   EXPECT_GT(compared, 30);
 }
 
+TEST(Explanation, ACostThatCouldNotBeSolvedForIsNotKnown) {
+  // Without the limit x would be 1e160, the square of which no double holds.
+  const HierarchyData levels{
+      at_most(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Ones(1)),
+      equalities(Eigen::MatrixXd::Constant(1, 1, 1e-10), Eigen::VectorXd::Constant(1, 1e150))};
+  const auto explained = explain(make_hierarchy(1, levels), Eigen::VectorXd::Ones(1));
+  ASSERT_EQ(explained[1].blocked_by.size(), 1u);
+  EXPECT_TRUE(std::isnan(explained[1].blocked_by[0].cost));
+  EXPECT_TRUE(std::isnan(explained[1].cost_of_level[0]));
+}
+
 }  // namespace
 }  // namespace surefoot::test

@@ -44,6 +44,32 @@ template <typename Solver>
 class FloatTrapped : public testing::Test {};
 TYPED_TEST_SUITE(FloatTrapped, Solvers);
 
+TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
+  const double nan = std::nan("");
+  for (int which = 1; which < 8; ++which) {
+    SCOPED_TRACE(which);
+    LevelData level{MatrixXd::Ones(3, 2), -VectorXd::Ones(3), VectorXd::Ones(3)};
+    if ((which & 1) != 0) level.A(1, 0) = nan;
+    if ((which & 2) != 0) level.lower[1] = nan;
+    if ((which & 4) != 0) level.upper[1] = nan;
+    const Hierarchy hierarchy = make_hierarchy(2, {level});
+    TypeParam solver(hierarchy);
+    const FloatTraps traps;
+    EXPECT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input);
+  }
+}
+
+TYPED_TEST(FloatTrapped, ARowTooShortToHaveASquareAsksForNothing) {
+  LevelData level{MatrixXd::Identity(2, 2), VectorXd::Ones(2), VectorXd::Constant(2, 2.0)};
+  level.A(1, 1) = 1e-160;
+  const Hierarchy hierarchy = make_hierarchy(2, {level, close_to(VectorXd::Constant(2, 5.0))});
+  TypeParam solver(hierarchy);
+  const FloatTraps traps;
+  const Solution& solution = solver.solve(hierarchy);
+  EXPECT_EQ(solution.status, SolveStatus::optimal);
+  EXPECT_NEAR(solution.x[0], 2.0, 1e-12);
+}
+
 TYPED_TEST(FloatTrapped, RandomHierarchiesAreSolved) {
   for (int seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

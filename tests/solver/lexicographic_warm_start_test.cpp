@@ -53,6 +53,50 @@ void expect_same_answer_after(Choice&& side_of) {
   }
 }
 
+/// Levels of small integers that leave x open here and there.
+HierarchyData open_levels(RandomMatrices& random, Index unknowns) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  HierarchyData levels;
+  for (int k = random.integer(1, 3); k > 0; --k) {
+    const Index rows = random.integer(1, 4);
+    LevelData level{MatrixXd(rows, unknowns), VectorXd(rows), VectorXd(rows)};
+    for (Index i = 0; i < rows; ++i) {
+      for (Index j = 0; j < unknowns; ++j) level.A(i, j) = random.integer(-3, 3);
+      level.lower[i] = level.upper[i] = random.integer(-5, 5);
+      const int kind = random.integer(0, 9);
+      if (kind >= 4) level.lower[i] = -kInfinity;
+      if (kind >= 7) level.lower[i] = level.upper[i] - random.integer(1, 3);
+    }
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+// Rows that nothing pulls at but the length of x, beside a last level that takes all columns.
+TEST(LexicographicWarmStart, AnyGuessLeadsToTheShortest) {
+  for (int seed = 0; seed < 20000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index unknowns = random.integer(2, 8);
+    HierarchyData levels = open_levels(random, unknowns), before = levels;
+    for (LevelData& level : before) {
+      const double shift = random.integer(-6, 6);
+      level.lower.array() += shift;
+      level.upper.array() += shift;
+    }
+    const Hierarchy hierarchy = named(unknowns, levels);
+    const VectorXd cold = LexicographicSolver(hierarchy).solve(hierarchy).x;
+    LexicographicSolver solver(hierarchy);
+    (void)solver.solve(named(unknowns, before));
+    const VectorXd warm = solver.solve(hierarchy).x;
+    levels.push_back(close_to(VectorXd::Zero(unknowns)));
+    const Hierarchy closed = named(unknowns, levels);
+    const VectorXd shortest = LexicographicSolver(closed).solve(closed).x;
+    ASSERT_LE((cold - shortest).norm(), 1e-6 * (1.0 + shortest.norm()));
+    ASSERT_LE((warm - shortest).norm(), 1e-6 * (1.0 + shortest.norm()));
+  }
+}
+
 TEST(LexicographicWarmStart, ARandomGuessChangesNothing) {
   expect_same_answer_after([](RandomMatrices& random, int) { return random.integer(-1, 1); });
 }

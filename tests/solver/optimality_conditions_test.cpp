@@ -57,5 +57,50 @@ TEST(NonNegativeLeastSquares, DoesNotDependOnUnits) {
   }
 }
 
+TEST(Multipliers, OfALimitThatIsWeakBesideWhatIsFixedAreNoMoreCertainThanTheGradient) {
+  // The limit has 1e-7 of its own beside E; what pulls at that is rounding, or is not.
+  constexpr double kWeak = 1e-7, kRounding = 1e-13;
+  RowSet fixed(2);
+  fixed.add(Eigen::Vector2d(1.0, 0.0), {});
+  for (const double pull : {1e-14, 1e-10}) {
+    RowSet touching(2);
+    touching.add(Eigen::Vector2d(1.0, kWeak).normalized(), {});
+    const LevelConditions level{.gradient = Eigen::Vector2d(-1.0, -pull),
+                                .in_units = MatrixXd(0, 2),
+                                .pull = 1.0,
+                                .rounding = kRounding,
+                                .fixed = RowSet(2),
+                                .touching = RowSet(2)};
+    const Multipliers found = multipliers(level, fixed, touching, 1e-8);
+    EXPECT_NEAR(found.touching[0], pull / kWeak, 1e-6 * pull / kWeak);
+    RowSet held = fixed;
+    fix_pushing(found, held, touching);
+    EXPECT_EQ(touching.origin.size(), pull < kRounding ? 1u : 0u) << pull;
+  }
+}
+
+TEST(Independence, IsWhatNoOtherColumnHasAndZeroWhereOthersMakeIt) {
+  const auto of_second = [](double b) {
+    MatrixXd columns(3, 3);
+    columns << 1.0, 1.0, 0.0, 0.0, b, 0.0, 0.0, 0.0, 1.0;
+    return independence(columns)[1];
+  };
+  for (const double b : {1.0, 1e-3, 1e-8, 1e-14}) EXPECT_NEAR(of_second(b) / b, 1.0, 1e-2) << b;
+  for (const double b : {0.0, 1e-17}) EXPECT_EQ(of_second(b), 0.0) << b;
+}
+
+TEST(Independence, OfOthersDoesNotChangeWhereSomeAreDependent) {
+  for (int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    MatrixXd columns = random.matrix(8, 5);
+    columns.col(4) = columns.col(1) - 2.0 * columns.col(3);
+    const VectorXd found = independence(columns);
+    const VectorXd without = independence(columns.leftCols(4));
+    for (const Index j : {1, 3, 4}) EXPECT_EQ(found[j], 0.0) << j;
+    for (const Index j : {0, 2}) EXPECT_NEAR(found[j], without[j], 1e-12) << j;
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::test

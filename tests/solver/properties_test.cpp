@@ -84,6 +84,72 @@ TYPED_TEST(Properties, AddingALowerLevelNeverChangesAHigherResidual) {
   }
 }
 
+/// Levels of rows that are parallel to within `distance`, half of them limits within 1.
+HierarchyData nearly_parallel_levels(RandomMatrices& random, Index unknowns, double distance) {
+  const MatrixXd base = random.matrix(std::max<Index>(1, unknowns / 2), unknowns);
+  HierarchyData levels;
+  for (int k = random.integer(2, 4); k > 0; --k) {
+    const Index rows = random.integer(1, 10);
+    LevelData level{distance * random.matrix(rows, unknowns), random.vector(rows), {}};
+    level.upper = level.lower;
+    for (Index i = 0; i < rows; ++i) {
+      const Index parallel = random.integer(0, static_cast<int>(base.rows()) - 1);
+      level.A.row(i) += (random.chance(0.5) ? 1.0 : -1.0) * base.row(parallel);
+      if (!random.chance(0.7)) continue;
+      level.lower[i] = random.chance(0.3) ? -kInfinity : level.lower[i] - random.uniform(0.0, 1.0);
+      level.upper[i] = random.chance(0.3) ? kInfinity : level.upper[i] + random.uniform(0.0, 1.0);
+    }
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+// x is 1e5 and more, and still the rows of the levels above hold it.
+TYPED_TEST(Properties, NearlyParallelRowsBelowCostNoLevelAbove) {
+  for (int seed = 0; seed < 2 * kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index unknowns = random.integer(3, 11);
+    const HierarchyData levels = nearly_parallel_levels(random, unknowns, 1e-5);
+    const Solution all = solve<TypeParam>(unknowns, levels);
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+      const HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k));
+      const double alone = solve<TypeParam>(unknowns, part).levels.back().residual;
+      const double rounding = 1e-6 * (1.0 + alone) + 1e-12 * all.x.norm();
+      ASSERT_LE(all.levels[k - 1].residual, alone + rounding) << "level " << k;
+    }
+  }
+}
+
+// All three rows of the first level can be met, with an x of 5e6. Beside that a motion that
+// violates one of them by 0.6 is slow, and still no rounding.
+TYPED_TEST(Properties, ASlowMotionOfARowAboveIsNotTakenForRounding) {
+  const HierarchyData levels{
+      {.A = MatrixXd{{-0.397209608, 0.20785417, 0.950544461, -1.163011492, -0.362974821},
+                     {0.397209377, -0.20785438, -0.950545194, 1.163011658, 0.362975064},
+                     {0.397209116, -0.207855296, -0.950546211, 1.163010387, 0.362973983},
+                     {-0.397210606, 0.207854252, 0.950545671, -1.163012467, -0.362975812}},
+       .lower = VectorXd{{0.423, 0.945, -0.795, 0.955}},
+       .upper = VectorXd{{0.423, 0.945, -0.795, 1.587}}},
+      {.A = MatrixXd{{-0.39721101, 0.207855231, 0.950544099, -1.163009779, -0.362975169},
+                     {0.397209875, -0.207853317, -0.950545393, 1.163011188, 0.362975551},
+                     {0.397210592, -0.20785437, -0.950543118, 1.16301164, 0.362976299},
+                     {1.056229357, -0.727426498, 0.429922903, 0.370874374, -0.430956244},
+                     {-0.397210946, 0.207855117, 0.950546815, -1.163011952, -0.362973436}},
+       .lower = VectorXd{{1.518, -kInfinity, -0.94, 0.728, -1.028}},
+       .upper = VectorXd{{1.518, 0.848, 0.747, 1.972, -0.049}}},
+      {.A = MatrixXd{{-1.056230353, 0.727425035, -0.429922958, -0.37087593, 0.430955661}},
+       .lower = VectorXd{{-1.198}},
+       .upper = VectorXd{{0.708}}},
+  };
+  const Solution all = solve<TypeParam>(5, levels);
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    const HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k));
+    const double alone = solve<TypeParam>(5, part).levels.back().residual;
+    EXPECT_NEAR(all.levels[k - 1].residual, alone, 1e-6 * (1.0 + alone)) << "level " << k;
+  }
+}
+
 TYPED_TEST(Properties, TheOrderOfRowsInALevelDoesNotMatter) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

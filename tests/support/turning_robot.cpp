@@ -35,6 +35,10 @@ void TurningRobot::tick() {
   reading_.accelerometer = kGravity * R_WB_.transpose().col(2);
 }
 
+void TurningRobot::shift_base(const Vec3& step) {
+  for (Vec3& p : p_WF_) p -= step;
+}
+
 Quat TurningRobot::orientation(double time) const {
   return from_roll_pitch_yaw(motion_.at(time).p);
 }

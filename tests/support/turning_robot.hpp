@@ -16,6 +16,8 @@ class TurningRobot {
   TurningRobot(const KinematicErrors& errors, const CalibrationOptions& motion);
 
   void tick();
+  /// Before a tick: in it the base moves by this, in W [m]. The accelerometer does not tell.
+  void shift_base(const Vec3& step);
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] CalibrationStage stage() const { return motion_.stage(time_); }

@@ -46,8 +46,8 @@ TEST(ReportPictures, StandInThePageItselfWithTheirTimes) {
   const std::string page = page_with(some());
   EXPECT_NE(page.find("src=\"data:image/jpeg;base64,YSBzdHJpcA==\""), std::string::npos);
   EXPECT_NE(page.find("src=\"data:video/mp4;base64,YSBjbGlw\""), std::string::npos);
-  EXPECT_NE(page.find("at 1.5 s, 2.25 s"), std::string::npos);
-  EXPECT_NE(page.find("1 s to 3 s of the run"), std::string::npos);
+  EXPECT_NE(page.find("at 1.50 s, 2.25 s"), std::string::npos);
+  EXPECT_NE(page.find("1.00 s to 3.00 s of the run"), std::string::npos);
   EXPECT_LT(page.find("<h2>Pictures</h2>"), page.find("<h2>Numbers</h2>"));
   EXPECT_EQ(page.find("No pictures"), std::string::npos);
 }

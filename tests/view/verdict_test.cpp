@@ -34,11 +34,14 @@ TEST(Verdict, EveryCriterionAndEveryFigureOfThePaperIsInTheTable) {
 }
 
 // A log of a run that ended for this reason, with a goal, and with an event at 0.5 s and later.
-std::string report_of_end(const std::string& reason, bool expects_no_goal = false) {
+std::string report_of_end(const std::string& reason, bool expects_no_goal = false,
+                          bool is_steered = false) {
   const TemporaryFolder folder;
   LogHeader header = SyntheticRun::header();
   header.options = R"({"goal":{"feet_beyond_x":0.42}})";
   Recorder recorder(folder / "run.mcap", header);
+  const auto changes = recorder.add_channel("/changes", "surefoot.Change", "{}");
+  if (is_steered) recorder.record(changes, 0.0, [](std::string& out) { out = "{}"; });
   SyntheticRun run;
   for (int i = 0; i < 400; ++i) {
     run.step();
@@ -63,12 +66,41 @@ TEST(Verdict, AGoalThatWasNotReachedStandsBesideTheVerdict) {
             std::string::npos);
 }
 
-TEST(Verdict, OfAnInterruptedRunIsNotJudged) {
-  const std::string page = report_of_end("interrupted");
-  EXPECT_NE(page.find("class=\"warning\">The run was interrupted at 1 s"), std::string::npos);
-  EXPECT_NE(page.find("(not judged)"), std::string::npos);
-  EXPECT_EQ(page.find("class=\"verdict"), std::string::npos);
-  EXPECT_EQ(page.find("✓"), std::string::npos);
+TEST(Verdict, OfARunThatWasInterruptedOrBegunAgainIsNotJudged) {
+  for (const std::string reason : {"interrupted", "begun again"}) {
+    const std::string page = report_of_end(reason);
+    EXPECT_NE(page.find("class=\"warning\">The run was " + reason + " at 1 s"), std::string::npos);
+    EXPECT_NE(page.find("(not judged)"), std::string::npos);
+    EXPECT_EQ(page.find("class=\"verdict"), std::string::npos);
+    EXPECT_EQ(page.find("✓"), std::string::npos);
+  }
+}
+
+TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
+  constexpr const char *kCut = "goes on where this log ends", *kByHand = "pushed by hand";
+  const std::string whole = report_of_end("the whole duration"), cut = report_of_end("interrupted"),
+                    steered = report_of_end("the whole duration", false, true);
+  EXPECT_EQ(whole.find(kCut), std::string::npos);
+  EXPECT_EQ(whole.find(kByHand), std::string::npos);
+  EXPECT_NE(cut.find(kCut), std::string::npos);
+  EXPECT_NE(steered.find(kByHand), std::string::npos);
+}
+
+TEST(Verdict, ASummaryOfAnotherShapeIsNone) {
+  const std::string options = R"({"criteria":{"fell":false},"goal":{"feet_beyond_x":1}})";
+  for (const char* summary :
+       {"", "{}", "no", "[]", R"({"metrics":{},"criteria":{"fell":true}})",
+        R"({"metrics":{"reason":null},"criteria":[]})", R"({"metrics":[],"criteria":[]})",
+        R"({"metrics":{"reason":"fell"},"criteria":[{"metric":"fell","passed":"no"}]})"}) {
+    SCOPED_TRACE(summary);
+    const report::Outcome outcome = report::read_outcome(summary, options);
+    EXPECT_FALSE(outcome.known);
+    EXPECT_TRUE(outcome.metrics.empty() && outcome.reason.empty());
+    EXPECT_EQ(outcome.criteria.size(), 1u);
+    EXPECT_NE(outcome.goal, "");
+  }
+  EXPECT_TRUE(report::read_outcome(R"({"metrics":{},"criteria":[]})", R"({"goal":[]})").known);
+  EXPECT_EQ(report::read_outcome("", R"({"goal":{"feet_beyond_x":"far"}})").goal, "");
 }
 
 }  // namespace

@@ -3,7 +3,8 @@ import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountOf, levelStates } from "./data/hierarchy.ts";
-import { againText, unreadableText } from "./data/log_words.ts";
+import { commandText } from "./data/stop.ts";
+import { againText, asSentence, recordingText, unreadableText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
@@ -87,9 +88,9 @@ export class App {
     const tabs = new Tabs();
     const report = (text: string, kind?: "error" | "plain"): void => notes.say(text, kind);
     this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"));
-    this.state = new StatePanel(tabs.add("state", "State"), this.facts(), session.header.notes);
+    this.state = new StatePanel(tabs.add("state", "State"), this.aboutRun(), session.header.notes);
     this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), this.commands, session.limits, report);
-    this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, report);
+    this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, session.limits.changes, report);
     this.tune.show(session);
     this.plots = new PlotsPanel(part("plots"), this.player, schema);
     this.transport = new Transport(part("transport"), this.player, session.limits.speeds, {
@@ -98,15 +99,15 @@ export class App {
       speed: (factor) => this.speed(factor),
       reset: () => this.reset(),
     });
-    this.hierarchy.canReorder = this.commands.allowed;
+    this.letCommand(live);
     this.hierarchy.fix(session.tasks.filter((task) => task.keeps_physics).map((task) => task.level_name));
     this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
-      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.player.following);
-      this.pull.onError = (error) => notes.keep("pull", error.message, "error");
+      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.link?.status?.ended == null && this.player.following);
+      this.pull.onError = (error) => notes.say(error.message, "error", "pull");
     }
     const { drive } = this;
     this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
@@ -119,7 +120,7 @@ export class App {
 
   private makeWorld(urdf: string): World | undefined {
     try {
-      const world = new World(part("canvas"), part("labels"), this.session, urdf);
+      const world = new World(part("canvas"), part("labels"), part("view-tools"), this.session, urdf);
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -129,17 +130,22 @@ export class App {
     }
   }
 
-  private again(): string {
-    const { header, whole, source } = this.session;
-    return againText(header.command, source, whole, this.player.source.marks.some(({ kind }) => kind === "change"));
+  /** The log of a live run; "": it is not recorded. */
+  private get recording(): string {
+    return this.link?.status?.recording ?? "";
   }
 
-  private facts(): [string, string][] {
-    const { header, version, source, whole } = this.session;
+  private again(): string {
+    const { header, cut, source } = this.session;
+    return againText(header.command, source || this.recording, cut === "", this.player.source.marks.some(({ kind }) => kind === "change"));
+  }
+
+  private aboutRun(): [string, string][] {
+    const { header, version, source, cut } = this.session;
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
-      ["Log", source === "" ? "" : `${source}${whole ? "" : " (not whole: the run was cut off)"}`],
+      ["Log", source === "" ? recordingText(this.recording) : cut === "" ? source : `${source} (${cut})`],
       ["Again", this.again()], ["Version", version],
     ];
   }
@@ -150,29 +156,30 @@ export class App {
       world?.wear(dark);
       this.menu?.legend();
       this.plots.rebuild();
+      this.transport.wear();
     };
     theme.onChange = wear;
     wear(theme.dark);
     part("theme").addEventListener("click", () => theme.toggle());
     part("follow").addEventListener("click", () => this.follow());
     part("home").addEventListener("click", () => world?.camera.home());
-    say(part("title"), this.session.title);
-    say(part("mode"), this.session.mode === "live" ? "live" : "replay");
-    document.title = `${this.session.title} – Surefoot`;
-    if (this.session.mode === "replay" && !this.session.whole)
-      this.notes.keep("whole", "This log is not whole: the run was cut off. What is here can be seen.");
+    const { title, mode, source } = this.session;
+    say(part("title"), title);
+    say(part("mode"), mode);
+    document.title = [title, mode === "live" ? "live" : source, "Surefoot"].join(" – ");
+    if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
   private wireKeys(): void {
     const { player, drive } = this;
     const shift = (seconds: number) => (event: KeyboardEvent) => player.seek(player.time + seconds * (event.shiftKey ? 10 : 1));
     const toggle = (event: KeyboardEvent): void => void this.menu?.toggleByKey(event.key);
-    const help = makeHelp();
+    const help = makeHelp(player.live);
     listenToKeys({
       " ": () => this.pause(), ",": () => this.step(-1), ".": () => this.step(1),
       ArrowLeft: shift(-0.1), ArrowRight: shift(0.1),
       "[": () => this.transport.faster(-1), "]": () => this.transport.faster(1),
-      l: () => player.goLive(), r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
+      ...(player.live ? { l: () => player.goLive() } : {}), r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
       w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
@@ -234,6 +241,15 @@ export class App {
     if (link !== undefined)
       link.reset(() => this.commands.send("reset")).catch((error: Error) => this.notes.say(error.message, "error"));
     else this.player.seek(this.player.source.first);
+  }
+
+  /** What changes the run can be used where that is of use: `now` the program is there, and its run goes on. */
+  letCommand(now: boolean): void {
+    const { allowed } = this.commands;
+    this.transport.mayCommand = allowed;
+    this.drive.allow(allowed, now);
+    this.tune.allow(allowed && now);
+    this.hierarchy.canReorder = allowed && now;
   }
 
   /** More of a log has come. */
@@ -315,7 +331,7 @@ export class App {
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
     say(part("loading"), this.world?.library.progress ?? "");
-    say(part("rates"), [...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].join(" · "));
+    say(part("head-facts"), [this.session.source, ...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].filter((text) => text !== "").join(" · "));
   }
 
   private tellUnreadable(): void {
@@ -335,14 +351,14 @@ export class App {
     showTime(frame.time);
     this.hierarchy.show(frame);
     this.state.show(frame);
-    this.state.fact("Again", this.again());
+    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const text = accountOf(levelStates(frame)).line;
+    const text = accountOf(levelStates(frame), commandText(frame)).line;
     if (text === this.toldLevels) return;
     this.toldLevels = text;
     say(part("events"), text);
@@ -357,5 +373,5 @@ function orderOf({ orders, header }: Session): string[] {
 function missingText(missing: Map<string, string>): string {
   const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
   const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
-  return `Shown by primitives, as these meshes are missing: ${list}.`;
+  return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
 }

@@ -48,7 +48,10 @@ export class LiveLink {
   private readonly openBefore: OpenBefore = (first, ticks) => {
     const { schema } = this.source;
     const before = new ReplaySource(schema, schema.period, first, ticks, (url) => ask(url));
-    before.cache.onTile = () => this.app?.refresh();
+    before.cache.onTile = () => {
+      this.app?.notes.take("before");
+      this.app?.refresh();
+    };
     before.cache.onError = (error) => {
       if (!(error instanceof NoAnswer)) this.app?.notes.keep("before", `What was before can't be read: ${error.message}`, "error");
     };
@@ -63,6 +66,7 @@ export class LiveLink {
 
   wire(app: App): void {
     this.app = app;
+    app.handlers().commands.onRefused = () => this.showUse();
     this.connection.onBlock = (block) => this.take(block);
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
@@ -88,6 +92,7 @@ export class LiveLink {
   private read(block: ArrayBuffer): void {
     try {
       readBlock(block, this.source.schema.frameFloats, (tick, time, values, rows) => this.source.append(tick, time, values, rows));
+      this.app?.notes.take("block");
     } catch (error) {
       this.app?.notes.keep("block", (error as Error).message, "error");
     }
@@ -134,6 +139,7 @@ export class LiveLink {
         this.age.hear(message, performance.now() / 1000);
         this.source.follow(message.begun);
         drive.show(message);
+        this.showUse();
         tune.showStatus(message);
         this.showPending(message);
         this.showState();
@@ -141,7 +147,7 @@ export class LiveLink {
       case "change":
         tune.changes.hear(message);
         if (message.kind !== "pull") app.notes.say(message.text, "plain", message.kind === "walk" ? "walk" : undefined);
-        this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change" });
+        this.source.mark({ time: message.time, text: message.text, leg: "", kind: "change", force: message.force });
         break;
       case "events":
         this.source.mark(...marksOf(message.events, this.source.schema.events));
@@ -181,6 +187,13 @@ export class LiveLink {
     showLink(linkText(this.connection, this.source.last), silence > 0 || state === "lost");
     if (silence > 0) this.app?.notes.keep("silent", NO_ANSWER, "error");
     else this.app?.notes.take("silent");
+    this.showUse();
+  }
+
+  /** What can be asked for now: nothing of a program that is not there, or a run that has ended. */
+  private showUse(): void {
+    const there = this.connection.state === "open" && this.connection.silence === 0;
+    this.app?.letCommand(there && this.status?.ended == null);
   }
 
   /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
@@ -200,6 +213,7 @@ export class LiveLink {
       void this.lookForAnother();
     } else if (state === "open") {
       app.notes.take("lost");
+      app.handlers().commands.greet();
       void (this.lostBefore ? this.comeBack() : this.recall());
     }
   }
@@ -237,9 +251,11 @@ export class LiveLink {
     return "";
   }
 
-  /** Speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
+  /** Its log, speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
   tellFacts(): string[] {
     const facts: string[] = [];
+    const log = this.status?.recording ?? "";
+    if (log !== "") facts.push(`${this.status?.ended == null ? "recording" : "recorded in"} ${log.slice(log.lastIndexOf("/") + 1)}`);
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
@@ -256,6 +272,7 @@ export class LiveLink {
 
 /** Why there is no connection; `reason`: what the program has said of it. */
 function lossText(reason: string): string {
-  if (reason === "") return "The connection to the program is lost. The last picture stays; the page tries again by itself.";
-  return `The program has closed the connection: ${reason}. The page tries again by itself.`;
+  if (reason === "")
+    return "The connection to the program is lost. The last picture stays. Look in its terminal: where it has ended, start it again; the page comes back by itself. Over ssh, whether the port is still forwarded.";
+  return `The program has closed the connection: ${reason}. The page comes back by itself.`;
 }

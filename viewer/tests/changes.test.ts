@@ -44,4 +44,7 @@ test("of a run before nothing is known, and of this one the latest", () => {
   changes.clear();
   for (const time of [1, 2, 3]) changes.hear(at(time));
   assert.deepEqual(changes.all, [at(2), at(3)]);
+  changes.clear();
+  changes.recall([at(1), at(2)]);
+  assert.deepEqual(changes.all, [at(1), at(2)]);
 });

@@ -35,6 +35,21 @@ test("without a token nothing is sent", async () => {
   assert.equal(sent.length, 0);
 });
 
+test("of a token that the program does not know is told once, and nothing more is sent with it", async () => {
+  const { connection, sent } = connectionOf();
+  const commands = new Commands(connection, "of an earlier start");
+  let told = 0;
+  commands.onRefused = () => ++told;
+  commands.greet();
+  const answer = commands.send("pause");
+  for (const id of [1, 2]) commands.reply({ type: "reply", id, ok: false, error: "commands need the token", token: false });
+  await assert.rejects(answer, /need the token/);
+  assert.ok(!commands.allowed);
+  await assert.rejects(commands.send("pause"), /can only look/);
+  commands.greet();
+  assert.deepEqual([told, sent.map(({ type }) => type)], [1, ["hello", "pause"]]);
+});
+
 test("what waits when the connection is lost ends with an error", async () => {
   const commands = new Commands(connectionOf().connection, "secret");
   const answer = commands.send("pause");

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as THREE from "three";
 import type { Frame } from "../src/data/frame.ts";
-import { percent, pyramidCorners, useClass } from "../src/math/friction.ts";
+import { percent, pyramidCorners, pyramidHeight, useClass } from "../src/math/friction.ts";
 import { rotate } from "../src/math/geometry.ts";
 import type { Picture } from "../src/overlays/overlay.ts";
 import { FrictionPyramids } from "../src/overlays/pyramids.ts";
@@ -27,6 +27,12 @@ test("classes of what is used go from good over near to bad, which a face is", (
   assert.deepEqual([0, 0.5, 0.7, 0.95, 1, 1.3].map(useClass), ["good", "good", "near", "bad", "bad", "bad"]);
 });
 
+test("a pyramid is as high as its force, and never too low to be seen", () => {
+  assert.equal(pyramidHeight(200, 300, 0.002), 0.4);
+  assert.equal(pyramidHeight(900, 300, 0.002), 0.6);
+  assert.equal(pyramidHeight(7, 300, 0.002), 0.1);
+});
+
 test("the pyramid's corners lie where both tangential parts are at their limit", () => {
   const random = randomNumbers(4);
   for (let run = 0; run < 50; ++run) {
@@ -46,12 +52,12 @@ test("the corners go around the axis counter-clockwise", () => {
   assert.deepEqual([a, b], [[5, 5, 10], [-5, 5, 10]]);
 });
 
-test("the state tells what each foot that carries uses of its friction", () => {
+test("the state tells what each foot that carries uses of its friction pyramid", () => {
   const schema = schemaOf({ "commanded.friction_use.LF": 1, "commanded.friction_use.RF": 1, "commanded.friction_use.LH": 1, "commanded.friction_use.RH": 1 });
   const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([0.254, NaN, 1, 1.04]), active: [], blocking: [] };
-  assert.deepEqual(sentences(frame).find(([name]) => name === "Friction used"), ["Friction used", "LF 25 %, LH 100 %, RH 104 %"]);
+  assert.deepEqual(sentences(frame).find(([name]) => name === "Pyramid used"), ["Pyramid used", "LF 25 %, LH 100 %, RH 104 %"]);
   frame.values.fill(NaN);
-  assert.equal(sentences(frame).some(([name]) => name === "Friction used"), false);
+  assert.equal(sentences(frame).some(([name]) => name === "Pyramid used"), false);
   assert.equal(percent(0), "0 %");
 });
 
@@ -65,11 +71,30 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   const overlay = new FrictionPyramids();
   overlay.wear(paletteOf(false));
   overlay.update(picture as unknown as Picture);
-  assert.deepEqual(put, [["93 %", "use leg1 bad"]]);
+  assert.deepEqual(put, [["RF 93 %", "use leg1 bad"]]);
   const [sides] = overlay.root.children[0]?.children as [THREE.Mesh];
   const drawn = sides.geometry.getAttribute("position").array.slice(0, 15);
   const tip = [1, 2, 2.97];
   [tip, ...pyramidCorners(q_WP, 0.3, 0.4).map((corner) => corner.map((one, i) => one + (tip[i] as number)))].flat().forEach((one, i) =>
     assert.ok(Math.abs(one - (drawn[i] as number)) < 1e-6));
   assert.deepEqual([...sides.geometry.getAttribute("color").array.slice(0, 3)], [...new Float32Array(new THREE.Color(paletteOf(false).margin.bad).toArray())]);
+});
+
+test("a foot that carries next to nothing has no share and no pyramid, and none is higher than the robot's weight", () => {
+  const schema = schemaOf({ "commanded.friction_use.LF": 1, "commanded.normal_force.LF": 1, "commanded.q_WP.LF": 4, "commanded.pyramid_friction.LF": 1, "model.p_WF.LF": 3 });
+  const values = new Float32Array([77.33, 0.015 * schema.weight, 1, 0, 0, 0, 0.3, 0, 0, 0.03]);
+  const frame: Frame = { schema, tick: 0, time: 0, values, active: [], blocking: [] };
+  const put: string[] = [];
+  const labels = { put: (_: THREE.Vector3, text: string) => put.push(text) };
+  const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
+  const overlay = new FrictionPyramids();
+  overlay.wear(paletteOf(false));
+  overlay.update(picture as unknown as Picture);
+  assert.equal(sentences(frame).some(([name]) => name === "Pyramid used"), false);
+  assert.deepEqual(put, []);
+  values.set([0.5, 40 * schema.weight]);
+  overlay.update(picture as unknown as Picture);
+  assert.deepEqual(put, ["LF 50 %"]);
+  const [sides] = overlay.root.children[0]?.children as [THREE.Mesh];
+  close(sides.geometry.getAttribute("position").getZ(1), new Float32Array([0.002 * schema.weight])[0] as number);
 });

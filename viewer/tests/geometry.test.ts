@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { centreOfPressure, convexHull, planeHeight, rotate, wrap, yawOf, type Point } from "../src/math/geometry.ts";
+import { centreOfPressure, convexHull, distanceOutside, planeHeight, rotate, wrap, yawOf, type Point } from "../src/math/geometry.ts";
 import { TerrainGeometry } from "../src/scene/terrain_geometry.ts";
 import { randomNumbers } from "./make.ts";
 
@@ -69,4 +69,24 @@ test("a height grid has its points where the log says, row by row along y", () =
   assert.deepEqual(positions.slice(6, 9), [12, 19, 3]);
   assert.deepEqual(positions.slice(15, 18), [12, 21, 6]);
   assert.equal(indices.length, 12);
+});
+
+test("the distance outside of a hull is that to its nearest point, of any number of corners", () => {
+  const random = randomNumbers(7);
+  for (let run = 0; run < 300; ++run) {
+    const hull = convexHull<Point>(Array.from({ length: 1 + Math.floor(random() * 5) }, () => [random(), random()]));
+    const p: Point = [3 * random() - 1, 3 * random() - 1];
+    let nearest = Infinity; // among points that a fine net of mixtures of the corners gives
+    for (let k = 0; k < 1000; ++k) {
+      const shares = hull.map(() => random() ** 6);
+      const total = shares.reduce((sum, share) => sum + share, 0);
+      const q = [0, 1].map((i) => hull.reduce((sum, corner, c) => sum + ((shares[c] as number) / total) * (corner[i] as number), 0)) as Point;
+      nearest = Math.min(nearest, Math.hypot(p[0] - q[0], p[1] - q[1]));
+    }
+    const told = distanceOutside(hull, p);
+    assert.ok(told <= nearest + 1e-12 && told > nearest - 0.1, `${told}, ${nearest}`);
+  }
+  assert.equal(distanceOutside([[0, 0], [1, 0], [0, 1]], [0.2, 0.2]), 0);
+  assert.equal(distanceOutside([[0, 0], [1, 0], [0, 1]], [0.5, -0.25]), 0.25);
+  assert.equal(distanceOutside([], [0, 0]), Infinity);
 });

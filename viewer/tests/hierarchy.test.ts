@@ -27,7 +27,7 @@ test("a level has its time from the tick's timing, and none in a log that has no
 
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
-  assert.deepEqual(accountOf(levelStates(frameOf([0, 0]))), { kind: "good", line: "Every level gets what it asks for.", more: [] });
+  assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", whole: "Every level gets what it asks for.", more: [] });
 });
 
 test("a level with a row at its bound is at its limit", () => {
@@ -40,13 +40,13 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states), { kind: "bad", line: "second gives way to first.", more: ["second gives way to first (b), 0.50 m/s² short."] });
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", whole: "second gives way to first.", more: ["second gives way to first (b), 0.50 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
   const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
-  assert.deepEqual(accountOf(states).more, ["second gives way to first (b) and first (a), 0.50 m/s² short."]);
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far").more, ["second gives way to first (b) and first (a), 0.50 m/s² short."]);
 });
 
 test("what is less than people should see is not told, also beyond a bound", () => {
@@ -62,8 +62,8 @@ test("a level that is never content is minimised, whatever its residual", () => 
 test("of a level that is minimised and held back nobody says that it gets what it asks for", () => {
   const frame = frameOf([0, 200], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] });
   Object.assign(frame.schema, { visible: [0.5, null] });
-  const { kind, line, more } = accountOf(levelStates(frame));
-  assert.deepEqual([kind, line], ["good", "All met; one minimised is held back."]);
+  const { kind, line, more } = accountOf(levelStates(frame), "");
+  assert.deepEqual([kind, line], ["good", "All tasks are met; second is kept above 0 by first."]);
   assert.deepEqual(more, ["second is as small as it can be, held back by first (b)."]);
 });
 
@@ -71,16 +71,33 @@ test("however many levels give way, to however many rows, the account is one lin
   const level = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }))[1] as LevelState;
   const many = (count: number): LevelState[] =>
     Array.from({ length: count }, (_, k) => ({ ...level, name: `level_${k}`, blocked: Array.from({ length: 30 }, () => ({ by: 0, row: "b", cost: 1 })) }));
-  assert.equal(accountOf(many(1)).line, "level 0 gives way to a level above.");
-  assert.equal(accountOf(many(2)).line, "level 0 and level 1 give way.");
-  assert.equal(accountOf(many(3)).line, "3 levels give way, the first of them level 0.");
-  assert.equal(accountOf(many(11)).more.length, 11);
+  assert.equal(accountOf(many(1), "").line, "level 0 gives way to a level above.");
+  assert.equal(accountOf(many(2), "").line, "level 0 and level 1 give way.");
+  assert.equal(accountOf(many(3), "").line, "3 levels give way, the first of them level 0.");
+  assert.equal(accountOf(many(3), "").whole, "level 0 gives way to a level above; level 1 to a level above; level 2 to a level above.");
+  assert.equal(accountOf(many(11), "").more.length, 11);
 });
 
 test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
-  assert.equal(states[0]?.status, "no rows");
-  assert.deepEqual(accountOf(states), { kind: "none", line: "No level is solved at this tick.", more: [] });
+  assert.equal(states[0]?.status, "not solved");
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "none", line: "No level is solved: damping, as the torso tilted too far.", whole: "No level is solved: damping, as the torso tilted too far.", more: [] });
+});
+
+test("of a solve that was cut off nothing is said of the level that it was in and those below", () => {
+  const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
+  const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "hierarchy.failed_level": 1 });
+  const statesOf = (status: number, failed: number): LevelState[] => {
+    const table = new FrameTable(schema, 1);
+    readBlock(blockOf([{ tick: 0, time: 0, values: [0, 2, 6, 1, 0.01, 2, 0, 2, status, failed], active: [[1, 1, 0]] }]), schema.frameFloats, (...frame) => table.append(...frame));
+    return levelStates(table.frame(0));
+  };
+  const states = statesOf(1, 1);
+  assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
+  assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "The solver was cut off in second: of it and the levels below nothing is known.", whole: "The solver was cut off in second: of it and the levels below nothing is known.", more: [] });
+  assert.equal(accountOf(statesOf(1, 0), "hold").line, "No level is solved: hold.");
+  for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
 });
 
 test("a level's residual is plotted with the unit of its rows", () => {

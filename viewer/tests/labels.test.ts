@@ -1,32 +1,56 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { limbText } from "../src/overlays/feet.ts";
+import { reachOf } from "../src/overlays/labels.ts";
 import { spread, type Wanted } from "../src/overlays/label_layout.ts";
 import { randomNumbers } from "./make.ts";
 
+const BUTTONS = { width: 120, height: 48 };
 const label = (x: number, y: number, rank = 1): Wanted => ({ x, y, width: 50, height: 16, rank });
 
 test("a text that has room stands over its point", () => {
-  assert.deepEqual(spread([label(100, 100), label(300, 100)]), [[100, 100 - 0.7 * 16], [300, 100 - 0.7 * 16]]);
+  assert.deepEqual(spread([label(100, 100), label(300, 100)], 400, 200, BUTTONS), [[100, 100 - 0.7 * 16], [300, 100 - 0.7 * 16]]);
 });
 
 test("no text covers another, wherever their points are, and those that are shown stand near them", () => {
   const random = randomNumbers(7);
   for (let round = 0; round < 200; ++round) {
-    const wanted = Array.from({ length: 1 + Math.floor(12 * random()) }, () => label(200 * random(), 90 * random(), Math.floor(3 * random())));
-    const places = spread(wanted);
+    const wanted = Array.from({ length: 1 + Math.floor(12 * random()) }, () => label(200 * random(), 160 * random(), Math.floor(3 * random())));
+    const places = spread(wanted, 220, 200, BUTTONS);
     places.forEach((place, k) => {
       if (place === undefined) return;
       const { x, y } = wanted[k] as Wanted;
-      assert.ok(Math.abs(place[0] - x) <= 1.2 * 50 && Math.abs(place[1] - y) <= 3 * 16);
+      const top = place[0] - 25 < 120 ? 48 : 0;
+      assert.ok(place[0] >= 25 && place[0] <= 220 - 25 && place[1] >= top + 8 && place[1] <= 200 - 8, "all of it is in the picture, off the buttons");
+      assert.ok(Math.abs(place[0] - x) <= 1.2 * 50 && Math.abs(place[1] - Math.max(y, top)) <= 3 * 16);
       for (const other of places.slice(k + 1)) if (other !== undefined) assert.ok(Math.abs(place[0] - other[0]) >= 50 || Math.abs(place[1] - other[1]) >= 16);
     });
   }
 });
 
+test("a text has the upper edge for it where no button is, and none where there is no room for it", () => {
+  assert.deepEqual(spread([label(300, 10), label(60, 10)], 400, 200, BUTTONS), [[300, 8], [60, 56]]);
+  assert.deepEqual([...spread([label(60, 30), label(300, 30)], 400, 50, BUTTONS)], [undefined, [300, 30 - 0.7 * 16]]);
+  assert.deepEqual([...spread([label(20, 100)], 40, 200, BUTTONS)], [undefined]);
+});
+
 test("two texts at the same point are both shown; where there is no room the more important one is", () => {
-  assert.ok(spread([label(100, 100), label(100, 100)]).every((place) => place !== undefined));
+  assert.ok(spread([label(100, 100), label(100, 100)], 400, 200, BUTTONS).every((place) => place !== undefined));
   const crowd = [...Array.from({ length: 40 }, () => label(100, 100, 2)), label(100, 100, 0)];
-  const places = spread(crowd);
+  const places = spread(crowd, 400, 200, BUTTONS);
   assert.ok(places.includes(undefined));
   assert.deepEqual(places.at(-1), [100, 100 - 0.7 * 16]);
+});
+
+test("beside a leg stand its name, its length, and what is left of its limits", () => {
+  assert.equal(limbText("LF", 0.4213, 0.053), "LF 42.1 cm, 5.3 cm left");
+  assert.equal(limbText("RH", 0.48, -0.0061), "RH 48.0 cm, 0.6 cm beyond");
+  for (const room of [-0.0001, 0, 0.0004]) assert.equal(limbText("RH", 0.48, room), "RH 48.0 cm, at limit");
+  assert.equal(limbText("RH", 0.48, -0.0006), "RH 48.0 cm, 0.1 cm beyond");
+  assert.equal(limbText("RH", 0.48, Infinity), "RH 48.0 cm", "without limits");
+});
+
+test("only numbers of forces stand at the picture's edge for what is beyond it", () => {
+  const reaches = { push: 2, leg0: 2, com: 1, believed: 1, "limb leg0": 1, "use leg1 bad": 1 };
+  for (const [className, reach] of Object.entries(reaches)) assert.equal(reachOf(className), reach, className);
 });

@@ -64,3 +64,14 @@ test("a picture of a run that stands does not age, nor one of another program", 
   age.hear(status({ clock: 1, time: 3 }), 200);
   assert.equal(age.of(3, 200), 0);
 });
+
+test("of a run whose speed is not measured yet no picture has an age, and none is left over once it is", () => {
+  const age = new PictureAge();
+  for (let k = 0; k < 10; ++k) {
+    age.hear(status({ clock: 0.1 * k, time: 0.07 + 0.1 * k, real_factor: 0 }), 20 + 0.1 * k);
+    assert.equal(age.of(0, 20 + 0.1 * k), 0);
+    assert.equal(age.text(0, 20 + 0.1 * k), "");
+  }
+  age.hear(status({ clock: 1, time: 1.07 }), 21);
+  assert.equal(age.text(1.07, 21), "");
+});

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
 import { LiveSource, LIVE_SECONDS } from "../src/data/live_source.ts";
+import type { Mark } from "../src/data/source.ts";
 import { Player } from "../src/data/player.ts";
 import { silenceOf } from "../src/protocol/connection.ts";
 import { linkText, staleText, timeText } from "../src/panels/stale.ts";
@@ -68,6 +69,23 @@ test("that a run was steered is known until it begins again, however long ago it
   assert.deepEqual(source.marks.map(({ text }) => text), ["push", "touchdown"]);
   source.follow(1);
   assert.deepEqual(source.marks, []);
+});
+
+test("marks of one time stay in the order in which they came, each once", () => {
+  const source = filled();
+  const mark = (text: string): Mark => ({ time: 1, text, leg: "", kind: "change" });
+  const texts = ["the pull ends after 40.0 N·s", "pull at LF_SHANK, force (1, 0, 0) N", "friction 0.5 → 0.4"];
+  for (const text of [...texts, ...texts]) source.mark(mark(text));
+  source.mark(...texts.map(mark));
+  assert.deepEqual(source.marks.map(({ text }) => text), texts);
+});
+
+test("of an hour of changes the last are kept, so that a mark costs the same in the end", () => {
+  const source = new LiveSource(schemaOf({ x: 1 }));
+  source.follow(0);
+  source.append(1, 3600, Float32Array.of(0), undefined);
+  for (let k = 0; k < 1000; ++k) source.mark({ time: k, text: `walk ${k}`, leg: "", kind: "change" });
+  assert.deepEqual([source.marks.length, source.marks[0]?.text, source.marks.at(-1)?.text], [200, "walk 800", "walk 999"]);
 });
 
 test("frames of a run before a reset are old, those of this run's first control are not", () => {
@@ -174,5 +192,5 @@ test("why there are no numbers is said above them", () => {
 });
 
 test("old numbers say how old they are", () => {
-  assert.equal(staleText(7) + timeText(12.3051), "Nothing new for 7 s: all numbers are from 12.305 s of the run.");
+  assert.equal(staleText(7) + timeText(12.3051), "Nothing new for 7 s: all numbers are from 12.3051 s of the run.");
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { againText, damageText, readText, unreadableText } from "../src/data/log_words.ts";
+import { againText, damageText, readText, recordingText, unreadableText } from "../src/data/log_words.ts";
 
 const hole = "12.40 s to 12.61 s can't be read: the checksum of a chunk is wrong";
 const unknown = "2 pieces of the log can't be read, nor from when they are";
@@ -27,8 +27,13 @@ test("a run that was steered is not had again by its command", () => {
   assert.equal(againText(command, "", true, false), command);
   assert.equal(againText("", "a.mcap", true, true), "");
   assert.equal(againText(command, "a.mcap", true, true), `${command}, without what was changed and pushed by hand: surefoot replay a.mcap --verify repeats it`);
-  assert.equal(againText(command, "a.mcap", false, false), `${command} (it goes on where this log is cut off or damaged)`);
+  assert.equal(againText(command, "a.mcap", false, false), `${command} (it goes on where this log ends)`);
   assert.ok(againText(command, "", true, true).includes("--record"));
+});
+
+test("of a live run it is told whether and where it is recorded", () => {
+  assert.equal(recordingText("logs/fin.mcap"), "recorded in logs/fin.mcap");
+  assert.ok(recordingText("").includes("--record"));
 });
 
 test("where a tick can't be read, the time that is shown instead is told", () => {

@@ -23,8 +23,8 @@ test("columns without marks are left out, and marks outside are", () => {
 
 test("a hint tells the weightiest, and how many more there are", () => {
   const marks = [event(1), event(1.1), mode(1.2), event(5)];
-  assert.equal(hintOf(marks, 1, 0.5), "1.20 s command mode: hold, and 2 more near it");
-  assert.equal(hintOf(marks, 5, 0.5), "5.00 s LF lift-off");
+  assert.equal(hintOf(marks, 1, 0.5), "1.2000 s command mode: hold, and 2 more near it");
+  assert.equal(hintOf(marks, 5, 0.5), "5.0000 s LF lift-off");
   assert.equal(hintOf(marks, 8, 0.5), "");
   const hole: Mark = { time: 12.4, text: "12.40 s to 12.61 s can't be read: why", leg: "", kind: "damage" };
   assert.equal(hintOf([hole], 12.4, 0.5), "12.40 s to 12.61 s can't be read: why");

@@ -75,3 +75,12 @@ test("times outside the run are brought to its ends", () => {
   player.seek(-99);
   assert.equal(player.time, 2);
 });
+
+test("a log has no newest picture to stay at", () => {
+  const player = new Player(sourceOf(0, 36), false);
+  player.goLive();
+  player.advance(0.1, 0);
+  player.seek(5);
+  player.advance(0, 0);
+  assert.deepEqual([player.time, player.following], [5, false]);
+});

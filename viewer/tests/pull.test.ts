@@ -62,8 +62,8 @@ test("what a pull has given is that of the pull, whatever pushes beside it", () 
   const pull = { force: [0, 0, 60], body: "base", given: 4.25 };
   assert.equal(pullText(120, 300, undefined), "pull 120 N, 0.0 N·s so far");
   assert.equal(pullText(120, 300, { pull, pull_is_weaker: false }), "pull 120 N, 4.3 N·s so far");
-  assert.equal(pullText(300, 300, { pull, pull_is_weaker: true }), "pull 60 N, 4.3 N·s so far, the most now");
+  assert.equal(pullText(300, 300, { pull, pull_is_weaker: true }), "pull 60 N (no more is allowed now), 4.3 N·s so far");
   const text = givenText({ push, pull, newton_seconds_left: 12.4 } as Status);
-  assert.equal(text, "Pushed 31.0 N·s so far. Pulled 4.3 N·s so far. Up to 12 N·s now.");
+  assert.equal(text, "Pushed 31.0 N·s by now. Pulled 4.3 N·s by now. Up to 12 N·s now.");
   assert.equal(givenText({ push: null, pull: null, newton_seconds_left: 60 } as Status), "Up to 60 N·s now.");
 });

@@ -1,9 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import * as THREE from "three";
 import type { Frame } from "../src/data/frame.ts";
 import { LEGS } from "../src/data/schema.ts";
+import type { ForceMark, Mark } from "../src/data/source.ts";
+import { OutsideForce } from "../src/overlays/forces.ts";
+import type { Picture } from "../src/overlays/overlay.ts";
+import { commandText, faultsText, stopText } from "../src/data/stop.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
+import stopWords from "../../tests/support/stop_words.json";
 import { schemaOf } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];
@@ -53,4 +59,96 @@ test("what pushes the robot is told with its size, its direction from ahead, and
   assert.equal(pushed([0, 0, 0], [-50, 0, 0]), `50.0 N, 90° from ahead to the left, on the base${truth}`);
   assert.equal(pushed([0, 0, 0], [0, 0, 0], [30, 0, -40]), `50.0 N, 90° from ahead to the right and downwards, on LF_HIP${truth}`);
   assert.equal(said("stance", 1).has("Pushed by"), false, "where nobody knows");
+});
+
+const BODIES = ["base", "LF_HIP"];
+
+/** The arrows of forces on the base and on a leg, each with a torque: their texts and where they begin; marks of the run, and the body that the pointer holds. */
+function arrowsOf(base: number[], leg: number[], marks: Mark[] = [], held?: string): { texts: string[]; starts: number[][] } {
+  const schema = schemaOf({ "truth.p_WCom": 3, "truth.xfrc_applied": 18 }, { bodies: BODIES, period: 0.0025 });
+  const table = new FrameTable(schema, 1);
+  table.append(0, 0, Float32Array.from([0, 0, 0.5, 0, 0, 0, 0, 0, 0, ...base, ...leg]), undefined);
+  const texts: string[] = [];
+  const labels = { put: (_: unknown, text: string) => texts.push(text) };
+  const centreOf = (body: string, out: THREE.Vector3): boolean => (out.set(BODIES.indexOf(body), 0, 0.4), BODIES.includes(body));
+  const overlay = new OutsideForce();
+  overlay.update({ frame: table.frame(0), source: { schema, marks }, labels, newton: 0.005, held, centreOf } as unknown as Picture);
+  const [shafts] = overlay.root.children.at(-1)?.children as [THREE.InstancedMesh];
+  const place = new THREE.Matrix4();
+  const starts = Array.from({ length: shafts.count }, (_, k) => (shafts.getMatrixAt(k, place), new THREE.Vector3().setFromMatrixPosition(place).toArray()));
+  return { texts, starts };
+}
+
+/** What stands at the arrows of a force on the base along x and another on a leg; undefined where none is drawn. */
+function drawn(base: number, leg: number): string | undefined {
+  const { texts } = arrowsOf([base, 0, 0, 1, 2, 3], [leg, 0, 0, 1, 2, 3]);
+  return texts.length === 0 ? undefined : texts.join(" and ");
+}
+
+test("an arrow begins at the body that is pushed, in the line in which the force acts", () => {
+  const { starts } = arrowsOf([0, 10, 0, 0, 0, 2], [0, 0, 5, 0, 0, 0]); // 0.2 m before the base's centre of mass, and at that of the leg
+  assert.deepEqual(starts.map((start) => start.map((one) => Number(one.toFixed(6)))), [[0.2, 0, 0.4], [1, 0, 0.4]]);
+});
+
+test("what the pointer pulls has the spring for its arrow; what else pushes the same body is drawn, and called so", () => {
+  const change = (force: ForceMark): Mark => ({ time: 0, text: "", leg: "", kind: "change", force });
+  const pull = change({ kind: "pull", body: "base", begins: true }), none = [0, 0, 0, 0, 0, 0];
+  assert.deepEqual(arrowsOf([30, 0, 0, 0, 0, 0], none, [pull], "base"), { texts: [], starts: [] });
+  assert.deepEqual(arrowsOf([30, 0, 0, 0, 0, 0], none, [pull]).texts, ["pull 30 N"], "where another page pulls");
+  assert.deepEqual(arrowsOf([30, 0, 0, 0, 0, 0], [5, 0, 0, 0, 0, 0], [pull], "base").texts, ["push 5.00 N"]);
+  const push = change({ kind: "push", body: "base", begins: true, duration: 0.2 });
+  assert.deepEqual(arrowsOf([130, 0, 0, 0, 0, 0], none, [pull, push], "base").texts, ["pull and push 130 N"]);
+});
+
+test("what is told to push is drawn, however weak, and nothing else is", () => {
+  for (const [force, text] of [[157, "157 N"], [50, "50 N"], [0.5, "0.500 N"], [1e-3, "0.001 N"]] as const) {
+    assert.equal(drawn(force, 0), `push ${text}`);
+    assert.match(pushed([0, 0, 0], [force, 0, 0]) as string, / N, 90° from ahead to the right, on the base /);
+  }
+  assert.deepEqual([drawn(0, 0), pushed([0, 0, 0], [0, 0, 0])], [undefined, "nothing"]);
+  assert.deepEqual([drawn(1e-7, 0), pushed([0, 0, 0], [1e-7, 0, 0])], [undefined, "nothing"], "a rounding");
+  assert.equal(drawn(30, -20), "push 30 N and push 20 N", "each where it acts");
+});
+
+test("why the controller has stopped is said in the program's words", () => {
+  const groups = ["encoders", "joint_torques", "imu"];
+  const faults = [...new Set(stopWords.map(([, fault]) => fault as string))], causes = [...new Set(stopWords.map(([cause]) => cause as string))];
+  const schema = schemaOf({ "command.cause": 1, "state.q": 3, ...Object.fromEntries(groups.flatMap((group) => [[`health.${group}.fault`, 1], [`health.${group}.joint`, 1]])) });
+  Object.assign(schema.channel("command.cause") as object, { values: causes });
+  Object.assign(schema.channel("state.q") as object, { labels: ["LF_HAA", "LF_HFE", "LF_KFE"] });
+  for (const group of groups) Object.assign(schema.channel(`health.${group}.fault`) as object, { values: faults });
+  for (const [cause = "", fault = "", text, textOfJoint] of stopWords)
+    for (const [joint, told] of [[-1, text], [2, textOfJoint]] as const) {
+      const table = new FrameTable(schema, 1);
+      const health = groups.flatMap(() => [faults.indexOf(fault), joint]);
+      table.append(0, 0, Float32Array.from([causes.indexOf(cause), 0, 0, 0, ...health]), undefined);
+      assert.equal(stopText(table.frame(0)), told);
+    }
+});
+
+test("a command that is not the solution's says why, and whose joint it is", () => {
+  const schema = schemaOf({ "command.mode": 1, "command.cause": 1, "health.encoders.fault": 1, "health.encoders.joint": 1, "state.q": 2 });
+  const words = { "command.mode": ["optimal", "damping"], "command.cause": ["none", "tilt", "encoders"], "health.encoders.fault": ["none", "out_of_range"] };
+  for (const [name, values] of Object.entries(words)) Object.assign(schema.channel(name) as object, { values });
+  Object.assign(schema.channel("state.q") as object, { labels: ["LF_HAA", "LF_HFE"] });
+  const of = (...values: number[]): string => commandText({ schema, tick: 0, time: 0, values: Float32Array.from([...values, 0, 0]), active: [], blocking: [] });
+  assert.equal(of(0, 0, 0, -1), "optimal");
+  assert.equal(of(1, 1, 0, -1), "damping, as the torso tilted too far");
+  assert.equal(of(1, 2, 1, 1), "damping, as encoder LF_HFE left the range");
+  assert.equal(of(1, 2, 1, -1), "damping, as encoders of several joints left the range");
+});
+
+test("what the controller was stopped by stays the reason, and what is wrong now is told apart", () => {
+  const schema = schemaOf({ "command.mode": 1, "command.cause": 1, "command.fault": 1, "command.joint": 1, "health.encoders.fault": 1, "health.encoders.joint": 1, "state.q": 2 });
+  const faults = ["none", "out_of_range", "jump", "silent"];
+  const words = { "command.mode": ["optimal", "damping"], "command.cause": ["none", "encoders"], "command.fault": faults, "health.encoders.fault": faults };
+  for (const [name, values] of Object.entries(words)) Object.assign(schema.channel(name) as object, { values });
+  Object.assign(schema.channel("state.q") as object, { labels: ["LF_HAA", "LF_HFE"] });
+  const of = (...values: number[]): [string, string] => {
+    const frame = { schema, tick: 0, time: 0, values: Float32Array.from([...values, 0, 0]), active: [], blocking: [] };
+    return [commandText(frame), faultsText(frame)];
+  };
+  assert.deepEqual(of(1, 1, 2, -1, 1, 1), ["damping, as encoders of several joints changed too fast", "encoder LF_HFE left the range"]);
+  assert.deepEqual(of(1, 1, 2, 0, 0, -1), ["damping, as encoder LF_HAA changed too fast", ""]);
+  assert.deepEqual(of(1, 1, 3, -1, 3, -1), ["damping, as encoders stopped", "encoders stopped"]);
 });

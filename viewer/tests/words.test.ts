@@ -16,7 +16,7 @@ test("a clock never exceeds the whole", () => {
     const [time, all] = clockText(whole, whole).replace(" s", "").split(" / ").map(Number) as [number, number];
     assert.equal(time, all);
   }
-  assert.equal(clockText(9.885, undefined), "9.885 s");
+  assert.equal(clockText(9.885, undefined), "9.8850 s");
 });
 
 test("any speed that the program takes has a text and a next one of the menu", () => {
@@ -36,7 +36,7 @@ test("the friction that was given and what the controller believes are two thing
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
   const active = [{ name: "LF_KFE", level: 1, state: 1 }, { name: "RF_KFE", level: 1, state: -1 }];
-  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "LF_KFE (upper) +1");
+  assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "2 rows: LF_KFE (upper), …");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
   assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
   assert.equal(briefOf({ ...level, status: "minimised", blocked }, [above, level]), "held back by friction cone");

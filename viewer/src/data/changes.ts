@@ -26,7 +26,8 @@ export class Changes {
   }
 
   clear(): void {
-    this.all = this.unheard = [];
+    this.all = [];
+    this.unheard = [];
   }
 
   private keep(changes: Change[]): void {

@@ -1,7 +1,10 @@
 import { rounded } from "./numbers.ts";
 import { scalar, type Frame } from "./frame.ts";
 
-export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows";
+export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
+
+/** Of `hierarchy.status`: ended early, in `hierarchy.failed_level`. */
+const ITERATION_CAP = 1;
 
 export interface RowNote {
   name: string;
@@ -37,7 +40,10 @@ export interface LevelState {
 /** What each level of the frame's hierarchy did, highest priority first. */
 export function levelStates(frame: Frame): LevelState[] {
   const { schema } = frame;
-  return schema.order(frame.tick).map((level, index) => {
+  const order = schema.order(frame.tick);
+  const solves = order.some((level) => scalar(frame, `hierarchy.level.${schema.levels[level]}.num_rows`) > 0);
+  const solved = solvedLevels(frame);
+  return order.map((level, index) => {
     const name = schema.levels[level] as string;
     const field = (what: string): number => scalar(frame, `hierarchy.level.${name}.${what}`);
     const unit = schema.units[level] ?? "";
@@ -53,8 +59,16 @@ export function levelStates(frame: Frame): LevelState[] {
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),
     };
+    if (!solves) return { ...state, status: "not solved" };
+    if (index >= solved) return { ...state, status: "not solved", residual: NaN, rows: 0, active: [], blocked: [] };
     return { ...state, status: statusOf(state, schema.visible[level]) };
   });
+}
+
+/** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
+function solvedLevels(frame: Frame): number {
+  const failed = scalar(frame, "hierarchy.failed_level");
+  return scalar(frame, "hierarchy.status") === ITERATION_CAP && failed >= 0 ? failed : Infinity;
 }
 
 function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visible: number | null | undefined): LevelStatus {
@@ -68,26 +82,50 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
+  /** Each level that gives way, and to which, or what is held back without that. */
+  whole: string;
   more: string[];
 }
 
-/** What gives way to what, and what is held back without that. */
-export function accountOf(states: LevelState[]): Account {
-  if (states.every((state) => state.status === "no rows")) return { kind: "none", line: "No level is solved at this tick.", more: [] };
+/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved. */
+export function accountOf(states: LevelState[], command: string): Account {
+  if (states.every((state) => state.status === "not solved")) return { kind: "none", ...same(`No level is solved: ${command}.`), more: [] };
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
-  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), more };
-  if (held.length > 0) return { kind: "good", line: `All met; ${held.length === 1 ? "one minimised is" : `${held.length} minimised are`} held back.`, more };
-  return { kind: "good", line: "Every level gets what it asks for.", more };
+  const cut = states.find((state) => state.status === "not solved");
+  if (cut !== undefined) return { kind: "bad", ...same(`The solver was cut off in ${plainName(cut)}: of it and the levels below nothing is known.`), more };
+  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), whole: yieldingText(yielding, states), more };
+  if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), more };
+  return { kind: "good", ...same("Every level gets what it asks for."), more };
+}
+
+const same = (line: string): Pick<Account, "line" | "whole"> => ({ line, whole: line });
+
+/** Of levels that are to be as small as can be, and would be smaller alone. */
+function heldText(held: LevelState[], states: LevelState[]): string {
+  if (held.length > 1) return `${held.map(plainName).join(" and ")} are kept above 0`;
+  return `${held.map(plainName).join()} is kept above 0 by ${aboveOf(held[0] as LevelState, states)}`;
+}
+
+/** The levels above that hold it back, in words; "": none. */
+function aboveOf({ blocked }: LevelState, states: LevelState[]): string {
+  return listed([...new Set(blocked.map(({ by }) => nameOf(states, by)))]);
+}
+
+function yieldingText(yielding: LevelState[], states: LevelState[]): string {
+  const parts = yielding.map((state, k) => {
+    const above = aboveOf(state, states);
+    return `${plainName(state)}${k === 0 ? " gives way" : ""}${above === "" ? "" : ` to ${above}`}`;
+  });
+  return `${parts.join("; ")}.`;
 }
 
 function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
   const names = yielding.map(plainName);
   if (yielding.length > 2) return `${yielding.length} levels give way, the first of them ${names[0]}.`;
   if (yielding.length === 2) return `${listed(names)} give way.`;
-  const above = [...new Set(yielding[0]?.blocked.map(({ by }) => nameOf(states, by)))];
-  return `${names.join()} gives way${above.length === 0 ? "" : ` to ${listed(above)}`}.`;
+  return yieldingText(yielding, states);
 }
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {

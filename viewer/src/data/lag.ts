@@ -43,11 +43,12 @@ export class PictureAge {
     this.mean = 0;
   }
 
-  /** Of a picture of the run at `time`; 0 while the run stands [s]. */
+  /** Of a picture of the run at `time`; 0 while the run stands, or how fast it goes is not known [s]. */
   of(time: number, now: number): number {
     const { status } = this;
-    const rate = status === undefined ? 0 : rateOf(status);
-    if (status === undefined || rate === 0) return 0;
+    if (status === undefined || !(status.real_factor > 0)) return 0;
+    const rate = rateOf(status);
+    if (rate === 0) return 0;
     return Math.max(0, now - this.ahead - status.clock + (status.time - time) / rate);
   }
 

@@ -23,6 +23,22 @@ const NEW = 2;
 /** Ticks are not being lost any more where none was for so long; what could not be had is asked for again after as long [ms]. */
 const QUIET = 1000;
 
+/** Each mark once, in the order of time; those of one time as they came. */
+function inOrder(marks: Mark[]): Mark[] {
+  const known = new Map<string, Mark>();
+  for (const mark of marks) {
+    const key = `${mark.time} ${mark.kind} ${mark.text} ${mark.leg}`;
+    if (!known.has(key)) known.set(key, mark);
+  }
+  return [...known.values()].sort((a, b) => a.time - b.time);
+}
+
+/** What is not from before `first`, and the last changes, so many, however old. */
+function keptSince(first: number, marks: Mark[], most: number): Mark[] {
+  const changes = new Set(marks.filter(({ kind }) => kind === "change").slice(-most));
+  return marks.filter((mark) => !(mark.time < first) || changes.has(mark));
+}
+
 /** The last two minutes of a live run: what came, and what the program still knows of the time before. */
 export class LiveSource implements FrameSource {
   /** Called when the run has begun again, and nothing of the one before is left. */
@@ -140,10 +156,9 @@ export class LiveSource implements FrameSource {
     this.before = undefined;
   }
 
-  /** Something happened, of which some may be known; what is from before the frames is forgotten, but not that the run was changed. */
+  /** Something happened, of which some may be known; what is from before the frames is forgotten, but not the last changes of the run. */
   mark(...marks: Mark[]): void {
-    const all = new Map([...marks, ...this.marks].map((mark) => [`${mark.time} ${mark.kind} ${mark.text} ${mark.leg}`, mark]));
-    this.marks = [...all.values()].filter(({ time, kind }) => kind === "change" || !(time < this.first)).sort((a, b) => a.time - b.time);
+    this.marks = keptSince(this.first, inOrder([...this.marks, ...marks]), this.schema.mostChanges);
   }
 
   get first(): number {

@@ -1,3 +1,8 @@
+import { secondsText } from "./numbers.ts";
+
+/** Words of the program as a sentence of the page. */
+export const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+
 /** More than these are counted. */
 const MOST = 12;
 
@@ -13,7 +18,7 @@ export function damageText(damage: string[]): string {
 
 /** That of a tick of a log nothing is left, and which time is shown instead. */
 export function unreadableText(shown: number): string {
-  return `This tick can't be read: shown is ${Number(shown.toFixed(4))} s.`;
+  return `This tick can't be read: shown is ${secondsText(shown)}.`;
 }
 
 /** How much of a log is summarised [s], for long plots and the list of events. */
@@ -21,10 +26,13 @@ export function readText(read: number, whole: number): string {
   return `Reading the log: ${Math.floor(read)} s of ${Math.ceil(whole)} s`;
 }
 
+/** The log that a live run goes into, as it is told beside what the run is. */
+export const recordingText = (path: string): string => (path === "" ? "none: run it with --record FILE to keep one" : `recorded in ${path}`);
+
 /** The command that gives this run again, and what it leaves out: what was changed while the run was watched is in its log alone. */
 export function againText(command: string, log: string, isWhole: boolean, isSteered: boolean): string {
   if (command === "") return "";
-  const whole = isWhole ? "" : " (it goes on where this log is cut off or damaged)";
+  const whole = isWhole ? "" : " (it goes on where this log ends)";
   if (!isSteered) return command + whole;
   const steered = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `surefoot replay ${log} --verify repeats it`;
   return `${command}${whole}, without what was changed and pushed by hand: ${steered}`;

@@ -1,3 +1,4 @@
+import { secondsText } from "./numbers.ts";
 import type { Mark } from "./source.ts";
 
 /** What a mark on the time bar is worth: where two fall together, the one that is worth more is seen. */
@@ -11,7 +12,7 @@ const NOTABLE = /slide|push|lost|no ground|abort|met something/;
 export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
   if (kind === "mode" || kind === "damage") return "grave";
   if (kind === "change") return "change";
-  return NOTABLE.test(text) ? "notable" : "usual";
+  return kind === "force" || NOTABLE.test(text) ? "notable" : "usual";
 }
 
 /** Some marks that are too near to each other to be told apart. */
@@ -52,5 +53,5 @@ export function hintOf(marks: Mark[], time: number, reach: number): string {
   if (mark === undefined) return "";
   const more = near.length > 1 ? `, and ${near.length - 1} more near it` : "";
   if (mark.kind === "damage") return `${mark.text}${more}`; // which says from when to when itself
-  return `${mark.time.toFixed(2)} s ${mark.leg === "" ? "" : `${mark.leg} `}${mark.text}${more}`;
+  return `${secondsText(mark.time)} ${mark.leg === "" ? "" : `${mark.leg} `}${mark.text}${more}`;
 }

@@ -1,11 +1,11 @@
-import type { Mark } from "./source.ts";
+import type { ForceMark, Mark } from "./source.ts";
 
-export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string };
+export type RawEvent = [time: number, event: number, leg: string | null] | { time: number; kind: "mode" | "change" | "damage" | "force"; text: string; force?: ForceMark };
 
 /** What the program says of what happened, as marks. */
 export function marksOf(raw: RawEvent[], events: string[]): Mark[] {
   return raw.map((entry) => {
-    if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: entry.kind };
+    if (!Array.isArray(entry)) return { time: entry.time, text: entry.text, leg: "", kind: entry.kind, ...(entry.force && { force: entry.force }) };
     const [time, event, leg] = entry;
     return { time, text: events[event] ?? `event ${event}`, leg: leg ?? "", kind: "event" as const };
   });

@@ -39,6 +39,11 @@ export function quantity(value: number, unit: string): string {
   return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
 }
 
+/** A time of the run as all of the page, the terminal and exports tell it: ticks of 400 Hz and 1 kHz come out exactly. */
+export function secondsText(time: number): string {
+  return `${time.toFixed(4)} s`;
+}
+
 /** "1 row", "2 rows". */
 export function counted(count: number, what: string): string {
   return `${count} ${what}${count === 1 ? "" : "s"}`;

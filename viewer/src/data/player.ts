@@ -59,8 +59,9 @@ export class Player {
     this.time = this.source.neighbour(this.time, ticks);
   }
 
+  /** To the newest frame of a live run. */
   goLive(): void {
-    this.following = true;
+    this.following = this.live;
     this.playing = true;
   }
 

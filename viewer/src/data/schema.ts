@@ -30,12 +30,33 @@ function withUnit(channel: ChannelInfo, { header }: Session): ChannelInfo {
   return unit === undefined || channel.unit !== "" ? channel : { ...channel, unit };
 }
 
+/** What pushes from outside: a force and a torque on each body, the world's first. */
+export const PUSHES = "truth.xfrc_applied";
+const PUSH_PARTS = ["Fx [N]", "Fy [N]", "Fz [N]", "Tx [N·m]", "Ty [N·m]", "Tz [N·m]"];
+
+/** Whether a channel is what pushes from outside, and the names of all its bodies are known. */
+export function hasBodies({ name, size }: ChannelInfo, { bodies }: Pick<Session, "bodies">): boolean {
+  return name === PUSHES && bodies.length > 0 && size === 6 * (bodies.length + 1);
+}
+
+/** Its numbers by the names of the bodies, found by how people call it. */
+function withBodies(channel: ChannelInfo, { bodies }: Session): ChannelInfo {
+  if (!hasBodies(channel, { bodies })) return channel;
+  const labels = ["world", ...bodies].flatMap((body) => PUSH_PARTS.map((part) => `${body}.${part}`));
+  return { ...channel, labels, about: `push, pull, outside force on each body (${channel.about})` };
+}
+
+/** Of a robot [N]. */
+export const newtonsOf = ({ mass }: { mass: number }): number => 9.81 * mass;
+
 /** Where the numbers of a frame stand, and the names of levels and rows that go with them. */
 export class Schema {
   readonly channels: ChannelInfo[];
   readonly frameFloats: number;
   /** Of a tick [s]. */
   readonly period: number;
+  /** Of the robot [N]. */
+  readonly weight: number;
   readonly levels: string[];
   readonly units: string[];
   /** Residuals that people should see; null: the level asks for nothing and is never content. */
@@ -45,12 +66,15 @@ export class Schema {
   readonly events: string[];
   /** All that can be pushed, in the order of the physics. */
   readonly bodies: string[];
+  /** Of a live run that are kept, the last. */
+  readonly mostChanges: number;
   private readonly byName = new Map<string, ChannelInfo>();
 
   constructor(session: Session) {
-    this.channels = session.channels.map((channel) => withUnit(channel, session));
+    this.channels = session.channels.map((channel) => withBodies(withUnit(channel, session), session));
     this.frameFloats = session.frame_floats;
     this.period = session.period;
+    this.weight = newtonsOf(session.header.robot);
     this.levels = session.header.level_names;
     this.units = session.header.level_units;
     this.visible = session.header.level_visible;
@@ -58,6 +82,7 @@ export class Schema {
     this.orders = session.orders;
     this.events = session.header.event_names;
     this.bodies = session.bodies;
+    this.mostChanges = session.limits.changes;
     for (const channel of this.channels) this.byName.set(channel.name, channel);
   }
 

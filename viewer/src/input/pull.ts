@@ -26,8 +26,8 @@ export function springForce(p: THREE.Vector3, q: THREE.Vector3, most: number, ou
 export function pullText(asked: number, most: number, status: Pick<Status, "pull" | "pull_is_weaker"> | undefined): string {
   const pull = status?.pull ?? null;
   const newtons = pull !== null && status?.pull_is_weaker ? Math.hypot(...pull.force) : asked;
-  const limit = status?.pull_is_weaker || asked > 0.999 * most ? ", the most now" : "";
-  return `pull ${newtons.toFixed(0)} N, ${(pull?.given ?? 0).toFixed(1)} N·s so far${limit}`;
+  const limit = status?.pull_is_weaker || asked > 0.999 * most ? " (no more is allowed now)" : "";
+  return `pull ${newtons.toFixed(0)} N${limit}, ${(pull?.given ?? 0).toFixed(1)} N·s so far`;
 }
 
 /** Dragging a body of the robot pulls it like a spring. */
@@ -36,7 +36,8 @@ export class Pull {
   private readonly ray = new THREE.Raycaster();
   private readonly pointer = new THREE.Vector2();
   private readonly plane = new THREE.Plane();
-  private readonly arrow = new Arrows(paintOverBodies(), 0.011, 1);
+  private readonly edge = new Arrows(paintOverBodies(), 0.016, 1, 3);
+  private readonly arrow = new Arrows(paintOverBodies(), 0.011, 1, 4);
   private readonly colour = new THREE.Color();
   private readonly direction = new THREE.Vector3();
   private readonly from = new THREE.Vector3();
@@ -53,7 +54,7 @@ export class Pull {
     private readonly limits: Limits,
     private readonly mayPull: () => boolean,
   ) {
-    world.extras.add(this.arrow.root);
+    world.extras.add(this.edge.root, this.arrow.root);
     canvas.addEventListener("pointerdown", (event) => this.begin(event), { capture: true });
     canvas.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const)
@@ -74,7 +75,7 @@ export class Pull {
     if (hit === undefined || body === undefined) return;
     const held = { body: body.name, link: body.link, point: body.link.worldToLocal(hit.point.clone()) };
     this.held = held;
-    this.world.held = true;
+    this.world.held = body.name;
     this.world.camera.controls.enabled = false;
     this.grip?.drop();
     this.stretch(held);
@@ -92,9 +93,11 @@ export class Pull {
     if (this.held === undefined) return;
     this.grip?.end();
     this.held = undefined;
-    this.world.held = false;
-    this.arrow.begin();
-    this.arrow.end();
+    this.world.held = undefined;
+    for (const arrow of [this.edge, this.arrow]) {
+      arrow.begin();
+      arrow.end();
+    }
     this.world.camera.controls.enabled = true;
   }
 
@@ -117,6 +120,9 @@ export class Pull {
   /** Draws the spring; what it has given so far is as the program says. */
   draw(status: Status | undefined): void {
     if (this.held === undefined) return;
+    this.edge.begin();
+    this.edge.add(this.from, this.stretched.copy(this.to).sub(this.from), this.colour.set(this.world.palette.halo));
+    this.edge.end();
     this.arrow.begin();
     if (this.arrow.add(this.from, this.stretched.copy(this.to).sub(this.from), this.colour.set(this.world.palette.push)))
       this.world.labels.put(this.arrow.tip, pullText(this.force.length(), this.limits.push_newtons, status), "push");

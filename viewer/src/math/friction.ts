@@ -16,6 +16,14 @@ export function pyramidCorners(q_WP: number[], mu: number, normal: number): numb
   return [[half, half], [-half, half], [-half, -half], [half, -half]].map(([x, y]) => rotate(q_WP, [x as number, y as number, normal]));
 }
 
+/** A pyramid is no lower [m]: it is worst where next to no force is left, and its colour is to be seen there, too. */
+const LEAST_HEIGHT = 0.1;
+
+/** How high a pyramid is drawn [m]: as the force along its axis, at most as the robot's weight; `newton`: metres of one. */
+export function pyramidHeight(normal: number, weight: number, newton: number): number {
+  return Math.max(newton * Math.min(normal, weight), LEAST_HEIGHT);
+}
+
 /** A share as the page tells it. */
 export function percent(share: number): string {
   return `${(100 * share).toFixed(0)} %`;

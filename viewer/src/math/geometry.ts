@@ -1,15 +1,16 @@
 /** Geometry on plain arrays, without the scene. */
 
 export type Point = [number, number];
+export type Point3 = [number, number, number];
 
-/** Convex hull, counter-clockwise; points on an edge are left out. */
-export function convexHull(points: Point[]): Point[] {
+/** Convex hull seen from above, counter-clockwise; points on an edge are left out. */
+export function convexHull<P extends Point | Point3>(points: P[]): P[] {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   if (sorted.length < 3) return sorted;
-  const half = (list: Point[]): Point[] => {
-    const chain: Point[] = [];
+  const half = (list: P[]): P[] => {
+    const chain: P[] = [];
     for (const p of list) {
-      while (chain.length >= 2 && cross(chain.at(-2) as Point, chain.at(-1) as Point, p) <= 0) chain.pop();
+      while (chain.length >= 2 && cross(chain.at(-2) as P, chain.at(-1) as P, p) <= 0) chain.pop();
       chain.push(p);
     }
     chain.pop();
@@ -18,8 +19,25 @@ export function convexHull(points: Point[]): Point[] {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-function cross(o: Point, a: Point, b: Point): number {
+type Seen = Point | Point3;
+
+function cross(o: Seen, a: Seen, b: Seen): number {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+/** How far p lies outside of a convex hull, seen from above; 0 within it. */
+export function distanceOutside(hull: Seen[], p: Point): number {
+  if (hull.length === 0) return Infinity;
+  const sides = hull.map((a, k) => [a, hull[(k + 1) % hull.length] as Seen] as const);
+  if (hull.length > 2 && sides.every(([a, b]) => cross(a, b, p) >= 0)) return 0;
+  return Math.min(...sides.map(([a, b]) => distanceToSide(a, b, p)));
+}
+
+function distanceToSide(a: Seen, b: Seen, p: Point): number {
+  const [x, y] = [b[0] - a[0], b[1] - a[1]];
+  const along = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
+  const at = Number.isNaN(along) ? 0 : Math.min(Math.max(along, 0), 1);
+  return Math.hypot(p[0] - a[0] - at * x, p[1] - a[1] - at * y);
 }
 
 /** Heading of a body from its orientation w, x, y, z [rad]. */

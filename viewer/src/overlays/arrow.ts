@@ -22,11 +22,12 @@ export class Arrows {
     material: THREE.MeshBasicMaterial,
     private readonly radius: number,
     capacity: number,
+    order = 3,
   ) {
     this.shafts = new Copies(SHAFT, material, capacity);
     this.heads = new Copies(HEAD, material, capacity);
     this.root.add(this.shafts.mesh, this.heads.mesh);
-    if (!material.depthTest) this.shafts.mesh.renderOrder = this.heads.mesh.renderOrder = 3;
+    if (!material.depthTest) this.shafts.mesh.renderOrder = this.heads.mesh.renderOrder = order;
   }
 
   begin(): void {

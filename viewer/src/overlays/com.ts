@@ -2,25 +2,32 @@ import * as THREE from "three";
 import { read } from "../data/frame.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
-import { BelievedPlane } from "./ground_marks.ts";
+import { convexHull, distanceOutside } from "../math/geometry.ts";
+import { BelievedPlane, standing } from "./ground_marks.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 import { Pen, Trails } from "./trail.ts";
 
 /** How much of the past and, of what is already known, the future a trail shows [s]. */
 export const TRAIL_SECONDS = 3;
 
-/** Centre of mass with its plumb line, and its plan on the ground. */
+/** Nearer to the support polygon's edge is on it [m]. */
+const ON_EDGE = 0.001;
+const PLUMB = new THREE.CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
+
+/** Centre of mass with its plumb line, and its plan on the ground. The plumb line ends in a disc over the support polygon and beside it in a ring with a
+ * number; no body hides it. */
 export class CentreOfMass implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly material = paint();
   private readonly planMaterial = paintOnGround();
   private readonly ball = new THREE.Mesh(new THREE.SphereGeometry(0.02, 20, 14), this.material);
-  private readonly disc = new THREE.Mesh(new THREE.CircleGeometry(0.011, 24), this.material);
+  private readonly plumb = new THREE.Mesh(PLUMB, this.material);
+  private readonly inside = new THREE.Mesh(new THREE.CircleGeometry(0.016, 24), this.material);
+  private readonly outside = new THREE.Mesh(new THREE.RingGeometry(0.018, 0.026, 32), this.material);
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
   private readonly colour = new THREE.Color();
   private readonly planColour = new THREE.Color();
-  private readonly plumb = new Trails(0.7, 1);
   private readonly planTrail = new Trails(1, 255, true);
   private readonly pastTrail = new Trails(0.7, 255, true);
   private readonly planPen = new Pen(this.planTrail, this.planColour);
@@ -32,16 +39,16 @@ export class CentreOfMass implements Overlay {
 
   constructor() {
     this.material.depthTest = false; // seen through the torso
-    this.ball.renderOrder = this.disc.renderOrder = 2;
+    for (const mesh of [this.ball, this.plumb, this.inside, this.outside]) mesh.renderOrder = 2;
     this.ring.renderOrder = ON_GROUND_ORDER;
-    this.root.add(this.ball, this.disc, this.ring, this.plumb.lines, this.planTrail.lines, this.pastTrail.lines);
+    this.root.add(this.ball, this.plumb, this.inside, this.outside, this.ring, this.planTrail.lines, this.pastTrail.lines);
   }
 
   wear(palette: Palette): void {
     this.material.color.set(palette.com);
     this.colour.set(palette.com);
-    this.planMaterial.color.set(palette.near);
-    this.planColour.set(palette.near);
+    this.planMaterial.color.set(palette.plan);
+    this.planColour.set(palette.plan);
   }
 
   update(picture: Picture): void {
@@ -51,14 +58,24 @@ export class CentreOfMass implements Overlay {
     const { x, y } = this.com;
     const ground = this.plane.height(x, y);
     this.ball.position.copy(this.com);
-    this.disc.position.set(x, y, ground);
-    this.plumb.begin();
-    this.plumb.add(this.com, this.disc.position, this.colour);
-    this.plumb.end();
+    this.drop(picture, ground);
     this.ring.visible = read(picture.frame, "plan.com.p", this.plan);
     const [px, py] = this.plan as [number, number];
     if (this.ring.visible) this.ring.position.set(px, py, this.plane.height(px, py));
     if (picture.trails) this.drawTrails(picture);
+  }
+
+  /** The plumb line, and what it ends in. */
+  private drop(picture: Picture, ground: number): void {
+    const { x, y, z } = this.com;
+    for (const mesh of [this.plumb, this.inside, this.outside]) mesh.position.set(x, y, ground);
+    this.plumb.scale.set(0.003, 0.003, z - ground);
+    const distance = distanceOutside(convexHull(standing(picture)), [x, y]);
+    this.inside.visible = distance < ON_EDGE;
+    this.outside.visible = !this.inside.visible;
+    if (this.inside.visible || !Number.isFinite(distance)) return;
+    this.point.set(x, y, ground).applyMatrix4(picture.beliefToWorld);
+    picture.labels.put(this.point, `COM ${(100 * distance).toFixed(1)} cm outside`, "com");
   }
 
   private drawTrails({ frame, source }: Picture): void {

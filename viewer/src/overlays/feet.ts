@@ -106,13 +106,23 @@ export class Footholds implements Overlay {
   }
 }
 
-/** Spheres around the hips between which the feet must stay; plainer the nearer a foot is to one. */
+/** Nearer to a limit than this is at it: less can't be told in 0.1 cm [m]. */
+const AT_LIMIT = 0.0005;
+
+/** What is left between a leg's length and the nearer of its limits, in words. */
+export function limbText(leg: string, length: number, room: number): string {
+  const cm = (metres: number): string => `${(100 * metres).toFixed(1)} cm`;
+  const left = !Number.isFinite(room) ? "" : Math.abs(room) < AT_LIMIT ? ", at limit" : room >= 0 ? `, ${cm(room)} left` : `, ${cm(-room)} beyond`;
+  return `${leg} ${cm(length)}${left}`;
+}
+
+/** Spheres around the hips between which the feet must stay, of each leg in its colour; plainer the nearer a foot is to one. */
 export class LimbLimits implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly shells = LEGS.map(() => ({ min: shell(), max: shell() }));
   private readonly lines = new Trails(1, LEGS.length);
-  private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
+  private readonly colours = LEGS.map(() => new THREE.Color());
   private readonly hip = new THREE.Vector3();
   private readonly foot = new THREE.Vector3();
 
@@ -122,13 +132,13 @@ export class LimbLimits implements Overlay {
   }
 
   wear(palette: Palette): void {
-    for (const share of ["good", "near", "bad"] as const) this.colours[share].set(palette.margin[share]);
+    this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
   }
 
   update({ frame, header, labels, beliefToWorld }: Picture): void {
     const { min, max, form } = header.limb;
     this.lines.begin();
-    LEGS.forEach((_, k) => {
+    LEGS.forEach((leg, k) => {
       const shells = this.shells[k] as { min: Shell; max: Shell };
       const known =
         vector(frame, LEG_CHANNELS.hip[k] as string, this.hip) && vector(frame, LEG_CHANNELS.foot[k] as string, this.foot);
@@ -136,12 +146,12 @@ export class LimbLimits implements Overlay {
       shells.max.visible = known && max !== null;
       if (!known) return;
       const length = form === "vertical" ? Math.abs(this.hip.z - this.foot.z) : this.hip.distanceTo(this.foot);
-      const room = Math.min(max === null ? 1 : max - length, min === null ? 1 : length - min);
-      const colour = this.colours[room > 0.03 ? "good" : room > 0 ? "near" : "bad"];
-      place(shells.max, this.hip, max ?? 0, max === null ? 1 : max - length, colour);
-      place(shells.min, this.hip, min ?? 0, min === null ? 1 : length - min, colour);
+      const [above, below] = [max === null ? Infinity : max - length, min === null ? Infinity : length - min];
+      const colour = this.colours[k] as THREE.Color;
+      place(shells.max, this.hip, max ?? 0, above, colour);
+      place(shells.min, this.hip, min ?? 0, below, colour);
       this.lines.add(this.hip, this.foot, colour);
-      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), `${(100 * length).toFixed(1)} cm`, "limb");
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below)), `limb leg${k}`);
     });
     this.lines.end();
   }
@@ -174,5 +184,5 @@ function place(shell: Shell, hip: THREE.Vector3, radius: number, room: number, c
   shell.position.copy(hip);
   shell.scale.setScalar(radius);
   shell.material.color.copy(colour);
-  shell.material.opacity = 0.1 + 0.4 * Math.max(0, 1 - Math.max(0, room) / 0.1);
+  shell.material.opacity = 0.3 + 0.6 * Math.max(0, 1 - Math.max(0, room) / 0.1);
 }

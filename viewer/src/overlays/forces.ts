@@ -1,6 +1,8 @@
 import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
-import { isPulled } from "../data/pulls.ts";
+import { digits } from "../data/numbers.ts";
+import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
+import { forceText, toldForces, type ToldForces } from "../data/told_forces.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
@@ -66,54 +68,83 @@ export class WantedForces implements Overlay {
   }
 }
 
-/** What pushes the robot beside the ground: as it is, and as the controller believes. */
+/** So much longer an arrow is that would be short beside the torso [m]: its number says how great a push is. */
+const SEEN_LENGTH = 0.2;
+/** Its number stands this far over its tip, so that it hides none of it [m]. */
+const NUMBER_OVER = 0.12;
+/** How far its edge goes beyond it [m]. */
+const EDGE = 0.006;
+/** Less is in what the controller believes where nobody pushes [N]. */
+const LEAST_BELIEVED = 1;
+/** As many bodies can be pushed at once. */
+const MOST_PUSHES = 32;
+/** No body reaches further from its centre of mass [m]. */
+const BODY_REACH = 1;
+
+/**
+ * What pushes the robot beside the ground, each in the line in which it acts, and their sum as the controller believes it. Has an edge, as it is
+ * seen over bodies of any colour.
+ */
 export class OutsideForce implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
   private readonly colour = new THREE.Color();
-  private readonly arrow = new Arrows(paintOverBodies(), 0.011, 1);
-  private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1);
+  private readonly edgeColour = new THREE.Color();
+  private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1, 2);
+  private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3);
+  private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4);
+  private readonly start = new THREE.Vector3();
+  private readonly point = new THREE.Vector3();
   private readonly force = new THREE.Vector3();
-  private readonly part = new THREE.Vector3();
-  private readonly com = new THREE.Vector3();
+  private readonly over = new THREE.Vector3();
   private readonly turn = new THREE.Matrix4();
 
   constructor() {
-    this.root.add(this.arrow.root, this.believed.root);
+    this.root.add(this.believed.root, this.edges.root, this.arrows.root);
   }
 
   wear(palette: Palette): void {
     this.colour.set(palette.push);
+    this.edgeColour.set(palette.halo);
   }
 
   update(picture: Picture): void {
-    this.arrow.begin();
-    this.believed.begin();
-    this.draw(picture);
-    this.arrow.end();
-    this.believed.end();
-  }
-
-  private draw({ frame, source, labels, newton, beliefToWorld, held }: Picture): void {
-    if (!vector(frame, "truth.p_WCom", this.com)) return;
-    if (this.total(frame)) {
-      const newtons = this.force.length();
-      const what = isPulled(source.marks, frame.time, source.schema.period) ? "pull" : "push";
-      if (this.arrow.add(this.com, this.force.multiplyScalar(newton), this.colour) && !held)
-        labels.put(this.arrow.tip, `${what} ${newtons.toFixed(0)} N`, "push");
+    const all = [this.arrows, this.edges, this.believed];
+    for (const arrows of all) arrows.begin();
+    const { frame, source } = picture;
+    const pushes = pushesOf(frame) ?? [];
+    if (pushes.length > 0) {
+      const told = toldForces(source.marks, frame.time, source.schema.period);
+      for (const push of pushes.slice(0, MOST_PUSHES)) this.draw(push, told, picture);
     }
-    if (!vector(frame, "state.external_force", this.force)) return;
-    this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).multiplyScalar(newton);
-    this.believed.add(this.com, this.force, this.colour);
+    this.drawBelieved(picture);
+    for (const arrows of all) arrows.end();
   }
 
-  /** Sum over the bodies of what is applied from outside. */
-  private total(frame: Picture["frame"]): boolean {
-    const channel = frame.schema.channel("truth.xfrc_applied");
-    if (channel === undefined) return false;
-    this.force.set(0, 0, 0);
-    for (let i = 0; i + 6 <= channel.size; i += 6)
-      if (vector(frame, channel.name, this.part, i)) this.force.add(this.part);
-    return this.force.lengthSq() > 1;
+  /** How a force is drawn [m]. */
+  private stretch(newton: number): THREE.Vector3 {
+    return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
+  }
+
+  private draw(push: Push, told: ToldForces, { frame, labels, newton, held, centreOf }: Picture): void {
+    const body = frame.schema.bodies[push.body] ?? "";
+    if (body === held && !told.pushed.has(body)) return; // the spring to the pointer stands for the pull
+    if (centreOf(body, this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
+    else if (!vector(frame, "truth.p_WCom", this.start)) return;
+    const newtons = this.force.fromArray(push.force).length();
+    this.arrows.add(this.start, this.stretch(newton), this.colour);
+    const size = `${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`;
+    this.point.copy(this.arrows.tip).z += NUMBER_OVER;
+    labels.put(this.point, forceText(body, size, told), "push");
+    this.over.copy(this.force).setLength(EDGE);
+    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour);
+  }
+
+  private drawBelieved({ frame, labels, newton, beliefToWorld }: Picture): void {
+    if (!vector(frame, "truth.p_WCom", this.start)) return;
+    if (!vector(frame, "state.external_force", this.force) || this.force.length() < LEAST_BELIEVED) return;
+    const newtons = this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).length();
+    this.believed.add(this.start, this.stretch(newton), this.colour);
+    labels.put(this.believed.tip, `believed ${newtons.toFixed(0)} N`, "believed");
   }
 }

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import { centreOfPressure, convexHull, planeHeight, type Point } from "../math/geometry.ts";
+import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND, ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
@@ -29,6 +29,18 @@ export class BelievedPlane {
   }
 }
 
+/** Where the feet stand that are to carry and, where the truth is known, touch the ground; at the ground under them. */
+export function standing({ frame, header }: Picture): Point3[] {
+  const points: Point3[] = [];
+  for (let k = 0; k < LEGS.length; ++k) {
+    const foot: Point3 = [0, 0, 0];
+    if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || scalar(frame, LEG_CHANNELS.touching[k] as string) === 0 || !read(frame, LEG_CHANNELS.foot[k] as string, foot)) continue;
+    foot[2] += OVER - header.robot.foot_radius;
+    points.push(foot);
+  }
+  return points;
+}
+
 /** Convex hull of the feet that carry. */
 export class SupportPolygon implements Overlay {
   readonly space = "belief";
@@ -38,7 +50,6 @@ export class SupportPolygon implements Overlay {
   private readonly points = new THREE.BufferAttribute(new Float32Array(12), 3);
   private readonly area = new THREE.BufferGeometry().setAttribute("position", this.points).setIndex([0, 1, 2, 0, 2, 3]);
   private readonly outline = new THREE.BufferGeometry().setAttribute("position", this.points);
-  private readonly foot = [0, 0, 0];
 
   constructor() {
     const mesh = new THREE.Mesh(this.area, this.fill);
@@ -49,20 +60,14 @@ export class SupportPolygon implements Overlay {
   }
 
   wear(palette: Palette): void {
-    this.fill.color.set(palette.plane);
-    this.line.color.set(palette.plane);
+    this.fill.color.set(palette.support);
+    this.line.color.set(palette.support);
   }
 
-  update({ frame, header }: Picture): void {
-    const heights = new Map<Point, number>();
-    for (let k = 0; k < LEGS.length; ++k) {
-      if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || !read(frame, LEG_CHANNELS.foot[k] as string, this.foot)) continue;
-      const [x, y, z] = this.foot as [number, number, number];
-      heights.set([x, y], z - header.robot.foot_radius + OVER);
-    }
-    const hull = convexHull([...heights.keys()]);
+  update(picture: Picture): void {
+    const hull = convexHull(standing(picture));
     this.root.visible = hull.length >= 2;
-    hull.forEach((p, k) => this.points.setXYZ(k, p[0], p[1], heights.get(p) as number));
+    hull.forEach((corner, k) => this.points.setXYZ(k, ...corner));
     this.points.needsUpdate = true;
     this.area.setDrawRange(0, hull.length === 4 ? 6 : hull.length === 3 ? 3 : 0);
     this.outline.setDrawRange(0, hull.length);

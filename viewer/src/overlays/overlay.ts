@@ -15,8 +15,10 @@ export interface Picture {
   newton: number;
   /** Takes what was planned and believed to where the robot really is. */
   beliefToWorld: THREE.Matrix4;
-  /** The pointer holds the robot, and what it says stands there. */
-  held: boolean;
+  /** The body that the pointer holds, whose pull it shows itself. */
+  held: string | undefined;
+  /** Centre of mass of a body in W; false: there is no such body. */
+  centreOf: (body: string, out: THREE.Vector3) => boolean;
   /** Trails are drawn anew in this picture. */
   trails: boolean;
 }

@@ -1,7 +1,8 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
+import { pyramidUse } from "../data/pyramid_use.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
-import { percent, pyramidCorners, useClass } from "../math/friction.ts";
+import { percent, pyramidCorners, pyramidHeight, useClass } from "../math/friction.ts";
 import type { Palette } from "../scene/palette.ts";
 import { SEEN_THROUGH } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
@@ -66,8 +67,8 @@ function attribute(count: number, size: number): THREE.BufferAttribute {
 }
 
 /**
- * The friction pyramids that held the solution's forces, as high as the normal force: where the tip of a force lies in
- * the square, friction holds it. Coloured and numbered by the share of the pyramid that is used.
+ * The friction pyramids that held the solution's forces, as high as the normal force, within what can be seen: where the tip of a force lies in
+ * the square, or inside, friction holds it. Coloured and numbered by the share of the pyramid that is used.
  */
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
@@ -88,17 +89,17 @@ export class FrictionPyramids implements Overlay {
 
   update({ frame, header, labels, newton, beliefToWorld }: Picture): void {
     this.pyramids.begin();
-    LEGS.forEach((_, k) => {
-      const use = scalar(frame, LEG_CHANNELS.frictionUse[k] as string);
+    LEGS.forEach((leg, k) => {
+      const use = pyramidUse(frame, k);
       if (Number.isNaN(use)) return;
       if (!read(frame, LEG_CHANNELS.pyramid[k] as string, this.q_WP) || !vector(frame, LEG_CHANNELS.foot[k] as string, this.tip)) return;
       this.tip.z -= header.robot.foot_radius;
-      const height = scalar(frame, LEG_CHANNELS.normalForce[k] as string) * newton;
+      const height = pyramidHeight(scalar(frame, LEG_CHANNELS.normalForce[k] as string), frame.schema.weight, newton);
       const corners = pyramidCorners(this.q_WP, scalar(frame, LEG_CHANNELS.pyramidFriction[k] as string), height);
       const kind = useClass(use);
       this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
       this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
-      labels.put(this.corner, percent(use), `use leg${k} ${kind}`);
+      labels.put(this.corner, `${leg} ${percent(use)}`, `use leg${k} ${kind}`);
     });
     this.pyramids.end();
   }

@@ -1,18 +1,18 @@
+import { secondsText } from "../data/numbers.ts";
 import { Changes, type Change } from "../data/changes.ts";
 import { h } from "./dom.ts";
-
-/** As many as the program tells a page that comes late. */
-const MOST = 200;
 
 /** What was changed in this run, the latest first, and over it what the next tick will take. */
 export class ChangeList {
   readonly root: HTMLElement;
   private readonly none = h("p", { class: "soft" }, "No change so far.");
   private readonly list = h("ol", { class: "changes", "aria-label": "changes so far, the latest first" });
-  private readonly changes = new Changes(MOST);
+  private readonly changes: Changes;
   private pending = "";
 
-  constructor() {
+  /** `most`: as many as are kept, the latest. */
+  constructor(most: number) {
+    this.changes = new Changes(most);
     this.root = h("div", {}, this.none, this.list);
   }
 
@@ -41,7 +41,7 @@ export class ChangeList {
   }
 
   private show(): void {
-    const lines = this.changes.all.map(({ time, text }) => line(`${time.toFixed(2)} s`, text));
+    const lines = this.changes.all.map(({ time, text }) => line(secondsText(time), text));
     if (this.pending !== "") lines.push(line("with the next tick", this.pending, "pending"));
     this.list.replaceChildren(...lines.reverse());
     this.none.hidden = lines.length > 0;

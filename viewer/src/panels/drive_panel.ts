@@ -31,8 +31,19 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
 
 /** What acts on the robot, and what more of it may. */
 export function givenText({ push, pull, newton_seconds_left }: Status): string {
-  const of = (what: string, one: typeof push): string => (one === null ? "" : `${what} ${one.given.toFixed(1)} N·s so far. `);
+  const of = (what: string, one: typeof push): string => (one === null ? "" : `${what} ${one.given.toFixed(1)} N·s by now. `);
   return `${of("Pushed", push)}${of("Pulled", pull)}Up to ${Math.max(0, newton_seconds_left).toFixed(0)} N·s now.`;
+}
+
+/** A direction in the plane, counted from the world's x towards its y; along an axis it is called by that, too. */
+export function worldDirection(degrees: number): string {
+  const axis = ["+x", "+y", "−x", "−y"][(((degrees / 90) % 4) + 4) % 4];
+  return `${String(degrees).replace("-", "−")}°${axis === undefined ? "" : ` (${axis})`}`;
+}
+
+/** Who commands the walk, and what. */
+function askedText({ by, walk }: Status["command"]): string {
+  return `${by === "operator" ? "You command" : "The scenario commands"}: ${walk ? "walk" : "stand"}.`;
 }
 
 /** Pushes by a button, and what the robot is asked to walk. */
@@ -47,6 +58,9 @@ export class DrivePanel {
   private readonly direction: HTMLInputElement;
   private readonly directionText = h("output", {});
   private readonly duration: HTMLInputElement;
+  private readonly controls: HTMLFieldSetElement;
+  private readonly viewOnly = h("p", { class: "soft view-only", hidden: true },
+    "View only: open the link with #token=… that the program printed to push, walk and change. Each start of it prints another one.");
 
   constructor(root: HTMLElement, private readonly commands: Commands, limits: Limits, private readonly report: Report) {
     this.most = walkLimits(limits);
@@ -56,12 +70,12 @@ export class DrivePanel {
     this.duration = number("push-duration", 0.2, limits.push_seconds, 0.05);
     this.direction = h("input", { type: "range", id: "push-direction", min: -180, max: 180, step: 5, value: 90, oninput: () => this.showDirection() });
     this.showDirection();
-    root.append(
+    this.controls = h("fieldset", { class: "controls" },
       h("h2", {}, "Push"),
       h("p", { class: "soft" }, `Pull the robot with the mouse, or push its base: together at most ${limits.push_newtons} N at one time, ${limits.push_newton_seconds} N·s at once and ${limits.push_newton_seconds_each_second} N·s more each second of the run.`),
       this.given,
       this.field("Impulse", this.impulse, "N·s"), this.field("Duration", this.duration, "s"),
-      h("label", { class: "field" }, "Direction in W", h("span", { class: "with-unit" }, this.direction, this.directionText)),
+      h("label", { class: "field" }, "Direction in the world", h("span", { class: "with-unit" }, this.direction, this.directionText)),
       h("button", { id: "push", class: "primary", title: "push (p)", onclick: () => this.push() }, "Push"),
       h("h2", {}, "Walk"), this.asked,
       this.axis("forward", "Forward", "m/s", "w", "s"), this.axis("left", "To the left", "m/s", "a", "d"),
@@ -70,10 +84,13 @@ export class DrivePanel {
         h("button", { id: "stand", title: "stand on four feet (x)", onclick: () => this.stand() }, "Stand"),
         h("button", { id: "give-back", title: "the scenario commands again (g)", onclick: () => this.giveBack() }, "Back to the scenario")),
     );
-    if (!commands.allowed) {
-      for (const control of root.querySelectorAll("input, button")) control.setAttribute("disabled", "");
-      root.prepend(h("p", { class: "soft view-only" }, "View only: open the link with #token=… that the program printed to push, walk and change."));
-    }
+    root.append(this.viewOnly, this.controls);
+  }
+
+  /** Whether this page may command at all, and whether there is something to command `now`. */
+  allow(allowed: boolean, now: boolean): void {
+    this.viewOnly.hidden = allowed;
+    this.controls.disabled = !allowed || !now;
   }
 
   private field(label: string, input: HTMLInputElement, unit: string): HTMLElement {
@@ -90,10 +107,7 @@ export class DrivePanel {
   }
 
   private showDirection(): void {
-    const degrees = Number(this.direction.value);
-    const names = ["forward (x)", "left (y)", "backward", "right"];
-    const at = ((degrees % 360) + 360) % 360;
-    say(this.directionText, at % 90 === 0 ? (names[at / 90] ?? "") : `${degrees}°`);
+    say(this.directionText, worldDirection(Number(this.direction.value)));
   }
 
   push(): void {
@@ -141,8 +155,8 @@ export class DrivePanel {
     say(this.given, givenText(status));
     const [forward = 0, left = 0] = command.velocity;
     this.walk = this.wish.or({ walk: command.walk, velocity: [forward, left], yaw_rate: command.yaw_rate, height: command.height });
-    const who = command.by === "operator" ? "You command" : "The scenario commands";
-    say(this.asked, command.walk ? `${who}: walk.` : `${who}: stand.`);
+    if (status.ended !== null) say(this.asked, "The run has ended: a reset begins it again.");
+    else say(this.asked, askedText(command));
     this.showValues();
   }
 

@@ -1,6 +1,7 @@
 import { scalar, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
+import { commandText } from "../data/stop.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
 import { AccountView } from "./account_view.ts";
@@ -53,7 +54,7 @@ export class HierarchyPanel {
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountOf(states));
+    this.account.show(accountOf(states, commandText(frame)));
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 

@@ -3,7 +3,7 @@ import { counted, quantity, withoutRoundOff } from "../data/numbers.ts";
 import { h, plain, say } from "./dom.ts";
 
 /** Sign and word of each status: colour is never the only sign. */
-const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–" } as const;
+const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–", "not solved": "–" } as const;
 
 /** A level in two lines: how it came out, and what of it matters most. Open it says all, a line for each kind. */
 export class LevelCard {
@@ -100,7 +100,7 @@ export function briefOf(state: LevelState, all: LevelState[]): string {
   const [first] = state.active;
   const above = [...new Set(blockers(state).map(({ by }) => nameOf(all, by)))];
   if (above.length > 0) return `${state.status === "gives way" ? "to" : "held back by"} ${above.join(", ")}`;
-  if (first !== undefined) return `${first.name} ${sideOf(first.state)}${state.active.length > 1 ? ` +${state.active.length - 1}` : ""}`;
+  if (first !== undefined) return `${state.active.length > 1 ? `${state.active.length} rows: ` : ""}${first.name} ${sideOf(first.state)}${state.active.length > 1 ? ", …" : ""}`;
   return state.rows === 0 ? "" : counted(state.rows, "row");
 }
 

@@ -5,10 +5,16 @@ import { h, part } from "./dom.ts";
 
 const KEYS = "1234567890-";
 
+/** Overlays of one colour, called as it is in the palette. */
+const MARKS = ["support", "com", "zmp", "push", "plane", "ghost"] as const;
+type Mark = (typeof MARKS)[number];
+const isMark = (id: string): id is Mark => (MARKS as readonly string[]).includes(id);
+
 /** Which overlays are drawn, and the picture's quality. */
 export class OverlayMenu {
   private readonly boxes = new Map<string, HTMLInputElement>();
   private readonly ghost: HTMLInputElement;
+  private readonly swatches = new Map<Mark, HTMLElement>();
 
   constructor(private readonly world: World) {
     const menu = part("overlays");
@@ -17,6 +23,7 @@ export class OverlayMenu {
     menu.addEventListener("beforetoggle", () => {
       menu.style.left = `${part("view").getBoundingClientRect().left + 8}px`;
       menu.style.setProperty("--top", `${open.getBoundingClientRect().bottom + 6}px`);
+      menu.style.setProperty("--below", `${innerHeight - part("transport").getBoundingClientRect().top + 6}px`);
     });
     menu.addEventListener("toggle", (event) => open.setAttribute("aria-expanded", String(event.newState === "open")));
     world.overlays.switches.forEach(({ id, name, about, on }, k) => {
@@ -30,7 +37,10 @@ export class OverlayMenu {
   }
 
   private line(box: HTMLInputElement, name: string, about: string, key: string): HTMLElement {
-    return h("label", { class: "overlay-line" }, box, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
+    const id = box.dataset["overlay"] ?? "";
+    const swatch = h("i", { class: isMark(id) ? "overlay-colour" : "overlay-colour none" });
+    if (isMark(id)) this.swatches.set(id, swatch);
+    return h("label", { class: "overlay-line" }, box, swatch, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
   }
 
   private toggle(id: string): void {
@@ -51,9 +61,10 @@ export class OverlayMenu {
     this.ghost.checked = this.world.ghostShown = !this.world.ghostShown;
   }
 
-  /** Colours of the legs and of the share of the friction that is used. */
+  /** Colours of the marks, the legs and of the share of the friction pyramid that is used. */
   legend(): void {
     const { legs, margin } = this.world.palette;
+    for (const [mark, swatch] of this.swatches) swatch.style.background = css(this.world.palette[mark]);
     const entry = (colour: number, text: string, shape = ""): HTMLElement => {
       const swatch = h("i", { class: shape });
       swatch.style.background = css(colour);
@@ -61,7 +72,7 @@ export class OverlayMenu {
     };
     part("legend").replaceChildren(
       h("span", { class: "legend-group", "data-legend": "legs" }, h("b", {}, "Legs"), ...LEGS.map((leg, k) => entry(legs[k] as number, leg))),
-      h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Share of the friction used"),
+      h("span", { class: "legend-group", "data-legend": "friction" }, h("b", {}, "Share of the pyramid used"),
         entry(margin.good, "< 60 %", "pyramid"), entry(margin.near, "60 – 90 %", "pyramid"), entry(margin.bad, "> 90 %", "pyramid")),
     );
   }

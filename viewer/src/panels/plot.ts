@@ -38,6 +38,8 @@ export class Plot {
   private readonly size = new ResizeObserver(() => this.resize());
   private lines: Line[] = [];
   private time = NaN;
+  /** What of the values is shown; undefined: all of them. */
+  private values: [low: number, high: number] | undefined;
 
   /** `title`: of these lines; without one it is what their names have in common. */
   constructor(series: Series[], private readonly schema: Schema, title?: string) {
@@ -63,6 +65,7 @@ export class Plot {
     say(this.name, title ?? names.title);
     say(this.unit, unit ? ` [${unit}]` : "");
     this.heading.title = this.heading.textContent ?? "";
+    this.showValues(undefined);
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", {}),
       unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
@@ -122,7 +125,7 @@ export class Plot {
   /** Of numbers, or of the words that they stand for. */
   private valueAxis(): Pick<uPlot.Axis, "size" | "space" | "splits" | "values"> {
     const words = wordsOf(this.shown.map(({ series }) => series), this.schema);
-    if (words === undefined) return { size: 52, space: 22, values: (_u, marks) => marks.map((y) => `${withoutRoundOff(+y.toPrecision(4))}`) };
+    if (words === undefined) return { size: 52, space: 22, values: (_u, marks) => marks.map((y) => `${withoutRoundOff(+y.toPrecision(4))}`.replace("-", "−")) };
     const longest = Math.max(...words.map((one) => one.length));
     return {
       size: Math.min(16 + 6 * longest, 120),
@@ -147,8 +150,25 @@ export class Plot {
     u.over.addEventListener("wheel", (event) => {
       event.preventDefault();
       const box = u.over.getBoundingClientRect();
-      this.onZoom(1.0015 ** event.deltaY, u.posToVal(event.clientX - box.left, "x"));
+      const factor = 1.0015 ** (event.deltaY || event.deltaX); // with shift a wheel turns sideways
+      if (event.shiftKey) this.zoomValues(u, factor, u.posToVal(event.clientY - box.top, "y"));
+      else this.onZoom(factor, u.posToVal(event.clientX - box.left, "x"));
     }, { passive: false });
+    u.over.addEventListener("dblclick", () => this.showValues(undefined));
+  }
+
+  /** A spike that flattens all else goes beyond the edge. */
+  private zoomValues(u: uPlot, factor: number, about: number): void {
+    const { min, max } = u.scales["y"] ?? {};
+    if (min == null || max == null || !(max > min)) return;
+    this.showValues([about - (about - min) * factor, about + (max - about) * factor]);
+  }
+
+  private showValues(values: [number, number] | undefined): void {
+    if (values === this.values) return;
+    this.values = values;
+    this.root.classList.toggle("part", values !== undefined);
+    this.onBuilt();
   }
 
   private drawTime(u: uPlot, colour: string): void {
@@ -176,7 +196,7 @@ export class Plot {
     chart.batch(() => {
       chart.setData(envelope.columns() as unknown as uPlot.AlignedData, false);
       chart.setScale("x", { min: from, max: to });
-      const [low, high] = envelope.bounds();
+      const [low, high] = this.values ?? envelope.bounds();
       chart.setScale("y", { min: low, max: high });
     });
   }

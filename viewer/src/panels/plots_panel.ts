@@ -1,8 +1,8 @@
 import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
-import { LEGS } from "../data/schema.ts";
-import type { Series } from "../data/source.ts";
+import { hasBodies, LEGS } from "../data/schema.ts";
+import type { Mark, Series } from "../data/source.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
@@ -25,16 +25,23 @@ interface Match {
 }
 
 /** The channels, or components of one, whose names and descriptions have every word of what was typed. */
-export function search(schema: Schema, typed: string): Match[] {
+export function search(schema: Schema, typed: string, marks: Mark[] = []): Match[] {
   const words = typed.toLowerCase().split(/\s+/);
   const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
   return schema.channels.flatMap((channel): Match[] => {
     const text = `${channel.about} ${channel.unit}`;
-    const choices = choicesOf(channel, schema);
-    if (holds(`${channel.name} ${text}`)) return [{ channel, choices: choices.length > MOST_CHOICES ? [] : choices, isPart: false }];
+    const choices = choicesOf(channel, schema, marks);
+    const few = hasBodies(channel, schema) ? choices.slice(0, MOST_CHOICES) : choices.length > MOST_CHOICES ? [] : choices;
+    if (holds(`${channel.name} ${text}`)) return [{ channel, choices: few, isPart: false }];
     const some = choices.filter(({ name }) => holds(`${channel.name}.${name} ${text}`));
     return some.length > 0 ? [{ channel, choices: some.slice(0, MOST_CHOICES), isPart: true }] : [];
   });
+}
+
+/** What is plotted of a channel that is chosen as a whole: of what pushes from outside the best choice, as most of its numbers are always 0. */
+export function allOf(channel: ChannelInfo, choices: Choice[], schema: Schema): Series[] {
+  const whole = Array.from({ length: channel.size }, (_, index) => ({ channel: channel.name, index }));
+  return hasBodies(channel, schema) ? (choices[0]?.series ?? whole) : whole;
 }
 
 /** Plots of any channel, all over the same stretch of time. */
@@ -122,7 +129,7 @@ export class PlotsPanel {
   }
 
   private list(): void {
-    const matching = search(this.schema, this.search.value);
+    const matching = search(this.schema, this.search.value, this.player.source.marks);
     this.found.replaceChildren(...matching.slice(0, LONGEST_LIST).map((match, k) => this.item(match, k === 0)));
     if (matching.length > LONGEST_LIST) this.found.append(h("li", { class: "soft" }, `and ${matching.length - LONGEST_LIST} more`));
     if (matching.length === 0) this.found.append(h("li", { class: "soft" }, "no channel is called so"));
@@ -131,8 +138,8 @@ export class PlotsPanel {
 
   /** A channel, and below it what of it can be chosen; `first`: of it the return key takes the best. */
   private item({ channel, choices, isPart }: Match, first: boolean): HTMLElement {
-    const { name, unit, about, size } = channel;
-    const all = Array.from({ length: size }, (_, index) => ({ channel: name, index }));
+    const { name, unit, about } = channel;
+    const all = allOf(channel, choices, this.schema);
     const chips = choices.map((choice, k) =>
       h("button", { class: first && isPart && k === 0 ? "chip best" : "chip", onclick: () => this.choose(choice.series) }, choice.name));
     return h("li", {},

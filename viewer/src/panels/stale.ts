@@ -1,4 +1,5 @@
 import type { ConnectionState } from "../protocol/connection.ts";
+import { secondsText } from "../data/numbers.ts";
 import { part, say } from "./dom.ts";
 
 /** How long nothing has come [s]; `timeText` goes on. */
@@ -8,7 +9,7 @@ export function staleText(ago: number): string {
 
 /** Of which time of the run the numbers are that stand there; NaN: there are none. */
 export function timeText(time: number): string {
-  return Number.isNaN(time) ? "" : `: all numbers are from ${time.toFixed(3)} s of the run.`;
+  return Number.isNaN(time) ? "" : `: all numbers are from ${secondsText(time)} of the run.`;
 }
 
 /** Said with the numbers: while nothing new comes one may look at any that came. */

@@ -1,8 +1,11 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { pushesOf } from "../data/pushes.ts";
+import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
-import { digits } from "../data/numbers.ts";
+import { digits, secondsText } from "../data/numbers.ts";
+import { commandText, faultsText } from "../data/stop.ts";
 import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
@@ -48,21 +51,18 @@ export function estimateError(frame: Frame): string {
 }
 
 /** What each foot that carries uses of its friction pyramid, in words. */
-function frictionUse(frame: Frame): string {
-  const uses = LEGS.map((leg, k) => [leg, scalar(frame, LEG_CHANNELS.frictionUse[k] as string)] as const);
+function pyramidUses(frame: Frame): string {
+  const uses = LEGS.map((leg, k) => [leg, pyramidUse(frame, k)] as const);
   return uses.filter(([, use]) => !Number.isNaN(use)).map(([leg, use]) => `${leg} ${percent(use)}`).join(", ");
 }
 
-/** One or two levels are told whole, more are counted: the panel of the hierarchy has the rest. */
-function hierarchyText({ line, more }: Account): string {
-  return more.length === 0 || more.length > 2 ? line : more.join(" ");
+/** One or two levels with the rows that hold them back, of more with the levels: the panel of the hierarchy has the rest. */
+function hierarchyText({ whole, more }: Account): string {
+  return more.length === 0 || more.length > 2 ? whole : more.join(" ");
 }
 
 /** Share of a force that is told: less is within 22.5° of the others. */
 const TOLD = 0.38;
-
-/** Less is of a step that a push touches by rounding [N]. */
-const LEAST = 1e-6;
 
 /** Where a force in W goes, seen along the robot's heading. */
 function directionText([x, y, z]: [number, number, number], yaw: number): string {
@@ -80,18 +80,13 @@ function directionText([x, y, z]: [number, number, number], yaw: number): string
 
 /** What pushes the robot from outside; "" where nobody knows. */
 function pushText(frame: Frame): string {
-  const channel = frame.schema.channel("truth.xfrc_applied");
+  const pushes = pushesOf(frame);
   const q = [1, 0, 0, 0];
-  if (channel === undefined || !read(frame, "truth.q_WB", q)) return "";
-  const numbers = Array<number>(channel.size).fill(0);
-  if (!read(frame, channel.name, numbers)) return "";
-  const forces: string[] = [];
-  for (let row = 1; 6 * row + 6 <= numbers.length; ++row) {
-    const force = numbers.slice(6 * row, 6 * row + 3) as [number, number, number];
-    if (Math.hypot(...force) < LEAST) continue;
-    const body = row === 1 ? "the base" : (frame.schema.bodies[row - 1] ?? `body ${row}`);
-    forces.push(`${digits(Math.hypot(...force))} N, ${directionText(force, yawOf(q))}, on ${body}`);
-  }
+  if (pushes === undefined || !read(frame, "truth.q_WB", q)) return "";
+  const forces = pushes.map(({ body, force }) => {
+    const name = body === 0 ? "the base" : (frame.schema.bodies[body] ?? `body ${body + 1}`);
+    return `${digits(Math.hypot(...force))} N, ${directionText(force, yawOf(q))}, on ${name}`;
+  });
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
@@ -100,23 +95,24 @@ export function sentences(frame: Frame): [string, string][] {
   const legs = LEGS.map((leg, k) => footText(frame, leg, k));
   const truth = whereabouts(frame, "truth");
   return [
-    ["Time", `${frame.time.toFixed(4)} s, tick ${frame.tick}`],
+    ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
     ["Feet", legs.join("; ")],
-    ["Friction used", frictionUse(frame)],
+    ["Pyramid used", pyramidUses(frame)],
     [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
     ["Velocity, true", speedText(frame, "truth")],
     ["Velocity, believed", speedText(frame, "state")],
     ["Pushed by", pushText(frame)],
-    ["Command", `${word(frame, "command.mode")}${["", "none"].includes(word(frame, "command.cause")) ? "" : ` (${word(frame, "command.cause")})`}`],
-    ["Hierarchy", hierarchyText(accountOf(levelStates(frame)))],
+    ["Command", commandText(frame)],
+    ["Sensors now", faultsText(frame)],
+    ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");
 }
 
 /** The state in words, and what the run is. */
 export class StatePanel {
   private readonly list = h("dl", { id: "state", "aria-live": "off" });
-  private readonly rows = new Map<string, HTMLElement>();
+  private readonly rows = new Map<string, { name: HTMLElement; text: HTMLElement }>();
   private readonly facts = new Map<string, HTMLElement>();
 
   constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
@@ -142,15 +138,19 @@ export class StatePanel {
     this.list.replaceChildren();
   }
 
+  /** Rows that this frame has nothing for are hidden. */
   show(frame: Frame): void {
-    for (const [name, text] of sentences(frame)) {
-      let row = this.rows.get(name);
-      if (row === undefined) {
-        row = h("dd", {});
-        this.rows.set(name, row);
-        this.list.append(h("dt", {}, name), row);
-      }
-      say(row, text);
+    const told = new Map(sentences(frame));
+    for (const name of told.keys()) if (!this.rows.has(name)) this.add(name);
+    for (const [row, { name, text }] of this.rows) {
+      name.hidden = text.hidden = !told.has(row);
+      say(text, told.get(row) ?? "");
     }
+  }
+
+  private add(row: string): void {
+    const made = { name: h("dt", {}, row), text: h("dd", {}) };
+    this.rows.set(row, made);
+    this.list.append(made.name, made.text);
   }
 }

@@ -1,13 +1,19 @@
 import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
 import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
+import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
 
 /** Marks nearer than this to each other are drawn as one [pixels]. */
 const COLUMN = 4;
-const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--c3", notable: "--c1", grave: "--bad" };
+/** None of them a leg's. */
+const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--ink", notable: "--near", grave: "--bad" };
+
+const RESET = "begin again (r)", SPEED = "speed ([ and ])";
+/** What stands beside what a page without the token can't have. */
+export const VIEW_ONLY = "only from the page with the link's #token=…; this page can look at what was before";
 
 export interface TransportActions {
   pause: () => void;
@@ -28,10 +34,9 @@ export function nextSpeed(speeds: number[], now: number, steps: number): number 
   return further[Math.min(Math.abs(steps), further.length) - 1];
 }
 
-/** The time that is shown, of a log with the whole, as finely: [s]. */
+/** The time that is shown, of a log with the whole. */
 export function clockText(time: number, whole: number | undefined): string {
-  const digits = (whole ?? time) < 1000 ? 3 : 1;
-  return whole === undefined ? `${time.toFixed(digits)} s` : `${time.toFixed(digits)} / ${whole.toFixed(digits)} s`;
+  return whole === undefined ? secondsText(time) : `${secondsText(time).replace(" s", "")} / ${secondsText(whole)}`;
 }
 
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
@@ -47,6 +52,9 @@ export class Transport {
   private readonly hint = h("span", { class: "mark-hint", hidden: true });
   private marksSeen = "";
   readonly wish = new Wish<number>();
+  private readonly resetButton: HTMLButtonElement;
+  /** Whether this page may change the run. */
+  mayCommand = true;
 
   constructor(
     root: HTMLElement,
@@ -56,9 +64,10 @@ export class Transport {
   ) {
     const button = (text: string, label: string, run: () => void, id: string): HTMLButtonElement =>
       h("button", { "aria-label": label, title: label, onclick: run, id }, text);
+    this.resetButton = button("↺", RESET, actions.reset, "reset");
     this.playButton = button("❚❚", "pause or go on (space)", actions.pause, "play");
     this.speedSelect = h("select", {
-      id: "speed", "aria-label": "speed", title: "speed ([ and ])",
+      id: "speed", "aria-label": "speed", title: SPEED,
       onchange: () => this.ask(Number(this.speedSelect.value)),
     });
     for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
@@ -74,7 +83,7 @@ export class Transport {
     bar.addEventListener("pointerleave", () => (this.hint.hidden = true));
     root.append(
       h("div", { class: "buttons" },
-        button("↺", "begin again (r)", actions.reset, "reset"),
+        this.resetButton,
         button("◂", "one tick back (,)", () => actions.step(-1), "step-back"),
         this.playButton,
         button("▸", "one tick on (.)", () => actions.step(1), "step"),
@@ -86,6 +95,7 @@ export class Transport {
 
   /** The next speed up or down. */
   faster(steps: number): void {
+    if (this.speedSelect.disabled) return;
     const next = nextSpeed(this.speeds, Number(this.speedSelect.value), steps);
     if (next !== undefined) this.ask(next);
   }
@@ -116,6 +126,11 @@ export class Transport {
     say(this.clock, "");
   }
 
+  /** The page has other colours. */
+  wear(): void {
+    this.marksSeen = "";
+  }
+
   update(status: Status | undefined): void {
     const { player } = this;
     const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
@@ -125,15 +140,23 @@ export class Transport {
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);
+    this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
+    this.forbid(this.speedSelect, player.live && player.following && !this.mayCommand, SPEED);
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
     this.slider.value = String(player.time);
-    this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(2)} seconds`);
+    this.slider.setAttribute("aria-valuetext", secondsText(player.time));
     const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
     this.drawMarks();
+  }
+
+  private forbid(control: HTMLButtonElement | HTMLSelectElement, forbidden: boolean, title: string): void {
+    if (control.disabled === forbidden) return;
+    control.disabled = forbidden;
+    control.title = forbidden ? `${title}: ${VIEW_ONLY}` : title;
   }
 
   private drawMarks(): void {

@@ -22,7 +22,8 @@ export class TunePanel {
   private readonly tables = h("div", { class: "gains" });
   private readonly tasks = new Map<string, TaskTable>();
   private readonly undoButton: HTMLButtonElement;
-  readonly changes = new ChangeList();
+  private readonly controls: HTMLFieldSetElement;
+  readonly changes: ChangeList;
   private readonly friction: HTMLInputElement;
   private readonly belief = h("p", { class: "soft", id: "friction-belief" });
   private frictionNow = NaN;
@@ -30,18 +31,24 @@ export class TunePanel {
   /** Something is wanted that no tick has taken yet. */
   private waits = false;
 
-  constructor(root: HTMLElement, private readonly commands: Commands, private readonly report: Report) {
+  constructor(root: HTMLElement, private readonly commands: Commands, mostChanges: number, private readonly report: Report) {
+    this.changes = new ChangeList(mostChanges);
     this.undoButton = h("button", { id: "undo", title: "undo the last change (u)", onclick: () => this.undo() }, "Undo");
     this.friction = h("input", {
       type: "number", id: "friction", step: 0.05, "aria-label": "friction coefficient that the controller assumes of ground it has not felt yet",
       onchange: () => this.askFriction(),
     });
-    root.append(
+    this.controls = h("fieldset", { class: "controls" },
       h("div", { class: "row" }, h("label", { class: "field" }, "Friction μ", this.friction), this.undoButton),
       this.belief,
       h("h2", {}, "Changes"), this.changes.root,
       h("h2", {}, "Gains"), this.tables,
     );
+    root.append(this.controls);
+  }
+
+  allow(allowed: boolean): void {
+    this.controls.disabled = !allowed;
   }
 
   private askFriction(): void {
@@ -75,8 +82,6 @@ export class TunePanel {
     tables.sort((a, b) => a.place - b.place);
     // Elements that are put in again lose the focus.
     if (tables.some(({ root }, k) => this.tables.children[k] !== root)) this.tables.replaceChildren(...tables.map(({ root }) => root));
-    this.friction.disabled = !this.commands.allowed;
-    this.undoButton.disabled = !this.commands.allowed;
   }
 
   private showFriction(): void {
@@ -90,7 +95,7 @@ export class TunePanel {
 
   showStatus({ undo, pending }: Pick<Status, "undo" | "pending">): void {
     say(this.undoButton, undo > 0 ? `Undo (${undo})` : "Undo");
-    this.undoButton.disabled = !this.commands.allowed || undo === 0;
+    this.undoButton.disabled = undo === 0;
     this.waits = pending !== "";
     this.changes.wait(pending);
     this.showFriction();
@@ -99,7 +104,7 @@ export class TunePanel {
   private table(task: TaskInfo, place: number): TaskTable {
     const key = `${task.level_name}.${task.task}`;
     const known = this.tasks.get(key);
-    const table = known ?? new TaskTable(task, this.commands.allowed, (gain, failed) => this.send("gain", gain, failed));
+    const table = known ?? new TaskTable(task, (gain, failed) => this.send("gain", gain, failed));
     this.tasks.set(key, table);
     table.show(task, place);
     return table;
@@ -115,9 +120,9 @@ class TaskTable {
   private readonly title = h("span", {});
   private readonly gains: GainField[];
 
-  constructor(task: TaskInfo, allowed: boolean, send: SendGain) {
+  constructor(task: TaskInfo, send: SendGain) {
     const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
-    this.gains = task.numbers.map((number) => new GainField(task, number, allowed, send));
+    this.gains = task.numbers.map((number) => new GainField(task, number, send));
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...this.gains.map(({ root }) => root));
   }
 
@@ -147,12 +152,12 @@ class GainField {
   /** What the field said before somebody typed. */
   private said = "";
 
-  constructor(task: TaskInfo, number: TaskNumber, allowed: boolean, send: SendGain) {
+  constructor(task: TaskInfo, number: TaskNumber, send: SendGain) {
     this.now = number.value;
-    const unit = unitText(number.unit);
-    const hint = [number.about, `from ${number.min} to ${number.max}${unit === "" ? "" : ` ${unit}`}`].filter((text) => text !== "").join("; ");
+    const range = `from ${number.min} to ${number.max} ${number.unit === "–" ? "" : number.unit}`.trimEnd();
+    const hint = [number.about, range].filter((text) => text !== "").join("; ");
     this.input = h("input", {
-      type: "number", min: number.min, max: number.max, step: "any", disabled: !allowed,
+      type: "number", min: number.min, max: number.max, step: "any",
       "data-gain": `${task.level_name}.${task.task}.${number.name}`,
       title: hint,
       onchange: () => {
@@ -164,7 +169,7 @@ class GainField {
       },
     });
     const name = h("span", {}, plain(number.name), h("small", { class: "hint" }, hint));
-    this.root = h("label", { class: "field" }, name, h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, unit)));
+    this.root = h("label", { class: "field" }, name, h("span", { class: "with-unit" }, this.input, h("span", { class: "unit" }, unitText(number.unit))));
   }
 
   show(value: number): void {

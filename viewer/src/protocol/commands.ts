@@ -9,7 +9,10 @@ export interface Walk {
 
 /** Asks the server for changes of the run. Each needs the token of the link that the program printed. */
 export class Commands {
+  /** The program does not know the token: it is that of an earlier start, say. */
+  onRefused: () => void = () => {};
   private id = 0;
+  private refused = false;
   private readonly waiting = new Map<number, (reply: Reply) => void>();
 
   constructor(
@@ -17,16 +20,21 @@ export class Commands {
     private readonly token: string,
   ) {}
 
-  /** Whether this page was opened with a token on a live run. */
+  /** Whether this page was opened with a token on a live run, and the program has not refused it. */
   get allowed(): boolean {
-    return this.connection !== undefined && this.token !== "";
+    return this.connection !== undefined && this.token !== "" && !this.refused;
+  }
+
+  /** Asks whether the program knows the token, before anybody presses something. */
+  greet(): void {
+    if (this.allowed) this.send("hello").catch(() => {}); // what is refused is shown, what is lost asked again
   }
 
   /** Ends with the server's answer; an error says why it was not done. */
   send(type: string, fields: object = {}): Promise<void> {
     if (this.connection === undefined) return Promise.reject(new Error("a log can't be changed"));
-    if (this.token === "")
-      return Promise.reject(new Error("this page can only look: open the link with #token=… that the program printed"));
+    if (!this.allowed)
+      return Promise.reject(new Error("this page can only look: open the link with #token=… that the program printed last"));
     const id = ++this.id;
     if (!this.connection.send({ type, ...fields, token: this.token, id }))
       return Promise.reject(new Error("there is no connection to the program"));
@@ -36,6 +44,10 @@ export class Commands {
   }
 
   reply(reply: Reply): void {
+    if (reply.token === false && !this.refused) {
+      this.refused = true;
+      this.onRefused();
+    }
     this.waiting.get(reply.id)?.(reply);
     this.waiting.delete(reply.id);
   }

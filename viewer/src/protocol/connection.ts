@@ -1,4 +1,5 @@
 import type { RawEvent } from "../data/marks.ts";
+import type { ForceMark } from "../data/source.ts";
 
 /** What the server says in text messages. */
 export interface Status {
@@ -42,6 +43,7 @@ export interface Change {
   time: number;
   kind: string;
   text: string;
+  force?: ForceMark;
 }
 
 export interface Reply {
@@ -49,6 +51,8 @@ export interface Reply {
   id: number;
   ok: boolean;
   error?: string;
+  /** False: the program does not know the token of this page, which can only look. */
+  token?: boolean;
 }
 
 export interface Notice {

@@ -91,6 +91,8 @@ export interface Limits {
   walk_height: number;
   friction_min: number;
   friction_max: number;
+  /** Of a live run that are kept, the last. */
+  changes: number;
 }
 
 /** The levels' order from a tick on. */
@@ -108,7 +110,8 @@ export interface Session {
   title: string;
   header: Header;
   source: string;
-  whole: boolean;
+  /** Of a log: why the run does not end where it should; "": it does. */
+  cut: string;
   period: number;
   first_tick: number;
   ticks: number;
@@ -132,7 +135,7 @@ export interface Session {
   can_command: boolean;
 }
 
-export const PROTOCOL = 1;
+export const PROTOCOL = 2;
 
 /** Reads the session; an error says what is wrong in a sentence. */
 export async function fetchSession(): Promise<Session> {

@@ -1,4 +1,5 @@
-/** Colours of the scene: those of Okabe and Ito, as the report has them. */
+/** Colours of the scene. Those of the legs are Okabe and Ito's, as the report and the plots have them, and no mark of the picture has one of
+ * them: all are told apart with weak red or green, too. */
 export interface Palette {
   dark: boolean;
   background: number;
@@ -6,17 +7,18 @@ export interface Palette {
   groundLine: number;
   edge: number;
   legs: [number, number, number, number];
-  good: number;
-  near: number;
-  bad: number;
   /** What is left of a limit: the less, the stronger, and of no leg's hue. */
   margin: { good: number; near: number; bad: number };
   com: number;
+  /** Of the centre of mass. */
+  plan: number;
   zmp: number;
+  support: number;
   plane: number;
   ghost: number;
   push: number;
-  label: string;
+  /** About what is drawn over bodies of any colour. */
+  halo: number;
 }
 
 const LIGHT: Palette = {
@@ -26,16 +28,15 @@ const LIGHT: Palette = {
   groundLine: 0xc3c9ce,
   edge: 0x7b848c,
   legs: [0x0072b2, 0xd55e00, 0x009e73, 0xaa4499],
-  good: 0x009e73,
-  near: 0xe69f00,
-  bad: 0xd55e00,
   margin: { good: 0xa9b3bc, near: 0xc9a100, bad: 0x000000 },
   com: 0x1c1f23,
-  zmp: 0xaa4499,
-  plane: 0x0072b2,
-  ghost: 0x56b4e9,
-  push: 0xaa4499,
-  label: "#1c1f23",
+  plan: 0x5226d8,
+  zmp: 0xcc0032,
+  support: 0x316767,
+  plane: 0xacac52,
+  ghost: 0x7cb2e8,
+  push: 0xf0e442,
+  halo: 0x1c1f23,
 };
 
 const DARK: Palette = {
@@ -45,16 +46,14 @@ const DARK: Palette = {
   ground: 0x23282d,
   groundLine: 0x363e45,
   edge: 0x7b868f,
-  legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xe29bd3],
-  good: 0x3fc99c,
-  near: 0xf0c04a,
-  bad: 0xff7a4d,
-  margin: { good: 0x66717b, near: 0xe8d44d, bad: 0xffffff },
+  legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xd070c0],
+  margin: { good: 0x66717b, near: 0xd9a800, bad: 0xffffff },
   com: 0xf2f4f6,
-  zmp: 0xe29bd3,
-  plane: 0x56b4e9,
-  push: 0xe29bd3,
-  label: "#e8eaed",
+  plan: 0x8c65ff,
+  zmp: 0xe05151,
+  support: 0x428989,
+  plane: 0xefdda8,
+  ghost: 0xa8ddef,
 };
 
 export const paletteOf = (dark: boolean): Palette => (dark ? DARK : LIGHT);

@@ -8,6 +8,8 @@ export class Robot {
   readonly urdf: URDFRobot;
   private readonly visuals: THREE.Object3D[] = [];
   private readonly primitives: THREE.Object3D[] = [];
+  /** Centres of mass of the links, in their frames. */
+  private readonly centres = new Map<string, THREE.Vector3>();
   private showMeshes = true;
 
   /** `paint`: replaces every material, e.g. for a ghost. */
@@ -32,6 +34,7 @@ export class Robot {
   }
 
   private collect(): void {
+    for (const [name, { urdfNode }] of Object.entries(this.urdf.links)) this.centres.set(name, centreIn(urdfNode));
     this.urdf.traverse((child) => {
       if ("isURDFVisual" in child) this.visuals.push(child);
       if ("isURDFCollider" in child) this.primitives.push(child);
@@ -78,6 +81,14 @@ export class Robot {
     for (let j = 0; j < joints.length; ++j) this.urdf.setJointValue(joints[j] as string, q[j] as number);
   }
 
+  /** Centre of mass of a link in W [m], as the URDF has it; false: there is no link of that name. */
+  centreOf(name: string, out: THREE.Vector3): boolean {
+    const link = this.urdf.links[name], centre = this.centres.get(name);
+    if (link === undefined || centre === undefined) return false;
+    link.localToWorld(out.copy(centre));
+    return true;
+  }
+
   /** Name of the moving body that a part of the scene belongs to, and the body itself. */
   bodyOf(part: THREE.Object3D): { name: string; link: THREE.Object3D } | undefined {
     let at: THREE.Object3D | null = part;
@@ -96,4 +107,11 @@ export class Robot {
 function stand(part: THREE.Object3D): void {
   part.matrixAutoUpdate = "isURDFJoint" in part;
   if (!part.matrixAutoUpdate) part.updateMatrix();
+}
+
+/** Centre of mass that a link of the URDF has in its frame; without an inertia it is where the frame is. */
+function centreIn(link: Element | null): THREE.Vector3 {
+  const origin = [...(link?.children ?? [])].find(({ nodeName }) => nodeName === "inertial")?.querySelector("origin");
+  const [x = 0, y = 0, z = 0] = (origin?.getAttribute("xyz") ?? "").split(/\s+/).filter((word) => word !== "").map(Number);
+  return new THREE.Vector3(x, y, z);
 }

@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { read, type Frame } from "../data/frame.ts";
+import { newtonsOf } from "../data/schema.ts";
 import type { FrameSource } from "../data/source.ts";
 import { Labels } from "../overlays/labels.ts";
 import { OverlaySet } from "../overlays/set.ts";
@@ -29,8 +30,8 @@ export class World {
   readonly labels: Labels;
   readonly newton: number;
   palette: Palette = paletteOf(false);
-  /** The pointer holds the robot. */
-  held = false;
+  /** The body that the pointer holds. */
+  held: string | undefined;
   private readonly terrain: Terrain;
   private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
   private sinceTrails = Infinity;
@@ -52,17 +53,18 @@ export class World {
   constructor(
     canvas: HTMLCanvasElement,
     labelLayer: HTMLElement,
+    buttons: HTMLElement,
     private readonly session: Session,
     urdf: string,
   ) {
     this.stage = new Stage(canvas);
     this.camera = new FollowCamera(this.stage.camera, canvas);
-    this.labels = new Labels(labelLayer, this.stage.camera);
+    this.labels = new Labels(labelLayer, buttons, this.stage.camera);
     this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
     this.terrain = new Terrain(session.header.terrain);
-    this.newton = WEIGHT_LENGTH / (9.81 * session.header.robot.mass);
+    this.newton = WEIGHT_LENGTH / newtonsOf(session.header.robot);
     this.stage.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.extras);
     this.clear();
     this.stage.quality.onStep = () => this.dress();
@@ -161,8 +163,8 @@ export class World {
     if (trails) this.sinceTrails = 0;
     this.shown = frame.time;
     const { header } = this.session;
-    const { labels, newton } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, trails, held: this.held, beliefToWorld: set.beliefToWorld });
+    const { labels, newton, held, centreOf } = this;
+    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, trails, held, centreOf, beliefToWorld: set.beliefToWorld });
   }
 
   /** Draws all overlays as often as for this many robots, side by side. */
@@ -185,6 +187,8 @@ export class World {
     robot.pose(this.p, this.q, joints, this.joints);
     return true;
   }
+
+  private readonly centreOf = (body: string, out: THREE.Vector3): boolean => this.robot.centreOf(body, out);
 
   /** Place of a link's frame in W [m]. */
   positionOf(link: string): number[] | undefined {

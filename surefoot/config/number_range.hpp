@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace surefoot {
+
+/// Numbers of hierarchies that are given from outside: beyond it their squares are none.
+inline constexpr double kLargestNumber = 1e100;
+/// A row has an element of this size, or it is zero: below it would ask for nothing, without a
+/// word.
+inline constexpr double kSmallestRow = 1e-100;
+
+/// What follows the name of such an element or row; `number` as it was given.
+[[nodiscard]] inline std::string too_large(const std::string& number) {
+  return "is " + number + ", too large to compute with; expected at most 1e100 either way";
+}
+[[nodiscard]] inline std::string too_small(const std::string& number) {
+  return "has nothing larger than " + number +
+         ", too small to compute with; expected at least 1e-100, or zeros only";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,88 @@
+#include "surefoot/estimation/link_mass_estimator.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kMostShare = 0.5;  // that is believed
+
+}  // namespace
+
+LinkMassEstimator::LinkMassEstimator(const LinkMassOptions& options, double period)
+    : options_(options), period_(period) {
+  const auto ticks = [period](double duration) {
+    return static_cast<int>(std::lround(duration / period));
+  };
+  begin_ = ticks(options.begin);
+  end_ = begin_ + ticks(options.duration);
+  known_ = end_ + ticks(options.wait);
+  Unknowns usual = Unknowns::Constant(options.usual_share);
+  usual[kNumLinks] = options.usual_delay;
+  covariance_ = usual.cwiseAbs2().asDiagonal();
+}
+
+void LinkMassEstimator::update(double time, const Dynamics& dynamics, const PerLeg<bool>& stands,
+                               const JointVector& torque) noexcept {
+  if (!options_.enabled) return;
+  const bool is_next = std::abs(time - time_ - period_) < 0.5 * period_;
+  time_ = time;
+  for (const Leg leg : kLegs) {
+    Swing& swing = swings_[index(leg)];
+    if (stands[index(leg)]) {
+      swing = Swing{};
+      continue;
+    }
+    ++swing.ticks;
+    swing.is_over = swing.is_over || !is_next;
+    if (swing.is_over) continue;
+    if (swing.ticks > begin_ && swing.ticks < end_) {
+      add(swing, dynamics.links[index(leg)], torque.segment<kJointsPerLeg>(first_joint(leg)));
+    } else if (swing.ticks >= known_) {
+      swing.is_over = true;
+      learn(leg, swing);
+    }
+  }
+}
+
+LinkMassEstimator::Shares LinkMassEstimator::shares() const {
+  return state_.head<kNumLinks>().cwiseMax(-kMostShare).cwiseMin(kMostShare);
+}
+
+void LinkMassEstimator::add(Swing& swing, const LegLinks& links, const Vec3& torque) const {
+  const double T = period_ * (end_ - begin_);
+  const double t = period_ * (swing.ticks - begin_);
+  const double s = std::sin(kPi * t / T), c = std::cos(kPi * t / T);
+  for (int n = 0; n < kNumWeights; ++n) {
+    const double sn = std::sin(n * kPi * t / T), cn = std::cos(n * kPi * t / T);
+    const double share = 2.0 / T * period_;
+    const double weight = share * s * s * cn;
+    const double slope = share * kPi / T * (2.0 * s * c * cn - n * s * s * sn);
+    const int row = n * kJointsPerLeg;
+    swing.links.middleRows<kJointsPerLeg>(row) -= slope * links.momentum + weight * links.free_rate;
+    swing.torque.segment<kJointsPerLeg>(row) += weight * torque;
+    swing.torque_slope.segment<kJointsPerLeg>(row) += slope * torque;
+  }
+}
+
+// What doesn't fit says nothing of masses: a foot that caught on something, a number that is none.
+void LinkMassEstimator::learn(Leg leg, const Swing& swing) {
+  Eigen::Matrix<double, kNumRows, kNumUnknowns> A;
+  A.setZero();
+  A.middleCols<kJointsPerLeg>(first_joint(leg)) = swing.links;
+  A.col(kNumLinks) = -swing.torque_slope;
+  const Rows missing = swing.torque - swing.links.rowwise().sum() - A * state_;
+  const Eigen::Matrix<double, kNumUnknowns, kNumRows> PA = covariance_ * A.transpose();
+  Eigen::Matrix<double, kNumRows, kNumRows> S = A * PA;
+  S.diagonal().array() += options_.noise * options_.noise;
+  const Eigen::LLT<Eigen::Matrix<double, kNumRows, kNumRows>> spread(S);
+  const double surprise = missing.dot(spread.solve(missing)) / kNumRows;
+  if (!(surprise < options_.most_sigmas * options_.most_sigmas)) return;
+  state_ += PA * spread.solve(missing);
+  covariance_ -= PA * spread.solve(PA.transpose());
+  covariance_ = 0.5 * (covariance_ + covariance_.transpose()).eval();
+}
+
+}  // namespace surefoot
