@@ -21,6 +21,10 @@ SHIFT = 8
 WITHOUT_PICTURE = ["--disable-gpu", "--disable-3d-apis"]
 
 
+class PageError(AssertionError):
+    """What was asked of the page ended in an exception, as it does while it loads itself or builds what is asked for."""
+
+
 class Browser:
     """One page in a browser of its own; what its console says and what it asks for is kept until it is forgotten."""
 
@@ -60,7 +64,8 @@ class Browser:
         while True:
             message = json.loads(self.socket.recv(timeout=60))
             if message.get("id", 0) in range(1, number + 1):
-                assert "error" not in message, message["error"]
+                if "error" in message:
+                    raise PageError(message["error"])
             if message.get("id") == number:
                 return message["result"]
             self.hear(message)
@@ -83,20 +88,13 @@ class Browser:
     def run(self, script):
         """The value of a JavaScript expression; promises are waited for."""
         result = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
-        assert "exceptionDetails" not in result, result["exceptionDetails"]
+        if "exceptionDetails" in result:
+            details = result["exceptionDetails"]
+            raise PageError(details.get("exception", {}).get("description", details["text"]), script)
         return result["result"].get("value")
 
     def wait(self, script, seconds=20):
-        return wait_for(lambda: self.value(script), script, seconds)
-
-    def value(self, script):
-        """Of a page that may load itself anew meanwhile: nothing then."""
-        try:
-            return self.run(script)
-        except AssertionError as error:
-            if any(word in str(error) for word in ("navigated", "context", "undefined", "of null")):
-                return None
-            raise
+        return wait_for(lambda: self.run(script), script, seconds)
 
     def resize(self, width, height, scale=1, mobile=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=mobile)
@@ -188,11 +186,14 @@ class Browser:
 
 
 def wait_for(condition, what, seconds=20):
-    """The condition's first value that counts as true."""
-    end = time.monotonic() + seconds
+    """The condition's first value that counts as true; a page that can't answer yet is asked again."""
+    end, error = time.monotonic() + seconds, None
     while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
+        try:
+            if value := condition():
+                return value
+            error = None
+        except PageError as said:
+            error = said
         time.sleep(0.05)
-    raise AssertionError(f"waited {seconds} s for {what}")
+    raise AssertionError(f"waited {seconds} s for {what}" + (f"; the page says {error}" if error else ""))

@@ -10,6 +10,13 @@ from live_page import LONG, Served
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
+def pytest_collection_modifyitems(items):
+    """What drives a browser is tried twice (decision 0020); the summary names those that needed it."""
+    for item in items:
+        if "browser" in item.fixturenames:
+            item.add_marker(pytest.mark.flaky(reruns=1))
+
+
 def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     """Runs two seconds of the flat walk, long enough for a step, or another scenario, and records it."""
     program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))

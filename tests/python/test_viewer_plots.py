@@ -45,7 +45,7 @@ def plot(browser, text):
     count = browser.run("document.querySelectorAll('.plot').length")
     type_in_search(browser, text)
     browser.press("Enter", text="\r")
-    browser.wait(f"document.querySelectorAll('.plot').length === {count + 1}")
+    browser.wait(f"document.querySelectorAll('.plot').length === {count + 1} && document.querySelectorAll('.plot canvas').length === {count + 1}")
     browser.press("Escape")
 
 
