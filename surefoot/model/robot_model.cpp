@@ -189,27 +189,19 @@ struct RobotModel::Implementation {
   }
 
   void update_links(Leg leg) {
-    using Spatial = Eigen::Matrix<double, 6, 1>;
-    const auto cross = [](const Spatial& a, const Spatial& b) {
-      Spatial result;
-      const Vec3 v = a.head<3>(), w = a.tail<3>(), x = b.head<3>(), y = b.tail<3>();
-      result << w.cross(x) + v.cross(y), w.cross(y);
-      return result;
-    };
     LegLinks& links = dynamics.links[index(leg)];
     for (int l = 0; l < kJointsPerLeg; ++l) {
       const pinocchio::JointIndex body = joint_index(leg, l);
       const pinocchio::Inertia& inertia = model.inertias[body];
-      const Spatial momentum = data.oMi[body].act(inertia * data.v[body]).toVector();
+      const pinocchio::Force momentum = data.oMi[body].act(inertia * data.v[body]);
       const Vec3 weight(0.0, 0.0, -kGravity * inertia.mass());
-      Spatial pull;
-      pull << weight, data.oMi[body].act(inertia.lever()).cross(weight);
+      const pinocchio::Force pull(weight, data.oMi[body].act(inertia.lever()).cross(weight));
       for (int j = 0; j <= l; ++j) {
         const pinocchio::JointIndex hinge = joint_index(leg, j);
-        const Spatial axis = data.J.col(6 + first_joint(leg) + j);
-        const Spatial turning = data.oMi[hinge].act(data.v[hinge]).toVector();
+        const pinocchio::Motion axis(data.J.col(6 + first_joint(leg) + j));
+        const pinocchio::Motion turning = data.oMi[hinge].act(data.v[hinge]);
         links.momentum(j, l) = axis.dot(momentum);
-        links.free_rate(j, l) = cross(turning, axis).dot(momentum) + axis.dot(pull);
+        links.free_rate(j, l) = turning.cross(axis).dot(momentum) + axis.dot(pull);
       }
     }
   }
