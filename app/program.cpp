@@ -11,6 +11,7 @@
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/solver/sweep.hpp"
 
@@ -63,8 +64,9 @@ has an element of at least 1e-100, either way.
 A level without rows asks for nothing: it is named, and the line is solved.
 
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
-rows of that level, while everything else above keeps what it has. A multiplier is how fast half the
-squared residual falls as the row's bound gives way; of a row that is nearly dependent on others that
+rows of that level, while everything else above keeps what it has. Rows that say the same (one limit
+given twice) are told once, with --json as "same", and the numbers are of all of them together. A
+multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is nearly dependent on others that
 hold it says little. With --json it is one object a line, where "independence" is what of the row's
 length no other of them has, and null a cost that could not be solved for. For each cost the level is
 solved again: 111 unknowns and 160 costs take 0.4 s, twice as many of both more than ten times as
@@ -260,7 +262,7 @@ void add_demo(CLI::App& app, Command& chosen) {
 }
 
 int tell(const std::string& message) {
-  std::cerr << "surefoot: " << message << "\n";
+  std::cerr << "surefoot: " << printable(message, "\n") << "\n";
   return kWrongInput;
 }
 

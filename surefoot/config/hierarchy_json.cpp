@@ -1,6 +1,7 @@
 #include "surefoot/config/hierarchy_json.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/json_line.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/number_range.hpp"
@@ -32,7 +33,7 @@ class Place {
   explicit Place(std::string text) : text_(std::move(text)) {}
   [[nodiscard]] Place at(const std::string& part) const { return Place(text_ + ": " + part); }
   [[noreturn]] void fail(const std::string& message) const {
-    throw FileError(text_ + ": " + message);
+    throw FileError(printable(text_ + ": " + message));
   }
 
  private:

@@ -394,6 +394,25 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
       << both.out.str();
 }
 
+TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {
+  const std::string line =
+      R"({"levels":[{"D":[[1],[2]],"f":[1,2]},{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3]}]})";
+  const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+  EXPECT_NE(
+      text.find("D 1, at its upper bound, with D 2 and D 1 of level 2, which say the same, costs 2 "
+                "(multiplier 2)\n"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("alone costs"), std::string::npos) << text;
+  const CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const Json& row = json.results.at(0)["levels"][2]["blocked_by"][0]["rows"][0];
+  EXPECT_EQ(row.at("same"), Json({"D 2", "D 1 of level 2"}));
+  EXPECT_NEAR(row.at("cost").get<double>(), 2.0, 1e-12);
+  EXPECT_FALSE(CommandRun(kLimitedWish, {.file = "", .explain = true, .json = true})
+                   .results.at(0)["levels"][1]["blocked_by"][0]["rows"][0]
+                   .contains("same"));
+}
+
 TEST(SolveCommand, ExplainsTheSameAsJson) {
   const CommandRun run(
       kLimitedWish,
@@ -420,6 +439,56 @@ TEST(SolveCommand, ExplainsTheSameAsJson) {
   EXPECT_GT(line.at("time_s").get<double>(), 0.0);
   EXPECT_LE(limit.at("time_s").get<double>() + wish.at("time_s").get<double>(),
             line.at("time_s").get<double>() + 1e-9);
+}
+
+/// Nothing that a terminal would obey, but for the ends of lines.
+bool is_harmless(const std::string& text) {
+  const auto is_control = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return (code < 0x20 && c != '\n') || code == 0x7f;
+  };
+  return std::ranges::none_of(text, is_control) && text.find("\xc2\x9b") == std::string::npos;
+}
+
+TEST(SolveCommand, ControlCharactersInNamesAreWrittenOutWhereverTheyAreTold) {
+  const std::string odd = "\\u001b[31m\u007f\u009b1m\\ttab\\n";
+  const std::string named = R"("name":")" + odd + R"(","unit":")" + odd + R"(")";
+  const std::string line = "{\"levels\":[{" + named + R"(,"D":[[1],[0]],"f":[1,0],"D_names":[")" +
+                           odd + R"(","b"]},{)" + named + R"(,"A":[[1]],"b":[3],"A_names":[")" +
+                           odd + "\"]},{" + named + "}]}";
+  for (const bool is_text : {false, true}) {
+    for (const bool is_explained : {false, true}) {
+      const CommandRun run(
+          line, {.file = "", .certify = true, .explain = is_explained, .json = !is_text});
+      EXPECT_EQ(run.exit_code, 0) << run.err.str();
+      EXPECT_TRUE(is_harmless(run.out.str())) << run.out.str();
+      EXPECT_TRUE(is_harmless(run.err.str())) << run.err.str();
+      EXPECT_NE(run.err.str().find("level 3 (\\u001b[31m\\u007f\\u009b1m\\u0009tab\\u000a) has"),
+                std::string::npos)
+          << run.err.str();
+    }
+  }
+  const CommandRun json(line, {.file = "", .explain = true, .json = true});
+  EXPECT_EQ(json.results.at(0)["levels"][0]["name"],
+            "\x1b[31m\x7f\xc2\x9b"
+            "1m\ttab\n");
+  const CommandRun text(line, {.file = "", .explain = true});
+  EXPECT_NE(text.out.str().find("2 \\u001b[31m\\u007f\\u009b1m"), std::string::npos)
+      << text.out.str();
+}
+
+TEST(SolveCommand, ControlCharactersInWhatIsWrongAreWrittenOut) {
+  for (const std::string& line : std::vector<std::string>{
+           R"({"levels":[{"\u001b[31m":1,"A":[[1]],"b":[1]}]})",
+           "{\"levels\":[{\"\x7f\":1,\"A\":[[1]],\"b\":[1]}]}",
+           R"({"levels":[{"\u001b":1,"\u001b":2}]})",
+           "{\"levels\":[{\"A\":[[1]],\"b\":[\"\xc2\x9b\"]}]}", "{\"levels\":[{\"A\":\x7f}]}",
+           R"({"levels":[{"name":"\u001b[31m","A":[["\u001b"]],"b":[1]}]})"}) {
+    const CommandRun run(line);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(is_harmless(run.err.str())) << run.err.str();
+    EXPECT_NE(run.err.str().find("\\u00"), std::string::npos) << run.err.str();
+  }
 }
 
 TEST(SolveCommand, ALevelWithoutRowsIsNamedWithItsLineAndAllLinesAreSolved) {
