@@ -92,6 +92,10 @@ with the names of levels and rows, and the numbers by which rows are known from 
               "A_names":[…],"D_names":[…],"A_ids":[…],"D_ids":[…]},…]}
 A scenario is run for it; of a log the controller is run again on the logged readings. A tick of the
 walk has about 30 kB.
+Without --from and --to it is the whole run, which begins with a stand, and from sensors with a
+calibration on the spot: the first foot is lifted 10.5 s into walk_flat and most scenarios, 1.5 s into
+walk_flat_sea and walk_flat_ideal, which know their state. Of a log `surefoot explain RUN.mcap --at TIME`
+tells the steps within a second of that time.
 
 Exit codes: 0 written, 2 the input is wrong, no tick lies between --from and --to, or the dump was
 interrupted (then no file is left).
