@@ -170,7 +170,7 @@ class LevelDict {
 
   [[nodiscard]] Block block(const std::string& key, const std::string& lower,
                             const std::string& upper) const {
-    Block result{key, matrix(key), {}, {}};
+    Block result{.key = key, .A = matrix(key), .lower = {}, .upper = {}, .weights = {}};
     result.lower = vector(lower, result, -kInfinity);
     result.upper = vector(upper, result, kInfinity);
     for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_bounds(result, i);
