@@ -19,11 +19,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// What is proven counts 1e-8 at most, rounding a hundredth of it.
-constexpr double kProven = 1e-9;
-
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 TEST(CertificateRounding, DoesNotLeaveRowsThatAHigherLevelHoldsWhereWhatItFixesIsNearlyDependent) {
   // In coordinates (p, q1, q2, w), turned at random: the third level pulls at q1 + q2 by so little
   // that the null space of its row is only known to 1e-8, but for certain it holds q1 and q2 where

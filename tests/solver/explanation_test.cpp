@@ -17,8 +17,6 @@ using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 std::vector<LevelExplanation> explanation(Index unknowns, const HierarchyData& levels) {
   return explain(make_hierarchy(unknowns, levels), solve(unknowns, levels).x);
 }
