@@ -15,6 +15,7 @@ Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount
                       {"cost", row.cost},
                       {"multiplier", row.multiplier},
                       {"independence", row.independence}});
+      if (!row.same.empty()) rows.back()["same"] = row.same;
     }
     list.push_back({{"level", by.level + 1},
                     {"name", levels[by.level].name},

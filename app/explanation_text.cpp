@@ -1,6 +1,7 @@
 #include "app/explanation_text.hpp"
 
 #include "app/results_table.hpp"
+#include "surefoot/base/printable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -139,11 +140,24 @@ class Text {
            number(row.independence) + " of its length is its own";
   }
 
+  /// Rows that say the same have a cost only together.
+  static std::string costs(const BlockingRowAccount& row) {
+    if (row.same.empty()) return ", alone costs ";
+    std::string names;
+    const std::size_t shown = std::min(row.same.size(), kMostRows);
+    for (std::size_t i = 0; i < shown; ++i) {
+      const bool is_last = i + 1 == row.same.size();
+      names += (i == 0 ? " " : (is_last ? " and " : ", ")) + row.same[i];
+    }
+    return ", with" + names + more(row.same.size(), " and ", "") +
+           (row.same.size() == 1 ? ", which says" : ", which say") + " the same, costs ";
+  }
+
   static std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) {
     std::string text;
     for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
-      text += "      " + row.name + ", " + std::string(row.state) + ", alone costs " +
+      text += "      " + row.name + ", " + std::string(row.state) + costs(row) +
               (std::isnan(row.cost) ? "what is not known" : amount(level, row.cost)) +
               " (multiplier " + number(row.multiplier) + dependence(row) + ")\n";
     }
@@ -173,11 +187,29 @@ std::string headline(const Solution& solution, std::size_t num_levels) {
          microseconds(solution.time) + "\n";
 }
 
+/// The same, with names as a terminal may show them.
+std::vector<LevelAccount> with_printable_names(std::vector<LevelAccount> levels) {
+  for (LevelAccount& level : levels) {
+    level.name = printable(level.name);
+    level.unit = printable(level.unit);
+    for (MissedRow& row : level.missed) row.name = printable(row.name);
+    for (HeldRow& row : level.held) row.name = printable(row.name);
+    for (BlockingLevelAccount& by : level.blocked_by) {
+      for (BlockingRowAccount& row : by.rows) {
+        row.name = printable(row.name);
+        for (std::string& name : row.same) name = printable(name);
+      }
+    }
+  }
+  return levels;
+}
+
 }  // namespace
 
 std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
                              const std::vector<LevelCertificate>& certificates) {
-  return headline(solution, levels.size()) + Text(levels, certificates, solution.is_swept).whole();
+  const std::vector<LevelAccount> named = with_printable_names(levels);
+  return headline(solution, levels.size()) + Text(named, certificates, solution.is_swept).whole();
 }
 
 }  // namespace surefoot

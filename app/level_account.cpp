@@ -118,13 +118,22 @@ class Accountant {
   [[nodiscard]] std::vector<BlockingRowAccount> blocking_rows(const LevelExplanation& explanation,
                                                               std::size_t level) const {
     std::vector<BlockingRowAccount> rows;
-    for (const Blocker& blocker : explanation.blocked_by) {
+    for (const DistinctBlocker& blocker : explanation.blocked_by) {
       if (blocker.at.level != level) continue;
       const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
-      rows.push_back({name(blocker.at), words(state(blocker.at)), is_rounding ? 0.0 : blocker.cost,
-                      blocker.multiplier, blocker.independence});
+      rows.push_back({name(blocker.at), words(state(blocker.at)), names_of_same(blocker),
+                      is_rounding ? 0.0 : blocker.cost, blocker.multiplier, blocker.independence});
     }
     return rows;
+  }
+
+  [[nodiscard]] std::vector<std::string> names_of_same(const DistinctBlocker& blocker) const {
+    std::vector<std::string> names;
+    for (const RowIndex at : blocker.same) {
+      const bool is_elsewhere = at.level != blocker.at.level;
+      names.push_back(name(at) + (is_elsewhere ? " of level " + std::to_string(at.level + 1) : ""));
+    }
+    return names;
   }
 
   [[nodiscard]] const std::string& name(RowIndex at) const {

@@ -27,6 +27,9 @@ struct HeldRow {
 struct BlockingRowAccount {
   std::string name;
   std::string_view state;  ///< in words: "at its upper bound"
+  /// Other rows that say the same, those of other levels with it, "D 1 of level 2"; the numbers are
+  /// of all together.
+  std::vector<std::string> same;
   double cost = 0.0;  ///< what the level's residual falls by without this row alone; NaN: not known
   double multiplier = 0.0;    ///< see `Blocker`
   double independence = 1.0;  ///< see `Blocker`

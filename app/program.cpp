@@ -11,6 +11,7 @@
 #include "app/run_command.hpp"
 #include "app/solve_command.hpp"
 #include "surefoot/base/build_info.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/solver/sweep.hpp"
 
@@ -63,8 +64,9 @@ has an element of at least 1e-100, either way.
 A level without rows asks for nothing: it is named, and the line is solved.
 
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
-rows of that level, while everything else above keeps what it has. A multiplier is how fast half the
-squared residual falls as the row's bound gives way; of a row that is nearly dependent on others that
+rows of that level, while everything else above keeps what it has. Rows that say the same (one limit
+given twice) are told once, with --json as "same", and the numbers are of all of them together. A
+multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is nearly dependent on others that
 hold it says little. With --json it is one object a line, where "independence" is what of the row's
 length no other of them has, and null a cost that could not be solved for. For each cost the level is
 solved again: 111 unknowns and 160 costs take 0.4 s, twice as many of both more than ten times as
@@ -90,6 +92,10 @@ with the names of levels and rows, and the numbers by which rows are known from 
               "A_names":[…],"D_names":[…],"A_ids":[…],"D_ids":[…]},…]}
 A scenario is run for it; of a log the controller is run again on the logged readings. A tick of the
 walk has about 30 kB.
+Without --from and --to it is the whole run, which begins with a stand, and from sensors with a
+calibration on the spot: the first foot is lifted 10.5 s into walk_flat and most scenarios, 1.5 s into
+walk_flat_sea and walk_flat_ideal, which know their state. Of a log `surefoot explain RUN.mcap --at TIME`
+tells the steps within a second of that time.
 
 Exit codes: 0 written, 2 the input is wrong, no tick lies between --from and --to, or the dump was
 interrupted (then no file is left).
@@ -260,7 +266,7 @@ void add_demo(CLI::App& app, Command& chosen) {
 }
 
 int tell(const std::string& message) {
-  std::cerr << "surefoot: " << message << "\n";
+  std::cerr << "surefoot: " << printable(message, "\n") << "\n";
   return kWrongInput;
 }
 

@@ -6,6 +6,7 @@
 #include "app/level_account.hpp"
 #include "app/progress.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
@@ -167,7 +168,7 @@ class SolveCommand {
       explain_line(place, question, solution, certificates);
     } else {
       const Json answer = with_instructions(json_line(question, solution, certificates));
-      out_ << with_notes(answer, question.hierarchy).dump() << std::endl;
+      out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
     if (worst_stationarity(certificates) > kProven)
@@ -180,7 +181,7 @@ class SolveCommand {
     const std::vector<LevelAccount> levels = account(place, question, solution);
     if (arguments_.json) {
       const Json line = with_instructions(explanation_json(levels, solution, certificates));
-      out_ << with_notes(line, question.hierarchy).dump() << std::endl;
+      out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
            << explanation_text(levels, solution, certificates) << std::endl;
@@ -212,7 +213,7 @@ class SolveCommand {
   void tell_levels_without_rows(const std::string& place, const Hierarchy& hierarchy) {
     for (const std::size_t level : levels_without_rows(hierarchy)) {
       if (++num_notes_ <= kMostNotes)
-        err_ << place << ": note: " << without_rows(hierarchy, level) << '\n';
+        err_ << place << ": note: " << printable(without_rows(hierarchy, level)) << '\n';
     }
   }
 
@@ -278,15 +279,16 @@ class SolveCommand {
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err) {
   check_method(arguments);
   const std::string& file = arguments.file;
+  const std::string name = printable(file);
   SolveCommand command(arguments, out, err);
   if (file == "-") return command.solve_lines(std::cin, "standard input");
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw FileError(file + ": is a folder" + kExpected);
+    throw FileError(name + ": is a folder" + kExpected);
   }
   std::ifstream input(file);
-  if (!input) throw FileError(file + ": can't be read" + kExpected);
-  return command.solve_lines(input, file);
+  if (!input) throw FileError(name + ": can't be read" + kExpected);
+  return command.solve_lines(input, name);
 }
 
 }  // namespace surefoot

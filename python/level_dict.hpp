@@ -23,11 +23,31 @@ namespace nb = nanobind;
 inline std::string text(nb::handle value) { return nb::cast<std::string>(nb::str(value)); }
 inline std::string text(double number) { return text(nb::float_(number)); }
 
-/// Rows lower ≤ A x ≤ upper, and the name of the matrix that they were given in.
+using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
+
+/// Any array or nested list of numbers; `fail` is told what is wrong with it.
+template <typename Fail>
+Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, const Fail& fail) {
+  const std::string expected = axes == 2 ? "(rows, unknowns)" : "(rows,)";
+  nb::object numbers;
+  try {
+    numbers = nb::module_::import_("numpy").attr("array")(given, nb::arg("dtype") = "float64",
+                                                          nb::arg("order") = "C");
+  } catch (const nb::python_error& error) {
+    fail(name + ": " + text(error.value()) + "; expected numbers of shape " + expected);
+  }
+  const auto result = nb::cast<Array>(numbers);
+  if (result.size() > 0 && result.ndim() != axes) {
+    fail(name + " has the shape " + text(numbers.attr("shape")) + "; expected " + expected);
+  }
+  return result;
+}
+
+/// Rows lower ≤ A x ≤ upper, their weights, and the name of the matrix that they were given in.
 struct Block {
   std::string key;
   Rows::RowMajor A;
-  Eigen::VectorXd lower, upper;
+  Eigen::VectorXd lower, upper, weights;
 };
 
 /// One level of a hierarchy as the caller gives it: a dict of arrays. Levels count from 1.
@@ -47,6 +67,16 @@ class LevelDict {
 
   [[nodiscard]] std::string name() const { return has("name") ? text(dict_["name"]) : place_; }
 
+  /// 0 where there is none.
+  [[nodiscard]] double damping() const {
+    if (!has("damping")) return 0.0;
+    double damping = 0.0;
+    const bool is_number = nb::try_cast(dict_["damping"], damping);
+    if (is_number && damping > 0.0 && damping <= kLargestNumber) return damping;
+    fail("damping is " + text(nb::repr(dict_["damping"])) +
+         "; expected a number above 0, at most 1e100");
+  }
+
   /// In the order A, D.
   [[nodiscard]] std::vector<Block> blocks() const {
     const bool is_bounded = has("lower") || has("upper");
@@ -55,6 +85,10 @@ class LevelDict {
     }
     if (!has("A") && (has("b") || is_bounded)) fail("b, lower and upper go with A" + given());
     if (has("D") != has("f")) fail("D goes with f (D x ≤ f)" + given());
+    for (const std::string matrix : {"A", "D"}) {
+      const std::string weights = matrix + "_weights";
+      if (has(weights) && !has(matrix)) fail(weights + " goes with " + matrix + given());
+    }
     std::vector<Block> blocks;
     if (has("b")) blocks.push_back(block("A", "b", "b"));
     if (is_bounded) blocks.push_back(block("A", "lower", "upper"));
@@ -63,8 +97,6 @@ class LevelDict {
   }
 
  private:
-  using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
-
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   static std::string count(Eigen::Index number, const std::string& thing) {
@@ -74,7 +106,8 @@ class LevelDict {
   [[nodiscard]] bool has(const std::string& key) const { return dict_.contains(key.c_str()); }
 
   void check_keys() const {
-    const std::vector<std::string> valid{"A", "b", "D", "f", "lower", "upper", "name"};
+    const std::vector<std::string> valid{"A",     "b",    "D",         "f",         "lower",
+                                         "upper", "name", "A_weights", "D_weights", "damping"};
     for (const nb::handle key : dict_.keys()) {
       if (std::ranges::find(valid, text(key)) != valid.end()) continue;
       fail("unknown key \"" + text(key) + "\"; " + valid_names(text(key), valid));
@@ -88,21 +121,9 @@ class LevelDict {
     return "; given are: " + keys;
   }
 
-  /// Any array or nested list of numbers.
   [[nodiscard]] Array array(const std::string& key, std::size_t axes) const {
-    const std::string expected = axes == 2 ? "(rows, unknowns)" : "(rows,)";
-    nb::object numbers;
-    try {
-      numbers = nb::module_::import_("numpy").attr("array")(
-          dict_[key.c_str()], nb::arg("dtype") = "float64", nb::arg("order") = "C");
-    } catch (const nb::python_error& error) {
-      fail(key + ": " + text(error.value()) + "; expected numbers of shape " + expected);
-    }
-    const auto result = nb::cast<Array>(numbers);
-    if (result.size() > 0 && result.ndim() != axes) {
-      fail(key + " has the shape " + text(numbers.attr("shape")) + "; expected " + expected);
-    }
-    return result;
+    return numbers_of(dict_[key.c_str()], key, axes,
+                      [this](const std::string& message) { fail(message); });
   }
 
   [[nodiscard]] Rows::RowMajor matrix(const std::string& key) const {
@@ -149,11 +170,27 @@ class LevelDict {
 
   [[nodiscard]] Block block(const std::string& key, const std::string& lower,
                             const std::string& upper) const {
-    Block result{key, matrix(key), {}, {}};
+    Block result{.key = key, .A = matrix(key), .lower = {}, .upper = {}, .weights = {}};
     result.lower = vector(lower, result, -kInfinity);
     result.upper = vector(upper, result, kInfinity);
     for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_bounds(result, i);
+    result.weights = vector(key + "_weights", result, 1.0);
+    for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_weight(result, i);
     return result;
+  }
+
+  /// The weighted row has numbers as any other.
+  void check_weight(const Block& block, Eigen::Index row) const {
+    const double weight = block.weights[row];
+    const std::string place = block.key + "_weights[" + std::to_string(row) + "] ";
+    if (!(weight > 0.0 && weight <= kLargestNumber))
+      fail(place + "is " + text(weight) + "; expected a number above 0, at most 1e100");
+    double largest = weight * block.A.row(row).lpNorm<Eigen::Infinity>();
+    if (largest != 0.0 && largest < kSmallestRow)
+      fail(place + "makes a row that " + too_small(text(largest)));
+    for (const double bound : {block.lower[row], block.upper[row]})
+      if (std::isfinite(bound)) largest = std::max(largest, std::abs(weight * bound));
+    if (largest > kLargestNumber) fail(place + "makes a number that " + too_large(text(largest)));
   }
 
   void check_bounds(const Block& block, Eigen::Index row) const {

@@ -5,10 +5,12 @@
 #include "python/level_outcome.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,36 @@ inline void append(const Block& block, Level& level, std::vector<std::string>& r
   rows.lower = block.lower;
   rows.upper = block.upper;
   for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
+    rows.weigh(i, block.weights[i]);
     row_names.push_back(block.key + "[" + std::to_string(i) + "]");
   }
+}
+
+/// Names of rows that are counted.
+inline void append_names(const std::string& what, Eigen::Index count,
+                         std::vector<std::string>& names) {
+  for (Eigen::Index i = 0; i < count; ++i) names.push_back(what + "[" + std::to_string(i) + "]");
+}
+
+/// What x is to be close to; none: nothing.
+inline std::optional<Eigen::VectorXd> read_reference(const nb::object& given,
+                                                     Eigen::Index unknowns) {
+  if (given.is_none()) return std::nullopt;
+  const Array numbers =
+      numbers_of(given, "x_ref", 1, [](const std::string& message) { throw Error(message); });
+  const Eigen::VectorXd x_ref =
+      Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  if (x_ref.size() != unknowns) {
+    throw Error("x_ref has " + std::to_string(x_ref.size()) + " elements; expected " +
+                std::to_string(unknowns) + ", one for each unknown");
+  }
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const std::string place = "x_ref[" + std::to_string(i) + "] ";
+    if (!std::isfinite(x_ref[i]))
+      throw Error(place + "is " + text(x_ref[i]) + "; expected a finite number");
+    if (std::abs(x_ref[i]) > kLargestNumber) throw Error(place + too_large(text(x_ref[i])));
+  }
+  return x_ref;
 }
 
 /// Every row has one element for each unknown; returns how many there are.
@@ -55,22 +85,37 @@ inline Eigen::Index check_unknowns(const std::vector<LevelDict>& levels,
   return unknowns;
 }
 
-inline NamedHierarchy read_hierarchy(const nb::list& given) {
+inline void append_level(const LevelDict& level, const std::vector<Block>& blocks,
+                         const Eigen::VectorXd& x_ref, NamedHierarchy& result) {
+  Eigen::Index rows = 0;
+  for (const Block& block : blocks) rows += block.A.rows();
+  const double damping = level.damping();
+  const std::size_t index =
+      result.hierarchy.add_level(level.name(), damping > 0.0 ? 2 * rows : rows);
+  std::vector<std::string>& names = result.row_names.emplace_back();
+  for (const Block& block : blocks) append(block, result.hierarchy.level(index), names);
+  if (damping == 0.0) return;
+  add_damping(result.hierarchy.level(index), damping, x_ref, static_cast<int>(rows));
+  append_names("damping", rows, names);
+}
+
+inline NamedHierarchy read_hierarchy(const nb::list& given, const nb::object& given_reference) {
   std::vector<LevelDict> levels;
   std::vector<std::vector<Block>> blocks;
   for (const nb::handle level : given) {
     levels.emplace_back(level, levels.size() + 1);
     blocks.push_back(levels.back().blocks());
   }
-  NamedHierarchy result{Hierarchy(check_unknowns(levels, blocks)), {}};
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    Eigen::Index rows = 0;
-    for (const Block& block : blocks[k]) rows += block.A.rows();
-    const std::size_t index = result.hierarchy.add_level(levels[k].name(), rows);
-    result.row_names.emplace_back();
-    for (const Block& block : blocks[k])
-      append(block, result.hierarchy.level(index), result.row_names.back());
-  }
+  const Eigen::Index unknowns = check_unknowns(levels, blocks);
+  const std::optional<Eigen::VectorXd> x_ref = read_reference(given_reference, unknowns);
+  const Eigen::VectorXd reference = x_ref.value_or(Eigen::VectorXd::Zero(unknowns));
+  NamedHierarchy result{Hierarchy(unknowns), {}};
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    append_level(levels[k], blocks[k], reference, result);
+  if (!x_ref) return result;
+  add_reference(result.hierarchy.level(result.hierarchy.add_level("x_ref", unknowns)), reference,
+                0);
+  append_names("x", unknowns, result.row_names.emplace_back());
   return result;
 }
 
@@ -93,10 +138,10 @@ inline Solution solve(const Hierarchy& hierarchy, const std::string& method, dou
   return LexicographicSolver(hierarchy, options).solve(hierarchy);
 }
 
-inline NamedSolution solve_levels(const nb::list& levels, const std::string& method,
-                                  double budget) {
+inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
+                                  const std::string& method, double budget) {
   check_method(method, budget);
-  const auto [hierarchy, row_names] = read_hierarchy(levels);
+  const auto [hierarchy, row_names] = read_hierarchy(levels, x_ref);
   const Solution solution = solve(hierarchy, method, budget);
   if (solution.status == SolveStatus::invalid_input) {
     throw Error(
@@ -126,19 +171,25 @@ inline void bind_solving(nb::module_& module) {
           "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished");
 
   module.def(
-      "solve", &solve_levels, nb::arg("levels"), nb::kw_only(),
+      "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
       nb::arg("method") = std::string(name(SolverMethod::lexicographic)),
       nb::arg("budget") = std::numeric_limits<double>::infinity(),
-      nb::sig("def solve(levels: list[dict], *, method: str = 'lexicographic', "
-              "budget: float = float('inf')) -> Solution"),
+      nb::sig("def solve(levels: list[dict], *, x_ref: list[float] | None = None, "
+              "method: str = 'lexicographic', budget: float = float('inf')) -> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
       "  A, lower, upper   lower ≤ A x ≤ upper; one of the bounds may be missing or infinite\n"
       "  D, f          D x ≤ f\n"
+      "  A_weights, D_weights   by which each row and its bounds are multiplied, above 0: "
+      "residuals\n"
+      "                are those of the weighted rows\n"
+      "  damping d     adds the rows d E (x - x_ref) = 0, E an orthonormal basis of the rows' "
+      "span\n"
       "  name          a text, for the result\n"
       "Each level is met as well as possible, in least squares of its violation, without\n"
-      "disturbing any before it. What all of them leave open stays at the least norm.\n\n"
+      "disturbing any before it. What all of them leave open stays at the least norm, or with\n"
+      "x_ref, an array or list, closest to that: it is a last level of this name.\n\n"
       "method is lexicographic, the controller's solver, or cascade, the reference. budget ends\n"
       "the search of the former after so many additions and multiplications: then the status is\n"
       "iteration_cap, and the levels that are finished are optimal.");

@@ -1,6 +1,7 @@
 #include "surefoot/config/json_line.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -126,10 +127,11 @@ Json parse_json_line(std::string_view line, const std::string& place, const std:
     const std::string what = error.what();
     const std::size_t code = what.find("] ");
     throw FileError(place + ": is not JSON (" +
-                    what.substr(code == std::string::npos ? 0 : code + 2) + "); expected " +
-                    expected);
+                    printable(what.substr(code == std::string::npos ? 0 : code + 2)) +
+                    "); expected " + expected);
   }
-  if (!keys.found().empty()) throw FileError(place + ": " + keys.found() + "; expected once");
+  if (!keys.found().empty())
+    throw FileError(place + ": " + printable(keys.found()) + "; expected once");
   return result;
 }
 

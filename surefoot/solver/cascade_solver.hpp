@@ -33,7 +33,8 @@ class CascadeSolver {
   explicit CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options = {});
 
   /// The reference stays valid until the next call. A hierarchy beyond the capacity, with NaN,
-  /// with lower > upper or with a bound that can't be met (lower = ∞) is `invalid_input`.
+  /// with lower > upper, with a bound that can't be met (lower = ∞) or with a row or a finite bound
+  /// larger than 1e150 is `invalid_input`.
   const Solution& solve(const Hierarchy& hierarchy) noexcept;
 
   [[nodiscard]] const Solution& solution() const { return solution_; }

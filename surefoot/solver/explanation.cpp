@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace surefoot {
 namespace {
@@ -15,6 +16,8 @@ using Eigen::VectorXd;
 constexpr CertificateOptions kTolerances;
 /// Relative to what rounding makes of a level's gradient: a smaller multiplier is none.
 constexpr double kSmall = 5e4;
+/// Directions that differ by less, of length 1, are the same but for rounding.
+constexpr double kSame = 1e-12;
 
 /// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself.
 void copy(const Level& from, Index i, double lower, double upper, Level& to) {
@@ -64,6 +67,52 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
   return solution.status == SolveStatus::optimal ? solution.levels[1].residual : std::nan("");
 }
 
+/// Rows without those that say the same as one before, which are listed with it.
+struct Distinct {
+  RowSet rows;
+  std::vector<std::vector<RowIndex>> same;  ///< by row
+};
+
+Distinct distinct(const RowSet& all, const std::function<bool(Index, Index)>& are_same) {
+  Distinct result{.rows = RowSet(all.rows.cols()), .same = {}};
+  std::vector<Index> kept;
+  for (Index i = 0; i < all.rows.rows(); ++i) {
+    const RowIndex at = all.origin[static_cast<std::size_t>(i)];
+    const auto first = std::ranges::find_if(kept, [&](Index j) { return are_same(i, j); });
+    if (first != kept.end()) {
+      result.same[static_cast<std::size_t>(first - kept.begin())].push_back(at);
+      continue;
+    }
+    kept.push_back(i);
+    result.rows.add(all.rows.row(i).transpose(), at);
+    result.same.emplace_back();
+  }
+  return result;
+}
+
+/// Of E: rows of the same direction, either way, that are missed alike, if at all.
+Distinct distinct_fixed(const RowSet& fixed, const Hierarchy& hierarchy, const VectorXd& x) {
+  const auto missed = [&](Index i) {  // per length
+    const RowIndex at = fixed.origin[static_cast<std::size_t>(i)];
+    const Level& level = hierarchy.level(at.level);
+    const double value = level.A().row(at.row).dot(x);
+    const double by = value - std::clamp(value, level.lower()[at.row], level.upper()[at.row]);
+    return by / level.A().row(at.row).norm();
+  };
+  return distinct(fixed, [&](Index i, Index j) {
+    const double along = fixed.rows.row(i).dot(fixed.rows.row(j)) < 0.0 ? -1.0 : 1.0;
+    return (fixed.rows.row(i) - along * fixed.rows.row(j)).norm() <= kSame &&
+           std::abs(missed(i) - along * missed(j)) <= kTolerances.tight * (1.0 + x.norm());
+  });
+}
+
+/// Of T: all are at their bound.
+Distinct distinct_touching(const RowSet& touching) {
+  return distinct(touching, [&](Index i, Index j) {
+    return (touching.rows.row(i) - touching.rows.row(j)).norm() <= kSame;
+  });
+}
+
 /// Of each row of E, then of each of T; that of a row of T that doesn't push is 1.
 VectorXd independences(const RowSet& fixed, const RowSet& touching, const VectorXd& mu) {
   const Index num_fixed = fixed.rows.rows();
@@ -78,25 +127,31 @@ VectorXd independences(const RowSet& fixed, const RowSet& touching, const Vector
 }
 
 /// Rows above with a multiplier; those of length 1 become rows of their own length again.
-std::vector<Blocker> blockers(const Hierarchy& hierarchy, const LevelConditions& level,
-                              const RowSet& fixed, const RowSet& touching) {
-  std::vector<Blocker> result;
-  const Multipliers found = multipliers(level, fixed, touching, kTolerances.rank);
-  const VectorXd independence = independences(fixed, touching, found.touching);
-  const auto add = [&](const RowSet& rows, const VectorXd& strength, Index first) {
+std::vector<DistinctBlocker> blockers(const Hierarchy& hierarchy, const LevelConditions& level,
+                                      const Distinct& fixed, const Distinct& touching) {
+  std::vector<DistinctBlocker> result;
+  const Multipliers found = multipliers(level, fixed.rows, touching.rows, kTolerances.rank);
+  const VectorXd independence = independences(fixed.rows, touching.rows, found.touching);
+  const auto add = [&](const Distinct& of, const VectorXd& strength, Index first) {
     for (Index i = 0; i < strength.size(); ++i) {
       if (std::abs(strength[i]) <= kSmall * level.rounding) continue;
-      const RowIndex at = rows.origin[static_cast<std::size_t>(i)];
+      const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
-      result.push_back({.at = at,
-                        .multiplier = std::abs(strength[i]) / size,
-                        .independence = independence[first + i]});
+      result.push_back({{.at = at,
+                         .multiplier = std::abs(strength[i]) / size,
+                         .independence = independence[first + i]},
+                        of.same[static_cast<std::size_t>(i)]});
     }
   };
   // limits first: of equal cost they are what one can change
-  add(touching, found.touching, fixed.rows.rows());
+  add(touching, found.touching, fixed.rows.rows.rows());
   add(fixed, found.fixed, 0);
   return result;
+}
+
+bool is_of(const DistinctBlocker& blocker, RowIndex at) {
+  const auto is_it = [&](RowIndex of) { return of.level == at.level && of.row == at.row; };
+  return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
 }
 
 }  // namespace
@@ -108,21 +163,22 @@ std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd
   RowSet touching(hierarchy.unknowns());
   for (std::size_t k = 0; k < std::min(hierarchy.num_levels(), options.levels); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
-    LevelExplanation result{.residual = level.residual,
-                            .blocked_by = blockers(hierarchy, level, fixed, touching),
-                            .cost_of_level = std::vector<double>(k, 0.0)};
+    LevelExplanation result{
+        .residual = level.residual,
+        .blocked_by = blockers(hierarchy, level, distinct_fixed(fixed, hierarchy, x),
+                               distinct_touching(touching)),
+        .cost_of_level = std::vector<double>(k, 0.0)};
     const auto cost = [&](const auto& is_without) {
       const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
       return fall < 0.0 ? 0.0 : fall;
     };
     double done = 0.0;
-    for (Blocker& blocker : result.blocked_by) {
+    for (DistinctBlocker& blocker : result.blocked_by) {
       if (options.progress) {
         options.progress(static_cast<double>(k) +
                          done++ / static_cast<double>(result.blocked_by.size()));
       }
-      blocker.cost = cost(
-          [&](RowIndex at) { return at.level == blocker.at.level && at.row == blocker.at.row; });
+      blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
       double& of_level = result.cost_of_level[blocker.at.level];
       if (of_level == 0.0)
         of_level = cost([&](RowIndex at) { return at.level == blocker.at.level; });

@@ -23,11 +23,17 @@ struct Blocker {
   double independence = 1.0;
 };
 
+/// The same, of a row and all others above that say the same: of the same direction, fixed at the
+/// same value or held at the same bound. They are told once; the numbers are of all together.
+struct DistinctBlocker : Blocker {
+  std::vector<RowIndex> same;  ///< the others
+};
+
 /// How a level came out, and because of what.
 struct LevelExplanation {
   double residual = 0.0;
   /// Dearest first, unknown costs last; empty where nothing above holds it back.
-  std::vector<Blocker> blocked_by;
+  std::vector<DistinctBlocker> blocked_by;
   /// By how much the residual falls without any row of level j, for each level j before this one;
   /// NaN where that could not be solved.
   std::vector<double> cost_of_level;
@@ -44,9 +50,9 @@ struct ExplainOptions {
 ///
 /// The cost of a row is exact, not first order: the level is solved again without that row, while
 /// every other row above keeps what it has (equality and violated rows their value, satisfied rows
-/// their bounds). So it is never negative, and the levels between do not answer for it. Of several
-/// rows that hold alone (duplicates) none has a cost by itself; their level has. Allocates and
-/// solves; for the program, tests and reports, not for the loop.
+/// their bounds). So it is never negative, and the levels between do not answer for it. Rows that
+/// say the same are taken away together; of others that hold alone none has a cost by itself, their
+/// level has. Allocates and solves; for the program, tests and reports, not for the loop.
 [[nodiscard]] std::vector<LevelExplanation> explain(const Hierarchy& hierarchy,
                                                     const Eigen::VectorXd& x,
                                                     const ExplainOptions& options = {});

@@ -9,7 +9,8 @@
 namespace surefoot {
 
 /// Rows that a task fills in place: lower ≤ A x ≤ upper, an equality where lower = upper (Eq. 8).
-/// A one-sided row has ±infinity on its open side.
+/// A one-sided row has ±infinity on its open side. Rows longer than 1e150 (‖a‖) and finite bounds
+/// beyond ±1e150 are `invalid_input` to the solvers: their squares are no numbers.
 struct Rows {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Map<RowMajor> A;             ///< rows × unknowns

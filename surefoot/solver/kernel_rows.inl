@@ -20,7 +20,7 @@ SUREFOOT_INLINE bool any(Bits bits) {
 }
 
 bool read_sides(Sweep& s) {
-  const Pack infinity = Pack{} + __builtin_inf();
+  const Pack infinity = Pack{} + __builtin_inf(), largest = Pack{} + tolerance::kLargest;
   Bits wrong = Bits{};
   for (int i = 0; i < s.num_rows; i += kPack) {
     const Pack given_lower = at(s.lower + i), given_upper = at(s.upper + i);
@@ -31,8 +31,11 @@ bool read_sides(Sweep& s) {
     const Pack lower = is_number ? given_lower : Pack{};
     const Pack upper = is_number ? given_upper : Pack{};
     const Pack scale = is_number ? given_scale : Pack{};
-    const Bits is_sound = is_number & (Bits)(lower <= upper) & (Bits)(lower < infinity) &
-                          (Bits)(upper > -infinity) & (Bits)(scale < infinity);
+    const Bits is_lower = (Bits)(lower >= -largest) | (Bits)(lower == -infinity);
+    const Bits is_upper = (Bits)(upper <= largest) | (Bits)(upper == infinity);
+    const Bits is_sound = is_number & is_lower & is_upper & (Bits)(lower <= upper) &
+                          (Bits)(lower <= largest) & (Bits)(upper >= -largest) &
+                          (Bits)(scale <= largest);
     wrong |= ~is_sound & are_rows(i, s.num_rows);
     const Bits guess = sides_at(s.side + i);
     const Bits below = (Bits)(guess < 0);

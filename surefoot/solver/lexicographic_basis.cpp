@@ -1,5 +1,6 @@
 // What the leading equalities leave free, x = basis · (y, 1), and the rows as they see y.
 #include "surefoot/solver/lexicographic_solver.hpp"
+#include "surefoot/solver/quiet_overflow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ bool LexicographicSolver::can_use(const Substitution& substitution) const {
   return substitution.basis.rows() == s.unknowns && substitution.basis.cols() < s.unknowns &&
          substitution.offset.size() == s.unknowns &&
          substitution.num_levels <= static_cast<std::size_t>(first_level_) &&
-         std::isfinite(substitution.offset.sum());
+         std::isfinite(substitution.offset.squaredNorm());
 }
 
 // inverse_pivot ← 1 / length of each column; false if one is no direction.
@@ -81,6 +82,11 @@ bool LexicographicSolver::measure_columns(const Substitution& substitution) {
     square[j] = are_directions ? 1.0 / std::sqrt(square[j]) : 0.0;
   }
   return are_directions;
+}
+
+bool LexicographicSolver::is_usable(const Substitution& substitution) {
+  const QuietOverflow its_numbers_may_be_too_large;
+  return can_use(substitution) && measure_columns(substitution);
 }
 
 // The same where the basis is given. Its columns get the length 1: what is left of a row is

@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/capacity.hpp"
 #include "surefoot/solver/denormals.hpp"
+#include "surefoot/solver/quiet_overflow.hpp"
 #include "surefoot/solver/row_states.hpp"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
   timer_.reset();
   is_swept_ = false;
   if (!fits(hierarchy, solution_) || !load(hierarchy)) return reject(hierarchy);
-  if (substitution != nullptr && can_use(*substitution) && measure_columns(*substitution)) {
+  if (substitution != nullptr && is_usable(*substitution)) {
     substitute(*substitution);
   } else {
     sweep_leading_equalities();
@@ -106,7 +107,10 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
     has_room = has_room && !level.has_overflowed();
   }
   s.level_begin[s.num_levels] = s.num_rows;
-  kernels_.measure(s);
+  {
+    const QuietOverflow a_row_may_be_too_long;
+    kernels_.measure(s);
+  }
   const bool is_sound = kernels_.read_sides(s);
   int row = 0;
   while (row < s.num_rows && s.side[row] == 2) ++row;

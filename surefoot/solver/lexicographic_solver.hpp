@@ -59,8 +59,9 @@ struct LexicographicOptions {
 ///     iteration_cap    ended early: levels before `failed_level` are at their optimum, x does not
 ///                      disturb them; that level and those after it are not done (where it is
 ///                      the number of levels, all are, and x is only not yet the shortest)
-///     invalid_input    NaN, lower > upper, a bound that can't be met (lower = ∞), more unknowns,
-///                      levels or rows than there is room for: x is zero
+///     invalid_input    NaN, lower > upper, a bound that can't be met (lower = ∞), rows or finite
+///                      bounds larger than 1e150, more unknowns, levels or rows than there is room
+///                      for, an x or a residual whose square no double holds: x is zero
 ///
 /// **Cold and warm.** The first solve knows nothing of which rows will be active (held at a bound,
 /// or violated). Each later one begins with those of the last, found again by the name of their
@@ -92,7 +93,8 @@ class LexicographicSolver {
   const Solution& solve(const Hierarchy& hierarchy) noexcept;
 
   /// The same x, sooner, where somebody has solved the first levels already. A substitution whose
-  /// sizes don't fit the hierarchy, or whose levels are no equalities, isn't used.
+  /// sizes don't fit the hierarchy, whose levels are no equalities, or whose numbers have no
+  /// squares, isn't used.
   const Solution& solve(const Hierarchy& hierarchy, const Substitution& substitution) noexcept;
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
@@ -133,6 +135,7 @@ class LexicographicSolver {
   void sweep_leading_equalities();
   [[nodiscard]] bool can_use(const Substitution& substitution) const;
   [[nodiscard]] bool measure_columns(const Substitution& substitution);
+  [[nodiscard]] bool is_usable(const Substitution& substitution);
   void substitute(const Substitution& substitution);
   void make_basis_orthonormal();
   void forget_projections();

@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/solution.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,20 +17,32 @@ inline double signed_violation(double value, double lower, double upper) {
   return value < lower ? value - lower : 0.0;
 }
 
-/// lower ≤ upper, and neither is an infinity that nothing can meet. False for NaN.
+/// lower ≤ upper, no larger than `tolerance::kLargest` where finite, and neither is an infinity
+/// that nothing can meet. False for NaN.
 inline bool are_sound(double lower, double upper) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kLargest = tolerance::kLargest;
   if (std::isunordered(lower, upper)) return false;  // asking for order would raise an exception
-  return lower <= upper && lower < kInfinity && upper > -kInfinity;
+  const bool is_lower = lower >= -kLargest || lower == -kInfinity;
+  const bool is_upper = upper <= kLargest || upper == kInfinity;
+  return is_lower && is_upper && lower <= upper && lower <= kLargest && upper >= -kLargest;
 }
 
-/// All rows have had room, all bounds are sound, and the squared length of every row is finite: so
-/// is then every element.
+/// Coefficients whose length is at most `tolerance::kLargest`. No square is taken of larger ones:
+/// that would raise an exception.
+inline bool is_sound_row(const Eigen::Ref<const Eigen::RowVectorXd>& a) {
+  for (const double element : a) {
+    if (!std::islessequal(std::abs(element), tolerance::kLargest)) return false;
+  }
+  return a.norm() <= tolerance::kLargest;
+}
+
+/// All rows have had room, and their bounds and coefficients are sound.
 inline bool is_sound(const Level& level) {
   if (level.has_overflowed()) return false;
   for (Eigen::Index i = 0; i < level.num_rows(); ++i) {
     if (!are_sound(level.lower()[i], level.upper()[i])) return false;
-    if (!std::isfinite(level.A().row(i).squaredNorm())) return false;
+    if (!is_sound_row(level.A().row(i))) return false;
   }
   return true;
 }

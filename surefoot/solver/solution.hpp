@@ -14,9 +14,10 @@ enum class SolveStatus : int {
   /// are optimal, x is feasible for them. The number of levels where all are: then x is only not
   /// yet the shortest
   iteration_cap = 1,
-  /// NaN, or lower > upper, or infinities that make no sense, or a level with more rows than it has
-  /// room for: then `failed_level` is the first such level. −1: a hierarchy beyond the capacity, or
-  /// an ‖x‖² or a residual beyond the range of doubles. x is zero
+  /// NaN, or lower > upper, or infinities that make no sense, or a row or a finite bound larger
+  /// than `tolerance::kLargest` (1e150), or a level with more rows than it has room for: then
+  /// `failed_level` is the first such level. −1: a hierarchy beyond the capacity, or an ‖x‖² or a
+  /// residual beyond the range of doubles. x is zero
   invalid_input = 2,
 };
 

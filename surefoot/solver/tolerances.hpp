@@ -23,6 +23,10 @@ struct RankTolerance {
 /// What both solvers take for rounding. Numbers only: the kernels of all instruction sets use them.
 namespace tolerance {
 
+/// Lengths of rows and finite bounds at most: squares of larger ones are beyond the range of
+/// doubles, so they are invalid input.
+inline constexpr double kLargest = 1e150;
+
 /// Relative to what is used of a row: rounding in the rows that follow.
 inline constexpr double kPivotRounding = 16.0 * std::numeric_limits<double>::epsilon();
 /// What is taken for rounding at most, however weak the directions used.

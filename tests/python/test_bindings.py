@@ -2,6 +2,7 @@
 
 import gc
 import json
+import math
 import os
 import pathlib
 import re
@@ -135,6 +136,24 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
         (lambda: surefoot.solve([{"name": 3, "A": [[1]], "b": [1]}]), surefoot.Error, "level 1: name is 3; expected a text"),
         (lambda: surefoot.solve([{"A": [[1, 2], [1e-300, 0]], "b": [1, 2]}]), surefoot.Error,
          r"level 1: A\[1\] has nothing larger than 1e-300, too small .* at least 1e-100, or zeros only"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "A_weights": [0]}]), surefoot.Error,
+         r"level 1: A_weights\[0\] is 0.0; expected a number above 0, at most 1e100"),
+        (lambda: surefoot.solve([{"D": [[1]], "f": [1], "D_weights": [np.inf]}]), surefoot.Error, r"D_weights\[0\] is inf; expected"),
+        (lambda: surefoot.solve([{"D": [[1]], "f": [1], "D_weights": [1, 2]}]), surefoot.Error,
+         "level 1: D_weights has 2 elements, D has 1 row; expected one element for each row"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "D_weights": [1]}]), surefoot.Error, "level 1: D_weights goes with D; given"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1e60], "A_weights": [1e60]}]), surefoot.Error,
+         r"A_weights\[0\] makes a number that is .*, too large"),
+        (lambda: surefoot.solve([{"A": [[1e-60]], "b": [0], "A_weights": [1e-60]}]), surefoot.Error,
+         r"A_weights\[0\] makes a row that has nothing larger than 1e-120, too small"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "damping": 0}]), surefoot.Error,
+         "level 1: damping is 0; expected a number above 0"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "damping": "much"}]), surefoot.Error, "level 1: damping is 'much'; expected"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref=[1, 2]), surefoot.Error,
+         "x_ref has 2 elements; expected 1, one for each unknown"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref=[np.nan]), surefoot.Error, r"x_ref\[0\] is nan; expected a finite"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref=[1e120]), surefoot.Error, r"x_ref\[0\] is 1e[+]120, too large"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref="near"), surefoot.Error, "x_ref: .*near"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1], "lowr": [0]}]), surefoot.Error, "unknown key \"lowr\"; did you mean \"lower\""),
     ],
 )
@@ -297,14 +316,28 @@ def test_empty_blocks_and_levels_are_allowed():
     assert [level.num_rows for level in solution.levels] == [0, 0, 1]
 
 
-def test_solve_gives_what_the_program_gives(tmp_path):
+def test_weights_damping_and_a_reference_are_those_of_the_level():
+    level = {"A": [[1, 0], [1, 0]], "b": [0, 4], "A_weights": [1, 3], "damping": 2}
+    solution = surefoot.solve([level], x_ref=np.array([1, 5]))
+    x = 40 / 14  # where x² + (3 x − 12)² + 4 (x − 1)² is least
+    np.testing.assert_allclose(solution.x, [x, 5], atol=1e-12)
+    assert [level.name for level in solution.levels] == ["level 1", "x_ref"]
+    assert [level.num_rows for level in solution.levels] == [4, 2]
+    assert solution.levels[0].residual == pytest.approx(math.sqrt(x**2 + (3 * x - 12)**2 + 4 * (x - 1)**2))
+    limited = surefoot.solve([{"D": [[1], [1]], "f": [0, 0], "A": [[-1]], "b": [-3], "D_weights": [2, 1]}])
+    assert limited.x[0] == pytest.approx(0.5)  # where (x − 3)² + (2 x)² + x² is least
+
+
+@pytest.mark.parametrize("extras", [{}, {"A_weights": [0.5, 3.0], "D_weights": [1.0, 2.0, 0.1], "damping": 0.1}])
+@pytest.mark.parametrize("x_ref", [None, [1.0, -2.0, 3.0, 0.0, 0.5, 9.0]])
+def test_solve_gives_what_the_program_gives(extras, x_ref, tmp_path):
     random = np.random.default_rng(5)
     levels = [{"A": random.normal(size=(2, 6)).tolist(), "b": random.normal(size=2).tolist(),
-               "D": random.normal(size=(3, 6)).tolist(), "f": random.normal(size=3).tolist()} for _ in range(4)]
+               "D": random.normal(size=(3, 6)).tolist(), "f": random.normal(size=3).tolist(), **extras} for _ in range(4)]
     file = tmp_path / "hierarchy.jsonl"
-    file.write_text(json.dumps({"levels": levels}) + "\n")
+    file.write_text(json.dumps({"levels": levels} | ({"x_ref": x_ref} if x_ref else {})) + "\n")
     done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "solve", file], capture_output=True, text=True, check=True)
-    program, ours = json.loads(done.stdout), surefoot.solve(levels)
+    program, ours = json.loads(done.stdout), surefoot.solve(levels, x_ref=x_ref)
     assert ours.x.tolist() == program["x"]
     assert [level.residual for level in ours.levels] == [level["residual"] for level in program["levels"]]
 

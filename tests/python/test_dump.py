@@ -1,6 +1,7 @@
 """`surefoot dump` as its user sees it: what it writes is what `solve` reads, and errors are one line."""
 
 import json
+import re
 
 from program import complaint, surefoot
 
@@ -46,6 +47,16 @@ def tick():
     result = surefoot(*WALK, "--to", 0.0025)
     assert result.returncode == 0, result.stderr
     return result.stdout
+
+
+def test_help_says_when_the_first_foot_is_lifted():
+    words = " ".join(surefoot("dump", "--help").stdout.split())
+    for scenario in ["walk_flat", "walk_flat_sea"]:
+        lifted = float(re.search(r"([0-9.]+) s into " + scenario + r"\b", words)[1])
+        for time, feet in [(lifted - 0.05, 4), (lifted + 0.05, 3)]:
+            line = surefoot("dump", scenario, "--from", time, "--to", time + 0.0025).stdout.splitlines()[0]
+            friction = next(level for level in json.loads(line)["levels"] if level["name"] == "friction_cone")
+            assert len({name[:2] for name in friction["D_names"]}) == feet, (scenario, time)
 
 
 def test_without_a_file_it_writes_to_standard_output():

@@ -15,8 +15,6 @@ using Eigen::VectorXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 LevelData non_negative(Index n) {
   return between(MatrixXd::Identity(n, n), VectorXd::Zero(n), VectorXd::Constant(n, kInfinity));
 }

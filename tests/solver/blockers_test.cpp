@@ -21,8 +21,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVector2d;
 using Eigen::VectorXd;
 
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 /// A mass of 2 kg, x = (acceleration, force), a limit on the force, a wish for the acceleration.
 HierarchyData pushed_mass(double wish) {
   return {equalities(RowVector2d(2.0, -1.0), number(0.0)),

@@ -3,7 +3,10 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 // What the certificate takes for rounding: which rows of the levels above are fixed, which are
 // left.
@@ -18,11 +21,6 @@ using Eigen::RowVector3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// What is proven counts 1e-8 at most, rounding a hundredth of it.
-constexpr double kProven = 1e-9;
-
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
 
 TEST(CertificateRounding, DoesNotLeaveRowsThatAHigherLevelHoldsWhereWhatItFixesIsNearlyDependent) {
   // In coordinates (p, q1, q2, w), turned at random: the third level pulls at q1 + q2 by so little
@@ -170,6 +168,65 @@ TEST(CertificateRounding, LimitsThatRoundingIsBeyondAreLeft) {
     const HierarchyData levels{at_most(limits * R.topRows(2), limits * (R.topRows(2) * x)),
                                equalities(R.topRows(1), R.topRows(1) * x - number(1.0))};
     ASSERT_GE(optimality_error(3, levels, x), 0.1);
+  }
+}
+
+TEST(CertificateRounding, LimitsThatRoundingOfALargeXIsBeyondAreLeft) {
+  // Limits, duplicates and combinations of them through common points, and an answer to another
+  // order of levels, which is worse.
+  int worse = 0;
+  for (int seed = 250; seed < 350; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const Index unknowns = random.integer(2, 6);
+    HierarchyData levels = random_levels(random, {.unknowns = unknowns,
+                                                  .levels = 4,
+                                                  .max_rows = random.integer(2, 8),
+                                                  .inequality_share = 0.6,
+                                                  .two_sided_share = 0.2,
+                                                  .duplicate_share = 0.2,
+                                                  .dependent_share = 0.1,
+                                                  .tight_share = 0.5,
+                                                  .integer_share = 0.5});
+    levels.push_back(close_to(3.0 * random.vector(unknowns)));
+    for (LevelData& level : levels) {
+      level.lower *= 1e3;
+      level.upper *= 1e3;
+    }
+    const std::vector<double> best = residuals(solve<LexicographicSolver>(unknowns, levels));
+    for (std::size_t k = 0; k < 3; ++k) {
+      HierarchyData swapped = levels;
+      std::swap(swapped[k], swapped[k + 1]);
+      const VectorXd x = solve<LexicographicSolver>(unknowns, swapped).x;
+      const double reached = certify(make_hierarchy(unknowns, levels), x)[k].residual;
+      const bool is_worse = reached > best[k] + 1e-4 * (1e3 + best[k]);
+      ASSERT_TRUE(!is_worse || optimality_error(unknowns, levels, x) >= 1e-7) << k;
+      worse += is_worse ? 1 : 0;
+    }
+  }
+  EXPECT_GE(worse, 50);
+}
+
+TEST(CertificateRounding, AnswersWhoseRowsAreMetButForRoundingAreProven) {
+  // Found among 20,000 of a kind: without the rounding of the level's own unit in what is added up,
+  // these are refused.
+  for (const std::uint64_t seed : {1742, 6308, 9969}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(seed);
+    const Index unknowns = random.integer(2, 8);
+    HierarchyData levels = random_levels(random, {.unknowns = unknowns,
+                                                  .levels = random.integer(2, 5),
+                                                  .max_rows = random.integer(2, 12),
+                                                  .inequality_share = random.uniform(0.5, 1.0),
+                                                  .two_sided_share = 0.2,
+                                                  .duplicate_share = 0.2,
+                                                  .dependent_share = 0.1,
+                                                  .zero_share = 0.03,
+                                                  .tight_share = random.uniform(0.5, 1.0),
+                                                  .integer_share = random.uniform(0.5, 1.0)});
+    levels.push_back(close_to(3.0 * random.vector(unknowns)));
+    EXPECT_LE(optimality_error(unknowns, levels, solve<LexicographicSolver>(unknowns, levels).x),
+              kProven);
   }
 }
 

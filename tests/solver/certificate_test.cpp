@@ -18,11 +18,6 @@ using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// What is proven counts 1e-8 at most, rounding a hundredth of it.
-constexpr double kProven = 1e-9;
-
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 /// Three random levels, and a last one that leaves no choice.
 HierarchyData levels_with_one_optimum(RandomMatrices& random) {
   HierarchyData levels = random_levels(random, {.unknowns = 6, .levels = 3, .max_rows = 3});

@@ -16,8 +16,6 @@ using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 /// Random rows of a given rank, with a right-hand side that they can't all meet.
 LevelData rank_deficient(RandomMatrices& random, Index rows, Index rank, Index unknowns) {
   return equalities(random.matrix(rows, rank) * random.matrix(rank, unknowns), random.vector(rows));

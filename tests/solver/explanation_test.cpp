@@ -17,8 +17,6 @@ using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
-
 std::vector<LevelExplanation> explanation(Index unknowns, const HierarchyData& levels) {
   return explain(make_hierarchy(unknowns, levels), solve(unknowns, levels).x);
 }
@@ -68,12 +66,56 @@ TEST(Explanation, DoesNotBlameALevelForItsOwnContradiction) {
   EXPECT_TRUE(levels[0].blocked_by.empty());
 }
 
-TEST(Explanation, GivesTheCostOfDuplicatedRowsToTheirLevel) {
-  const MatrixXd twice = MatrixXd::Ones(2, 1);
-  const auto levels = explanation(
-      1, {at_most(twice, Vector2d(1.0, 1.0)), equalities(MatrixXd::Ones(1, 1), number(3.0))});
-  for (const Blocker& blocker : levels[1].blocked_by) EXPECT_NEAR(blocker.cost, 0.0, 1e-12);
-  EXPECT_NEAR(levels[1].cost_of_level[0], 2.0, 1e-12);
+LevelData of_length(double length, LevelData level) {
+  level.A *= length;
+  level.lower *= length;
+  level.upper *= length;
+  return level;
+}
+
+TEST(Explanation, RowsThatSayTheSameAreTakenAwayTogetherAndToldOnce) {
+  const LevelData limit = at_most(RowVector2d(0.6, 0.8), number(1.0));
+  const LevelData fact = equalities(RowVector2d(0.6, 0.8), number(1.0));
+  const LevelData wish = equalities(RowVector2d(0.6, 0.8), number(3.0));
+  for (const LevelData& once : {limit, fact}) {
+    const LevelData again = of_length(3.0, once);
+    const HierarchyData above{joined(once, joined(again, once)), again};
+    for (std::size_t num_above = 1; num_above <= 2; ++num_above) {
+      HierarchyData levels(above.begin(), above.begin() + static_cast<std::ptrdiff_t>(num_above));
+      levels.push_back(wish);
+      const LevelExplanation explained = explanation(2, levels).back();
+      ASSERT_EQ(explained.blocked_by.size(), 1u);
+      const DistinctBlocker& blocker = explained.blocked_by[0];
+      EXPECT_EQ(blocker.at.row, 0);
+      ASSERT_EQ(blocker.same.size(), num_above + 1);
+      EXPECT_EQ(blocker.same[1].row, 2);
+      EXPECT_EQ(blocker.same.back().level, num_above - 1);
+      EXPECT_NEAR(blocker.cost, 2.0, 1e-12);
+      EXPECT_NEAR(blocker.multiplier, 2.0, 1e-12);
+      EXPECT_NEAR(blocker.independence, 1.0, 1e-12);
+      EXPECT_NEAR(explained.cost_of_level[0], num_above == 1 ? 2.0 : 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(Explanation, AnEqualityTheOtherWayRoundSaysTheSame) {
+  const auto levels = explanation(1, {equalities(Vector2d(1.0, -2.0), Vector2d(1.0, -2.0)),
+                                      equalities(MatrixXd::Ones(1, 1), number(3.0))});
+  ASSERT_EQ(levels[1].blocked_by.size(), 1u);
+  EXPECT_EQ(levels[1].blocked_by[0].same.size(), 1u);
+  EXPECT_NEAR(levels[1].blocked_by[0].cost, 2.0, 1e-12);
+}
+
+TEST(Explanation, RowsOfOneDirectionThatWantOtherValuesOrHaveOtherBoundsDoNotSayTheSame) {
+  const MatrixXd one = MatrixXd::Ones(1, 1), twice = MatrixXd::Ones(2, 1);
+  const LevelData wish = equalities(one, number(5.0));
+  for (const LevelData& level :
+       {equalities(twice, Vector2d(1.0, 3.0)), at_most(twice, Vector2d(1.0, 3.0)),
+        between(one, number(1.0), number(1.0 + 1e-5)), at_most(twice, Vector2d(1.0, 1.0 + 1e-6))}) {
+    const auto levels = explanation(1, {level, wish});
+    for (const DistinctBlocker& blocker : levels[1].blocked_by) EXPECT_TRUE(blocker.same.empty());
+    EXPECT_FALSE(levels[1].blocked_by.empty());
+  }
 }
 
 TEST(Explanation, CostsAreNeitherNegativeNorMoreThanTheResidual) {

@@ -1,3 +1,4 @@
+#include "surefoot/solver/tolerances.hpp"
 #include "tests/solver/solve.hpp"
 
 #include <Eigen/QR>
@@ -6,7 +7,9 @@
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace surefoot::test {
 namespace {
@@ -56,6 +59,85 @@ TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
     TypeParam solver(hierarchy);
     const FloatTraps traps;
     EXPECT_EQ(solver.solve(hierarchy).status, SolveStatus::invalid_input);
+  }
+}
+
+constexpr double kLimit = tolerance::kLargest;
+
+/// Where in a level of three rows a number may be too large.
+enum class Where { coefficient, coefficient_at_the_end, lower, upper, equality };
+
+LevelData with_number(double number, Where where) {
+  LevelData level{MatrixXd::Ones(3, 5), -VectorXd::Ones(3), VectorXd::Ones(3)};
+  switch (where) {
+    case Where::coefficient:
+      level.A(1, 0) = number;
+      break;
+    case Where::coefficient_at_the_end:
+      level.A(2, 4) = number;
+      break;
+    case Where::lower:
+      level.lower[1] = -std::abs(number);
+      break;
+    case Where::upper:
+      level.upper[1] = std::abs(number);
+      break;
+    case Where::equality:
+      level.lower[1] = level.upper[1] = number;
+      break;
+  }
+  return level;
+}
+
+TYPED_TEST(FloatTrapped, NumbersWithoutASquareAreRefused) {
+  const double largest = std::numeric_limits<double>::max();
+  for (const Where where : {Where::coefficient, Where::coefficient_at_the_end, Where::lower,
+                            Where::upper, Where::equality}) {
+    for (const double number : {1.001 * kLimit, 1e155, 1e200, 1e300, largest}) {
+      for (const double sign : {-1.0, 1.0}) {
+        SCOPED_TRACE(testing::Message() << static_cast<int>(where) << ", " << number);
+        const Hierarchy good =
+            make_hierarchy(5, {close_to(VectorXd::Ones(5)), with_number(1.0, where)});
+        const Hierarchy bad =
+            make_hierarchy(5, {close_to(VectorXd::Ones(5)), with_number(sign * number, where)});
+        TypeParam solver(good);
+        const FloatTraps traps;
+        EXPECT_EQ(solver.solve(good).status, SolveStatus::optimal);
+        const Solution& solution = solver.solve(bad);
+        EXPECT_EQ(solution.status, SolveStatus::invalid_input);
+        EXPECT_EQ(solution.failed_level, 1);
+        EXPECT_EQ(solution.x, VectorXd::Zero(5));
+        EXPECT_EQ(std::fetestexcept(FE_OVERFLOW | FE_INVALID), 0);
+        EXPECT_EQ(solver.solve(good).status, SolveStatus::optimal);
+      }
+    }
+  }
+}
+
+TYPED_TEST(FloatTrapped, NumbersUpToTheLimitAreSolved) {
+  const MatrixXd one = MatrixXd::Ones(1, 1);
+  const auto number = [](double b) { return VectorXd::Constant(1, b); };
+  expect_solved_under_traps<TypeParam>(1, {equalities(kLimit * one, number(-kLimit))});
+  expect_solved_under_traps<TypeParam>(1, {equalities(one, number(kLimit))});
+  expect_solved_under_traps<TypeParam>(
+      1, {between(one, number(-kLimit), number(kLimit)), at_most(kLimit * one, number(-kLimit))});
+}
+
+TYPED_TEST(FloatTrapped, LevelsOfVeryDifferentSizesAreSolved) {
+  for (const auto& [smallest, largest] : {std::pair(-98, 98), std::pair(0, 145)}) {
+    for (int seed = 0; seed < 200; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", up to 1e" + std::to_string(largest));
+      RandomMatrices random(static_cast<std::uint64_t>(seed));
+      HierarchyData levels =
+          random_levels(random, {.unknowns = 6, .levels = 4, .inequality_share = 0.6});
+      for (LevelData& level : levels) {
+        const double size = std::pow(10.0, random.integer(smallest, largest));
+        level.A *= size;
+        level.lower *= size;
+        level.upper *= size;
+      }
+      expect_solved_under_traps<TypeParam>(6, levels);
+    }
   }
 }
 
@@ -190,6 +272,24 @@ TEST(FloatTraps, DoNotMeetWhatALargerProblemHasLeftBesideTheRowsOfASmallerOne) {
             has_substitution ? solver.solve(small, substitution) : solver.solve(small);
         ASSERT_EQ(solution.status, SolveStatus::optimal);
       }
+    }
+  }
+}
+
+TEST(FloatTraps, DoNotMeetASubstitutionWithoutSquares) {
+  RandomMatrices random(1);
+  const HierarchyData levels = far_limits(random, 8, 4);
+  const Hierarchy hierarchy = make_hierarchy(8, levels);
+  for (const double odd : {1e155, -1e300, std::numeric_limits<double>::max(), std::nan("")}) {
+    SCOPED_TRACE(odd);
+    for (const bool is_offset : {false, true}) {
+      Substitution substitution = of_first_level(levels);
+      (is_offset ? substitution.offset[3] : substitution.basis(3, 1)) = odd;
+      LexicographicSolver solver(hierarchy), without(hierarchy);
+      const FloatTraps traps;
+      const Solution& solution = solver.solve(hierarchy, substitution);
+      ASSERT_EQ(solution.status, SolveStatus::optimal);
+      EXPECT_EQ(solution.x, without.solve(hierarchy).x);
     }
   }
 }

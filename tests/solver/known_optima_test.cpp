@@ -19,7 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kExact = 1e-12;
 
 MatrixXd one(double a) { return MatrixXd::Constant(1, 1, a); }
-VectorXd number(double b) { return VectorXd::Constant(1, b); }
 LevelData is(double b) { return equalities(one(1.0), number(b)); }
 LevelData below(double f) { return at_most(one(1.0), number(f)); }
 LevelData above(double f) { return between(one(1.0), number(f), number(kInfinity)); }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace surefoot::test {
@@ -76,6 +77,51 @@ TEST(Multipliers, OfALimitThatIsWeakBesideWhatIsFixedAreNoMoreCertainThanTheGrad
     RowSet held = fixed;
     fix_pushing(found, held, touching);
     EXPECT_EQ(touching.origin.size(), pull < kRounding ? 1u : 0u) << pull;
+  }
+}
+
+/// Whether a limit along the second coordinate becomes fixed, which a level with this gradient
+/// pushes at; E has the first.
+bool is_fixed(const Eigen::Vector3d& gradient, double rounding) {
+  const LevelConditions level{.gradient = gradient,
+                              .in_units = MatrixXd(0, 3),
+                              .pull = 1.0,
+                              .rounding = rounding,
+                              .fixed = RowSet(3),
+                              .touching = RowSet(3)};
+  RowSet fixed(3), touching(3);
+  fixed.add(Eigen::Vector3d(1.0, 0.0, 0.0), {});
+  touching.add(Eigen::Vector3d(0.0, 1.0, 0.0), {});
+  const Multipliers found = multipliers(level, fixed, touching, 1e-8);
+  fix_pushing(found, fixed, touching);
+  return touching.origin.empty();
+}
+
+TEST(Multipliers, BelowTheRoundingOfTheLevelFixNothing) {
+  EXPECT_FALSE(is_fixed({0.0, -1e-11, 0.0}, 1e-10));
+  EXPECT_TRUE(is_fixed({0.0, -1e-11, 0.0}, 1e-12));
+}
+
+TEST(Multipliers, BelowTheRoundingOfTheForcesBesideThemFixNothing) {
+  EXPECT_FALSE(is_fixed({-1e3, -1e-12, 0.0}, 1e-20));
+  EXPECT_TRUE(is_fixed({-1e-3, -1e-12, 0.0}, 1e-20));
+}
+
+TEST(Multipliers, BelowTenTimesWhatIsLeftOverFixNothing) {
+  for (const double left_over : {3e-6, 3e-7})
+    EXPECT_FALSE(is_fixed({0.0, -1e-6, left_over}, 1e-20)) << left_over;
+  EXPECT_TRUE(is_fixed({0.0, -1e-6, 3e-8}, 1e-20));
+}
+
+TEST(LevelConditions, RoundingOfTheGradientGrowsWithX) {
+  const Hierarchy hierarchy =
+      make_hierarchy(2, {equalities(Eigen::RowVector2d(3.0, 4.0), VectorXd::Zero(1))});
+  for (const double size : {1.0, 1e3, 1e6}) {
+    const VectorXd x = size * Eigen::Vector2d(4.0, -3.0);  // which meets the row
+    const double rounding = optimality_conditions(hierarchy, 0, x, 1e-8).rounding;
+    const double expected =
+        100.0 * std::numeric_limits<double>::epsilon() * 25.0 * (1.0 + x.norm());
+    EXPECT_NEAR(rounding / expected, 1.0, 1e-12) << size;
   }
 }
 

@@ -87,7 +87,7 @@ HierarchyData growing(Index unknowns) {
 }
 
 TYPED_TEST(Safety, AnXThatOverflowsIsRejectedRatherThanReturned) {
-  const VectorXd large = VectorXd::Constant(1, 1e300);
+  const VectorXd large = VectorXd::Constant(1, 1e150);
   const MatrixXd small = MatrixXd::Constant(1, 1, 1e-10);
   const VectorXd open = VectorXd::Constant(1, kInfinity);
   const std::vector<HierarchyData> all{
@@ -108,10 +108,11 @@ TYPED_TEST(Safety, AnXThatOverflowsIsRejectedRatherThanReturned) {
 }
 
 TYPED_TEST(Safety, AResidualThatOverflowsIsRejectedRatherThanReturned) {
-  const MatrixXd twice = MatrixXd::Ones(2, 1);
-  const Solution solution =
-      solve<TypeParam>(1, {equalities(twice, Eigen::Vector2d(1e200, -1e200))});
+  const MatrixXd one = MatrixXd::Ones(1, 1);
+  const Solution solution = solve<TypeParam>(1, {equalities(one, VectorXd::Constant(1, 1e10)),
+                                                 equalities(1e150 * one, VectorXd::Zero(1))});
   EXPECT_EQ(solution.status, SolveStatus::invalid_input);
+  EXPECT_EQ(solution.failed_level, -1);
   EXPECT_EQ(solution.x, VectorXd::Zero(1));
 }
 

@@ -57,6 +57,12 @@ inline std::vector<double> residuals(const Solution& solution) {
   return all;
 }
 
+/// Bounds of a single row.
+inline Eigen::VectorXd number(double b) { return Eigen::VectorXd::Constant(1, b); }
+
+/// What is proven counts 1e-8 at most, rounding a hundredth of it.
+inline constexpr double kProven = 1e-9;
+
 /// Largest distance of any level from its optimality conditions.
 inline double optimality_error(Eigen::Index unknowns, const HierarchyData& levels,
                                const Eigen::VectorXd& x) {

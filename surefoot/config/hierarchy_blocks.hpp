@@ -1,0 +1,103 @@
+#pragma once
+
+#include "surefoot/solver/hierarchy.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The blocks of rows in one line of a hierarchy file, as `parse_hierarchy` takes them apart.
+namespace surefoot::hierarchy_file {
+
+using Json = nlohmann::ordered_json;
+
+/// Where in the file something is, for messages.
+class Place {
+ public:
+  explicit Place(std::string text) : text_(std::move(text)) {}
+  [[nodiscard]] Place at(const std::string& part) const { return Place(text_ + ": " + part); }
+  [[noreturn]] void fail(const std::string& message) const;  ///< throws FileError
+
+ private:
+  std::string text_;
+};
+
+[[nodiscard]] std::string quoted(const Json& value);
+/// "1 row", "2 rows".
+[[nodiscard]] std::string count(std::size_t number, const std::string& thing);
+void check_keys(const Json& object, const std::vector<std::string>& valid, const Place& place);
+
+using Vector = std::vector<double>;
+using Matrix = std::vector<Vector>;
+
+/// A block of rows and its right-hand side.
+struct Block {
+  Matrix rows;
+  Vector lower, upper, weights;
+  std::vector<std::string> names;
+  std::vector<int> ids;
+};
+
+/// A x = b. `unknowns` is 0 until the first row of the line says how many there are.
+[[nodiscard]] Block read_equalities(const Json& level, std::size_t& unknowns, const Place& place);
+/// lower ≤ D x ≤ f; without "lower" every row has an f.
+[[nodiscard]] Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& place);
+/// Finite numbers.
+[[nodiscard]] Vector read_numbers(const Json& array, const Place& place);
+[[nodiscard]] double read_positive(const Json& value, const Place& place);
+
+/// Ids of a level's rows; none is there twice.
+class LevelIds {
+ public:
+  LevelIds(const Json& level, const Place& place) : level_(level), place_(place) {}
+
+  /// Those of a block, where the file gives them.
+  void read(const std::string& key, std::size_t rows, std::vector<int>& ids) {
+    const auto found = level_.find(key);
+    if (found == level_.end()) return;
+    if (!found->is_array() || found->size() != rows || !std::ranges::all_of(*found, is_id)) {
+      place_.fail(key + " is " + quoted(*found) + "; expected an array of " +
+                  count(rows, "integer") + " from -2147483648 to 2147483647, one for each row of " +
+                  key.front());
+    }
+    for (const Json& id : *found) {
+      ids.push_back(id.get<int>());
+      if (taken_.insert(ids.back()).second) continue;
+      place_.fail(key + ": element " + std::to_string(ids.size()) + " is " + quoted(id) +
+                  ", which another row of the level has; expected one that none has");
+    }
+  }
+
+  /// The first of so many ids in a row that none has.
+  [[nodiscard]] int first_of(Eigen::Index count) const {
+    int first = 0;
+    for (const int id : taken_) {
+      if (id >= first && id < first + count) first = id + 1;
+    }
+    return first;
+  }
+
+  /// 0, 1, … for rows that have none, without those that others have.
+  void fill_up(std::size_t rows, std::vector<int>& ids) {
+    while (ids.size() < rows) {
+      if (taken_.insert(next_).second) ids.push_back(next_);
+      ++next_;
+    }
+  }
+
+ private:
+  static bool is_id(const Json& id) {
+    return id.is_number_integer() && id.get<double>() == static_cast<double>(id.get<int>());
+  }
+
+  const Json& level_;
+  const Place& place_;
+  std::set<int> taken_;
+  int next_ = 0;
+};
+
+}  // namespace surefoot::hierarchy_file

@@ -1,0 +1,210 @@
+#include "tests/app/solve_command_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <string>
+
+namespace surefoot::test {
+namespace {
+
+TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
+  // Long limits that their own level's short rows push beyond their bounds: at 1e8 by too little
+  // for the search to see, which ends beside the optimum.
+  const std::string levels =
+      R"({"levels":[{"D":[[2SIZE,2SIZE,2SIZE],[1SIZE,2SIZE,2SIZE],[1SIZE,-2SIZE,-1SIZE],[0,-2SIZE,1SIZE]],
+         "f":[-2SIZE,0,-1SIZE,-1SIZE],"A":[[1,1,1],[0,1,-2]],"b":[0,-2]},
+         {"A":[[2,2,-1],[2,1,-2]],"b":[0,-2]}]})";
+  const auto with = [&](const std::string& size) {
+    const std::string line = std::regex_replace(levels, std::regex("\n *"), "");
+    return std::regex_replace(line, std::regex("SIZE"), size);
+  };
+  const CommandRun proven(with("e3"), {.file = "", .certify = true});
+  EXPECT_EQ(proven.exit_code, 0) << proven.err.str();
+  EXPECT_EQ(proven.err.str(), "");
+  const CommandRun run(with("e8"), {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.str().find(":1: not proven: level "), std::string::npos) << run.err.str();
+  EXPECT_NE(
+      run.err.str().find("rows of one level differ in length by at most 10000, and here by 2e+08"),
+      std::string::npos)
+      << run.err.str();
+}
+
+TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelByHowMuchAndOfWhatSize) {
+  // By 5e-9 of its length the first level's second row is no copy: used by the solvers, too little
+  // for the certificate to know of.
+  const CommandRun run(R"({"levels":[{"A":[[1,0],[1,5e-9]],"b":[0,1]},{"A":[[0,1]],"b":[0]}]})",
+                       {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(std::regex_search(
+      run.err.str(), std::regex(":1: not proven: level 2 is 1 from its optimality "
+                                "conditions, relative to .* 1 \\+ ‖x‖ = 2e\\+08; at most 1e-08")))
+      << run.err.str();
+  EXPECT_EQ(run.err.str().find("not optimal"), std::string::npos);
+}
+
+TEST(SolveCommand, ALimitThatHoldsBackALongRowIsProvenAndNamed) {
+  const std::string line =
+      R"({"levels":[{"D":[[1,0]],"f":[1]},{"A":[[1e4,0],[0,1]],"b":[10000.01,0]}]})";
+  const CommandRun run(line, {.file = "", .certify = true, .explain = true});
+  EXPECT_EQ(run.exit_code, 0) << run.err.str();
+  EXPECT_NE(run.out.str().find("held back by"), std::string::npos) << run.out.str();
+  EXPECT_NE(run.out.str().find("multiplier 100"), std::string::npos) << run.out.str();
+}
+
+const std::string kLimitedWish =
+    R"({"levels":[{"name":"limit","D":[[1]],"f":[1],"D_names":["LF torque"]},)"
+    R"({"name":"wish","A":[[1]],"b":[3]}]})";
+
+TEST(SolveCommand, CertifiesEachLevel) {
+  const CommandRun run(kLimitedWish, {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 0);
+  ASSERT_EQ(run.results.size(), 1u);
+  for (const Json& level : run.results[0]["levels"]) {
+    EXPECT_LE(level.at("certificate").get<double>(), 1e-12);
+  }
+}
+
+TEST(SolveCommand, WithoutBeingAskedCertifiesNothing) {
+  const CommandRun run(kLimitedWish);
+  EXPECT_FALSE(run.results.at(0)["levels"][0].contains("certificate"));
+}
+
+TEST(SolveCommand, ExplainsByNameWhichRowCostALevelHowMuch) {
+  const CommandRun run(kLimitedWish, {.file = "", .explain = true});
+  EXPECT_EQ(run.exit_code, 0);
+  const std::string text = run.out.str();
+  for (const char* part :
+       {"2 wish", "A 1 is 2 too low", "at a bound: LF torque (upper)",
+        "held back by 1 limit, which costs 2: without it the residual would be 0",
+        "LF torque, at its upper bound, alone costs 2 (multiplier 2)"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(SolveCommand, ExplainsInTheUnitOfTheLevel) {
+  const CommandRun run(R"({"levels":[{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3],"unit":"N"}]})",
+                       {.file = "", .explain = true});
+  const std::string text = run.out.str();
+  for (const char* part : {"A 1 is 2 N too low", "costs 2 N: without it", "alone costs 2 N"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(SolveCommand, ExplainsWithStatusIterationsAndTimeOfEachLevel) {
+  const std::string text =
+      CommandRun(kLimitedWish, {.file = "", .explain = true, .method = "cascade"}).out.str();
+  const std::regex headline("\nstatus: optimal, 1 iteration, [0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, headline)) << text;
+  const std::regex met("\n1 limit +met +0 +1 +1 +0 +1 +0 +[0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, met)) << text;
+  const std::regex missed("\n2 wish +missed +2 +1 +0 +1 +0 +1 +[0-9.]+ µs\n");
+  EXPECT_TRUE(std::regex_search(text, missed)) << text;
+}
+
+TEST(SolveCommand, ExplainsWithSweepsWhereAllLevelsAreSolvedAtOnce) {
+  const std::string text = CommandRun(kLimitedWish, {.file = "", .explain = true}).out.str();
+  EXPECT_TRUE(
+      std::regex_search(text, std::regex("\nstatus: optimal, [0-9]+ sweeps?, [0-9.]+ µs\n")))
+      << text;
+  const CommandRun json(kLimitedWish, {.file = "", .explain = true, .json = true});
+  EXPECT_GE(json.results.at(0).at("sweeps").get<int>(), 1);
+  const Json& line = json.results.at(0);
+  double sum = 0.0;
+  for (const Json& level : line["levels"]) {
+    EXPECT_FALSE(level.contains("iterations"));
+    EXPECT_GT(level.at("time_s").get<double>(), 0.0);
+    sum += level["time_s"].get<double>();
+  }
+  EXPECT_LE(sum, line.at("time_s").get<double>() + 1e-9);
+}
+
+TEST(SolveCommand, LevelsThatAreSolvedTogetherHaveNoTimeOfTheirOwn) {
+  const std::string two_facts =
+      R"({"levels":[{"A":[[1,0]],"b":[1]},{"A":[[0,1]],"b":[2]},{"D":[[1,1]],"f":[1]}]})";
+  const CommandRun json(two_facts, {.file = "", .explain = true, .json = true});
+  const Json& levels = json.results.at(0).at("levels");
+  EXPECT_FALSE(levels[0].contains("time_s"));
+  EXPECT_FALSE(levels[1].contains("time_s"));
+  EXPECT_GT(levels[2].at("time_s").get<double>(), 0.0);
+  const std::string text = CommandRun(two_facts, {.file = "", .explain = true}).out.str();
+  EXPECT_TRUE(std::regex_search(text, std::regex("\nlevel 1 +met +[^\n]* – +–\n"))) << text;
+}
+
+TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
+  const CommandRun alone(R"({"levels":[{"A":[[1],[1]],"b":[1,3]}]})",
+                         {.file = "", .explain = true});
+  EXPECT_NE(alone.out.str().find("held back by nothing above"), std::string::npos)
+      << alone.out.str();
+  const CommandRun both(
+      R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})",
+      {.file = "", .explain = true});
+  EXPECT_NE(both.out.str().find("held back by level 1 and by others"), std::string::npos)
+      << both.out.str();
+}
+
+TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {
+  const std::string line =
+      R"({"levels":[{"D":[[1],[2]],"f":[1,2]},{"D":[[1]],"f":[1]},{"A":[[1]],"b":[3]}]})";
+  const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+  EXPECT_NE(
+      text.find("D 1, at its upper bound, with D 2 and D 1 of level 2, which say the same, costs 2 "
+                "(multiplier 2)\n"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("alone costs"), std::string::npos) << text;
+  const CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const Json& row = json.results.at(0)["levels"][2]["blocked_by"][0]["rows"][0];
+  EXPECT_EQ(row.at("same"), Json({"D 2", "D 1 of level 2"}));
+  EXPECT_NEAR(row.at("cost").get<double>(), 2.0, 1e-12);
+  EXPECT_FALSE(CommandRun(kLimitedWish, {.file = "", .explain = true, .json = true})
+                   .results.at(0)["levels"][1]["blocked_by"][0]["rows"][0]
+                   .contains("same"));
+}
+
+TEST(SolveCommand, ExplainsTheSameAsJson) {
+  const CommandRun run(
+      kLimitedWish,
+      {.file = "", .certify = true, .explain = true, .json = true, .method = "cascade"});
+  ASSERT_EQ(run.results.size(), 1u);
+  const Json& line = run.results[0];
+  EXPECT_EQ(line.at("status"), "optimal");
+  EXPECT_EQ(line.at("iterations"), 1);
+  EXPECT_NEAR(line.at("x").at(0).get<double>(), 1.0, 1e-12);
+  const Json &limit = line.at("levels").at(0), &wish = line.at("levels").at(1);
+  EXPECT_EQ(limit.at("status"), "met");
+  EXPECT_EQ(limit.at("at_bound").at(0).at("row"), "LF torque");
+  EXPECT_EQ(wish.at("status"), "missed");
+  EXPECT_EQ(wish.at("iterations"), 1);
+  EXPECT_NEAR(wish.at("residual").get<double>(), 2.0, 1e-12);
+  EXPECT_NEAR(wish.at("missed").at(0).at("by").get<double>(), -2.0, 1e-12);
+  EXPECT_LE(wish.at("certificate").get<double>(), 1e-12);
+  const Json& by = wish.at("blocked_by").at(0);
+  EXPECT_EQ(by.at("level"), 1);
+  EXPECT_EQ(by.at("name"), "limit");
+  EXPECT_NEAR(by.at("cost").get<double>(), 2.0, 1e-12);
+  EXPECT_EQ(by.at("rows").at(0).at("row"), "LF torque");
+  EXPECT_NEAR(by.at("rows").at(0).at("multiplier").get<double>(), 2.0, 1e-12);
+  EXPECT_GT(line.at("time_s").get<double>(), 0.0);
+  EXPECT_LE(limit.at("time_s").get<double>() + wish.at("time_s").get<double>(),
+            line.at("time_s").get<double>() + 1e-9);
+}
+
+TEST(SolveCommand, OfNearlyDependentRowsItSaysThatMultipliersSayLittle) {
+  const std::string line = R"({"levels":[{"A":[[1,0],[1,1e-9]],"b":[0,0]},{"A":[[0,1]],"b":[1]}]})";
+  const CommandRun run(line, {.file = "", .explain = true});
+  EXPECT_NE(run.out.str().find("nearly dependent on others that hold, only 1e-09 of its length"),
+            std::string::npos)
+      << run.out.str();
+  const CommandRun json(line, {.file = "", .explain = true, .json = true});
+  const Json& rows = json.results[0]["levels"][1]["blocked_by"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  for (const Json& row : rows) EXPECT_NEAR(row["independence"].get<double>(), 1e-9, 1e-14);
+  const CommandRun other(R"({"levels":[{"D":[[0,1]],"f":[0]},{"A":[[0,1]],"b":[1]}]})",
+                         {.file = "", .explain = true});
+  EXPECT_EQ(other.out.str().find("nearly dependent"), std::string::npos) << other.out.str();
+}
+
+}  // namespace
+}  // namespace surefoot::test
