@@ -18,7 +18,7 @@ from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
 
 # What changes the run, in the panel Drive.
 CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
-VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('View only')"
+VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('This page can only look')"
 
 
 @pytest.fixture(scope="module")
