@@ -317,10 +317,17 @@ def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, live, tmp_path)
     log = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Log')?.nextSibling.textContent"
     show(browser, live.link)
     browser.wait(f"{log} === 'none: run it with --record FILE to keep one'")
-    with Viewer(*WALK, "--record", tmp_path / "kept.mcap") as recorded:
+    kept = tmp_path / "kept.mcap"
+    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1", "--record", kept) as recorded, Page(recorded) as hand:
+        hand.do("pause")
         show(browser, recorded.link)
         browser.wait("document.querySelector('#head-facts').textContent.startsWith('recording kept.mcap')")
-        browser.wait(f"{log} === 'recorded in {tmp_path / 'kept.mcap'}'")
+        browser.wait(f"{log} === 'goes into {kept}.partial, which is called {kept} when the run has ended'")
+        hand.do("resume")
+        browser.wait(f"{log} === 'recorded in {kept}'")
+        hand.do("pause")
+        hand.do("reset")  # of a paused run: no tick comes
+        browser.wait(f"{log}.startsWith('goes into {tmp_path / 'kept-2.mcap'}.partial')")
 
 
 def test_the_time_bar_has_the_colours_of_the_page(browser, replayed):
