@@ -124,6 +124,7 @@ std::string true_feet_table(const GroundTruth& truth) {
 
 std::string feet_table(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
+  const bool are_wishes = has_wishes(explanation);
   Table table{{"foot", "phase", "normal force", "of at most", "pyramid used", "slides"}};
   if (explanation.truth) {
     for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
@@ -135,7 +136,7 @@ std::string feet_table(const TickExplanation& explanation) {
     table.push_back({std::string(kLegNames[k]),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
                      known(rounded(explanation.forces.normal[k], 0.1), "%.1f N") +
-                         (is_beyond_limits(explanation, leg) ? " *" : ""),
+                         (are_wishes && is_beyond_limits(explanation, leg) ? " *" : ""),
                      carries ? formatted("%.0f N", foot.force_max) : "–",
                      known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
@@ -145,9 +146,8 @@ std::string feet_table(const TickExplanation& explanation) {
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
   return aligned(table) +
-         (has_wishes(explanation)
-              ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
-              : "");
+         (are_wishes ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
+                     : "");
 }
 
 std::string level_name(const TickExplanation& explanation, std::int16_t level) {

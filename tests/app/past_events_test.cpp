@@ -49,7 +49,7 @@ TEST(PastEvents, of_a_force_that_still_acts_or_is_told_to_end_the_begin_is_remem
   past.forget_before(8.0);
   for (const double time : {8.0, 9.0}) past.add_change(time, "stand");
   EXPECT_EQ(past.json(), "[stand,stand]");
-  past.add(9.0, "again", force("scenario", "base", true));
+  past.add(9.5, "again", force("scenario", "base", true));
   past.forget_before(10.0);
   EXPECT_EQ(past.json(), "[stand,stand,again]");
   past.clear();

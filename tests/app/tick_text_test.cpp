@@ -217,7 +217,7 @@ TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {
   TickExplanation explanation = pushed_over();
   explanation.tick.hierarchy.levels[1].residual = 1064.3;
   EXPECT_NE(gave_way_sentence(explanation).find("gave way by 1064 m/s²"), std::string::npos);
-  EXPECT_NE(tick_text("x", explanation).find("2 com_xy         1064 m/s²"), std::string::npos)
+  EXPECT_NE(tick_text("x", explanation).find("2 com_xy          1064 m/s²"), std::string::npos)
       << tick_text("x", explanation);
 }
 
