@@ -357,7 +357,8 @@ def test_verify_finds_a_torque_that_is_another_in_its_last_bit(log, tmp_path):
 def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
     """A log before 2.8 does not say what was wrong with the sensor that stopped the robot."""
     fault = ["--set", "planner.calibration.duration=0", "--set", "sensors.faults.one={sensor: imu, kind: nan, time: 0.5}"]
-    file = record(tmp_path / "stopped.mcap", *fault, scenario="walk_flat", duration=1)
+    file = tmp_path / "stopped.mcap"
+    assert surefoot("run", "walk_flat", "--set", "duration=1", "--record", file, *fault).returncode == 3
     assert messages(file, "/command")[-1]["fault"] == "not_a_number"
     old = older(file, tmp_path, "2.7", {"/command": ("fault", "joint")})
     found = of_json("replay", old, "--verify")
