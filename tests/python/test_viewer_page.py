@@ -18,7 +18,7 @@ from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
 
 # What changes the run, in the panel Drive.
 CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
-VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('View only')"
+VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('This page can only look')"
 
 
 @pytest.fixture(scope="module")
@@ -317,10 +317,18 @@ def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, live, tmp_path)
     log = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Log')?.nextSibling.textContent"
     show(browser, live.link)
     browser.wait(f"{log} === 'none: run it with --record FILE to keep one'")
-    with Viewer(*WALK, "--record", tmp_path / "kept.mcap") as recorded:
-        show(browser, recorded.link)
+    kept = tmp_path / "kept.mcap"
+    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1", "--record", kept) as recorded, Page(recorded) as hand:
+        hand.do("pause")
+        show(browser, recorded.address)
         browser.wait("document.querySelector('#head-facts').textContent.startsWith('recording kept.mcap')")
-        browser.wait(f"{log} === 'recorded in {tmp_path / 'kept.mcap'}'")
+        browser.wait(f"{log} === 'goes into {kept}.partial, which is called {kept} when the run has ended'")
+        browser.press(" ")
+        browser.wait("!surefoot.following")  # the picture stands, whatever the run does
+        hand.do("resume")
+        browser.wait(f"{log} === 'recorded in {kept}'")
+        hand.do("reset")
+        browser.wait(f"{log}.includes('{tmp_path / 'kept-2.mcap'}')")
 
 
 def test_the_time_bar_has_the_colours_of_the_page(browser, replayed):

@@ -106,7 +106,7 @@ export class App {
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
-      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.link?.status?.ended == null && this.player.following);
+      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && !this.hasEnded && this.player.following);
       this.pull.onError = (error) => notes.say(error.message, "error", "pull");
     }
     const { drive } = this;
@@ -135,9 +135,14 @@ export class App {
     return this.link?.status?.recording ?? "";
   }
 
+  private get hasEnded(): boolean {
+    return this.link?.status?.ended != null;
+  }
+
   private again(): string {
     const { header, cut, source } = this.session;
-    return againText(header.command, source || this.recording, cut === "", this.player.source.marks.some(({ kind }) => kind === "change"));
+    const isSteered = this.player.source.marks.some(({ kind }) => kind === "change");
+    return againText(header.command, source || this.recording, cut === "", isSteered, source !== "" || this.hasEnded);
   }
 
   private aboutRun(): [string, string][] {
@@ -145,7 +150,7 @@ export class App {
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
-      ["Log", source === "" ? recordingText(this.recording) : cut === "" ? source : `${source} (${cut})`],
+      ["Log", source === "" ? recordingText(this.recording, this.hasEnded) : cut === "" ? source : `${source} (${cut})`],
       ["Again", this.again()], ["Version", version],
     ];
   }
@@ -330,6 +335,7 @@ export class App {
     this.transport.update(this.link?.status);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
+    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
     say(part("head-facts"), [this.session.source, ...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].filter((text) => text !== "").join(" · "));
   }
@@ -351,7 +357,6 @@ export class App {
     showTime(frame.time);
     this.hierarchy.show(frame);
     this.state.show(frame);
-    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }
