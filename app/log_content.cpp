@@ -62,7 +62,9 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
   if (!frames_.complete()) {
     session_.cut = std::string(kNeverClosed) + ": what is left of it is shown";
   } else {
-    session_.cut = cut_of(report::read_outcome(frames_.outcome(), header.options));
+    const report::Outcome outcome = report::read_outcome(frames_.outcome(), header.options);
+    session_.cut = cut_of(outcome);
+    session_.ended = outcome.known ? outcome.reason : "";
   }
   session_.header = to_json(header);
   session_.period = header.control_period;

@@ -169,8 +169,8 @@ def test_meshes_that_are_still_to_come_are_counted(browser, live):
     browser.open("about:blank")
     browser.open(live.link)
     text = browser.wait("document.querySelector('#loading')?.textContent || undefined", 60)
-    at, count = map(int, re.fullmatch(r"Loading meshes: (\d+) of (\d+)", text).groups())
-    assert 1 <= at <= count
+    here, count = map(int, re.fullmatch(r"Loading meshes: (\d+) of (\d+) are here", text).groups())
+    assert 0 <= here < count
     browser.wait("surefoot.meshesLoading === 0 && document.querySelector('#loading').textContent === ''", 60)
 
 

@@ -19,13 +19,14 @@ import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
-import { Transport } from "./panels/transport.ts";
+import { courseOf, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
 import type { Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
+import { endingText } from "./data/mark_columns.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
@@ -66,6 +67,8 @@ export class App {
   /** Whose numbers stand in the panels. */
   private told: Frame | undefined;
   private toldLevels = "";
+  /** Whether what is asked for comes to effect. */
+  private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
 
@@ -106,10 +109,11 @@ export class App {
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
-      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && this.link?.status?.ended == null && this.player.following);
+      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.canAct && this.player.following);
       this.pull.onError = (error) => notes.say(error.message, "error", "pull");
     }
     const { drive } = this;
+    drive.onAct = () => this.showNow();
     this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
     document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
@@ -120,7 +124,7 @@ export class App {
 
   private makeWorld(urdf: string): World | undefined {
     try {
-      const world = new World(part("canvas"), part("labels"), part("view-tools"), this.session, urdf);
+      const world = new World(part("canvas"), part("labels"), [part("view-tools"), part("notes")], this.session, urdf);
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -140,12 +144,22 @@ export class App {
     return againText(header.command, source || this.recording, cut === "", this.player.source.marks.some(({ kind }) => kind === "change"));
   }
 
+  /** Why the run has ended; "": it has not, or nobody knows. */
+  private get ending(): string {
+    return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
+  }
+
+  private get endText(): string {
+    return this.ending === "" ? "" : endingText(this.ending);
+  }
+
   private aboutRun(): [string, string][] {
     const { header, version, source, cut } = this.session;
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
       ["Log", source === "" ? recordingText(this.recording) : cut === "" ? source : `${source} (${cut})`],
+      ["Ended", this.ending || (this.link === undefined ? "" : "not yet")],
       ["Again", this.again()], ["Version", version],
     ];
   }
@@ -221,6 +235,13 @@ export class App {
     else player.seek(player.time);
   }
 
+  /** Who does something to a run that goes on is to see it, not the past. */
+  private showNow(): void {
+    if (!this.player.past || !this.canAct) return;
+    this.player.goLive();
+    this.notes.say("Back to now, where that acts.", "plain", "now");
+  }
+
   private step(ticks: number): void {
     const { player, link } = this;
     const newest = player.live && player.time >= player.source.last - 1e-9;
@@ -246,10 +267,11 @@ export class App {
   /** What changes the run can be used where that is of use: `now` the program is there, and its run goes on. */
   letCommand(now: boolean): void {
     const { allowed } = this.commands;
+    this.canAct = allowed && now;
     this.transport.mayCommand = allowed;
     this.drive.allow(allowed, now);
-    this.tune.allow(allowed && now);
-    this.hierarchy.canReorder = allowed && now;
+    this.tune.allow(this.canAct);
+    this.hierarchy.canReorder = this.canAct;
   }
 
   /** More of a log has come. */
@@ -327,11 +349,35 @@ export class App {
     this.sinceText += dt;
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
-    this.transport.update(this.link?.status);
+    const heard = this.link?.isHeard ?? false;
+    this.transport.update(this.link?.status, heard);
+    this.showMode(heard);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
     say(part("loading"), this.world?.library.progress ?? "");
-    say(part("head-facts"), [this.session.source, ...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].filter((text) => text !== "").join(" · "));
+    this.tellFacts(heard);
+    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
+  }
+
+  /** Why a run has ended stands before what matters less: there is not always room for all. */
+  private tellFacts(heard: boolean): void {
+    const { quality } = this.world?.stage ?? {};
+    const picture = quality === undefined ? [] : [heard || !this.player.live ? quality.rate : "", quality.coarse];
+    const facts = part("head-facts");
+    const text = [this.session.source, this.endText, ...(this.link?.tellFacts() ?? []), ...picture].filter((one) => one !== "").join(" · ");
+    say(facts, text);
+    if (facts.title !== text) facts.title = text;
+  }
+
+  /** How a run goes on, in a word; of a log nothing. */
+  private showMode(heard: boolean): void {
+    const { player, link } = this;
+    if (link === undefined) return;
+    const course = courseOf(link.status, heard);
+    const mode = player.past ? "past" : course === "paused" || course === "ended" ? course : "live";
+    const badge = part("mode");
+    badge.dataset["state"] = mode;
+    say(badge, mode);
   }
 
   private tellUnreadable(): void {
@@ -351,7 +397,6 @@ export class App {
     showTime(frame.time);
     this.hierarchy.show(frame);
     this.state.show(frame);
-    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }

@@ -12,7 +12,7 @@ export type Report = (text: string, kind?: "error" | "plain") => void;
 /** What the grip has made, foot by foot, of the friction that the operator gave; "" where it is not known. */
 export function beliefText(friction: number[], given: number): string {
   if (friction.some((mu) => Number.isNaN(mu))) return "";
-  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return "The controller believes the same of every foot now.";
+  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
   return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
 }
 

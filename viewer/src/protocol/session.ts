@@ -112,6 +112,8 @@ export interface Session {
   source: string;
   /** Of a log: why the run does not end where it should; "": it does. */
   cut: string;
+  /** Of a log: why its run ended; "": that is not known. Of a live run its status says so. */
+  ended: string;
   period: number;
   first_tick: number;
   ticks: number;

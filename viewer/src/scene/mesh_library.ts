@@ -49,9 +49,9 @@ export class MeshLibrary {
     }
   }
 
-  /** Which of how many is loaded just now; "" where all have come. */
+  /** How many of them are there; "" where all have come. */
   get progress(): string {
-    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading + 1} of ${this.wanted}`;
+    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading} of ${this.wanted} are here`;
   }
 
   private enqueue<T>(work: () => Promise<T>): Promise<T> {
