@@ -107,7 +107,8 @@ std::string criteria_badge(const Outcome& outcome) {
                                 : "✓ all " + std::to_string(all) + " criteria hold");
 }
 
-// Criteria may ask for less than the scenario's goal, or for its failure; where they ask for it, theirs is the badge.
+// Criteria may ask for less than the scenario's goal, or for its failure; where they ask for it,
+// theirs is the badge.
 std::string goal_badge(const Outcome& outcome) {
   if (outcome.goal.empty() || outcome.goal_reached) return "";
   const Requirement* criterion = outcome.criterion("goal_reached");

@@ -203,6 +203,7 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     names = "surefoot.levels().map(one => one.name)"
     order = page.run(names)
     moving, place = order[-2], order[-4]
+    name = moving.replace("_", " ")
 
     def dragged():
         page.drop(page.middle(f"[data-level={moving}] .status"), page.middle(f"[data-level={place}] .status"))
@@ -215,7 +216,7 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     page.press(" ")
     expected = [*order[:-4], moving, *order[-4:-2], order[-1]]
     wait_for(lambda: page.run(names) == expected, "the new order", 60)
-    page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {moving.replace("_", " ")} from {len(order) - 1} to {len(order) - 3}'))")
+    page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {name} from {len(order) - 1} to {len(order) - 3}'))")
     page.press("u")
     wait_for(lambda: page.run(names) == order, "the order that was", 60)
 

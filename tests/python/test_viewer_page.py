@@ -99,10 +99,13 @@ def test_a_page_too_many_is_told_the_limit_and_gets_a_place_that_is_free(browser
 
 
 def test_a_lost_connection_is_shown_and_recovers_by_itself(browser):
+    fps = "document.querySelector('#head-facts').textContent.includes('fps')"
     with Viewer(*WALK) as first:
         show(browser, first.link)
+        browser.wait(fps, 60)
         port = first.port
     browser.wait("document.querySelector('#link-state')?.textContent === 'connection lost'")
+    browser.wait(f"!{fps}")
     told = browser.run("document.querySelector('#notes').textContent")
     assert "Look in its terminal" in told and "comes back by itself" in told
     browser.click("#tab-drive")
