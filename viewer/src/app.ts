@@ -11,6 +11,7 @@ import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
+import { showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
@@ -22,8 +23,9 @@ import { Tabs } from "./panels/tabs.ts";
 import { courseOf, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
-import type { Session } from "./protocol/session.ts";
+import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
+import { missingText } from "./scene/mesh_library.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
 import { endingText } from "./data/mark_columns.ts";
@@ -147,10 +149,6 @@ export class App {
   /** Why the run has ended; "": it has not, or nobody knows. */
   private get ending(): string {
     return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
-  }
-
-  private get endText(): string {
-    return this.ending === "" ? "" : endingText(this.ending);
   }
 
   private aboutRun(): [string, string][] {
@@ -351,33 +349,20 @@ export class App {
     this.sinceText = 0;
     const heard = this.link?.isHeard ?? false;
     this.transport.update(this.link?.status, heard);
-    this.showMode(heard);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
     say(part("loading"), this.world?.library.progress ?? "");
-    this.tellFacts(heard);
+    this.tellHead(heard);
     for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
   }
 
   /** Why a run has ended stands before what matters less: there is not always room for all. */
-  private tellFacts(heard: boolean): void {
-    const { quality } = this.world?.stage ?? {};
-    const picture = quality === undefined ? [] : [heard || !this.player.live ? quality.rate : "", quality.coarse];
-    const facts = part("head-facts");
-    const text = [this.session.source, this.endText, ...(this.link?.tellFacts() ?? []), ...picture].filter((one) => one !== "").join(" · ");
-    say(facts, text);
-    if (facts.title !== text) facts.title = text;
-  }
-
-  /** How a run goes on, in a word; of a log nothing. */
-  private showMode(heard: boolean): void {
+  private tellHead(heard: boolean): void {
     const { player, link } = this;
-    if (link === undefined) return;
-    const course = courseOf(link.status, heard);
-    const mode = player.past ? "past" : course === "paused" || course === "ended" ? course : "live";
-    const badge = part("mode");
-    badge.dataset["state"] = mode;
-    say(badge, mode);
+    const quality = this.world?.stage.quality;
+    const rate = heard || !player.live ? quality?.rate : "";
+    showFacts([this.session.source, this.ending === "" ? "" : endingText(this.ending), ...(link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""]);
+    if (link !== undefined) showMode(player, courseOf(link.status, heard));
   }
 
   private tellUnreadable(): void {
@@ -408,15 +393,4 @@ export class App {
     this.toldLevels = text;
     say(part("events"), text);
   }
-}
-
-/** The levels' order as it is now. */
-function orderOf({ orders, header }: Session): string[] {
-  return orders.at(-1)?.levels ?? header.level_names;
-}
-
-function missingText(missing: Map<string, string>): string {
-  const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
-  const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
-  return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
 }

@@ -139,7 +139,7 @@ export class LiveLink {
   }
 
   private hear(told: ServerMessage): void {
-    const message = told.type === "status" ? { ...told, pending: changeText(told.pending) } : told.type === "change" ? { ...told, text: changeText(told.text) } : told;
+    const message = inWords(told);
     const app = this.app as App;
     const { commands, tune, drive } = app.handlers();
     switch (message.type) {
@@ -283,6 +283,12 @@ export class LiveLink {
     const { frame, player } = this.app as App;
     return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
+}
+
+/** What of a message is for people, as they read it. */
+function inWords(message: ServerMessage): ServerMessage {
+  if (message.type === "status") return { ...message, pending: changeText(message.pending) };
+  return message.type === "change" ? { ...message, text: changeText(message.text) } : message;
 }
 
 /** Why there is no connection; `reason`: what the program has said of it. */

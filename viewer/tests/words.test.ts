@@ -70,6 +70,7 @@ test("who looks back is told where the run is, and what the space bar does there
   const [now, past, log] = [{ live: true, past: false }, { live: true, past: true }, { live: false, past: false }];
   assert.deepEqual([true, false].map((running) => playText(now, running)), ["pause the run (space)", "let the run go on (space)"]);
   for (const running of [true, false]) assert.match(playText(past, running), /the run is left alone/);
+  assert.match(playText(now, true, false), /the run is left alone/, "of a page that only looks");
   assert.deepEqual([true, false].map((running) => playText(log, running)), ["pause (space)", "play (space)"]);
 });
 

@@ -49,9 +49,9 @@ export function pastText(newest: number, course: Course): string {
   return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
 }
 
-/** What the space bar and its button do. */
-export function playText(player: Pick<Player, "live" | "past">, running: boolean): string {
-  if (player.past) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
+/** What the space bar and its button do; `mayCommand`: this page may change the run. */
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true): string {
+  if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
   if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
   return running ? "pause (space)" : "play (space)";
 }
@@ -156,7 +156,7 @@ export class Transport {
     const { first, last, marks } = player.source;
     const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
-    name(this.playButton, playText(player, running));
+    name(this.playButton, playText(player, running, this.mayCommand));
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);

@@ -137,6 +137,11 @@ export interface Session {
   can_command: boolean;
 }
 
+/** The levels' order as it is now. */
+export function orderOf({ orders, header }: Session): string[] {
+  return orders.at(-1)?.levels ?? header.level_names;
+}
+
 export const PROTOCOL = 2;
 
 /** Reads the session; an error says what is wrong in a sentence. */

@@ -10,6 +10,13 @@ import type { MeshInfo } from "../protocol/session.ts";
 /** A mesh is asked for again this long after the connection was lost [ms]. */
 const AGAIN = 1000;
 
+/** What of the robot is shown by primitives, and where to look; `missing`: why, by address. */
+export function missingText(missing: Map<string, string>): string {
+  const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
+  const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
+  return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
+}
+
 /** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
 export class MeshLibrary {
   /** What could not be shown, and why. */
