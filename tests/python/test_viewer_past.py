@@ -78,12 +78,14 @@ def test_a_page_that_may_not_push_stays_in_the_past(browser, robot):
     assert not browser.run("surefoot.following") and "Back to now" not in browser.run(NOTES)
 
 
-def test_plots_go_on_with_the_run_while_one_looks_back(page):
-    page.wait("surefoot.last > 10", 60)  # all of what plots show
-    look_back(page, 3)
-    before = page.run("surefoot.last")
-    page.wait(f"surefoot.last > {before} + 4", 60)
-    x, y = page.run("(() => { const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.right - 2, b.y + 10]; })()")
-    page.mouse("mousePressed", x, y)
-    page.mouse("mouseReleased", x, y)
-    page.wait("surefoot.last - surefoot.time < 2", 5)
+def test_plots_go_on_with_the_run_while_one_looks_back(browser):
+    with Viewer(*WALK) as walk:
+        show(browser, walk.link)
+        browser.wait("surefoot.last > 10", 60)  # all of what plots show
+        look_back(browser, 3)
+        before = browser.run("surefoot.last")
+        browser.wait(f"surefoot.last > {before} + 4", 60)
+        x, y = browser.run("(() => { const b = document.querySelector('.u-over').getBoundingClientRect(); return [b.right - 2, b.y + 10]; })()")
+        browser.mouse("mousePressed", x, y)
+        browser.mouse("mouseReleased", x, y)
+        browser.wait("surefoot.last - surefoot.time < 2", 5)

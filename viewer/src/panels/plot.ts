@@ -211,9 +211,13 @@ export class Plot {
   }
 }
 
+/** Parts of a name that are longer than this may be broken themselves. */
+const LONG_PART = 20;
+
 /** A name that may go on in the next line behind each of its parts. */
 function breakable(name: string): Node[] {
-  return name.split(/(?<=[._])/).flatMap((part, k) => [...(k > 0 ? [h("wbr", {})] : []), document.createTextNode(part)]);
+  const parts = name.split(/(?<=\.)/).flatMap((part) => (part.length > LONG_PART ? part.split(/(?<=_)/) : [part]));
+  return parts.flatMap((part, k) => [...(k > 0 ? [h("wbr", {})] : []), document.createTextNode(part)]);
 }
 
 /** A piece of the line, for the legend. */
