@@ -112,7 +112,7 @@ export class DrivePanel {
 
   push(): void {
     const angle = (Number(this.direction.value) * Math.PI) / 180;
-    const size = this.take(this.impulse, "impulse", "N·s");
+    const size = this.take(this.impulse, "impulse", "N·s", ", its direction is chosen below");
     const duration = size === undefined ? undefined : this.take(this.duration, "duration", "s");
     if (size === undefined || duration === undefined) return;
     const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
@@ -120,12 +120,12 @@ export class DrivePanel {
   }
 
   /** What a field of the push has; undefined, and told, where there is no push of that size. */
-  private take(field: HTMLInputElement, name: string, unit: string): number | undefined {
+  private take(field: HTMLInputElement, name: string, unit: string, help = ""): number | undefined {
     const given = field.value;
     const value = takeNumber(field, Number(field.defaultValue));
     if (value !== undefined && value > 0) return value;
     field.value = field.defaultValue;
-    const wrong = value === undefined ? "was no number" : `can't be ${given.replace("-", "−")} ${unit}, its direction is chosen below`;
+    const wrong = value === undefined ? "was no number" : `can't be ${given.replace("-", "−")} ${unit}${help}`;
     this.report(`No push: its ${name} ${wrong}. It is ${field.value} ${unit} again.`, "error");
     return undefined;
   }
