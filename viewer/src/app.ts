@@ -11,7 +11,7 @@ import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
-import { showFacts, showMode } from "./panels/head.ts";
+import { endFact, showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
@@ -28,7 +28,6 @@ import { ReplayLink } from "./replay_link.ts";
 import { missingText } from "./scene/mesh_library.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
-import { endingText } from "./data/mark_columns.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
@@ -358,11 +357,10 @@ export class App {
 
   /** Why a run has ended stands before what matters less: there is not always room for all. */
   private tellHead(heard: boolean): void {
-    const { player, link } = this;
     const quality = this.world?.stage.quality;
-    const rate = heard || !player.live ? quality?.rate : "";
-    showFacts([this.session.source, this.ending === "" ? "" : endingText(this.ending), ...(link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""]);
-    if (link !== undefined) showMode(player, courseOf(link.status, heard));
+    const rate = heard || !this.player.live ? quality?.rate : "";
+    showFacts([this.session.source, endFact(this.ending), ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""]);
+    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard));
   }
 
   private tellUnreadable(): void {

@@ -1,3 +1,4 @@
+import { endingText } from "../data/mark_columns.ts";
 import type { Player } from "../data/player.ts";
 import { part, say } from "./dom.ts";
 import type { Course } from "./transport.ts";
@@ -9,6 +10,9 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
   badge.dataset["state"] = mode;
   say(badge, mode);
 }
+
+/** Why a run has ended; "": it has not, or nobody knows. */
+export const endFact = (why: string): string => (why === "" ? "" : endingText(why));
 
 /** What is to be known beside it; where there is no room for all, it is told to a pointer. */
 export function showFacts(facts: string[]): void {
