@@ -138,7 +138,8 @@ class ClosedLoop {
     timing.time = plant_.time();
     timing.levels = in_microseconds(controller_.level_times());
     evaluator_.add(plant_.truth(), controller_.record());
-    events_.add(timing.time, controller_.record().plan);
+    const TickRecord& record = controller_.record();
+    events_.add(timing.time, record.plan, record.state);
     evaluator_.add(timing);
     if (options_.steering != nullptr) {
       options_.steering->after_tick(controller_.record(), plant_.truth(), timing);

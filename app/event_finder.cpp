@@ -1,7 +1,6 @@
 #include "app/event_finder.hpp"
 
 #include "app/stop_text.hpp"
-#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/logging/json_text.hpp"
 
 #include <algorithm>
@@ -73,25 +72,27 @@ EventFinder::EventFinder(const ViewChannels& channels, std::vector<std::string> 
   for (const Leg leg : kLegs) {
     const std::string name(kLegNames[index(leg)]);
     phases_[index(leg)] = offset_of(channels, "plan.feet." + name + ".phase");
+    slips_[index(leg)] = offset_of(channels, "state.slips." + name);
   }
 }
 
-PerLeg<LegPhase> EventFinder::phases(const std::vector<float>& floats) const {
-  PerLeg<LegPhase> phases{};
-  for (std::size_t k = 0; k < phases_.size(); ++k)
-    phases[k] = static_cast<LegPhase>(std::max(floats[phases_[k]], 0.0F));
-  return phases;
+LegsAtTick EventFinder::legs(const std::vector<float>& floats) const {
+  LegsAtTick legs;
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    legs.phases[k] = static_cast<LegPhase>(std::max(floats[phases_[k]], 0.0F));
+    legs.slips[k] = floats[slips_[k]] > 0.0F;
+  }
+  return legs;
 }
 
-void EventFinder::see(const ViewFrame& frame, std::vector<std::string>& events) {
+const std::vector<FoundEvent>& EventFinder::see(const ViewFrame& frame) {
+  events_.clear();
   const std::vector<float>& now = frame.floats;
   const bool has_last = last_.size() == now.size();
   if (now[event_] != 0.0F) {
     const auto event = static_cast<PlanEvent>(now[event_]);
-    const std::optional<Leg> leg =
-        has_last ? leg_of(event, phases(last_), phases(now)) : std::nullopt;
-    std::string& text = events.emplace_back();
-    JsonText json(text);
+    const std::optional<Leg> leg = has_last ? leg_of(event, legs(last_), legs(now)) : std::nullopt;
+    JsonText json(events_.emplace_back().text);
     json.array().value(frame.time).value(static_cast<int>(event));
     leg ? json.value(kLegNames[index(*leg)]) : json.null();
     json.end_array();
@@ -99,10 +100,11 @@ void EventFinder::see(const ViewFrame& frame, std::vector<std::string>& events) 
   if (has_last && now[mode_] != last_[mode_]) {
     std::string text = "command mode: " + std::string(name_in(logged::kModeNames, now[mode_]));
     if (const std::string why = why_stopped(now); !why.empty()) text += ", as " + why;
-    events.push_back(text_event(frame.time, "mode", text));
+    events_.push_back({text_event(frame.time, "mode", text), std::nullopt});
   }
-  if (force_size_ > 0) see_forces(frame, events);
+  if (force_size_ > 0) see_forces(frame);
   last_ = now;
+  return events_;
 }
 
 std::string EventFinder::why_stopped(const std::vector<float>& floats) const {
@@ -116,15 +118,15 @@ std::string EventFinder::why_stopped(const std::vector<float>& floats) const {
                       is_group ? number(at.joint) : -1);
 }
 
-void EventFinder::see_forces(const ViewFrame& frame, std::vector<std::string>& events) {
+void EventFinder::see_forces(const ViewFrame& frame) {
   const auto begin = frame.floats.begin() + static_cast<std::ptrdiff_t>(force_);
   std::vector<double> xfrc(begin, begin + static_cast<std::ptrdiff_t>(force_size_));
   scenario_.leave(frame.time, xfrc);
   const float* q = &frame.floats[rotation_];
   const auto tell = [&](double time, const std::string& text, std::size_t body, bool begins) {
-    const std::string name = body < bodies_.size() ? bodies_[body] : "";
-    events.push_back(text_event(time, "force", text,
-                                ForceMark{.kind = "scenario", .body = name, .begins = begins}));
+    const std::string_view name = body < bodies_.size() ? bodies_[body] : std::string_view();
+    const ForceMark mark{.kind = "scenario", .body = name, .begins = begins};
+    events_.push_back({text_event(time, "force", text, mark), mark});
   };
   const auto changes = forces_.see(frame.time, xfrc, Quat(q[0], q[1], q[2], q[3]));
   for (const AppliedForce& force : changes.begun)

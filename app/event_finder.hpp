@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/scenario_forces.hpp"
+#include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/logging/message_fields.hpp"
-#include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/view/frame_block.hpp"
 #include "surefoot/view/view_channels.hpp"
 
@@ -35,6 +35,12 @@ void force_member(JsonText& json, const std::optional<ForceMark>& force);
 [[nodiscard]] std::string text_event(double time, std::string_view kind, std::string_view text,
                                      const std::optional<ForceMark>& force = {});
 
+/// Something that happened at a frame.
+struct FoundEvent {
+  std::string text;  ///< as `/api/events` has it
+  std::optional<ForceMark> force;
+};
+
 /// Finds in frames, one after the other, what happened at them: the planner's events with their
 /// leg, changes of the command's mode, and begin and end of the scenario's forces.
 class EventFinder {
@@ -42,8 +48,8 @@ class EventFinder {
   /// `bodies`: their names by the rows of the truth's `xfrc_applied`.
   explicit EventFinder(const ViewChannels& channels, std::vector<std::string> bodies = {});
 
-  /// Appends what happened at this frame as `/api/events` has it.
-  void see(const ViewFrame& frame, std::vector<std::string>& events);
+  /// What happened at this frame; valid until the next.
+  [[nodiscard]] const std::vector<FoundEvent>& see(const ViewFrame& frame);
   /// A push or a pull of the operator, which is told as a change; before the frames from then on.
   void acts(const logged::Change& change) { scenario_.acts(change); }
 
@@ -54,14 +60,15 @@ class EventFinder {
   };
 
   [[nodiscard]] std::string why_stopped(const std::vector<float>& floats) const;
-  void see_forces(const ViewFrame& frame, std::vector<std::string>& events);
-  [[nodiscard]] PerLeg<LegPhase> phases(const std::vector<float>& floats) const;
+  void see_forces(const ViewFrame& frame);
+  [[nodiscard]] LegsAtTick legs(const std::vector<float>& floats) const;
 
   std::size_t event_, mode_, cause_;  // offsets of channels
   std::array<FaultOffsets, logged::kCauseNames.size()> faults_{};
   FaultOffsets then_;  // of the command: what was wrong when it stopped
-  PerLeg<std::size_t> phases_{};
-  std::vector<float> last_;  // floats of the frame before
+  PerLeg<std::size_t> phases_{}, slips_{};
+  std::vector<float> last_;         // floats of the frame before
+  std::vector<FoundEvent> events_;  // of the frame
   std::size_t force_, force_size_, rotation_;
   std::vector<std::string> bodies_;
   AppliedForceWatch forces_;

@@ -199,7 +199,7 @@ void LiveFeed::show(const logged::Change& change) {
         .member("text", std::string_view(change.text));
     force_member(json, force);
     json.end_object();
-    past_.add_change(change.time, text_event(change.time, "change", change.text, force));
+    past_.add_change(change.time, text_event(change.time, "change", change.text, force), force);
   });
 }
 
@@ -282,9 +282,10 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
             &timing, start_ ? &*start_ : nullptr},
            session_.channels, frame_);
-  const std::size_t known = events_.size();
-  finder_->see(frame_, events_);
-  for (std::size_t i = known; i < events_.size(); ++i) past_.add(frame_.time, events_[i]);
+  for (const FoundEvent& event : finder_->see(frame_)) {
+    past_.add(frame_.time, event.text, event.force);
+    events_.push_back(event.text);
+  }
   pack(frame_, bytes);
   tick_ = tick.number + 1;
   time_ = tick.record.reading.time;

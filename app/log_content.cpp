@@ -60,7 +60,8 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
       header.scenario + (header.seed == 0 ? "" : ", seed " + std::to_string(header.seed));
   session_.source = std::filesystem::path(path).filename().string();
   if (!frames_.complete()) {
-    session_.cut = std::string(kNeverClosed) + ": what is left of it is shown";
+    session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end()) +
+                   "): what is left of it is shown";
   } else {
     const report::Outcome outcome = report::read_outcome(frames_.outcome(), header.options);
     session_.cut = cut_of(outcome);

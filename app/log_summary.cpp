@@ -64,7 +64,7 @@ void LogSummary::add(const LogChunk& chunk) {
   add_damage(chunk);
   for (const logged::Change& change : chunk.changes) add(change);
   for (const ViewFrame& frame : chunk.frames) {
-    finder_.see(frame, events_);
+    for (const FoundEvent& event : finder_.see(frame)) events_.push_back(event.text);
     add(frame);
   }
   if (!chunk.frames.empty()) known_ = chunk.frames.back().tick + 1;

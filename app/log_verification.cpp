@@ -3,20 +3,75 @@
 #include "app/interrupt.hpp"
 #include "app/log_replay.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/mcap_reader.hpp"
 #include "surefoot/logging/message_codec.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 
 namespace surefoot {
 namespace {
 
+using Json = nlohmann::json;
+
 template <typename Signal>
-bool same_message(const Signal& a, const Signal& b) {
-  std::string first, second;
-  logged::encode(a, first);
-  logged::encode(b, second);
-  return first == second;
+std::string message_of(const Signal& signal) {
+  std::string text;
+  logged::encode(signal, text);
+  return text;
 }
+
+/// A message without the members that another of its kind lacks.
+Json reduced(const Json& message, const Json& kind) {
+  if (!message.is_object() || !kind.is_object()) return message;
+  Json result = Json::object();
+  for (const auto& [name, value] : message.items())
+    if (kind.contains(name)) result[name] = reduced(value, kind.at(name));
+  return result;
+}
+
+/// Compares messages in what those of the log have: an older version lacks some members.
+class Comparison {
+ public:
+  explicit Comparison(const std::string& path) {
+    const TickRecord ours;
+    McapReader log(path);
+    McapMessage message;
+    while (kinds_.size() < 4 && log.next(message)) {
+      const std::string& topic = message.channel->topic;
+      if (topic == "/state") learn(message, ours.state);
+      if (topic == "/plan") learn(message, ours.plan);
+      if (topic == "/model") learn(message, ours.model);
+      if (topic == "/command") learn(message, ours.command);
+    }
+  }
+
+  template <typename Signal>
+  [[nodiscard]] bool is_same(const char* topic, const Signal& logged,
+                             const Signal& computed) const {
+    const std::string first = message_of(logged), second = message_of(computed);
+    if (first == second) return true;
+    const auto kind = kinds_.find(topic);
+    if (kind == kinds_.end() || kind->second.is_null()) return false;
+    return reduced(Json::parse(first), kind->second) == reduced(Json::parse(second), kind->second);
+  }
+
+ private:
+  /// From the first message of a topic; null where it lacks nothing.
+  template <typename Signal>
+  void learn(const McapMessage& message, const Signal& signal) {
+    Json kind = Json::parse(message.data, nullptr, false);
+    const Json ours = Json::parse(message_of(signal));
+    if (reduced(ours, kind) == ours) kind = nullptr;
+    kinds_.try_emplace(message.channel->topic, std::move(kind));
+  }
+
+  std::map<std::string, Json, std::less<>> kinds_;
+};
 
 void compare_torques(const TickRecord& logged, const TickRecord& computed, Verification& result) {
   for (int joint = 0; joint < kNumJoints; ++joint) {
@@ -31,10 +86,12 @@ void compare_torques(const TickRecord& logged, const TickRecord& computed, Verif
   }
 }
 
-void compare_messages(const TickRecord& logged, const TickRecord& computed, Verification& result) {
-  const std::array same{
-      same_message(logged.state, computed.state), same_message(logged.plan, computed.plan),
-      same_message(logged.model, computed.model), same_message(logged.command, computed.command)};
+void compare_messages(const Comparison& comparison, const TickRecord& logged,
+                      const TickRecord& computed, Verification& result) {
+  const std::array same{comparison.is_same("/state", logged.state, computed.state),
+                        comparison.is_same("/plan", logged.plan, computed.plan),
+                        comparison.is_same("/model", logged.model, computed.model),
+                        comparison.is_same("/command", logged.command, computed.command)};
   for (std::size_t i = 0; i < same.size(); ++i) {
     if (same[i]) continue;
     MessageDifferences& topic = result.messages[i];
@@ -46,6 +103,7 @@ void compare_messages(const TickRecord& logged, const TickRecord& computed, Veri
 
 Verification verify_log(const std::string& path) {
   LogReplay replay(path, {.state = ReplayedState::estimated, .stack = {}});
+  const Comparison comparison(path);
   Verification result;
   result.header = replay.header();
   result.header.attachments.clear();
@@ -57,7 +115,7 @@ Verification verify_log(const std::string& path) {
     result.last_time = logged.reading.time;
     if (!replay.is_same()) ++result.different_ticks;
     compare_torques(logged, replay.controller().record(), result);
-    compare_messages(logged, replay.controller().record(), result);
+    compare_messages(comparison, logged, replay.controller().record(), result);
     ++result.ticks;
   }
   result.problem = replay.problem();

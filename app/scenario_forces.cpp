@@ -1,6 +1,7 @@
 #include "app/scenario_forces.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -17,8 +18,7 @@ ScenarioForces::ScenarioForces(std::vector<std::string> bodies) : bodies_(std::m
 void ScenarioForces::acts(const logged::Change& change) {
   const bool is_pull = change.kind == "pull";
   if (!is_pull && change.kind != "push") return;
-  for (Force& force : forces_)
-    if (is_pull && force.is_pull) force.to = std::min(force.to, change.time);
+  if (is_pull) end_pull(change.time);
   const auto body = std::ranges::find(bodies_, change.body);
   if (body == bodies_.end() || !change.force.allFinite()) return;
   const double lasts = is_pull ? std::numeric_limits<double>::infinity() : change.duration;
@@ -27,6 +27,11 @@ void ScenarioForces::acts(const logged::Change& change) {
                      .from = change.time,
                      .to = change.time + lasts,
                      .is_pull = is_pull});
+}
+
+void ScenarioForces::end_pull(double time) {
+  const auto last = std::find_if(forces_.rbegin(), forces_.rend(), std::mem_fn(&Force::is_pull));
+  if (last != forces_.rend()) last->to = std::min(last->to, time);
 }
 
 void ScenarioForces::leave(double time, std::vector<double>& xfrc) {

@@ -29,6 +29,8 @@ class ScenarioForces {
     bool is_pull = false;
   };
 
+  void end_pull(double time);
+
   std::vector<std::string> bodies_;
   std::vector<Force> forces_;  // of the operator, that act or will
   std::vector<double> last_;   // what was left at the tick before

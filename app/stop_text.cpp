@@ -21,7 +21,7 @@ std::string verb(SampleFault fault) {
     case SampleFault::jump:
       return "changed too fast";
     case SampleFault::repeats:
-      return "repeated itself";
+      return "repeated";
   }
   return "";
 }
@@ -60,7 +60,7 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
     case StopCause::joint_torques:
       return of_joint("joint torque", "joint torques", fault, joint) + " " + verb(fault);
     case StopCause::imu:
-      return "IMU " + (is_joint(joint) ? joint_name(joint) + " " : "") + verb(fault);
+      return "IMU " + verb(fault);
   }
   return "";
 }

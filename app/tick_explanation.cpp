@@ -1,9 +1,7 @@
 #include "app/tick_explanation.hpp"
 
-#include "app/hierarchy_status.hpp"
 #include "app/operator_text.hpp"
 #include "app/scenario_forces.hpp"
-#include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
@@ -12,9 +10,7 @@
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
-#include "surefoot/logging/visible_residual.hpp"
 #include "surefoot/math/rotation.hpp"
-#include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +36,6 @@ namespace {
 constexpr double kLoaded = 1.0;                // [N]
 constexpr double kSlack = 0.01;                // of a share that may be rounding
 constexpr double kHalfOfLastDigit = 0.005001;  // of a duration, as it is told [s]
-
-/// Two digits, or all that stand before the point: 0.12, 3.4, 460.
-std::string number(double value) {
-  return formatted(std::abs(value) < 100.0 ? "%.2g" : "%.0f", value);
-}
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
 std::optional<StartAlignment> read_start(const std::string& path) {
@@ -98,12 +89,12 @@ class Search {
   TickExplanation run() {
     scenario_.emplace(body_names(log_.header()));
     log_.skip_until(time_ - kEventWindow);
-    MotionPlan before;
+    LegsAtTick before;
     bool has_before = false;
     bool has_ended = false;
     while (!(has_ended = !log_.next(tick_)) && tick_.reading.time <= time_ + kEventWindow) {
       if (has_before && log_.follows()) add_event(before);
-      before = tick_.plan;
+      before = legs_of(tick_.plan, tick_.state);
       has_before = true;
       yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
       if (!is_nearest()) continue;
@@ -138,12 +129,14 @@ class Search {
            std::abs(tick_.reading.time - time_) <= std::abs(nearest_ - time_);
   }
 
-  void add_event(const MotionPlan& before) {
+  [[nodiscard]] bool is_near(double time) const { return std::abs(time - time_) <= kEventWindow; }
+
+  void add_event(const LegsAtTick& before) {
     const auto event = static_cast<std::size_t>(tick_.plan.event);
     const auto& names = log_.header().event_names;
     if (event == 0) return;
     const std::optional<Leg> leg =
-        leg_of(static_cast<PlanEvent>(event), phases_of(before), phases_of(tick_.plan));
+        leg_of(static_cast<PlanEvent>(event), before, legs_of(tick_.plan, tick_.state));
     found_.events.push_back({tick_.reading.time,
                              event < names.size() ? names[event] : "event " + std::to_string(event),
                              leg ? std::string(kLegNames[index(*leg)]) : ""});
@@ -154,35 +147,26 @@ class Search {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
     scenario_->acts(change);
-    if (change.kind == "pull" && !first_pull_) first_pull_ = change;
-    if (!told_.tells(change) || change.time > time_ + kEventWindow) return;
+    if (!told_.tells(change) || !is_near(change.time)) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
   }
 
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
   void take_truth(const McapMessage& message) {
     see_forces(message);
-    if (std::abs(1e-9 * static_cast<double>(message.log_time) - nearest_) > 1e-9) return;
+    if (!(std::abs(1e-9 * static_cast<double>(message.log_time) - nearest_) <= 1e-9)) return;
     logged::Decoder::decode(message.data, found_.truth.emplace());
   }
 
   void see_forces(const McapMessage& message) {
     const double time = 1e-9 * static_cast<double>(message.log_time);
-    if (time < time_ - kEventWindow || time > time_ + kEventWindow) return;
+    if (!is_near(time)) return;
     logged::OutsideTruth truth;
     logged::Decoder::decode(message.data, truth);
     scenario_->leave(time, truth.xfrc_applied);
-    if (std::isnan(first_seen_)) first_seen_ = time;
     const auto changes = forces_.see(time, truth.xfrc_applied, truth.q_WB);
     begun_.insert(begun_.end(), changes.begun.begin(), changes.begun.end());
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
-  }
-
-  /// A pull that acted already when reading began: of it the first change is known alone.
-  [[nodiscard]] bool is_pull_from_before(const AppliedForce& force) const {
-    return first_pull_ && force.from == first_seen_ && force.body < found_.bodies.size() &&
-           found_.bodies[force.body] == first_pull_->body &&
-           std::abs(force.to - first_pull_->time) < 0.5 * found_.header.control_period;
   }
 
   /// Those of the operator are told by what the operator did.
@@ -193,7 +177,6 @@ class Search {
     };
     for (const AppliedForce& force : begun_)
       add(force.from, "pushed by " + applied_force_text(force, found_.bodies));
-    std::erase_if(ended_, [this](const AppliedForce& one) { return is_pull_from_before(one); });
     for (const AppliedForce& force : ended_)
       add(force.to, "the push on " + body_text(force.body, found_.bodies) + " ends");
   }
@@ -223,133 +206,10 @@ class Search {
   std::optional<ScenarioForces> scenario_;
   AppliedForceWatch forces_;
   std::vector<AppliedForce> begun_, ended_;
-  double first_seen_ = kNaN;  // of the forces [s]
-  std::optional<logged::Change> first_pull_;
   LogReader log_;
   TickRecord tick_;
   TickExplanation found_;
 };
-
-std::string level_name(const TickExplanation& explanation, std::int16_t level) {
-  const auto& names = explanation.header.level_names;
-  const auto k = static_cast<std::size_t>(level);
-  return k < names.size() ? names[k] : "level " + std::to_string(level + 1);
-}
-
-std::string row_name(const TickExplanation& explanation, const BlockingRow& row) {
-  const auto found = explanation.row_names.find({row.by_level, row.id});
-  return found == explanation.row_names.end() ? "row " + std::to_string(row.id) : found->second;
-}
-
-std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
-  std::vector<CostlyRow> rows;
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  for (std::int32_t i = 0; i < report.num_blocking; ++i) {
-    const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
-    if (row.level != level) continue;
-    rows.push_back({level_name(explanation, row.by_level), row_name(explanation, row), row.cost});
-  }
-  return rows;
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
-    text += parts[i];
-  }
-  return text;
-}
-
-/// A row by its level's name, without that of its own where it says no more: torso_height height.
-/// `before`: the row that is told before it; its level is told once.
-std::string named(const CostlyRow& row, const CostlyRow* before) {
-  if (row.level.ends_with("_" + row.row)) return row.level;
-  const bool is_told = before != nullptr && before->level == row.level;
-  return is_told ? row.row : row.level + " " + row.row;
-}
-
-bool has_costs(const LevelThatGaveWay& level) {
-  return !level.to.empty() &&
-         level.to.front().cost > kResidualRounding;  // the dearest stands first
-}
-
-bool is_same(const CostlyRow& a, const CostlyRow& b) {
-  return a.level == b.level && a.row == b.row;
-}
-
-/// Of levels that nothing costs anything alone.
-bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
-  return a.to.size() > 1 && !has_costs(a) && !has_costs(b) &&
-         std::ranges::is_permutation(a.to, b.to, is_same);
-}
-
-std::string clause(const LevelThatGaveWay& level, bool is_known) {
-  const std::string unit = level.unit.empty() ? "" : " " + level.unit;
-  std::string text = level.name + " gave way by " + number(level.residual) + unit;
-  if (level.to.empty())
-    return text + (is_known ? " to nothing above: its own rows can't all be had"
-                            : "; to what is not known");
-  std::vector<std::string> rows;
-  for (std::size_t i = 0; i < level.to.size(); ++i) {
-    const CostlyRow& row = level.to[i];
-    rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) +
-                   (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
-  }
-  return text + " to " + joined(rows);
-}
-
-/// What the clauses of levels leave out: that rows without a cost cost nothing alone.
-std::string without_costs(const std::vector<LevelThatGaveWay>& levels) {
-  const auto has_none = [](const LevelThatGaveWay& level) {
-    return !level.to.empty() && !has_costs(level);
-  };
-  if (std::ranges::none_of(levels, has_none)) return "";
-  if (levels.size() > 1) return "; rows without a number cost nothing alone";
-  return levels.front().to.size() == 1 ? ", which costs nothing alone"
-                                       : ", none of which costs anything alone";
-}
-
-std::string clauses(const std::vector<LevelThatGaveWay>& levels, bool is_known) {
-  std::string text;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const LevelThatGaveWay& level = levels[i];
-    const std::string unit = level.unit.empty() ? "" : " " + level.unit;
-    const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
-    text += (i == 0 ? "" : "; ") +
-            (goes_on ? level.name + " gave way by " + number(level.residual) + unit + " to the same"
-                     : clause(level, is_known));
-  }
-  return text + without_costs(levels);
-}
-
-std::string nothing_gave_way(const std::vector<LevelThatGaveWay>& restless) {
-  if (restless.empty()) return "Every level got what it asked for.";
-  std::vector<std::string> names;
-  names.reserve(restless.size());
-  for (const LevelThatGaveWay& level : restless) names.push_back(level.name);
-  return "Every level got what it asked for but " + joined(names) + ", which never " +
-         (names.size() == 1 ? "does." : "do.");
-}
-
-std::string without_solution(const TickRecord& tick) {
-  const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
-  const std::string why = text_of_stop(tick);
-  return "No hierarchy was solved at this tick: the command is that of the mode " + mode +
-         ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
-}
-
-/// Of a solve that did not come to its end.
-std::string cut_off(const TickExplanation& explanation) {
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  const auto& order = explanation.order;
-  const auto place = std::ranges::find(order, static_cast<std::int16_t>(report.failed_level));
-  if (report.status != static_cast<std::int32_t>(SolveStatus::iteration_cap) ||
-      place == order.end())
-    return "";
-  return " The solver was cut off in " + level_name(explanation, *place) +
-         ": of it and the levels below it this says nothing.";
-}
 
 }  // namespace
 
@@ -359,38 +219,6 @@ double level_time(const TickExplanation& explanation, std::size_t level) {
 }
 
 TickExplanation read_tick(const std::string& path, double time) { return Search(path, time).run(); }
-
-std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
-  std::vector<LevelThatGaveWay> levels;
-  if (!was_solved(explanation.tick.hierarchy)) return levels;
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  for (const std::int16_t k : explanation.order) {
-    const auto level = static_cast<std::size_t>(k);
-    const double residual = report.levels[level].residual;
-    const auto& units = explanation.header.level_units;
-    const std::string name = level_name(explanation, k);
-    const std::string unit = level < units.size() ? units[level] : "";
-    const double visible = visible_residual(name, unit);
-    const bool restless = std::isnan(visible);
-    if (!(residual > (restless ? kResidualRounding : visible))) continue;
-    levels.push_back({.name = name,
-                      .unit = unit,
-                      .residual = residual,
-                      .restless = restless,
-                      .to = rows_of(explanation, k)});
-  }
-  return levels;
-}
-
-std::string gave_way_sentence(const TickExplanation& explanation) {
-  const TickRecord& tick = explanation.tick;
-  if (!was_solved(tick.hierarchy)) return without_solution(tick);
-  std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
-  std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
-  std::erase_if(levels, &LevelThatGaveWay::restless);
-  if (levels.empty()) return nothing_gave_way(restless) + cut_off(explanation);
-  return clauses(levels, tick.hierarchy.blocking_is_known) + "." + cut_off(explanation);
-}
 
 bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
   const double normal = explanation.forces.normal[index(leg)];

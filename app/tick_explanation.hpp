@@ -52,27 +52,6 @@ inline constexpr double kEventWindow = 1.0;
 /// That solving a level took, by its number in the header [µs]; NaN: not measured.
 [[nodiscard]] double level_time(const TickExplanation& explanation, std::size_t level);
 
-/// A row of a higher level, and what it cost a level that gave way by itself.
-struct CostlyRow {
-  std::string level, row;
-  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone
-};
-
-/// A level that did not get what it asked for.
-struct LevelThatGaveWay {
-  std::string name, unit;
-  double residual = 0.0;
-  bool restless = false;      ///< asks for no force or torque at all, and is never content
-  std::vector<CostlyRow> to;  ///< dearest first; empty: nothing above holds it back
-};
-
-/// In the order of the tick's hierarchy. What is less than `visible_residual` is left out.
-[[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
-
-/// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
-/// RH (0.1)."
-[[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
-
 /// The solution asks a foot for a force that its limits exclude, as the levels that keep them gave
 /// way: nobody gives it that.
 [[nodiscard]] bool is_beyond_limits(const TickExplanation& explanation, Leg leg);

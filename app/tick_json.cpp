@@ -1,3 +1,4 @@
+#include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
 #include "app/stop_text.hpp"
 #include "app/tick_text.hpp"
@@ -62,32 +63,35 @@ Json feet_json(const TickExplanation& explanation) {
   return feet;
 }
 
+/// Of a level that was not solved there are name and unit.
 Json levels_json(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
   if (!was_solved(report)) return list;
+  const std::size_t solved = solved_levels(report, explanation.order).size();
   for (const std::int16_t number_of_level : explanation.order) {
     const auto k = static_cast<std::size_t>(number_of_level);
     const LevelReport& level = report.levels[k];
+    const auto known = [is_solved = list.size() < solved](const Json& value) {
+      return is_solved ? value : Json();
+    };
     const auto& names = explanation.header.level_names;
     const auto& units = explanation.header.level_units;
     list.push_back({{"name", k < names.size() ? names[k] : ""},
                     {"unit", k < units.size() ? units[k] : ""},
-                    {"residual", number(level.residual)},
-                    {"rows", level.num_rows},
-                    {"at_bound", level.num_active},
-                    {"freedom_left", level.degrees_of_freedom_left},
-                    {"iterations", level.iterations},
-                    {"time_us", number(level_time(explanation, k))}});
+                    {"residual", known(number(level.residual))},
+                    {"rows", known(level.num_rows)},
+                    {"at_bound", known(level.num_active)},
+                    {"freedom_left", known(level.degrees_of_freedom_left)},
+                    {"iterations", known(level.iterations)},
+                    {"time_us", known(number(level_time(explanation, k)))}});
   }
   return list;
 }
 
 Json limits_json(const TickExplanation& explanation) {
-  const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
-    const ActiveRow& row = report.active[i];
+  for (const ActiveRow& row : rows_at_bounds(explanation)) {
     const auto& names = explanation.header.level_names;
     const auto level = static_cast<std::size_t>(row.level);
     const auto found = explanation.row_names.find({row.level, row.id});

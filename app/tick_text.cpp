@@ -1,5 +1,6 @@
 #include "app/tick_text.hpp"
 
+#include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
 #include "app/results_table.hpp"
 #include "app/stop_text.hpp"
@@ -123,6 +124,7 @@ std::string true_feet_table(const GroundTruth& truth) {
 
 std::string feet_table(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
+  const bool are_wishes = has_wishes(explanation);
   Table table{{"foot", "phase", "normal force", "of at most", "pyramid used", "slides"}};
   if (explanation.truth) {
     for (const char* title : {"in truth", "friction used"}) table[0].emplace_back(title);
@@ -134,7 +136,7 @@ std::string feet_table(const TickExplanation& explanation) {
     table.push_back({std::string(kLegNames[k]),
                      std::string(logged::kPhaseNames[static_cast<std::size_t>(foot.phase)]),
                      known(rounded(explanation.forces.normal[k], 0.1), "%.1f N") +
-                         (is_beyond_limits(explanation, leg) ? " *" : ""),
+                         (are_wishes && is_beyond_limits(explanation, leg) ? " *" : ""),
                      carries ? formatted("%.0f N", foot.force_max) : "–",
                      known(100.0 * explanation.forces.friction_use[k], "%.0f %%"),
                      tick.state.slips[k] ? "yes" : "no"});
@@ -144,40 +146,53 @@ std::string feet_table(const TickExplanation& explanation) {
     table.back().push_back(known(100.0 * true_friction_use(contact), "%.0f %%"));
   }
   return aligned(table) +
-         (has_wishes(explanation)
-              ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
-              : "");
+         (are_wishes ? "* the solution's wish, beyond the foot's limits: no ground gives it\n"
+                     : "");
+}
+
+std::string level_name(const TickExplanation& explanation, std::int16_t level) {
+  const auto& names = explanation.header.level_names;
+  const auto k = static_cast<std::size_t>(level);
+  return k < names.size() ? names[k] : "level";
+}
+
+/// As the sentence has it: from 100 on all digits before the point.
+std::string residual(const TickExplanation& explanation, std::size_t level) {
+  const double value = explanation.tick.hierarchy.levels[level].residual;
+  if (!(value > kResidualRounding)) return "0";
+  const auto& units = explanation.header.level_units;
+  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) +
+         (level < units.size() && !units[level].empty() ? " " + units[level] : "");
 }
 
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
+  const std::size_t solved = solved_levels(report, explanation.order).size();
   Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
-    const auto k = static_cast<std::size_t>(explanation.order[place]);
+    const std::int16_t number = explanation.order[place];
+    const std::string name = std::to_string(place + 1) + " " + level_name(explanation, number);
+    if (place >= solved) {
+      table.push_back({name, "not solved", "–", "–", "–", "–", "–"});
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(number);
     const LevelReport& level = report.levels[k];
-    const auto& [names, units] =
-        std::tie(explanation.header.level_names, explanation.header.level_units);
-    const std::string unit = k < units.size() && !units[k].empty() ? " " + units[k] : "";
     table.push_back(
-        {std::to_string(place + 1) + " " + (k < names.size() ? names[k] : "level"),
-         level.residual > kResidualRounding ? formatted("%.3g", level.residual) + unit : "0",
-         std::to_string(level.num_rows), std::to_string(level.num_active),
-         std::to_string(level.degrees_of_freedom_left), std::to_string(level.iterations),
-         known(level_time(explanation, k), "%.1f µs")});
+        {name, residual(explanation, k), std::to_string(level.num_rows),
+         std::to_string(level.num_active), std::to_string(level.degrees_of_freedom_left),
+         std::to_string(level.iterations), known(level_time(explanation, k), "%.1f µs")});
   }
   return aligned(table);
 }
 
 std::string at_bounds(const TickExplanation& explanation) {
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  if (report.num_active == 0) return "No limit acts.\n";
+  const std::vector<ActiveRow> rows = rows_at_bounds(explanation);
+  if (rows.empty()) return "No limit acts.\n";
   std::string out = "Limits that act:\n";
-  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
-    const ActiveRow& row = report.active[i];
-    const auto level = static_cast<std::size_t>(row.level);
-    const auto& names = explanation.header.level_names;
+  for (const ActiveRow& row : rows) {
     const auto found = explanation.row_names.find({row.level, row.id});
-    out += "  " + (level < names.size() ? names[level] : "level") + " " +
+    out += "  " + level_name(explanation, row.level) + " " +
            (found == explanation.row_names.end() ? std::to_string(row.id) : found->second) +
            (std::abs(row.state) > 1 ? ", beyond its " : ", at its ") +
            (row.state < 0 ? "lower bound\n" : "upper bound\n");

@@ -12,6 +12,8 @@ LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
 TOPICS = {"/truth", "/plan", "/state", "/health", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
+OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
+SLIP = 11  # of /plan.event: a standing foot began to slide
 LOADED = 20.0  # N: what a foot that carries has at least
 LEAST_PUSH = 1e-6  # N: less is of a step that a push touches by rounding
 
@@ -99,15 +101,17 @@ class FrameMaker:
 
     def __init__(self, header, every=1):
         self._header, self._every, self._number, self._event = header, every, -1, ""
+        self._state = None  # of the tick before
         self.has_truth = False
 
     def frame(self, messages):
         """Of the messages of one time; None where that is none of the ticks that are shown."""
         found = {message.topic: message.data for message in messages}
         if "/plan" in found:
-            self._event = event_of(found["/plan"], self._header) or self._event
+            self._event = event_of(found["/plan"], self._header, self._state, found.get("/state")) or self._event
         if "/state" not in found:
             return None
+        self._state = found["/state"]
         self._number += 1
         if self._number % self._every != 0:
             return None
@@ -117,14 +121,24 @@ class FrameMaker:
         return made
 
 
-def event_of(data, header):
-    """The text of an event, if there is one in a message on /plan; "event" is its last member."""
+def event_of(data, header, before=None, state=None):
+    """The text of an event, if there is one in a message on /plan; "event" is its last member. `before` and `state`: messages on /state of the
+    tick before and of this one, which tell whose foot began to slide."""
     tail = bytes(data[-24:])
     if tail.endswith(b'"event":0}'):
         return ""
     number = json.loads(bytes(data))["event"]
     names = header["event_names"]
-    return names[number] if 0 < number < len(names) else ""
+    if not 0 < number < len(names):
+        return ""
+    return f"{leg}: {names[number]}" if number == SLIP and (leg := leg_that_began_to_slide(before, state)) else names[number]
+
+
+def leg_that_began_to_slide(before, state):
+    """Empty where that is none or several."""
+    was, now = (json.loads(bytes(data)).get("slips", {}) if data is not None else {} for data in (before, state))
+    began = [leg for leg in LEGS if now.get(leg) and not was.get(leg)]
+    return began[0] if len(began) == 1 else ""
 
 
 def frame_of(tick, header, event):
@@ -162,12 +176,20 @@ def visible_residuals(header):
     return dict(zip(names, header.get("level_visible", [None if name.endswith("_minimisation") else ROUNDING for name in names])))
 
 
+def solved_levels(hierarchy):
+    """The levels of a message on /hierarchy that are at their optimum: of a solve that was cut off the numbers of others say nothing."""
+    levels, status, failed = hierarchy.get("levels", []), hierarchy.get("status", OPTIMAL), hierarchy.get("failed_level", -1)
+    if status == INVALID_INPUT:
+        return []
+    return levels[:failed] if status == ITERATION_CAP and failed >= 0 else levels
+
+
 def gave_way(hierarchy, header):
     """The highest level that did not get what it asked for, what held it back most, and the other levels that did not."""
     visible = visible_residuals(header)
     dearest = {row["level"]: row for row in reversed(hierarchy.get("blocked_by", []))}
     yielding = {}
-    for level in hierarchy.get("levels", []):
+    for level in solved_levels(hierarchy):
         residual, least = level["residual"] or 0.0, visible.get(level["name"], ROUNDING)
         if least is not None and residual > least:
             yielding[level["name"]] = residual

@@ -4,7 +4,7 @@ JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HA
 CAUSES = {"none": "", "tilt": "the torso tilted too far", "failures": "too many ticks without a solution"}
 GROUPS = {"encoders": ("encoder", "encoders"), "joint_torques": ("joint torque", "joint torques"), "imu": ("IMU", "IMU")}
 VERBS = {"none": "failed", "silent": "stopped", "late": "came late", "not_a_number": "gave no numbers", "out_of_range": "left the range",
-         "jump": "changed too fast", "repeats": "repeated itself"}  # fmt: skip
+         "jump": "changed too fast", "repeats": "repeated"}  # fmt: skip
 OF_ONE_VALUE = ("not_a_number", "out_of_range", "jump", "repeats")  # the others are of all of a group at once
 
 
@@ -17,5 +17,7 @@ def stop_text(command, health):
     # What was wrong when it stopped; logs before 2.8 know only what is wrong now.
     group = command if command.get("fault", "none") != "none" else health.get(cause, {"fault": "none", "joint": -1})
     fault, joint = group["fault"], group["joint"]
-    several = " of several joints" if cause != "imu" and fault in OF_ONE_VALUE else ""
+    if cause == "imu":
+        return f"{every} {VERBS[fault]}"  # which is of no joint
+    several = " of several joints" if fault in OF_ONE_VALUE else ""
     return f"{f'{one} {JOINTS[joint]}' if 0 <= joint < len(JOINTS) else every + several} {VERBS[fault]}"

@@ -5,15 +5,17 @@
 
 namespace surefoot {
 
-std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
-                          const PerLeg<LegPhase>& now) {
-  const auto was = [&](Leg leg) { return before[index(leg)]; };
-  const auto is = [&](Leg leg) { return now[index(leg)]; };
+std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before, const LegsAtTick& now) {
+  const auto was = [&](Leg leg) { return before.phases[index(leg)]; };
+  const auto is = [&](Leg leg) { return now.phases[index(leg)]; };
   const auto find = [](const auto& matches) -> std::optional<Leg> {
     const auto found = std::ranges::find_if(kLegs, matches);
     return found == kLegs.end() ? std::nullopt : std::optional<Leg>(*found);
   };
   const auto changed = [&](Leg leg) { return was(leg) != is(leg); };
+  const auto began_to_slide = [&](Leg leg) {
+    return now.slips[index(leg)] && !before.slips[index(leg)];
+  };
   switch (event) {
     case PlanEvent::lift_off:
     case PlanEvent::touchdown:
@@ -21,6 +23,9 @@ std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
       return find(changed);
     case PlanEvent::lost_contact:
       return find([&](Leg leg) { return in_contact(was(leg)) && !in_contact(is(leg)); });
+    case PlanEvent::slip:
+      if (std::ranges::count_if(kLegs, began_to_slide) != 1) return std::nullopt;
+      return find(began_to_slide);
     case PlanEvent::lift_off_aborted:
     case PlanEvent::push_reloaded:
       return find([&](Leg leg) { return was(leg) == LegPhase::unloading && in_contact(is(leg)); });
@@ -40,10 +45,10 @@ std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
   }
 }
 
-PerLeg<LegPhase> phases_of(const MotionPlan& plan) {
-  PerLeg<LegPhase> phases{};
-  for (const Leg leg : kLegs) phases[index(leg)] = plan.feet[index(leg)].phase;
-  return phases;
+LegsAtTick legs_of(const MotionPlan& plan, const RobotState& state) {
+  LegsAtTick legs{.slips = state.slips};
+  for (const Leg leg : kLegs) legs.phases[index(leg)] = plan.feet[index(leg)].phase;
+  return legs;
 }
 
 bool is_notable(PlanEvent event) {
@@ -52,10 +57,11 @@ bool is_notable(PlanEvent event) {
   return std::ranges::find(kUsual, event) == kUsual.end();
 }
 
-void EventCounter::add(double time, const MotionPlan& plan) {
+void EventCounter::add(double time, const MotionPlan& plan, const RobotState& state) {
+  const LegsAtTick now = legs_of(plan, state);
   const auto event = static_cast<PlanEvent>(plan.event);
   if (is_notable(event)) {
-    const std::optional<Leg> leg = leg_of(event, before_, phases_of(plan));
+    const std::optional<Leg> leg = leg_of(event, before_, now);
     auto entry = std::ranges::find_if(
         counts_, [&](const EventCount& known) { return known.event == event && known.leg == leg; });
     if (entry == counts_.end()) {
@@ -64,7 +70,7 @@ void EventCounter::add(double time, const MotionPlan& plan) {
     }
     ++entry->count;
   }
-  before_ = phases_of(plan);
+  before_ = now;
 }
 
 }  // namespace surefoot

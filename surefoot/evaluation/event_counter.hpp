@@ -2,6 +2,7 @@
 
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/plan_event.hpp"
+#include "surefoot/signals/robot_state.hpp"
 
 #include <optional>
 #include <vector>
@@ -16,27 +17,32 @@ struct EventCount {
   double first = 0.0;  ///< when it happened first [s]
 };
 
-/// The leg that an event happened to: the plan says what happened, and the legs' phases, before and
-/// at the event, tell to which. Empty: to none, or to none that stands out.
-[[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const PerLeg<LegPhase>& before,
-                                        const PerLeg<LegPhase>& now);
+/// What the legs do at a tick.
+struct LegsAtTick {
+  PerLeg<LegPhase> phases{};
+  PerLeg<bool> slips{};  ///< the foot is believed to slide
+};
 
-/// The phases of the legs in a plan.
-[[nodiscard]] PerLeg<LegPhase> phases_of(const MotionPlan& plan);
+[[nodiscard]] LegsAtTick legs_of(const MotionPlan& plan, const RobotState& state);
+
+/// The leg that an event happened to: the plan says what happened, and what the legs do, before and
+/// at the event, tells to which. Empty: to none, or to none that stands out.
+[[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before,
+                                        const LegsAtTick& now);
 
 /// Is it worth telling? What every step of a walk has, lift-off and touchdown, is not.
 [[nodiscard]] bool is_notable(PlanEvent event);
 
-/// Collects the notable events of a walk, plan by plan.
+/// Collects the notable events of a walk, tick by tick.
 class EventCounter {
  public:
-  void add(double time, const MotionPlan& plan);
+  void add(double time, const MotionPlan& plan, const RobotState& state);
 
   /// In the order in which they happened first.
   [[nodiscard]] const std::vector<EventCount>& counts() const { return counts_; }
 
  private:
-  PerLeg<LegPhase> before_{};
+  LegsAtTick before_;
   std::vector<EventCount> counts_;
 };
 

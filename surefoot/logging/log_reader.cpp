@@ -238,6 +238,11 @@ bool is_signal(std::string_view topic) {
   return std::apply([&](const auto&... one) { return ((topic == one.name) || ...); }, kSignals);
 }
 
+/// On a channel of the recorder.
+bool is_own(std::string_view topic) {
+  return is_signal(topic) || topic == "/hierarchy" || topic == "/timings";
+}
+
 }  // namespace
 
 bool decode_signal(const McapMessage& message, TickRecord& tick) {
@@ -287,7 +292,9 @@ bool LogReader::next(TickRecord& tick) {
   McapMessage message;
   try {
     while (file_.next(message)) {
-      if (message.log_time < skipped_until_ || is_rest_of_lost_tick(message)) continue;
+      const bool is_other = !is_own(message.channel->topic);
+      if (message.log_time < skipped_until_ && !is_other) continue;
+      if (is_rest_of_lost_tick(message)) continue;
       if (take(message, tick)) return end_tick(message.log_time);
     }
   } catch (const JsonError& error) {

@@ -35,7 +35,8 @@ class LogReader {
   /// What the recorder was given, without `row_name`.
   [[nodiscard]] const LogHeader& header() const { return header_; }
 
-  /// Passes over what was logged before a time [s], without decoding it; before the first `next`.
+  /// Passes over the ticks before a time [s], without decoding them; before the first `next`. What
+  /// is on other channels still comes.
   void skip_until(double time);
 
   /// The next tick that is whole; false after the last one. Throws FileError if a message is not

@@ -33,6 +33,8 @@ class McapChunks {
 
   /// The file was closed: its data have an end.
   [[nodiscard]] bool complete() const { return complete_; }
+  /// Behind the last record that was found [bytes]: there a file that is not complete was cut off.
+  [[nodiscard]] std::uint64_t end() const { return file_.offset(); }
 
   /// The data of the last attachment of that name; empty where there is none that is whole.
   [[nodiscard]] std::string attachment(const std::string& name);

@@ -41,7 +41,7 @@ std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
     return std::ranges::find(channels.channels, name, &ViewChannel::name)->offset;
   };
   EventFinder finder(channels, {"world", "trunk", "LF_SHANK"});
-  std::vector<std::string> events;
+  std::vector<nlohmann::json> parsed;
   for (int tick = 0; tick < 1600; ++tick) {
     const double time = kPeriod * tick;
     for (const logged::Change& one : changes)
@@ -56,10 +56,9 @@ std::vector<nlohmann::json> events_of(const std::vector<Acts>& forces,
       frame.floats[offset("truth.xfrc_applied") + 6 * one.body + 1] +=
           static_cast<float>(std::max(share, 0.0) / kStep * one.force);
     }
-    finder.see(frame, events);
+    for (const FoundEvent& event : finder.see(frame))
+      parsed.push_back(nlohmann::json::parse(event.text));
   }
-  std::vector<nlohmann::json> parsed;
-  for (const std::string& event : events) parsed.push_back(nlohmann::json::parse(event));
   return parsed;
 }
 
@@ -144,10 +143,9 @@ TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
   };
   for (const bool is_older : {false, true}) {
     EventFinder finder(channels);
-    std::vector<std::string> events;
     ViewFrame frame;
     frame.floats.assign(channels.floats, 0.0F);
-    finder.see(frame, events);
+    (void)finder.see(frame);
     at(frame, "command.mode") = static_cast<float>(CommandMode::damping);
     at(frame, "command.cause") = static_cast<float>(StopCause::encoders);
     at(frame, "command.fault") =
@@ -155,9 +153,9 @@ TEST(EventFinder, AStopIsToldWithWhatWasWrongThenAndInOlderLogsNow) {
     at(frame, "command.joint") = -1.0F;
     at(frame, "health.encoders.fault") = static_cast<float>(SampleFault::not_a_number);
     at(frame, "health.encoders.joint") = 2.0F;
-    finder.see(frame, events);
+    const std::vector<FoundEvent>& events = finder.see(frame);
     ASSERT_EQ(events.size(), 1u);
-    EXPECT_EQ(nlohmann::json::parse(events[0]).at("text"),
+    EXPECT_EQ(nlohmann::json::parse(events[0].text).at("text"),
               is_older ? "command mode: damping, as encoder LF_KFE gave no numbers"
                        : "command mode: damping, as encoders of several joints changed too fast");
   }

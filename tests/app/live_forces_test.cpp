@@ -164,6 +164,24 @@ TEST(LiveForces, of_a_pull_that_began_long_before_a_tick_explain_tells_the_end_o
   EXPECT_TRUE(told_by_explain(folder / "run.mcap", 1.6, "outside").empty());
 }
 
+TEST(LiveForces, what_the_operator_began_long_before_a_tick_is_no_force_of_the_scenario) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=2.4", "disturbances.pushes.a.time=1.9",
+                   "disturbances.pushes.a.duration=0.2", "disturbances.pushes.a.force.y=35"});
+  run.at(100,
+         ViewCommand{
+             .type = Type::push, .body = "base", .impulse = Vec3(0.0, 9.0, 0.0), .duration = 1.0});
+  for (long tick = 120; tick < 760; tick += 10)  // the mouse stays
+    run.at(tick, ViewCommand{.type = Type::pull, .body = "base", .force = Vec3(0.0, 5.0, 0.0)});
+  run.run(folder / "run.mcap");
+  EXPECT_EQ(run.errors, std::vector<std::string>(65));
+  const std::vector<std::string> explained = told_by_explain(folder / "run.mcap", 2.2, "outside");
+  ASSERT_EQ(explained.size(), 2u);
+  EXPECT_TRUE(explained[0].starts_with("pushed by 35 N, ")) << explained[0];
+  EXPECT_EQ(explained[1], "the push on the base ends");
+  EXPECT_EQ(told_by_explain(folder / "run.mcap", 2.2, "operator").size(), 1u) << "the pull's end";
+}
+
 TEST(LiveForces, a_pull_that_ends_says_what_it_gave) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=0.5"});

@@ -266,8 +266,14 @@ TEST_F(DamagedLog, a_log_that_was_not_closed_says_so_and_has_a_mark_at_its_end) 
   test::write_file(path(), bytes.substr(0, bytes.size() / 2));
   LogContent content(path());
   const json session = whole_session(content);
-  EXPECT_EQ(session.at("cut"),
-            "the log was never closed, or is cut off: what is left of it is shown");
+  LogReader reader(path());
+  TickRecord tick;
+  while (reader.next(tick)) {
+  }
+  EXPECT_TRUE(reader.problem().starts_with("cut off at byte ")) << reader.problem();
+  const std::string byte = std::to_string(std::stoul(reader.problem().substr(16)));
+  EXPECT_EQ(session.at("cut"), "the log was never closed, or is cut off (at byte " + byte +
+                                   "): what is left of it is shown");
   const json events = json::parse(content.get("/api/events", {}).body);
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.back().at("kind"), "damage");

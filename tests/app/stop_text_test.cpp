@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <string_view>
 
 namespace surefoot {
 namespace {
@@ -31,8 +33,12 @@ TEST(StopText, IsThatOfTheTableForEveryCauseAndFault) {
     const auto fault = value_of<SampleFault>(logged::kFaultNames, row[1]);
     EXPECT_EQ(text_of_stop(cause, fault, -1), row[2]) << row;
     EXPECT_EQ(text_of_stop(cause, fault, 2), row[3]) << row;
+    for (const int joint : {kNumJoints, 99})  // no joint of the robot
+      EXPECT_EQ(text_of_stop(cause, fault, joint), row[2]) << row;
   }
 }
+
+constexpr std::array<std::string_view, 3> kGroups{"encoders", "joint_torques", "imu"};
 
 TEST(StopText, StandsBesideTheChangeOfTheCommandsMode) {
   const ViewChannels channels = tick_channels({"first"}, GroundTruth());
@@ -41,23 +47,22 @@ TEST(StopText, StandsBesideTheChangeOfTheCommandsMode) {
   };
   for (const auto& row : table()) {
     EventFinder finder(channels);
-    std::vector<std::string> events;
     ViewFrame frame;
     frame.floats.assign(channels.floats, 0.0F);
-    finder.see(frame, events);
+    (void)finder.see(frame);
     frame.floats[offset("command.mode")] = 4.0F;
     const std::string group = row[0];
     frame.floats[offset("command.cause")] =
         static_cast<float>(value_of<int>(logged::kCauseNames, row[0]));
-    if (row[2] != row[3]) {
+    if (std::ranges::find(kGroups, group) != kGroups.end()) {
       frame.floats[offset("health." + group + ".fault")] =
           static_cast<float>(value_of<int>(logged::kFaultNames, row[1]));
       frame.floats[offset("health." + group + ".joint")] = 2.0F;
     }
-    finder.see(frame, events);
+    const std::vector<FoundEvent>& events = finder.see(frame);
     ASSERT_EQ(events.size(), 1u);
     const std::string why = row[3];
-    EXPECT_EQ(nlohmann::json::parse(events[0]).at("text"),
+    EXPECT_EQ(nlohmann::json::parse(events[0].text).at("text"),
               "command mode: damping" + (why.empty() ? "" : ", as " + why));
   }
 }

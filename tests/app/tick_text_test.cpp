@@ -1,5 +1,6 @@
 #include "app/tick_text.hpp"
 
+#include "app/gave_way.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <gtest/gtest.h>
@@ -100,6 +101,17 @@ TEST(TickText, AForceBeyondItsLimitsIsToldAsAWish) {
   EXPECT_EQ(tick_text("run.mcap", explanation).find("no ground gives"), std::string::npos);
 }
 
+TEST(TickText, WhereTheCommandIsNotTheSolutionsNothingIsToldAsItsWish) {
+  for (const CommandMode mode : {CommandMode::degraded, CommandMode::hold, CommandMode::sit}) {
+    TickExplanation explanation = pushed_over();
+    explanation.tick.command.mode = mode;
+    const std::string text = tick_text("run.mcap", explanation);
+    EXPECT_EQ(text.find("wish"), std::string::npos) << text;
+    EXPECT_EQ(text.find("no ground gives"), std::string::npos) << text;
+    EXPECT_EQ(text.find("N *"), std::string::npos) << text;
+  }
+}
+
 TEST(TickText, WhatStoppedTheRobotStaysTheReasonAndWhatIsWrongNowIsToldApart) {
   TickExplanation stopped = unsolved();
   stopped.tick.command.cause = StopCause::encoders;
@@ -148,9 +160,65 @@ TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   report.num_levels = 2;
   report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
   report.failed_level = 1;
-  EXPECT_NE(gave_way_sentence(explanation).find("cut off in com_xy"), std::string::npos);
+  EXPECT_EQ(gave_way_sentence(explanation),
+            "Every level above com_xy got what it asked for. The solver was cut off in com_xy: of "
+            "it and the levels below it nothing is known.");
+  report.failed_level = 0;
+  EXPECT_EQ(gave_way_sentence(explanation),
+            "The solver was cut off in dynamics: of it and the levels below it nothing is known.");
+  report.failed_level = 2;
+  EXPECT_EQ(gave_way_sentence(explanation), "Every level got what it asked for.")
+      << "only x is not the shortest";
   report.status = static_cast<std::int32_t>(SolveStatus::optimal);
-  EXPECT_EQ(gave_way_sentence(explanation).find("cut off"), std::string::npos);
+  report.failed_level = -1;
+  EXPECT_EQ(gave_way_sentence(explanation), "Every level got what it asked for.");
+}
+
+/// A tick whose solve was cut off in its second level by priority, the last of the header.
+TickExplanation cut_off() {
+  TickExplanation explanation = pushed_over();
+  HierarchyReport& report = explanation.tick.hierarchy;
+  explanation.order = {0, 2, 1};
+  report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  report.failed_level = 2;
+  for (const std::int16_t level : explanation.order) {
+    LevelReport& one = report.levels[static_cast<std::size_t>(level)];
+    one.num_rows = 71 + level;
+    ActiveRow& row = report.active[static_cast<std::size_t>(report.num_active++)];
+    row = {.level = level, .state = 1, .id = 8};
+    explanation.row_names[{level, 8}] = "row_of_" + std::to_string(level);
+  }
+  return explanation;
+}
+
+TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow) {
+  EXPECT_TRUE(gave_way(cut_off()).empty());
+  const std::string text = tick_text("run.mcap", cut_off());
+  for (const char* told : {"The solver was cut off in torso_yaw", "71", "friction_cone row_of_0"})
+    EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
+  for (const char* level : {"2 torso_yaw", "3 com_xy"}) {
+    const std::size_t begin = text.find(level);
+    ASSERT_NE(begin, std::string::npos) << text;
+    EXPECT_NE(text.substr(begin, text.find('\n', begin) - begin).find("not solved"),
+              std::string::npos);
+  }
+  for (const char* absent : {"gave way", "32 rad", "72", "73", "row_of_1", "row_of_2"})
+    EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
+  const auto json = tick_json("run.mcap", cut_off());
+  EXPECT_TRUE(json.at("gave_way").empty());
+  EXPECT_EQ(json.at("limits").size(), 1u);
+  EXPECT_EQ(json.at("levels").at(0).at("rows"), 71);
+  for (const std::size_t place : {1u, 2u})
+    for (const char* member : {"residual", "rows", "at_bound", "freedom_left", "iterations"})
+      EXPECT_TRUE(json.at("levels").at(place).at(member).is_null()) << member;
+}
+
+TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {
+  TickExplanation explanation = pushed_over();
+  explanation.tick.hierarchy.levels[1].residual = 1064.3;
+  EXPECT_NE(gave_way_sentence(explanation).find("gave way by 1064 m/s²"), std::string::npos);
+  EXPECT_NE(tick_text("x", explanation).find("2 com_xy          1064 m/s²"), std::string::npos)
+      << tick_text("x", explanation);
 }
 
 }  // namespace

@@ -169,20 +169,33 @@ def changed(log, folder, topic, tick, change):
     return rewritten(log, folder / "changed.mcap", changed_data)
 
 
+def older(log, folder, version, lacks):
+    """The same log as an older version has it: without those members of each topic's messages."""
+
+    def data_of(channel, _, data):
+        if channel.topic not in lacks:
+            return data
+        return json.dumps({name: value for name, value in json.loads(data).items() if name not in lacks[channel.topic]}).encode()
+
+    header = json.loads(attachment(log, "header.json")) | {"log_version": version}
+    return rewritten(log, folder / f"version_{version}.mcap", data_of, attachments={"header.json": json.dumps(header).encode()})
+
+
 def steered(log, folder, changes):
     """The same log with messages on /changes; members that they don't give are unknown."""
     unknown = {"stack": "", "duration": None, "friction": None, "body": "", "point": [None] * 3, "force": [None] * 3}
     return rewritten(log, folder / "steered.mcap", changes=[unknown | change for change in changes])
 
 
-def rewritten(log, path, data_of=lambda channel, number, data: data, changes=()):
-    """The same messages in the same order, with other data (None: without this one); a change before the tick of its time."""
+def rewritten(log, path, data_of=lambda channel, number, data: data, changes=(), attachments=None):
+    """The same messages in the same order, with other data (None: without this one); a change before the tick of its time. `attachments`:
+    data of those that are others."""
     with open(log, "rb") as source, open(path, "wb") as target:
         writer = Writer(target)
         writer.start()
         reader, channels, seen, waiting = make_reader(source), {}, {}, list(changes)
         for item in reader.iter_attachments():
-            writer.add_attachment(0, 0, item.name, item.media_type, item.data)
+            writer.add_attachment(0, 0, item.name, item.media_type, (attachments or {}).get(item.name, item.data))
         own = writer.register_channel("/changes", "json", writer.register_schema("surefoot.Change", "jsonschema", b"{}")) if changes else None
         # In the order of the file, which is that of the ticks.
         for schema, channel, message in reader.iter_messages(log_time_order=False):

@@ -8,7 +8,7 @@ import time
 
 import pytest
 from conftest import record
-from damaged_logs import HEAD, attachment_place, bare_messages, changed, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
+from damaged_logs import HEAD, attachment_place, bare_messages, changed, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, older, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
 from live_page import Served
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from mcap.reader import make_reader
@@ -220,9 +220,11 @@ def test_a_clock_that_begins_late_or_skips_in_a_whole_log_is_told_and_nothing_is
 
 def test_replay_says_in_the_terminal_what_its_log_lacks(log, tmp_path):
     damaged_log, first, last = without_chunk(log, tmp_path, 3)
+    cut_log = cut(log, tmp_path, 0.6)
+    byte = re.search(r"cut off at byte (\d+)", of_json("info", cut_log)["problem"])[1]
     for file, words in {
         log: "",
-        cut(log, tmp_path, 0.6): "warning: the log was never closed, or is cut off: what is left of it is shown",
+        cut_log: f"warning: the log was never closed, or is cut off (at byte {byte}): what is left of it is shown",
         damaged_log: f"{first:.4f} s to {last:.4f} s can't be read",
         damaged_at(log, tmp_path, tick_chunks(log)[3].chunk_start_offset + 1): "1 piece of the log can't be read",
     }.items():
@@ -350,6 +352,23 @@ def test_verify_finds_a_torque_that_is_another_in_its_last_bit(log, tmp_path):
     text = answer("replay", file, "--verify", status=1)
     assert f"tick 345, 0.8625 s, LH_HFE: {other:.17g} N·m in the log, {before:.17g} N·m now" in text
     assert "1 have another torque or mode" in text
+
+
+def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
+    """A log before 2.8 does not say what was wrong with the sensor that stopped the robot."""
+    fault = ["--set", "planner.calibration.duration=0", "--set", "sensors.faults.one={sensor: imu, kind: nan, time: 0.5}"]
+    file = tmp_path / "stopped.mcap"
+    assert surefoot("run", "walk_flat", "--set", "duration=1", "--record", file, *fault).returncode == 3
+    assert messages(file, "/command")[-1]["fault"] == "not_a_number"
+    old = older(file, tmp_path, "2.7", {"/command": ("fault", "joint")})
+    found = of_json("replay", old, "--verify")
+    assert found["same"] and found["different_messages"] == {}
+
+    def change(command):
+        command["cause"] = "encoders"
+
+    found = of_json("replay", changed(old, tmp_path, "/command", 398, change), "--verify")
+    assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.995}}
 
 
 def test_verify_runs_the_runs_own_estimator_again(tmp_path):

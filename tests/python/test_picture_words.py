@@ -1,6 +1,7 @@
 """What of a run is shown in its pictures, from where, and what is said of it."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -149,10 +150,22 @@ def test_a_log_without_truth_is_drawn_with_what_it_knows():
     assert [entity["id"] for entity in scene_entities(frame, 0.03, [])] == ["forces", "pushes", "support polygon"]
 
 
+def test_of_a_solve_that_was_cut_off_nothing_is_told_of_the_level_that_it_was_in_and_those_below():
+    header = {"level_names": ["limits", "com", "torso"], "level_visible": [0.5, 0.02, 0.05]}
+    levels = [{"name": name, "residual": residual} for name, residual in (("limits", 0.0), ("com", 0.03), ("torso", 7.0))]
+    rows = [{"level": "com", "row": "LF", "by": "limits"}, {"level": "torso", "row": "RF", "by": "limits"}]
+    tick = {"levels": levels, "blocked_by": rows, "status": 1}
+    told = {failed: gave_way(tick | {"failed_level": failed}, header) for failed in (0, 1, 2, 3, -1)}
+    assert told[0] is None and told[1] is None
+    assert told[2] == ("com", 0.03, "LF", "limits", ())
+    assert told[3] == told[-1] == ("com", 0.03, "LF", "limits", ("torso",)), "only x is not the shortest"
+    assert gave_way(tick | {"status": 2, "failed_level": -1}, header) is None, "nothing was solved"
+
+
 def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
     state = json.dumps({"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12}).encode()
     for cause, fault, text, text_of_joint in json.loads((ROOT / "tests/support/stop_words.json").read_text()):
-        for joint, told in [(-1, text), (2, text_of_joint)]:
+        for joint, told in [(-1, text), (2, text_of_joint), (12, text)]:
             health = {group: {"fault": fault, "joint": joint} for group in ("encoders", "joint_torques", "imu")}
             tick = {"/state": state, "/command": json.dumps({"mode": "damping", "cause": cause}).encode(), "/health": json.dumps(health).encode()}
             assert frame_of(tick, {"level_names": []}, "").stop == told
@@ -160,6 +173,23 @@ def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
                 tick["/command"] = json.dumps({"mode": "damping", "cause": cause, "fault": fault, "joint": joint}).encode()
                 tick["/health"] = json.dumps({group: {"fault": "late", "joint": 5} for group in health}).encode()
                 assert frame_of(tick, {"level_names": []}, "").stop == told
+
+
+def test_of_a_foot_that_slides_it_is_told_whose_it_is():
+    names = ["none", *("other" for _ in range(10)), "stance foot slides"]
+    maker = FrameMaker({"event_names": names, "level_names": []})
+
+    def event(number, **slips):
+        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": dict.fromkeys(LEGS, False) | slips}
+        data = {"/state": state, "/plan": {"feet": {}, "event": number}}
+        messages = [SimpleNamespace(topic=topic, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
+        return maker.frame(messages).event
+
+    assert event(0) == ""
+    assert event(11, LF=True) == "LF: stance foot slides"
+    assert event(11, LF=True, RH=True) == "RH: stance foot slides"
+    assert event(11, LH=True, RF=True) == "stance foot slides", "two at once"
+    assert event(10, LF=True) == "other"
 
 
 def test_a_push_is_one_from_more_than_rounding_on():

@@ -50,10 +50,18 @@ def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, tmp_path):
     with Viewer(*WALK) as walk:
         show(browser, walk.link)
         browser.wait(f"{log} === 'none: run it with --record FILE to keep one'")
-    with Viewer(*WALK, "--record", tmp_path / "kept.mcap") as recorded:
-        show(browser, recorded.link)
+    kept = tmp_path / "kept.mcap"
+    with Viewer("run", "walk_flat_ideal", "--view", "--set", "duration=1", "--record", kept) as recorded, Page(recorded) as hand:
+        hand.do("pause")
+        show(browser, recorded.address)
         browser.wait("document.querySelector('#head-facts').textContent.startsWith('recording kept.mcap')")
-        browser.wait(f"{log} === 'recorded in {tmp_path / 'kept.mcap'}'")
+        browser.wait(f"{log} === 'goes into {kept}.partial, which is called {kept} when the run has ended'")
+        browser.press(" ")
+        browser.wait("!surefoot.following")  # the picture stands, whatever the run does
+        hand.do("resume")
+        browser.wait(f"{log} === 'recorded in {kept}'")
+        hand.do("reset")
+        browser.wait(f"{log}.includes('{tmp_path / 'kept-2.mcap'}')")
 
 
 def test_a_damaged_log_is_told_in_the_page_and_on_its_time_bar(browser, log, tmp_path):

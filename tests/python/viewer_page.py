@@ -20,7 +20,7 @@ SPY = """(() => {
 })()"""
 # What changes the run, in the panel Drive, and that this page may only look.
 CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
-VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('View only')"
+VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('This page can only look')"
 SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
 THEMES = ("light", "dark")
 WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]

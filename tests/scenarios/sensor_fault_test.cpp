@@ -46,7 +46,7 @@ const std::vector<Fault>& faults() {
       {"imu", "repeats", "", "IMU stopped"},
       {"imu", "nan", "", "IMU gave no numbers"},
       {"imu", "late", "size: 10", "IMU came late"},
-      {"gyro", "repeats", "", "IMU repeated itself"},
+      {"gyro", "repeats", "", "IMU repeated"},
       {"gyro", "jump", "size: 5", "IMU changed too fast"},
       {"accelerometer", "nan", "", "IMU gave no numbers"},
       {"accelerometer", "jump", "size: 400", "IMU left the range"},

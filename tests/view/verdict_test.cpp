@@ -1,3 +1,4 @@
+#include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/view/outcome.hpp"
@@ -16,6 +17,7 @@ namespace {
 using test::contents;
 using test::SyntheticRun;
 using test::TemporaryFolder;
+using test::write_file;
 
 TEST(Verdict, EveryCriterionAndEveryFigureOfThePaperIsInTheTable) {
   const report::Outcome outcome = report::read_outcome(
@@ -35,9 +37,17 @@ TEST(Verdict, EveryCriterionAndEveryFigureOfThePaperIsInTheTable) {
 
 constexpr const char* kNoFall = R"({"metric":"fell","equals":false,"passed":true})";
 
+void damage_a_chunk(const std::string& path) {
+  const auto chunks = McapChunks(path).chunks();
+  const McapChunk& chunk = chunks.at(chunks.size() / 3);
+  std::string bytes = contents(path);
+  bytes.at(chunk.offset + chunk.size / 2) ^= '\x40';
+  write_file(path, bytes);
+}
+
 // A log of a run that ended for this reason, with a goal, and with an event at 0.5 s and later.
 std::string report_of_end(const std::string& reason, const std::string& criterion = kNoFall,
-                          bool is_steered = false) {
+                          bool is_steered = false, bool is_damaged = false) {
   const TemporaryFolder folder;
   LogHeader header = SyntheticRun::header();
   header.options = R"({"goal":{"feet_beyond_x":0.42}})";
@@ -53,6 +63,7 @@ std::string report_of_end(const std::string& reason, const std::string& criterio
   }
   recorder.close(R"({"metrics":{"succeeded":true,"goal_reached":false,"reason":")" + reason +
                  R"("},"criteria":[)" + criterion + "]}");
+  if (is_damaged) damage_a_chunk(folder / "run.mcap");
   return contents(write_report(folder / "run.mcap", folder / "report"));
 }
 
@@ -94,6 +105,19 @@ TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
   EXPECT_EQ(whole.find(kByHand), std::string::npos);
   EXPECT_NE(cut.find(kCut), std::string::npos);
   EXPECT_NE(steered.find(kByHand), std::string::npos);
+}
+
+TEST(Verdict, OfALogThatIsDamagedWithinItIsSaidWhatMayBeMissing) {
+  constexpr const char *kNotWhole = "class=\"warning\">The log is not whole: ",
+                       *kByHand = "may be missing here: the log is damaged",
+                       *kCut = "goes on where this log ends";
+  const std::string damaged = report_of_end("the whole duration", kNoFall, false, true);
+  EXPECT_NE(damaged.find(kNotWhole), std::string::npos);
+  EXPECT_NE(damaged.find(kByHand), std::string::npos);
+  EXPECT_EQ(damaged.find(kCut), std::string::npos) << "its end is there";
+  EXPECT_NE(damaged.find("✓ the criterion holds: fell"), std::string::npos);
+  const std::string whole = report_of_end("the whole duration");
+  for (const char* text : {kNotWhole, kByHand}) EXPECT_EQ(whole.find(text), std::string::npos);
 }
 
 TEST(Verdict, ASummaryOfAnotherShapeIsNone) {

@@ -140,9 +140,14 @@ export class App {
     return this.link?.status?.recording ?? "";
   }
 
+  private get hasEnded(): boolean {
+    return this.link?.status?.ended != null;
+  }
+
   private again(): string {
     const { header, cut, source } = this.session;
-    return againText(header.command, source || this.recording, cut === "", this.player.source.marks.some(({ kind }) => kind === "change"));
+    const isSteered = this.player.source.marks.some(({ kind }) => kind === "change");
+    return againText(header.command, source || this.recording, cut === "", isSteered, source !== "" || this.hasEnded);
   }
 
   /** Why the run has ended; "": it has not, or nobody knows. */
@@ -155,7 +160,7 @@ export class App {
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
-      ["Log", source === "" ? recordingText(this.recording) : cut === "" ? source : `${source} (${cut})`],
+      ["Log", source === "" ? recordingText(this.recording, this.hasEnded) : cut === "" ? source : `${source} (${cut})`],
       ["Ended", this.ending || (this.link === undefined ? "" : "not yet")],
       ["Again", this.again()], ["Version", version],
     ];
@@ -350,9 +355,9 @@ export class App {
     this.transport.update(this.link?.status, heard);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
+    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
     this.tellHead(heard);
-    for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
   }
 
   /** Why a run has ended stands before what matters less: there is not always room for all. */

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
 import { accountOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
 import { blockOf, schemaOf } from "./make.ts";
+import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
 import { FrameTable } from "../src/data/table.ts";
 
@@ -40,13 +41,13 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", whole: "second gives way to first.", more: ["second gives way to first (b), 0.50 m/s² short."] });
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
   const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far").more, ["second gives way to first (b) and first (a), 0.50 m/s² short."]);
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far").more, ["second gives way to first (b) and first (a), 0.500 m/s² short."]);
 });
 
 test("what is less than people should see is not told, also beyond a bound", () => {
@@ -78,6 +79,19 @@ test("however many levels give way, to however many rows, the account is one lin
   assert.equal(accountOf(many(11), "").more.length, 11);
 });
 
+test("a residual is told with the digits of the level's card", () => {
+  for (const residual of [0.0312, 9.96, 31.4, 106.4, 1234]) {
+    const states = levelStates(frameOf([0, residual], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
+    assert.deepEqual(accountOf(states, "").more, [`second gives way to first (b), ${quantity(states[1]?.residual as number, "m/s²")} short.`]);
+  }
+});
+
+test("three levels that are held back above 0 are listed as three", () => {
+  const level = levelStates(frameOf([0, 0.5], { blocking: [[1, 0, 1, 0.4]] }))[1] as LevelState;
+  const states = ["a", "b", "c"].map((name): LevelState => ({ ...level, name, status: "minimised" }));
+  assert.equal(accountOf(states, "").line, "All tasks are met; a, b and c are kept above 0.");
+});
+
 test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
   assert.equal(states[0]?.status, "not solved");
@@ -100,7 +114,9 @@ test("of a solve that was cut off nothing is said of the level that it was in an
   const states = statesOf(1, 1);
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
-  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "The solver was cut off in second: of it and the levels below nothing is known.", whole: "The solver was cut off in second: of it and the levels below nothing is known.", more: [] });
+  const cut = "The solver was cut off in second: of it and the levels below nothing is known.";
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, cut, whole: cut, more: [] });
+  assert.equal(accountOf(statesOf(2, -1), "hold").line, "No level is solved: hold.", "whatever an older program left in its record");
   assert.equal(accountOf(statesOf(1, 0), "hold").line, "No level is solved: hold.");
   for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
 });

@@ -29,11 +29,13 @@ test("a run that was steered is not had again by its command", () => {
   assert.equal(againText(command, "a.mcap", true, true), `${command}, without what was changed and pushed by hand: surefoot replay a.mcap --verify repeats it`);
   assert.equal(againText(command, "a.mcap", false, false), `${command} (it goes on where this log ends)`);
   assert.ok(againText(command, "", true, true).includes("--record"));
+  assert.ok(againText(command, "a.mcap", true, true, false).endsWith(": when the run has ended, surefoot replay a.mcap --verify repeats it"));
 });
 
 test("of a live run it is told whether and where it is recorded", () => {
-  assert.equal(recordingText("logs/fin.mcap"), "recorded in logs/fin.mcap");
-  assert.ok(recordingText("").includes("--record"));
+  assert.equal(recordingText("logs/fin.mcap", true), "recorded in logs/fin.mcap");
+  assert.equal(recordingText("logs/fin.mcap", false), "goes into logs/fin.mcap.partial, which is called logs/fin.mcap when the run has ended");
+  for (const hasEnded of [false, true]) assert.ok(recordingText("", hasEnded).includes("--record"));
 });
 
 test("where a tick can't be read, the time that is shown instead is told", () => {

@@ -110,6 +110,19 @@ test("what is told to push is drawn, however weak, and nothing else is", () => {
   assert.equal(drawn(30, -20), "push 30 N and push 20 N", "each where it acts");
 });
 
+test("where the solve was cut off that is told, and what the levels above gave way to as well", () => {
+  const level = (name: string): [string, number][] => ["residual", "num_rows"].map((field) => [`hierarchy.level.${name}.${field}`, 1]);
+  const header = { robot: { mass: 30 }, level_names: ["first", "second", "third"], level_units: ["N", "N", "N"], level_visible: [0.5, 0.5, 0.5], event_names: [] };
+  const schema = schemaOf({ ...Object.fromEntries(["first", "second", "third"].flatMap(level)), "hierarchy.status": 1, "hierarchy.failed_level": 1 }, { header, rows: [["a"], ["b"], ["c"]] } as never);
+  const of = (residual: number): string | undefined => {
+    const frame = { schema, tick: 0, time: 0, values: Float32Array.from([0, 2, residual, 2, 7, 2, 1, 2]), active: [], blocking: [{ level: 1, by: 0, row: 0, cost: 1 }, { level: 2, by: 0, row: 0, cost: 1 }] };
+    return new Map(sentences(frame)).get("Hierarchy");
+  };
+  const cut = "The solver was cut off in third: of it and the levels below nothing is known.";
+  assert.equal(of(3), `${cut} second gives way to first (a), 3.00 N short.`);
+  assert.equal(of(0), cut);
+});
+
 test("why the controller has stopped is said in the program's words", () => {
   const groups = ["encoders", "joint_torques", "imu"];
   const faults = [...new Set(stopWords.map(([, fault]) => fault as string))], causes = [...new Set(stopWords.map(([cause]) => cause as string))];
@@ -118,7 +131,7 @@ test("why the controller has stopped is said in the program's words", () => {
   Object.assign(schema.channel("state.q") as object, { labels: ["LF_HAA", "LF_HFE", "LF_KFE"] });
   for (const group of groups) Object.assign(schema.channel(`health.${group}.fault`) as object, { values: faults });
   for (const [cause = "", fault = "", text, textOfJoint] of stopWords)
-    for (const [joint, told] of [[-1, text], [2, textOfJoint]] as const) {
+    for (const [joint, told] of [[-1, text], [2, textOfJoint], [12, text]] as const) {
       const table = new FrameTable(schema, 1);
       const health = groups.flatMap(() => [faults.indexOf(fault), joint]);
       table.append(0, 0, Float32Array.from([causes.indexOf(cause), 0, 0, 0, ...health]), undefined);

@@ -1,10 +1,10 @@
-import { rounded } from "./numbers.ts";
+import { quantity } from "./numbers.ts";
 import { scalar, type Frame } from "./frame.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
 
-/** Of `hierarchy.status`: ended early, in `hierarchy.failed_level`. */
-const ITERATION_CAP = 1;
+/** Of `hierarchy.status`: ended early, in `hierarchy.failed_level`; nothing was solved. */
+const ITERATION_CAP = 1, INVALID_INPUT = 2;
 
 export interface RowNote {
   name: string;
@@ -67,8 +67,9 @@ export function levelStates(frame: Frame): LevelState[] {
 
 /** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
 function solvedLevels(frame: Frame): number {
-  const failed = scalar(frame, "hierarchy.failed_level");
-  return scalar(frame, "hierarchy.status") === ITERATION_CAP && failed >= 0 ? failed : Infinity;
+  const status = scalar(frame, "hierarchy.status"), failed = scalar(frame, "hierarchy.failed_level");
+  if (status === INVALID_INPUT) return 0;
+  return status === ITERATION_CAP && failed >= 0 ? failed : Infinity;
 }
 
 function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visible: number | null | undefined): LevelStatus {
@@ -82,7 +83,9 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
-  /** Each level that gives way, and to which, or what is held back without that. */
+  /** That the solve was cut off, where it was. */
+  cut?: string;
+  /** That, and each level that gives way, and to which, or what is held back without that. */
   whole: string;
   more: string[];
 }
@@ -93,8 +96,12 @@ export function accountOf(states: LevelState[], command: string, stopped = false
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
-  const cut = states.find((state) => state.status === "not solved");
-  if (cut !== undefined) return { kind: "bad", ...same(`The solver was cut off in ${plainName(cut)}: of it and the levels below nothing is known.`), more };
+  const first = states.find((state) => state.status === "not solved");
+  if (first !== undefined) {
+    const cut = `The solver was cut off in ${plainName(first)}: of it and the levels below nothing is known.`;
+    const others = yielding.length > 0 ? yieldingText(yielding, states) : held.length > 0 ? `${heldText(held, states)}.` : "";
+    return { kind: "bad", line: cut, cut, whole: `${cut} ${others}`.trim(), more };
+  }
   if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), whole: yieldingText(yielding, states), more };
   if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), more };
   return { kind: "good", ...same("Every level gets what it asks for."), more };
@@ -104,7 +111,7 @@ const same = (line: string): Pick<Account, "line" | "whole"> => ({ line, whole: 
 
 /** Of levels that are to be as small as can be, and would be smaller alone. */
 function heldText(held: LevelState[], states: LevelState[]): string {
-  if (held.length > 1) return `${held.map(plainName).join(" and ")} are kept above 0`;
+  if (held.length > 1) return `${listed(held.map(plainName))} are kept above 0`;
   return `${held.map(plainName).join()} is kept above 0 by ${aboveOf(held[0] as LevelState, states)}`;
 }
 
@@ -131,8 +138,7 @@ function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
 function sentenceOf(state: LevelState, states: LevelState[]): string {
   const rows = listed(state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`));
   if (state.status === "minimised") return `${plainName(state)} is as small as it can be, held back by ${rows}.`;
-  const residual = `${rounded(state.residual, 2)}${state.unit === "" ? "" : ` ${state.unit}`}`;
-  return `${plainName(state)} gives way${rows === "" ? "" : ` to ${rows}`}, ${residual} short.`;
+  return `${plainName(state)} gives way${rows === "" ? "" : ` to ${rows}`}, ${quantity(state.residual, state.unit)} short.`;
 }
 
 const plainName = ({ name }: LevelState): string => name.replaceAll("_", " ");

@@ -33,10 +33,19 @@ function inOrder(marks: Mark[]): Mark[] {
   return [...known.values()].sort((a, b) => a.time - b.time);
 }
 
-/** What is not from before `first`, and the last changes, so many, however old. */
+/** What is not from before `first`, and the last changes, so many, however old; of a force that is told to end, or still acts, its begin. */
 function keptSince(first: number, marks: Mark[], most: number): Mark[] {
   const changes = new Set(marks.filter(({ kind }) => kind === "change").slice(-most));
-  return marks.filter((mark) => !(mark.time < first) || changes.has(mark));
+  const kept = new Set(marks.filter((mark) => !(mark.time < first) || changes.has(mark)));
+  return marks.filter((mark, k) => kept.has(mark) || lasts(marks, k, kept));
+}
+
+/** Whether the force that begins with this mark has no end yet, or one that is kept; pushes of the operator end by themselves. */
+function lasts(marks: Mark[], k: number, kept: Set<Mark>): boolean {
+  const force = marks[k]?.force;
+  if (force === undefined || !force.begins || force.kind === "push") return false;
+  const end = marks.slice(k + 1).find(({ force: other }) => other?.begins === false && other.kind === force.kind && other.body === force.body);
+  return end === undefined || kept.has(end);
 }
 
 /** The last two minutes of a live run: what came, and what the program still knows of the time before. */

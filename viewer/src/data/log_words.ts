@@ -26,14 +26,18 @@ export function readText(read: number, whole: number): string {
   return `Reading the log: ${Math.floor(read)} s of ${Math.ceil(whole)} s`;
 }
 
-/** The log that a live run goes into, as it is told beside what the run is. */
-export const recordingText = (path: string): string => (path === "" ? "none: run it with --record FILE to keep one" : `recorded in ${path}`);
+/** The log that a live run goes into, as it is told beside what the run is: the file has its name when it is whole. */
+export function recordingText(path: string, hasEnded: boolean): string {
+  if (path === "") return "none: run it with --record FILE to keep one";
+  return hasEnded ? `recorded in ${path}` : `goes into ${path}.partial, which is called ${path} when the run has ended`;
+}
 
-/** The command that gives this run again, and what it leaves out: what was changed while the run was watched is in its log alone. */
-export function againText(command: string, log: string, isWhole: boolean, isSteered: boolean): string {
+/** The command that gives this run again, and what it leaves out: what was changed while the run was watched is in its log alone; `hasEnded`:
+ * that log can be read by its name. */
+export function againText(command: string, log: string, isWhole: boolean, isSteered: boolean, hasEnded = true): string {
   if (command === "") return "";
   const whole = isWhole ? "" : " (it goes on where this log ends)";
   if (!isSteered) return command + whole;
-  const steered = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `surefoot replay ${log} --verify repeats it`;
+  const steered = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `${hasEnded ? "" : "when the run has ended, "}surefoot replay ${log} --verify repeats it`;
   return `${command}${whole}, without what was changed and pushed by hand: ${steered}`;
 }

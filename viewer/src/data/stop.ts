@@ -2,7 +2,7 @@ import { scalar, word, type Frame } from "./frame.ts";
 
 /** What is wrong with a group of sensors, as the program says it. */
 const VERBS: Record<string, string> = {
-  silent: "stopped", late: "came late", not_a_number: "gave no numbers", out_of_range: "left the range", jump: "changed too fast", repeats: "repeated itself",
+  silent: "stopped", late: "came late", not_a_number: "gave no numbers", out_of_range: "left the range", jump: "changed too fast", repeats: "repeated",
 };
 const GROUPS: Record<string, [one: string, all: string]> = {
   encoders: ["encoder", "encoders"], joint_torques: ["joint torque", "joint torques"], imu: ["IMU", "IMU"],
@@ -26,8 +26,9 @@ export function stopText(frame: Frame): string {
 const jointName = (frame: Frame, at: number): string | undefined => frame.schema.channel("state.q")?.labels?.[at];
 
 function sensorText([one, all]: [string, string], group: string, fault: string, joint: string | undefined): string {
+  if (group === "imu") return all; // which is of no joint
   if (joint !== undefined) return `${one} ${joint}`;
-  return group === "imu" || !(fault in VERBS) || OF_ALL.includes(fault) ? all : `${all} of several joints`;
+  return !(fault in VERBS) || OF_ALL.includes(fault) ? all : `${all} of several joints`;
 }
 
 /** What is wrong with the sensors at this tick, in the same words; "": nothing. */

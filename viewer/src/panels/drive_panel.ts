@@ -1,6 +1,7 @@
 import { worldDirection } from "../data/change_words.ts";
+import { asSentence } from "../data/log_words.ts";
 import { Wish } from "../data/wish.ts";
-import type { Commands, Walk } from "../protocol/commands.ts";
+import { VIEW_ONLY, type Commands, type Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import type { Limits } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
@@ -59,8 +60,7 @@ export class DrivePanel {
   private readonly directionText = h("output", {});
   private readonly duration: HTMLInputElement;
   private readonly controls: HTMLFieldSetElement;
-  private readonly viewOnly = h("p", { class: "soft view-only", hidden: true },
-    "View only: open the link with #token=… that the program printed to push, walk and change. Each start of it prints another one.");
+  private readonly viewOnly = h("p", { class: "soft view-only", hidden: true }, asSentence(VIEW_ONLY));
 
   constructor(root: HTMLElement, private readonly commands: Commands, limits: Limits, private readonly report: Report) {
     this.most = walkLimits(limits);

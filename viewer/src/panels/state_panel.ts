@@ -57,8 +57,8 @@ function pyramidUses(frame: Frame): string {
 }
 
 /** One or two levels with the rows that hold them back, of more with the levels: the panel of the hierarchy has the rest. */
-function hierarchyText({ whole, more }: Account): string {
-  return more.length === 0 || more.length > 2 ? whole : more.join(" ");
+function hierarchyText({ cut, whole, more }: Account): string {
+  return more.length === 0 || more.length > 2 ? whole : [...(cut === undefined ? [] : [cut]), ...more].join(" ");
 }
 
 /** Share of a force that is told: less is within 22.5° of the others. */

@@ -4,6 +4,7 @@ import { speedText } from "../data/lag.ts";
 import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
 import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
+import { VIEW_ONLY } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
 
@@ -13,8 +14,6 @@ const COLUMN = 4;
 const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--ink", notable: "--near", grave: "--bad" };
 
 const RESET = "begin again (r)", SPEED = "speed ([ and ])", PAST_SPEED = "speed of what is played again ([ and ])";
-/** What stands beside what a page without the token can't have. */
-export const VIEW_ONLY = "only from the page with the link's #token=…; this page can look at what was before";
 
 export interface TransportActions {
   pause: () => void;

@@ -7,6 +7,9 @@ export interface Walk {
   height: number;
 }
 
+/** What a page without the token says wherever it can't do something. */
+export const VIEW_ONLY = "this page can only look: open the link with #token=… that the program printed last";
+
 /** Asks the server for changes of the run. Each needs the token of the link that the program printed. */
 export class Commands {
   /** The program does not know the token: it is that of an earlier start, say. */
@@ -33,8 +36,7 @@ export class Commands {
   /** Ends with the server's answer; an error says why it was not done. */
   send(type: string, fields: object = {}): Promise<void> {
     if (this.connection === undefined) return Promise.reject(new Error("a log can't be changed"));
-    if (!this.allowed)
-      return Promise.reject(new Error("this page can only look: open the link with #token=… that the program printed last"));
+    if (!this.allowed) return Promise.reject(new Error(VIEW_ONLY));
     const id = ++this.id;
     if (!this.connection.send({ type, ...fields, token: this.token, id }))
       return Promise.reject(new Error("there is no connection to the program"));

@@ -1,0 +1,193 @@
+#include "app/gave_way.hpp"
+
+#include "app/hierarchy_status.hpp"
+#include "app/stop_text.hpp"
+#include "surefoot/base/formatted.hpp"
+#include "surefoot/logging/message_fields.hpp"
+#include "surefoot/logging/visible_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+namespace surefoot {
+namespace {
+
+/// Two digits, or all that stand before the point: 0.12, 3.4, 460.
+std::string number(double value) {
+  return formatted(std::abs(value) < 100.0 ? "%.2g" : "%.0f", value);
+}
+
+std::string level_name(const TickExplanation& explanation, std::int16_t level) {
+  const auto& names = explanation.header.level_names;
+  const auto k = static_cast<std::size_t>(level);
+  return k < names.size() ? names[k] : "level " + std::to_string(level + 1);
+}
+
+std::string row_name(const TickExplanation& explanation, const BlockingRow& row) {
+  const auto found = explanation.row_names.find({row.by_level, row.id});
+  return found == explanation.row_names.end() ? "row " + std::to_string(row.id) : found->second;
+}
+
+std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
+  std::vector<CostlyRow> rows;
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  for (std::int32_t i = 0; i < report.num_blocking; ++i) {
+    const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
+    if (row.level != level) continue;
+    rows.push_back({level_name(explanation, row.by_level), row_name(explanation, row), row.cost});
+  }
+  return rows;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+/// A row by its level's name, without that of its own where it says no more: torso_height height.
+/// `before`: the row that is told before it; its level is told once.
+std::string named(const CostlyRow& row, const CostlyRow* before) {
+  if (row.level.ends_with("_" + row.row)) return row.level;
+  const bool is_told = before != nullptr && before->level == row.level;
+  return is_told ? row.row : row.level + " " + row.row;
+}
+
+bool has_costs(const LevelThatGaveWay& level) {
+  return !level.to.empty() &&
+         level.to.front().cost > kResidualRounding;  // the dearest stands first
+}
+
+bool is_same(const CostlyRow& a, const CostlyRow& b) {
+  return a.level == b.level && a.row == b.row;
+}
+
+/// Of levels that nothing costs anything alone.
+bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
+  return a.to.size() > 1 && !has_costs(a) && !has_costs(b) &&
+         std::ranges::is_permutation(a.to, b.to, is_same);
+}
+
+std::string clause(const LevelThatGaveWay& level, bool is_known) {
+  const std::string unit = level.unit.empty() ? "" : " " + level.unit;
+  std::string text = level.name + " gave way by " + number(level.residual) + unit;
+  if (level.to.empty())
+    return text + (is_known ? " to nothing above: its own rows can't all be had"
+                            : "; to what is not known");
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < level.to.size(); ++i) {
+    const CostlyRow& row = level.to[i];
+    rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) +
+                   (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
+  }
+  return text + " to " + joined(rows);
+}
+
+/// What the clauses of levels leave out: that rows without a cost cost nothing alone.
+std::string without_costs(const std::vector<LevelThatGaveWay>& levels) {
+  const auto has_none = [](const LevelThatGaveWay& level) {
+    return !level.to.empty() && !has_costs(level);
+  };
+  if (std::ranges::none_of(levels, has_none)) return "";
+  if (levels.size() > 1) return "; rows without a number cost nothing alone";
+  return levels.front().to.size() == 1 ? ", which costs nothing alone"
+                                       : ", none of which costs anything alone";
+}
+
+std::string clauses(const std::vector<LevelThatGaveWay>& levels, bool is_known) {
+  std::string text;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const LevelThatGaveWay& level = levels[i];
+    const std::string unit = level.unit.empty() ? "" : " " + level.unit;
+    const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
+    text += (i == 0 ? "" : "; ") +
+            (goes_on ? level.name + " gave way by " + number(level.residual) + unit + " to the same"
+                     : clause(level, is_known));
+  }
+  return text + without_costs(levels);
+}
+
+/// `every`: of which levels it is said.
+std::string nothing_gave_way(const std::string& every,
+                             const std::vector<LevelThatGaveWay>& restless) {
+  if (restless.empty()) return every + " got what it asked for.";
+  std::vector<std::string> names;
+  names.reserve(restless.size());
+  for (const LevelThatGaveWay& level : restless) names.push_back(level.name);
+  return every + " got what it asked for but " + joined(names) + ", which never " +
+         (names.size() == 1 ? "does." : "do.");
+}
+
+std::string without_solution(const TickRecord& tick) {
+  const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
+  const std::string why = text_of_stop(tick);
+  return "No hierarchy was solved at this tick: the command is that of the mode " + mode +
+         ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
+}
+
+/// The level in which a solve was cut off; empty: it came to its end.
+std::string cut_off_level(const TickExplanation& explanation) {
+  const std::size_t solved = solved_levels(explanation.tick.hierarchy, explanation.order).size();
+  return solved < explanation.order.size() ? level_name(explanation, explanation.order[solved])
+                                           : "";
+}
+
+/// Of the levels that are at their optimum.
+std::string account(const TickExplanation& explanation, const std::string& cut_off) {
+  std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
+  std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
+  std::erase_if(levels, &LevelThatGaveWay::restless);
+  if (!levels.empty()) return clauses(levels, explanation.tick.hierarchy.blocking_is_known) + ".";
+  return nothing_gave_way(cut_off.empty() ? "Every level" : "Every level above " + cut_off,
+                          restless);
+}
+
+}  // namespace
+
+std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
+  std::vector<LevelThatGaveWay> levels;
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  for (const std::int16_t k : solved_levels(report, explanation.order)) {
+    const auto level = static_cast<std::size_t>(k);
+    const double residual = report.levels[level].residual;
+    const auto& units = explanation.header.level_units;
+    const std::string name = level_name(explanation, k);
+    const std::string unit = level < units.size() ? units[level] : "";
+    const double visible = visible_residual(name, unit);
+    const bool restless = std::isnan(visible);
+    if (!(residual > (restless ? kResidualRounding : visible))) continue;
+    levels.push_back({.name = name,
+                      .unit = unit,
+                      .residual = residual,
+                      .restless = restless,
+                      .to = rows_of(explanation, k)});
+  }
+  return levels;
+}
+
+std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  const auto solved = solved_levels(report, explanation.order);
+  std::vector<ActiveRow> rows;
+  std::copy_if(
+      report.active.begin(), report.active.begin() + report.num_active, std::back_inserter(rows),
+      [&](const ActiveRow& row) { return std::ranges::find(solved, row.level) != solved.end(); });
+  return rows;
+}
+
+std::string gave_way_sentence(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  if (!was_solved(report)) return without_solution(explanation.tick);
+  const std::string cut_off = cut_off_level(explanation);
+  if (cut_off.empty()) return account(explanation, cut_off);
+  const bool is_any_solved = !solved_levels(report, explanation.order).empty();
+  return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
+         cut_off + ": of it and the levels below it nothing is known.";
+}
+
+}  // namespace surefoot

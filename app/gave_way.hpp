@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/tick_explanation.hpp"
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// A row of a higher level, and what it cost a level that gave way by itself.
+struct CostlyRow {
+  std::string level, row;
+  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone
+};
+
+/// A level that did not get what it asked for.
+struct LevelThatGaveWay {
+  std::string name, unit;
+  double residual = 0.0;
+  bool restless = false;      ///< asks for no force or torque at all, and is never content
+  std::vector<CostlyRow> to;  ///< dearest first; empty: nothing above holds it back
+};
+
+/// Of the levels that were solved, in the order of the tick's hierarchy. What is less than
+/// `visible_residual` is left out.
+[[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
+
+/// Rows at or beyond a bound, of the levels that were solved.
+[[nodiscard]] std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation);
+
+/// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
+/// RH (0.1)." Of a solve that was cut off also where.
+[[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
+
+}  // namespace surefoot
