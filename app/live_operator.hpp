@@ -18,7 +18,7 @@
 namespace surefoot {
 
 /// That a pull goes on without being renewed [s].
-inline constexpr double kPullLasts = 0.6;
+inline constexpr double kPullLasts = 1.5;
 
 /// Ticks that wait at most, to be made while it is paused: ten seconds.
 inline constexpr int kMostStepsWaiting = 4000;

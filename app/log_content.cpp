@@ -63,7 +63,9 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
     session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end()) +
                    "): what is left of it is shown";
   } else {
-    session_.cut = cut_of(report::read_outcome(frames_.outcome(), header.options));
+    const report::Outcome outcome = report::read_outcome(frames_.outcome(), header.options);
+    session_.cut = cut_of(outcome);
+    session_.ended = outcome.known ? outcome.reason : "";
   }
   session_.header = to_json(header);
   session_.period = header.control_period;

@@ -170,8 +170,8 @@ void fields(Archive& field, T& torso) {
 template <typename Archive, Is<ComPlan> T>
 void fields(Archive& field, T& com) {
   field("p", com.p, "desired x and y of the centre of mass in W [m]");
-  field("v", com.v, "[m/s]");
-  field("a", com.a, "[m/s²]");
+  field("v", com.v, "desired velocity of the centre of mass, in W [m/s]");
+  field("a", com.a, "desired acceleration of the centre of mass, in W [m/s²]");
   field("zmp", com.zmp, "zero-moment point that goes with it, in W [m]");
 }
 

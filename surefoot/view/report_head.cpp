@@ -107,10 +107,12 @@ std::string criteria_badge(const Outcome& outcome) {
                                 : "✓ all " + std::to_string(all) + " criteria hold");
 }
 
-// Criteria may ask for less than the scenario's goal, or for its failure.
+// Criteria may ask for less than the scenario's goal, or for its failure; where they ask for it,
+// theirs is the badge.
 std::string goal_badge(const Outcome& outcome) {
   if (outcome.goal.empty() || outcome.goal_reached) return "";
   const Requirement* criterion = outcome.criterion("goal_reached");
+  if (criterion != nullptr && !criterion->passed.value_or(true)) return "";
   const bool expected = criterion != nullptr && criterion->equals == false;
   return expected ? badge("soft", "goal not reached, as the criteria expect")
                   : badge("bad", "✗ goal not reached");

@@ -85,6 +85,7 @@ std::string to_json(const ViewSession& session) {
       .member("title", std::string_view(session.title))
       .member("source", std::string_view(session.source))
       .member("cut", session.cut)
+      .member("ended", session.ended)
       .member("period", session.period)
       .member("first_tick", session.first_tick)
       .member("ticks", session.ticks)

@@ -60,6 +60,7 @@ struct ViewSession {
   std::string mode;   ///< "live" or "replay"
   std::string version, title, source;
   std::string cut;         ///< of a log: why the run does not end where it should; "": it does
+  std::string ended;       ///< of a log: why its run ended; "": that is not known
   std::string header;      ///< the log's header, JSON
   double period = 0.0025;  ///< of the ticks [s]
   std::uint32_t first_tick = 0, ticks = 0;

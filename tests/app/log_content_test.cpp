@@ -240,19 +240,22 @@ TEST_F(DamagedLog, why_a_run_does_not_end_where_it_should_is_told) {
   const auto end = [](const std::string& reason) {
     return R"({"metrics":{"reason":)" + reason + R"(},"criteria":[]})";
   };
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {end(R"("fell")"), ""},
-      {end(R"("interrupted")"), "the run was interrupted: the log's file is whole, and ends there"},
-      {end(R"("begun again")"), "the run was begun again: the log's file is whole, and ends there"},
-      {end("null"), unknown},
-      {R"({"metrics":{},"criteria":{"fell":true}})", unknown},
-      {"{}", unknown},
-      {"", unknown}};  // the program ended in an exception
-  for (const auto& [summary, cut] : cases) {
+  const std::string whole = ": the log's file is whole, and ends there";
+  const std::vector<std::array<std::string, 3>> cases{
+      {end(R"("fell")"), "", "fell"},
+      {end(R"("interrupted")"), "the run was interrupted" + whole, "interrupted"},
+      {end(R"("begun again")"), "the run was begun again" + whole, "begun again"},
+      {end("null"), unknown, ""},
+      {R"({"metrics":{},"criteria":{"fell":true}})", unknown, ""},
+      {"{}", unknown, ""},
+      {"", unknown, ""}};  // the program ended in an exception
+  for (const auto& [summary, cut, ended] : cases) {
     SCOPED_TRACE(summary);
     record(400, "", 0, summary);
     LogContent content(summary.empty() ? path() + ".partial" : path());
-    EXPECT_EQ(whole_session(content).at("cut"), cut);
+    const json session = whole_session(content);
+    EXPECT_EQ(session.at("cut"), cut);
+    EXPECT_EQ(session.at("ended"), ended);
     EXPECT_EQ(std::ranges::count(content.notes(), cut), cut.empty() ? 0 : 1);
     EXPECT_EQ(marks_of_damage(content), 0u);
   }

@@ -38,7 +38,8 @@ class Browser:
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.console, self.requests, self.count, self.dragged = [], [], 0, None
         self.open_things = contextlib.ExitStack()
-        self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None))
+        # Without pings: while nobody reads, as in tests with another page, what the page says keeps their answers back.
+        self.socket = self.open_things.enter_context(connect(self.page_address(), max_size=None, compression=None, ping_interval=None))
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
         self.resize(width, height)

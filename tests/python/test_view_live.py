@@ -9,6 +9,7 @@ import urllib.parse
 
 import pytest
 
+from browser import wait_for
 from live_page import LONG, Frames, Served
 from program import PROGRAM
 
@@ -148,5 +149,6 @@ def niceness(process):
 
 def test_what_can_wait_gives_way_to_the_run(tmp_path):
     with Served("run", "walk_flat", "--view", *LONG, "--record", tmp_path / "run.mcap") as run:
-        nice, loop = niceness(run.process), os.getpriority(os.PRIO_PROCESS, run.process.pid)
-        assert nice["view-server"] == nice["log-writer"] == loop + 5, (nice, loop)
+        loop = os.getpriority(os.PRIO_PROCESS, run.process.pid)
+        lower = {"view-server": loop + 5, "log-writer": loop + 5}
+        wait_for(lambda: lower.items() <= niceness(run.process).items(), "both threads to have a lower priority")

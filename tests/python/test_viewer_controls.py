@@ -1,6 +1,7 @@
 """Keys, mouse, fingers and gamepad of the viewer's page, as the browser's own input events: each does what the help says, and nothing else."""
 
 import contextlib
+import json
 import math
 import time
 
@@ -61,18 +62,19 @@ def test_the_help_opens_and_closes_by_its_keys_and_holds_all_others_back(page):
     is_open = "document.querySelector('#help').open"
     for close in ("?", "Escape"):
         page.press("?")
-        assert page.run(is_open)
+        page.wait(is_open)
         for key in "wxpr":
             page.press(key)
         page.press(close)
-        assert not page.run(is_open)
+        page.wait(f"!{is_open}")
     page.click("#help-open")
+    page.wait(is_open)
     page.screenshot(SCREENSHOTS / "help.png")
     box = page.run("(() => { const b = document.querySelector('#help').getBoundingClientRect(); return [b.top, innerHeight - b.bottom, b.left]; })()")
     assert min(box) >= 0, "all of it is in the page"
     page.mouse("mousePressed", 5, 5)
-    page.mouse("mouseReleased", 5, 5)
-    assert not page.run(is_open), "a press beside it closes it"
+    page.mouse("mouseReleased", 5, 5)  # a press beside it closes it
+    page.wait(f"!{is_open}")
     assert page.run("sent") == []
 
 
@@ -82,17 +84,15 @@ def test_every_key_of_the_help_does_what_it_says(page):
     page.press("t")
     page.wait("document.documentElement.dataset.theme === 'dark'")
     page.press("t")
-    page.press("f")
-    assert page.run("document.querySelector('#follow').getAttribute('aria-pressed')") == "false"
-    page.press("f")
+    for follows in ("false", "true"):
+        page.press("f")
+        page.wait(f"document.querySelector('#follow').getAttribute('aria-pressed') === '{follows}'")
     boxes = "[...document.querySelectorAll('#overlays input')].map(one => one.checked)"
     before = page.run(boxes)
-    for key in "1234567890-o":
-        page.press(key)
-    assert page.run(boxes) == [not checked for checked in before]
-    for key in "1234567890-o":
-        page.press(key)
-    assert page.run(boxes) == before
+    for expected in ([not checked for checked in before], before):
+        for key in "1234567890-o":
+            page.press(key)
+        wait_for(lambda: page.run(boxes) == expected, "the overlays to change")
     page.press("x")
     page.wait(f"{command}.by === 'operator' && !{command}.walk && {command}.velocity[0] === 0")
     for key, test in {"w": "velocity[0] > 0", "a": "velocity[1] > 0", "q": "yaw_rate > 0", "PageUp": "height > 0"}.items():
@@ -135,14 +135,15 @@ def test_keys_that_are_typed_into_a_field_are_no_commands(page):
     page.run("document.querySelector('#channel-search').focus()")
     for key in "wasdxpr ?":
         page.press(key)
-    assert page.run("document.querySelector('#channel-search').value") == "wasdxpr ?"
+    page.wait("document.querySelector('#channel-search').value === 'wasdxpr ?'")
     assert page.run("sent") == [] and not page.run("document.querySelector('#help').open")
 
 
-def test_a_push_without_a_number_is_told_and_nothing_is_sent(page):
-    page.run("sent.length = 0; document.querySelector('#tab-drive').click(); document.querySelector('#push-impulse').value = ''")
+@pytest.mark.parametrize(("given", "why"), [("", "was no number"), ("-5", "can't be −5 N·s, its direction is chosen below"), ("0", "can't be 0 N·s, its direction is chosen below")])
+def test_a_push_of_no_size_is_told_and_nothing_is_sent(page, given, why):
+    page.run(f"sent.length = 0; document.querySelector('#tab-drive').click(); document.querySelector('#push-impulse').value = '{given}'")
     page.click("#push")
-    page.wait("document.querySelector('#notes').textContent.includes('No push: its impulse was no number. It is 15 N·s again.')")
+    page.wait(f"document.querySelector('#notes').textContent.includes(\"No push: its impulse {why}. It is 15 N·s again.\")")
     assert page.run("document.querySelector('#push-impulse').value") == "15"
     assert not [one for one in page.run("sent") if one["type"] == "push"]
 
@@ -202,6 +203,7 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     names = "surefoot.levels().map(one => one.name)"
     order = page.run(names)
     moving, place = order[-2], order[-4]
+    name = moving.replace("_", " ")
 
     def dragged():
         page.drop(page.middle(f"[data-level={moving}] .status"), page.middle(f"[data-level={place}] .status"))
@@ -214,9 +216,20 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     page.press(" ")
     expected = [*order[:-4], moving, *order[-4:-2], order[-1]]
     wait_for(lambda: page.run(names) == expected, "the new order", 60)
-    page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {moving} from {len(order) - 1} to {len(order) - 3}'))")
+    page.wait(f"[...document.querySelectorAll('.note')].some(one => one.textContent.includes('order: {name} from {len(order) - 1} to {len(order) - 3}'))")
     page.press("u")
     wait_for(lambda: page.run(names) == order, "the order that was", 60)
+
+
+def test_levels_stand_still_while_one_of_them_is_dragged(page):
+    seen = "document.querySelector('#panel-hierarchy').innerText"
+    drag = "document.querySelector('[data-level=swing_foot]').dispatchEvent(new DragEvent('%s', { bubbles: true, dataTransfer: new DataTransfer() }))"
+    page.run(drag % "dragstart")
+    held, tick = page.run(f"[{seen}, surefoot.tick]")
+    page.wait(f"surefoot.tick > {tick} + 100", 60)
+    assert page.run(seen) == held
+    page.run(drag % "dragend")
+    page.wait(f"{seen} !== {json.dumps(held)}")
 
 
 def test_steering_by_keys_is_told_in_one_note_that_renews_itself(page):

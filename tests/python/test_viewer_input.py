@@ -15,6 +15,7 @@ from log_file import messages
 from viewer import Viewer
 from viewer_page import SCREENSHOTS, SPY, WALK, pause, phone, sent, show, tap
 
+
 @pytest.fixture(scope="module")
 def played(tmp_path_factory):
     """A run that goes on, and its log."""
@@ -43,7 +44,7 @@ def test_three_presses_make_it_eight_times_as_fast(browser, played):
     for keys, speed in (("]]]", 8), ("[[[", 1)):
         for key in keys:
             browser.press(key)
-        assert browser.run("Number(document.querySelector('#speed').value)") == speed
+        browser.wait(f"Number(document.querySelector('#speed').value) === {speed}")
         browser.wait(f"surefoot.status.speed === {speed}")
 
 

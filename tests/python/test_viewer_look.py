@@ -4,36 +4,19 @@ import math
 import re
 import time
 
+import numpy as np
 import pytest
 
 from conftest import record
 from damaged_logs import without_calls
 from viewer import Viewer
-from viewer_page import SCREENSHOTS, WALK, channel, go_to, pause, show
-
-SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
-THEMES = ("light", "dark")
+from viewer_page import SCREENSHOTS, SIZES, WALK, channel, every_look, go_to, pause, pixels, show, step_until
 
 
 @pytest.fixture(scope="module")
 def live():
     with Viewer(*WALK) as viewer:
         yield viewer
-
-
-def every_look(browser, name):
-    """Both themes at both sizes, with a screenshot; the desktop in light comes back."""
-    try:
-        for theme in THEMES:
-            browser.prefer(theme)
-            for size, (width, height) in SIZES.items():
-                browser.resize(width, height, mobile=size == "phone")
-                browser.wait(f"innerWidth === {width}")
-                yield f"{name} {size} {theme}"
-                browser.screenshot(SCREENSHOTS / f"{name}_{size}_{theme}.png")
-    finally:
-        browser.prefer("light")
-        browser.resize(*SIZES["desktop"])
 
 
 def push_until_it_falls(browser):
@@ -142,16 +125,68 @@ def test_the_menu_of_overlays_is_whole_and_closes_by_escape_and_by_a_press_elsew
         assert browser.run(hit), (width, height)
         browser.screenshot(SCREENSHOTS / f"overlays_{width}x{height}.png")
         browser.press("Escape")
-        assert not browser.run(is_open), "Escape"
+        browser.wait(f"!{is_open}")
         browser.click("#overlays-open")
         browser.wait(is_open)
-        browser.click("#title")
-        assert not browser.run(is_open), "a press elsewhere"
+        browser.click("#title")  # a press elsewhere
+        browser.wait(f"!{is_open}")
         browser.click("#overlays-open")
         browser.wait(is_open)
         browser.click("#overlays-open")
-        assert not browser.run(is_open), "its own button"
+        browser.wait(f"!{is_open}")
     browser.resize(*SIZES["desktop"])
+
+
+def test_the_menu_of_overlays_leaves_the_robot_in_sight(browser, live):
+    show(browser, live.link)
+    browser.click("#overlays-open")
+    box = "(name => { const b = document.querySelector(name).getBoundingClientRect(); return [b.right, b.bottom]; })"
+    (right, bottom), (_, below) = browser.wait(f"document.querySelector('#overlays').checkVisibility() && ['#overlays', '#view'].map({box})")
+    assert right < browser.run("surefoot.place(surefoot.position('base'))")[0] - 100 and bottom < below
+    assert browser.run("[...document.querySelectorAll('.overlay-line')].every(one => one.title !== '')"), "what each of them is, is told to the pointer"
+    browser.press("Escape")
+
+
+def test_the_menu_of_overlays_changes_no_more_of_the_picture_than_it_covers(browser, log):
+    """Chromium laid the menu's ground over the picture above it where the processor draws."""
+    with Viewer("replay", log) as replay:
+        show(browser, replay.link)
+        browser.prefer("dark")
+        try:
+            go_to(browser, 400)
+            browser.wait("surefoot.meshesLoading === 0", 60)
+            time.sleep(2)  # the camera comes to rest
+            before = pixels(browser.screenshot())
+            browser.click("#overlays-open")
+            browser.wait("document.querySelector('#overlays').checkVisibility()")
+            time.sleep(0.5)
+            after = pixels(browser.screenshot(SCREENSHOTS / "overlays_dark.png"))
+            left, top, right, bottom = (round(one) for one in browser.run("(() => { const b = document.querySelector('#overlays').getBoundingClientRect(); return [b.left, b.top, b.right, b.bottom]; })()"))
+            browser.press("Escape")
+        finally:
+            browser.prefer("light")
+        changed = np.abs(after - before).max(axis=2) > 8
+        above, view_top = changed[:, left + 240 : right + 60], browser.run("Math.round(document.querySelector('#view').getBoundingClientRect().top)")
+        assert np.mean(above[view_top + 2 : top - 30]) < 0.05, "beside the buttons"
+
+
+def test_no_label_lies_under_a_message(browser, live):
+    show(browser, live.link)
+    pause(browser)
+    high = "(([x, y]) => x > 460 && y < 330)"
+    middles = "[...document.querySelectorAll('.label:not([hidden])')].map(one => { const b = one.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })"
+    step_until(browser, f"{middles}.some({high})", "a label there", 400)
+    under = """(() => { const note = document.querySelector('#tall').getBoundingClientRect(); return [...document.querySelectorAll('.label:not([hidden])')].filter(one => {
+      const b = one.getBoundingClientRect(); return b.left < note.right && note.left < b.right && b.top < note.bottom && note.top < b.bottom; }).map(one => one.textContent); })()"""
+    browser.run("""(() => { const note = document.createElement('p'); note.id = 'tall'; note.className = 'note'; note.style.cssText = 'width: 420px; height: 290px';
+      document.querySelector('#notes').append(note); })()""")
+    picture = browser.run("surefoot.pictures")
+    browser.press(".")
+    browser.wait(f"surefoot.pictures > {picture} + 1")
+    browser.wait(f"{under}.length === 0 && document.querySelectorAll('.label:not([hidden])').length > 0")
+    browser.screenshot(SCREENSHOTS / "labels_and_message.png")
+    browser.run("document.querySelector('#tall').remove()")
+    browser.press(" ")
 
 
 def test_a_panel_opens_at_its_top_and_one_that_was_left_where_it_was(browser, live):
@@ -160,17 +195,17 @@ def test_a_panel_opens_at_its_top_and_one_that_was_left_where_it_was(browser, li
     scrolled = "document.querySelector('#panels').scrollTop"
     browser.run(f"{scrolled} = 300")
     browser.click("#tab-state")
-    assert browser.run(scrolled) == 0
+    browser.wait(f"{scrolled} === 0")
     browser.click("#tab-tune")
-    assert browser.run(scrolled) == 300
+    browser.wait(f"{scrolled} === 300")
 
 
 def test_meshes_that_are_still_to_come_are_counted(browser, live):
     browser.open("about:blank")
     browser.open(live.link)
     text = browser.wait("document.querySelector('#loading')?.textContent || undefined", 60)
-    at, count = map(int, re.fullmatch(r"Loading meshes: (\d+) of (\d+)", text).groups())
-    assert 1 <= at <= count
+    here, count = map(int, re.fullmatch(r"Loading meshes: (\d+) of (\d+) are here", text).groups())
+    assert 0 <= here < count
     browser.wait("surefoot.meshesLoading === 0 && document.querySelector('#loading').textContent === ''", 60)
 
 

@@ -1,9 +1,13 @@
 """The viewer's page in a browser, as its user has it: opened, paused, looked at."""
 
 import contextlib
+import io
 import os
 import pathlib
 import time
+
+import numpy as np
+from PIL import Image
 
 from browser import wait_for
 
@@ -14,6 +18,11 @@ SPY = """(() => {
   const send = WebSocket.prototype.send;
   WebSocket.prototype.send = function (text) { sent.push(JSON.parse(text)); return send.call(this, text); };
 })()"""
+# What changes the run, in the panel Drive, and that this page may only look.
+CONTROLS = "[...document.querySelectorAll('#panel-drive :is(button, input)')]"
+VIEW_ONLY = "document.querySelector('#panel-drive .view-only:not([hidden])')?.textContent.startsWith('This page can only look')"
+SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
+THEMES = ("light", "dark")
 WALK = ["run", "walk_flat_ideal", "--view", "--set", "duration=600", "--set", "stack=terrain_adaptation"]
 
 
@@ -42,13 +51,42 @@ def still(browser, script):
     return shown == browser.run(script) and shown[0] == shown[1] and shown[2]
 
 
+def scrub(browser, time_):
+    """Looks at another time of the run."""
+    browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {time_}; scrub.dispatchEvent(new Event('input')); }})()")
+
+
+def look_back(browser, seconds):
+    """Shows what was so long ago; that time."""
+    browser.wait(f"surefoot.last - surefoot.first > {seconds + 0.5}", 60)
+    browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = surefoot.last - %g; scrub.dispatchEvent(new Event('input')); })()" % seconds)
+    browser.wait("!surefoot.following")
+    return browser.run("surefoot.time")
+
+
 def go_to(browser, tick, period=0.0025):
     """Stops a log at a tick."""
     browser.run("surefoot.playing && document.querySelector('#play').click()")
     browser.wait("!surefoot.playing")
-    browser.run(f"""(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {tick * period + 1e-4};
-      scrub.dispatchEvent(new Event('input')); }})()""")
+    scrub(browser, tick * period + 1e-4)
     browser.wait(f"surefoot.tick === {tick} && Math.abs(surefoot.drawn - {tick * period}) < 1e-6")
+
+
+def step_until(browser, condition, what, ticks=200):
+    """Of a paused run: tick by tick, so that a slow machine misses none."""
+    for _ in range(ticks):
+        newest = browser.run("surefoot.last")
+        browser.press(".")
+        wait_for(lambda: browser.run("surefoot.last") > newest, "the next tick")
+        browser.wait("surefoot.time === surefoot.last")
+        if browser.run(condition):
+            return
+    raise AssertionError(f"{ticks} ticks without {what}")
+
+
+def pixels(png):
+    """Red, green and blue of a screenshot, row by row."""
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
 
 
 def channel(browser, name):
@@ -57,6 +95,21 @@ def channel(browser, name):
 
 def sent(browser, type):
     return [one for one in browser.run("sent") if one["type"] == type]
+
+
+def every_look(browser, name):
+    """Both themes at both sizes, with a screenshot; the desktop in light comes back."""
+    try:
+        for theme in THEMES:
+            browser.prefer(theme)
+            for size, (width, height) in SIZES.items():
+                browser.resize(width, height, mobile=size == "phone")
+                browser.wait(f"innerWidth === {width}")
+                yield f"{name} {size} {theme}"
+                browser.screenshot(SCREENSHOTS / f"{name}_{size}_{theme}.png")
+    finally:
+        browser.prefer("light")
+        browser.resize(*SIZES["desktop"])
 
 
 @contextlib.contextmanager

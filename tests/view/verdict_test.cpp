@@ -35,6 +35,8 @@ TEST(Verdict, EveryCriterionAndEveryFigureOfThePaperIsInTheTable) {
   }
 }
 
+constexpr const char* kNoFall = R"({"metric":"fell","equals":false,"passed":true})";
+
 void damage_a_chunk(const std::string& path) {
   const auto chunks = McapChunks(path).chunks();
   const McapChunk& chunk = chunks.at(chunks.size() / 3);
@@ -44,7 +46,7 @@ void damage_a_chunk(const std::string& path) {
 }
 
 // A log of a run that ended for this reason, with a goal, and with an event at 0.5 s and later.
-std::string report_of_end(const std::string& reason, bool expects_no_goal = false,
+std::string report_of_end(const std::string& reason, const std::string& criterion = kNoFall,
                           bool is_steered = false, bool is_damaged = false) {
   const TemporaryFolder folder;
   LogHeader header = SyntheticRun::header();
@@ -60,8 +62,7 @@ std::string report_of_end(const std::string& reason, bool expects_no_goal = fals
     recorder.record(run.timing);
   }
   recorder.close(R"({"metrics":{"succeeded":true,"goal_reached":false,"reason":")" + reason +
-                 R"("},"criteria":[{"metric":")" + (expects_no_goal ? "goal_reached" : "fell") +
-                 R"(","equals":false,"passed":true}]})");
+                 R"("},"criteria":[)" + criterion + "]}");
   if (is_damaged) damage_a_chunk(folder / "run.mcap");
   return contents(write_report(folder / "run.mcap", folder / "report"));
 }
@@ -73,8 +74,17 @@ TEST(Verdict, AGoalThatWasNotReachedStandsBesideTheVerdict) {
   EXPECT_NE(page.find("beyond x = 0.42 m"), std::string::npos);
   EXPECT_NE(page.find("<b>2 ×</b> no ground within reach: foot taken back, first at 0.5 s"),
             std::string::npos);
-  EXPECT_NE(report_of_end("the whole duration", true).find("not reached, as the criteria expect"),
-            std::string::npos);
+  const std::string failure = R"({"metric":"goal_reached","equals":false,"passed":true})";
+  EXPECT_NE(
+      report_of_end("the whole duration", failure).find("not reached, as the criteria expect"),
+      std::string::npos);
+}
+
+TEST(Verdict, AGoalThatACriterionMissesIsToldOnce) {
+  const std::string page = report_of_end(
+      "the whole duration", R"({"metric":"goal_reached","equals":true,"passed":false})");
+  EXPECT_NE(page.find("✗ 1 of 1 criterion missed: goal reached</div>"), std::string::npos);
+  EXPECT_EQ(page.find("goal not reached"), std::string::npos);
 }
 
 TEST(Verdict, OfARunThatWasInterruptedOrBegunAgainIsNotJudged) {
@@ -90,7 +100,7 @@ TEST(Verdict, OfARunThatWasInterruptedOrBegunAgainIsNotJudged) {
 TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
   constexpr const char *kCut = "goes on where this log ends", *kByHand = "pushed by hand";
   const std::string whole = report_of_end("the whole duration"), cut = report_of_end("interrupted"),
-                    steered = report_of_end("the whole duration", false, true);
+                    steered = report_of_end("the whole duration", kNoFall, true);
   EXPECT_EQ(whole.find(kCut), std::string::npos);
   EXPECT_EQ(whole.find(kByHand), std::string::npos);
   EXPECT_NE(cut.find(kCut), std::string::npos);
@@ -101,7 +111,7 @@ TEST(Verdict, OfALogThatIsDamagedWithinItIsSaidWhatMayBeMissing) {
   constexpr const char *kNotWhole = "class=\"warning\">The log is not whole: ",
                        *kByHand = "may be missing here: the log is damaged",
                        *kCut = "goes on where this log ends";
-  const std::string damaged = report_of_end("the whole duration", false, false, true);
+  const std::string damaged = report_of_end("the whole duration", kNoFall, false, true);
   EXPECT_NE(damaged.find(kNotWhole), std::string::npos);
   EXPECT_NE(damaged.find(kByHand), std::string::npos);
   EXPECT_EQ(damaged.find(kCut), std::string::npos) << "its end is there";

@@ -11,6 +11,7 @@ import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
+import { endFact, showFacts, showMode } from "./panels/head.ts";
 import { makeHelp } from "./panels/help.ts";
 import { HierarchyPanel } from "./panels/hierarchy_panel.ts";
 import { Notes } from "./panels/notes.ts";
@@ -19,11 +20,12 @@ import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
-import { Transport } from "./panels/transport.ts";
+import { courseOf, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
-import type { Session } from "./protocol/session.ts";
+import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
+import { missingText } from "./scene/mesh_library.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
@@ -66,6 +68,8 @@ export class App {
   /** Whose numbers stand in the panels. */
   private told: Frame | undefined;
   private toldLevels = "";
+  /** Whether what is asked for comes to effect. */
+  private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
 
@@ -106,10 +110,11 @@ export class App {
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
       this.menu = new OverlayMenu(this.world);
-      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.commands.allowed && !this.hasEnded && this.player.following);
+      this.pull = new Pull(this.world, part("canvas"), this.commands, session.limits, () => this.canAct && this.player.following);
       this.pull.onError = (error) => notes.say(error.message, "error", "pull");
     }
     const { drive } = this;
+    drive.onAct = () => this.showNow();
     this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
     document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
@@ -120,7 +125,7 @@ export class App {
 
   private makeWorld(urdf: string): World | undefined {
     try {
-      const world = new World(part("canvas"), part("labels"), part("view-tools"), this.session, urdf);
+      const world = new World(part("canvas"), part("labels"), [part("view-tools"), part("notes")], this.session, urdf);
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -145,12 +150,18 @@ export class App {
     return againText(header.command, source || this.recording, cut === "", isSteered, source !== "" || this.hasEnded);
   }
 
+  /** Why the run has ended; "": it has not, or nobody knows. */
+  private get ending(): string {
+    return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
+  }
+
   private aboutRun(): [string, string][] {
     const { header, version, source, cut } = this.session;
     return [
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
       ["Log", source === "" ? recordingText(this.recording, this.hasEnded) : cut === "" ? source : `${source} (${cut})`],
+      ["Ended", this.ending || (this.link === undefined ? "" : "not yet")],
       ["Again", this.again()], ["Version", version],
     ];
   }
@@ -226,6 +237,13 @@ export class App {
     else player.seek(player.time);
   }
 
+  /** Who does something to a run that goes on is to see it, not the past. */
+  private showNow(): void {
+    if (!this.player.past || !this.canAct) return;
+    this.player.goLive();
+    this.notes.say("Back to now, where that acts.", "plain", "now");
+  }
+
   private step(ticks: number): void {
     const { player, link } = this;
     const newest = player.live && player.time >= player.source.last - 1e-9;
@@ -251,10 +269,11 @@ export class App {
   /** What changes the run can be used where that is of use: `now` the program is there, and its run goes on. */
   letCommand(now: boolean): void {
     const { allowed } = this.commands;
+    this.canAct = allowed && now;
     this.transport.mayCommand = allowed;
     this.drive.allow(allowed, now);
-    this.tune.allow(allowed && now);
-    this.hierarchy.canReorder = allowed && now;
+    this.tune.allow(this.canAct);
+    this.hierarchy.canReorder = this.canAct;
   }
 
   /** More of a log has come. */
@@ -332,12 +351,21 @@ export class App {
     this.sinceText += dt;
     if (this.sinceText < TEXT_PERIOD) return;
     this.sinceText = 0;
-    this.transport.update(this.link?.status);
+    const heard = this.link?.isHeard ?? false;
+    this.transport.update(this.link?.status, heard);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
     for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
-    say(part("head-facts"), [this.session.source, ...(this.link?.tellFacts() ?? []), ...(this.world?.stage.quality.facts ?? [])].filter((text) => text !== "").join(" · "));
+    this.tellHead(heard);
+  }
+
+  /** Why a run has ended stands before what matters less: there is not always room for all. */
+  private tellHead(heard: boolean): void {
+    const quality = this.world?.stage.quality;
+    const rate = heard || !this.player.live ? quality?.rate : "";
+    showFacts([this.session.source, endFact(this.ending), ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""]);
+    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard));
   }
 
   private tellUnreadable(): void {
@@ -368,15 +396,4 @@ export class App {
     this.toldLevels = text;
     say(part("events"), text);
   }
-}
-
-/** The levels' order as it is now. */
-function orderOf({ orders, header }: Session): string[] {
-  return orders.at(-1)?.levels ?? header.level_names;
-}
-
-function missingText(missing: Map<string, string>): string {
-  const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
-  const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
-  return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
 }

@@ -1,7 +1,8 @@
 import type { App } from "./app.ts";
+import { changeText } from "./data/change_words.ts";
 import { PictureAge, paceText } from "./data/lag.ts";
 import type { LiveSource, OpenBefore } from "./data/live_source.ts";
-import { marksOf, type RawEvent } from "./data/marks.ts";
+import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
@@ -29,6 +30,8 @@ export class LiveLink {
   private waiting: ArrayBuffer[] = [];
   private reading = false;
   private lostBefore = false;
+  /** Which run's end has a mark: the generation with which it began. */
+  private ended = NaN;
   /** This page has asked for a reset. */
   private resets = false;
   private readonly age = new PictureAge();
@@ -62,6 +65,11 @@ export class LiveLink {
   get rate(): number {
     if (this.connection.state !== "open" || this.connection.silence > 0 || this.status === undefined) return 0;
     return rateOf(this.status);
+  }
+
+  /** Whether the program says how the run goes on. */
+  get isHeard(): boolean {
+    return this.connection.state === "open" && this.connection.silence === 0;
   }
 
   wire(app: App): void {
@@ -130,7 +138,8 @@ export class LiveLink {
     this.source.follow(session.begun);
   }
 
-  private hear(message: ServerMessage): void {
+  private hear(told: ServerMessage): void {
+    const message = inWords(told);
     const app = this.app as App;
     const { commands, tune, drive } = app.handlers();
     switch (message.type) {
@@ -138,6 +147,7 @@ export class LiveLink {
         this.status = message;
         this.age.hear(message, performance.now() / 1000);
         this.source.follow(message.begun);
+        this.markEnd(message);
         drive.show(message);
         this.showUse();
         tune.showStatus(message);
@@ -158,6 +168,13 @@ export class LiveLink {
       case "notice":
         app.notes.say(message.text, "error");
     }
+  }
+
+  /** Its last tick has a mark, once. */
+  private markEnd({ ended, tick, begun }: Status): void {
+    if (ended === null || this.ended === begun) return;
+    this.ended = begun;
+    this.source.mark(endOf((tick - 1) * this.source.schema.period, ended));
   }
 
   /** The run is to begin again. */
@@ -192,8 +209,7 @@ export class LiveLink {
 
   /** What can be asked for now: nothing of a program that is not there, or a run that has ended. */
   private showUse(): void {
-    const there = this.connection.state === "open" && this.connection.silence === 0;
-    this.app?.letCommand(there && this.status?.ended == null);
+    this.app?.letCommand(this.isHeard && this.status?.ended == null);
   }
 
   /** Of a run that stands nothing comes to effect: what was asked for is shown until it does. */
@@ -251,7 +267,7 @@ export class LiveLink {
     return "";
   }
 
-  /** Its log, speed against the wall clock, how old the picture is, lost ticks, why the run has ended. */
+  /** Its log, speed against the wall clock, how old the picture is, lost ticks. */
   tellFacts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
@@ -259,7 +275,6 @@ export class LiveLink {
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
-    if (this.status?.ended != null) facts.push(`ended: ${this.status.ended}`);
     return facts.filter((fact) => fact !== "");
   }
 
@@ -268,6 +283,12 @@ export class LiveLink {
     const { frame, player } = this.app as App;
     return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
+}
+
+/** What of a message is for people, as they read it. */
+function inWords(message: ServerMessage): ServerMessage {
+  if (message.type === "status") return { ...message, pending: changeText(message.pending) };
+  return message.type === "change" ? { ...message, text: changeText(message.text) } : message;
 }
 
 /** Why there is no connection; `reason`: what the program has said of it. */

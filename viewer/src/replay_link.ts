@@ -1,7 +1,8 @@
 import type { App } from "./app.ts";
-import { marksOf } from "./data/marks.ts";
+import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import type { Schema } from "./data/schema.ts";
+import type { Mark } from "./data/source.ts";
 import { damageText, readText } from "./data/log_words.ts";
 import { part, say } from "./panels/dom.ts";
 import { showLink } from "./panels/stale.ts";
@@ -97,6 +98,11 @@ export class ReplayLink {
     app.refresh();
   }
 
+  private end(): Mark[] {
+    const { ended, cut } = this.session;
+    return ended === "" || cut !== "" ? [] : [endOf(this.source.last, ended)];
+  }
+
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(): Promise<void> {
     const app = this.app as App;
@@ -107,7 +113,8 @@ export class ReplayLink {
       this.schema.orders = orders;
       if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
       try {
-        this.source.marks = marksOf(JSON.parse(textOf(await ask("/api/events"))) as Parameters<typeof marksOf>[0], this.schema.events);
+        const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
+        this.source.marks = [...marksOf(events, this.schema.events), ...this.end()];
       } catch {
         continue; // asked for again with the next session
       }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { choicesOf, namesOf, unitOf, valueText, wordsOf } from "../src/data/channel_names.ts";
-import { allOf, search } from "../src/panels/plots_panel.ts";
+import { allOf, rangeOfPast, search } from "../src/panels/plots_panel.ts";
 import type { ChannelInfo } from "../src/protocol/session.ts";
 import type { Mark } from "../src/data/source.ts";
 import { schemaOf } from "./make.ts";
@@ -58,6 +58,24 @@ test("a single component is found by its whole name, or any words of it", () => 
   assert.deepEqual(search(schema, "world.forces")[0]?.choices, [], "too many to be offered");
   assert.deepEqual(search(schema, "world.forces.143")[0]?.choices.map(({ name }) => name), ["143"]);
   assert.deepEqual(search(schema, "nothing"), []);
+});
+
+test("of channels that are called as was typed the usual ones come first, then others of such a name, then those that are described so", () => {
+  const many = schemaOf({ "readings.torque": 12, "readings.torque_time": 1, "health.joint_torques.age": 1, "state.torque": 12, "command.torque": 12, "truth.torque": 12, "com.about": 1 });
+  Object.assign(many.channel("com.about") as object, { about: "of the torque" });
+  const found = search(many, "torque").map(({ channel }) => channel.name);
+  assert.deepEqual(found, ["command.torque", "readings.torque", "state.torque", "truth.torque", "readings.torque_time", "health.joint_torques.age", "com.about"]);
+  assert.equal(search(many, "joint torques")[0]?.channel.name, "health.joint_torques.age");
+  assert.deepEqual(search(many, "").map(({ channel }) => channel.name), many.channels.map(({ name }) => name), "all, in the order of the log");
+});
+
+test("while one looks back, plots go from before that time to the newest", () => {
+  assert.deepEqual(rangeOfPast(55, 0, 60, 10), [50, 60]);
+  assert.deepEqual(rangeOfPast(55, 0, 61, 10), [51, 61], "on with the run");
+  const [from, to] = rangeOfPast(55, 0, 80, 10);
+  assert.ok(to === 80 && from < 55 && (55 - from) / (to - from) > 0.04);
+  assert.deepEqual(rangeOfPast(1, 0, 4, 10), [0, 10], "not yet as much as is shown");
+  assert.deepEqual(rangeOfPast(30, 20, 140, 10)[1], 140);
 });
 
 test("numbers that stand for words are told as these, round-off as 0", () => {

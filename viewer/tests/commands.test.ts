@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
 import { beyondDeadZone } from "../src/input/gamepad.ts";
 import { nudged } from "../src/panels/drive_panel.ts";
-import { speedText } from "../src/panels/transport.ts";
+import { speedText } from "../src/data/lag.ts";
 import { Commands } from "../src/protocol/commands.ts";
 import { backoff, type Connection } from "../src/protocol/connection.ts";
 

@@ -66,17 +66,20 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   const schema = schemaOf({ "commanded.friction_use.RF": 1, "commanded.normal_force.RF": 1, "commanded.q_WP.RF": 4, "commanded.pyramid_friction.RF": 1, "model.p_WF.RF": 3 });
   const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([0.93, 200, ...q_WP, 0.3, 1, 2, 3]), active: [], blocking: [] };
   const put: string[][] = [];
-  const labels = { put: (_: THREE.Vector3, ...told: string[]) => put.push(told) };
+  const spared: THREE.Vector3[][] = [];
+  const labels = { put: (_: THREE.Vector3, ...told: string[]) => put.push(told), spare: (points: THREE.Vector3[]) => spared.push(points.map((point) => point.clone())) };
   const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
   const overlay = new FrictionPyramids();
   overlay.wear(paletteOf(false));
   overlay.update(picture as unknown as Picture);
   assert.deepEqual(put, [["RF 93 %", "use leg1 bad"]]);
+  assert.deepEqual(spared.map((points) => points.length), [5], "where next to all is used the pyramid itself is to be seen");
   const [sides] = overlay.root.children[0]?.children as [THREE.Mesh];
   const drawn = sides.geometry.getAttribute("position").array.slice(0, 15);
   const tip = [1, 2, 2.97];
   [tip, ...pyramidCorners(q_WP, 0.3, 0.4).map((corner) => corner.map((one, i) => one + (tip[i] as number)))].flat().forEach((one, i) =>
     assert.ok(Math.abs(one - (drawn[i] as number)) < 1e-6));
+  assert.ok((spared[0] ?? []).every((point) => [0, 1, 2, 3, 4].some((k) => point.distanceTo(new THREE.Vector3().fromArray(drawn, 3 * k)) < 1e-5)));
   assert.deepEqual([...sides.geometry.getAttribute("color").array.slice(0, 3)], [...new Float32Array(new THREE.Color(paletteOf(false).margin.bad).toArray())]);
 });
 

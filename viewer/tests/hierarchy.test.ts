@@ -98,6 +98,11 @@ test("a level without rows asks for nothing, and where none has rows nothing is 
   assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "none", line: "No level is solved: damping, as the torso tilted too far.", whole: "No level is solved: damping, as the torso tilted too far.", more: [] });
 });
 
+test("that the controller has stopped is no good news", () => {
+  const states = levelStates(frameOf([0, 0], { rows: 0 }));
+  assert.equal(accountOf(states, "damping, as the torso tilted too far", true).kind, "bad");
+});
+
 test("of a solve that was cut off nothing is said of the level that it was in and those below", () => {
   const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
   const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "hierarchy.failed_level": 1 });

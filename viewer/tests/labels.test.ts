@@ -5,7 +5,7 @@ import { reachOf } from "../src/overlays/labels.ts";
 import { spread, type Wanted } from "../src/overlays/label_layout.ts";
 import { randomNumbers } from "./make.ts";
 
-const BUTTONS = { width: 120, height: 48 };
+const BUTTONS = [{ left: 0, right: 120, top: 0, bottom: 48 }];
 const label = (x: number, y: number, rank = 1): Wanted => ({ x, y, width: 50, height: 16, rank });
 
 test("a text that has room stands over its point", () => {
@@ -34,6 +34,19 @@ test("a text has the upper edge for it where no button is, and none where there 
   assert.deepEqual([...spread([label(20, 100)], 40, 200, BUTTONS)], [undefined]);
 });
 
+test("a text stands beside what is to be seen itself, and over it only where there is no other place", () => {
+  const mark = { left: 80, right: 120, top: 80, bottom: 100 };
+  const [place] = spread([label(100, 100)], 400, 200, [], [mark]) as [[number, number]];
+  assert.ok(place[0] + 25 <= mark.left || place[0] - 25 >= mark.right || place[1] + 8 <= mark.top || place[1] - 8 >= mark.bottom);
+  const all = { left: 0, right: 400, top: 0, bottom: 200 };
+  assert.deepEqual(spread([label(100, 100)], 400, 200, [], [all]), [[100, 100 - 0.7 * 16]]);
+});
+
+test("no text is under a message, wherever in the upper edge it stands", () => {
+  const message = { left: 250, right: 400, top: 0, bottom: 60 };
+  assert.deepEqual(spread([label(300, 40), label(180, 40)], 400, 200, [...BUTTONS, message]), [[300, 68], [180, 40 - 0.7 * 16]]);
+});
+
 test("two texts at the same point are both shown; where there is no room the more important one is", () => {
   assert.ok(spread([label(100, 100), label(100, 100)], 400, 200, BUTTONS).every((place) => place !== undefined));
   const crowd = [...Array.from({ length: 40 }, () => label(100, 100, 2)), label(100, 100, 0)];
@@ -47,6 +60,8 @@ test("beside a leg stand its name, its length, and what is left of its limits", 
   assert.equal(limbText("RH", 0.48, -0.0061), "RH 48.0 cm, 0.6 cm beyond");
   for (const room of [-0.0001, 0, 0.0004]) assert.equal(limbText("RH", 0.48, room), "RH 48.0 cm, at limit");
   assert.equal(limbText("RH", 0.48, -0.0006), "RH 48.0 cm, 0.1 cm beyond");
+  assert.equal(limbText("LF", 0.4213, 0.008, true), "LF 42.1 cm, 0.8 cm left, braked", "the limit acts before it is reached");
+  assert.equal(limbText("LF", 0.48, 0.0001, true), "LF 48.0 cm, at limit");
   assert.equal(limbText("RH", 0.48, Infinity), "RH 48.0 cm", "without limits");
 });
 

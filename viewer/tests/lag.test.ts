@@ -5,14 +5,14 @@ import { paceText, PictureAge } from "../src/data/lag.ts";
 const status = (more = {}) => ({ clock: 0, time: 0, paused: false, ended: null, speed: 1, real_factor: 1, ...more });
 
 test("a run that can't go as fast as was asked for says so", () => {
-  assert.equal(paceText(status()), "100 % of real time");
+  assert.equal(paceText(status()), "1× real time");
   assert.equal(paceText(status({ real_factor: 0.42 })), "0.42× of 1× asked: the program's machine is busy");
   assert.equal(paceText(status({ speed: 8, real_factor: 3.04 })), "3× of 8× asked: the program's machine is busy");
-  assert.equal(paceText(status({ speed: 0.25, real_factor: 0.25 })), "25 % of real time");
+  assert.equal(paceText(status({ speed: 0.25, real_factor: 0.25 })), "1/4× real time");
 });
 
 test("of a speed that was asked for just now nothing is known yet, and of a run that stands nothing is said", () => {
-  assert.equal(paceText(status({ speed: 8, real_factor: 0 })), "800 % of real time");
+  assert.equal(paceText(status({ speed: 8, real_factor: 0 })), "8× real time");
   assert.equal(paceText(status({ real_factor: 0.1, paused: true })), "");
   assert.equal(paceText(status({ real_factor: 0.1, ended: "fell" })), "");
 });

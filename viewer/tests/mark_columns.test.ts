@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { columnsOf, hintOf, weightOf } from "../src/data/mark_columns.ts";
+import { endOf } from "../src/data/marks.ts";
 import type { Mark } from "../src/data/source.ts";
 
 const event = (time: number, text = "lift-off"): Mark => ({ time, text, leg: "LF", kind: "event" });
@@ -34,4 +35,7 @@ test("what is no part of a usual walk has more weight than what is", () => {
   assert.equal(weightOf(event(0, "touchdown")), "usual");
   assert.equal(weightOf(event(0, "pushed out of balance: step to recover")), "notable");
   assert.equal(weightOf({ kind: "damage", text: "" }), "grave");
+  const ends = ["the whole duration", "goal reached", "fell: the base touched the ground", "the controller stopped for safety"];
+  assert.deepEqual(ends.map((why) => weightOf(endOf(1, why))), ["change", "change", "grave", "grave"]);
+  assert.equal(hintOf([endOf(12.3, "fell")], 12.3, 0.5), "12.3000 s ended: fell");
 });

@@ -85,11 +85,11 @@ test("what stands still is drawn once as finely as the machine can, and tells no
     quality.measure();
   }
   const { step } = quality;
-  assert.ok(!quality.shadows && !quality.meshes && quality.facts.some((fact) => fact.includes("fps")));
+  assert.ok(!quality.shadows && !quality.meshes && quality.rate.includes("fps"));
   assert.ok(quality.rest());
   assert.ok(!quality.rest(), "once");
   assert.ok(quality.shadows && quality.meshes && quality.fine);
-  assert.deepEqual(quality.facts, []);
+  assert.deepEqual([quality.rate, quality.coarse], ["", ""]);
   quality.pace.took = 5000; // that the fine picture kept the browser busy
   quality.move();
   quality.measure();

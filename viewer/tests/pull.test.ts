@@ -66,4 +66,5 @@ test("what a pull has given is that of the pull, whatever pushes beside it", () 
   const text = givenText({ push, pull, newton_seconds_left: 12.4 } as Status);
   assert.equal(text, "Pushed 31.0 N·s by now. Pulled 4.3 N·s by now. Up to 12 N·s now.");
   assert.equal(givenText({ push: null, pull: null, newton_seconds_left: 60 } as Status), "Up to 60 N·s now.");
+  assert.match(givenText({ push: { ...push, given: 0 }, pull: null, newton_seconds_left: 45 } as Status), /^A push begins: the tick after it shows its force\./);
 });

@@ -2,8 +2,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
-import { briefOf, hindranceOf, metaOf, timeOf } from "../src/panels/level_card.ts";
-import { clockText, nextSpeed, speedText } from "../src/panels/transport.ts";
+import { boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
+import { speedText } from "../src/data/lag.ts";
+import { changeText } from "../src/data/change_words.ts";
+import { clockText, courseOf, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
@@ -28,7 +30,7 @@ test("any speed that the program takes has a text and a next one of the menu", (
 });
 
 test("the friction that was given and what the controller believes are two things", () => {
-  assert.equal(beliefText([0.5, 0.5, 0.5, 0.5], 0.5), "The controller believes the same of every foot now.");
+  assert.equal(beliefText([0.5, 0.5, 0.5, 0.5], 0.5), "The controller believes μ = 0.50 of every foot now.");
   assert.equal(beliefText([0.5, 0.31, 0.5, 0.42], 0.5), "The controller believes now, after slips: LF 0.50, RF 0.31, LH 0.50, RH 0.42.");
   assert.equal(beliefText([NaN, 0.5, 0.5, 0.5], 0.5), "");
 });
@@ -59,4 +61,30 @@ test("sizes and times are told in words", () => {
   assert.equal(effortOf(NaN, NaN, [level]), "1 iteration");
   assert.deepEqual([3.456, 12.3, NaN].map((time) => timeOf({ rows: 2, time })), ["3.46 µs", "12.3 µs", "–"]);
   assert.equal(timeOf({ rows: 0, time: 0.1 }), "", "what asks for nothing takes no time worth telling");
+});
+
+test("who looks back is told where the run is, and what the space bar does there", () => {
+  const status = { paused: false, ended: null };
+  const course = [courseOf(status, true), courseOf({ ...status, paused: true }, true), courseOf({ paused: true, ended: "fell" }, true), courseOf(status, false)];
+  assert.deepEqual(course.map((one) => pastText(48.1249, one)), ["past; the run is at 48.1 s", "past; the run is paused at 48.1 s", "past; the run ended at 48.1 s", "past; the newest is 48.1 s"]);
+  const [now, past, log] = [{ live: true, past: false }, { live: true, past: true }, { live: false, past: false }];
+  assert.deepEqual([true, false].map((running) => playText(now, running)), ["pause the run (space)", "let the run go on (space)"]);
+  for (const running of [true, false]) assert.match(playText(past, running), /the run is left alone/);
+  assert.match(playText(now, true, false), /the run is left alone/, "of a page that only looks");
+  assert.deepEqual([true, false].map((running) => playText(log, running)), ["pause (space)", "play (space)"]);
+});
+
+test("changes are told without the names and vectors of the program", () => {
+  assert.equal(changeText("push of 15 N·s at base, force (0, 75, 0) N for 0.2 s"), "push of 15 N·s at base, 75 N towards 90° (+y) for 0.2 s");
+  assert.equal(changeText("pull at base_link, force (-3, 4, 0) N"), "pull at base_link, 5 N towards 127°");
+  assert.equal(changeText("pull at LF_SHANK, force (30, 0, -40) N"), "pull at LF_SHANK, 50 N towards 0° (+x) and downwards");
+  assert.equal(changeText("order: torso_height from 9 to 8"), "order: torso height from 9 to 8");
+  assert.equal(changeText("com_xy kp 100 → 150"), "com xy kp 100 → 150");
+});
+
+test("a limit of lengths or angles keeps something from going beyond it, one of forces is reached", () => {
+  assert.deepEqual(["m/s²", "rad/s²", "N", "N·m"].map((unit) => boundsMotion({ unit })), [true, true, false, false]);
+  assert.deepEqual([1, -1, 3, -3].map((bound) => words(bound, true)),
+    ["kept below its upper bound", "kept above its lower bound", "not kept below its upper bound", "not kept above its lower bound"]);
+  assert.deepEqual([1, -1, 3, -3].map((bound) => words(bound, false)), ["at its upper bound", "at its lower bound", "above its bound", "below its bound"]);
 });

@@ -90,9 +90,9 @@ export interface Account {
   more: string[];
 }
 
-/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved. */
-export function accountOf(states: LevelState[], command: string): Account {
-  if (states.every((state) => state.status === "not solved")) return { kind: "none", ...same(`No level is solved: ${command}.`), more: [] };
+/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved, `stopped`: the controller, for safety. */
+export function accountOf(states: LevelState[], command: string, stopped = false): Account {
+  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(`No level is solved: ${command}.`), more: [] };
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));

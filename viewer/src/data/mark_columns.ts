@@ -9,7 +9,15 @@ const WEIGHTS: readonly Weight[] = ["usual", "change", "notable", "grave"];
 /** Events that are no part of a usual walk. */
 const NOTABLE = /slide|push|lost|no ground|abort|met something/;
 
+export function endingText(why: string): string {
+  return `ended: ${why}`;
+}
+
+/** Ends of a run that went as it should. */
+const PLAIN_ENDS = ["the whole duration", "goal reached"].map(endingText);
+
 export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
+  if (kind === "end") return PLAIN_ENDS.includes(text) ? "change" : "grave";
   if (kind === "mode" || kind === "damage") return "grave";
   if (kind === "change") return "change";
   return kind === "force" || NOTABLE.test(text) ? "notable" : "usual";

@@ -20,6 +20,11 @@ export class Player {
     this.following = live;
   }
 
+  /** Of a live run: what is shown was before, while the run goes its own way. */
+  get past(): boolean {
+    return this.live && !this.following;
+  }
+
   /** Goes on by `dt` seconds of wall clock; `liveRate`: seconds of simulation that come in a second. */
   advance(dt: number, liveRate: number): void {
     const { first, last } = this.source;

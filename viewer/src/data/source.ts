@@ -19,7 +19,7 @@ export interface Mark {
   time: number;
   text: string;
   leg: string;
-  kind: "event" | "mode" | "change" | "damage" | "force";
+  kind: "event" | "mode" | "change" | "damage" | "force" | "end";
   force?: ForceMark | undefined;
 }
 

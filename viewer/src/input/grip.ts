@@ -1,4 +1,4 @@
-/** A pull is renewed this often, and lasts at least this long [ms]; the server ends one that is older than 0.6 s. */
+/** A pull is renewed this often, and lasts at least this long [ms]; the server ends one that is older than 1.5 s, so that a slow picture does not. */
 const RENEWAL = 60;
 /** Less than this is none yet [N]. */
 const WORTH = 0.5;

@@ -1,5 +1,5 @@
 import * as THREE from "three";
-import { scalar } from "../data/frame.ts";
+import { scalar, type Frame } from "../data/frame.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
@@ -109,11 +109,16 @@ export class Footholds implements Overlay {
 /** Nearer to a limit than this is at it: less can't be told in 0.1 cm [m]. */
 const AT_LIMIT = 0.0005;
 
-/** What is left between a leg's length and the nearer of its limits, in words. */
-export function limbText(leg: string, length: number, room: number): string {
+/** What is left between a leg's length and the nearer of its limits, in words; `braked`: the limit acts already, so that it is not exceeded. */
+export function limbText(leg: string, length: number, room: number, braked = false): string {
   const cm = (metres: number): string => `${(100 * metres).toFixed(1)} cm`;
   const left = !Number.isFinite(room) ? "" : Math.abs(room) < AT_LIMIT ? ", at limit" : room >= 0 ? `, ${cm(room)} left` : `, ${cm(-room)} beyond`;
-  return `${leg} ${cm(length)}${left}`;
+  return `${leg} ${cm(length)}${left}${braked && room >= AT_LIMIT ? ", braked" : ""}`;
+}
+
+/** Whether the limit of this leg acts: it bounds the acceleration, before the leg is as long as it may be. */
+function isBraked({ active, schema }: Frame, leg: string, limits: number): boolean {
+  return active.some(({ level, row }) => level === limits && schema.rowName(level, row).includes(`${leg} extension`));
 }
 
 /** Spheres around the hips between which the feet must stay, of each leg in its colour; plainer the nearer a foot is to one. */
@@ -151,7 +156,7 @@ export class LimbLimits implements Overlay {
       place(shells.max, this.hip, max ?? 0, above, colour);
       place(shells.min, this.hip, min ?? 0, below, colour);
       this.lines.add(this.hip, this.foot, colour);
-      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below)), `limb leg${k}`);
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below), isBraked(frame, leg, header.limb.level)), `limb leg${k}`);
     });
     this.lines.end();
   }

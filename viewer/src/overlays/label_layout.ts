@@ -18,14 +18,19 @@ const STEPS: readonly Place[] = [
 
 /** From a point to the middle of the text over it, in heights of the text. */
 const OVER = 0.7;
-/** Size of what lies over the picture in its upper left corner: under it nothing is seen [pixels]. */
-export interface Corner {
-  width: number;
-  height: number;
+/** A part of the picture [pixels]. */
+export interface Box {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
 }
 
-/** A place for each text in a picture of this size so that none covers another and all of it is seen; undefined for those that find no free one near their point. */
-export function spread(wanted: Wanted[], width: number, height: number, corner: Corner): (Place | undefined)[] {
+/**
+ * A place for each text in a picture of this size so that none covers another and all of it is seen; undefined for those that find no free one near
+ * their point. Under `covers`, which hang from the upper edge, nothing is seen; what is in `marks` is to be seen itself, where there is another place.
+ */
+export function spread(wanted: Wanted[], width: number, height: number, covers: Box[], marks: Box[] = []): (Place | undefined)[] {
   const places = new Array<Place | undefined>(wanted.length);
   const order = wanted.map((_, k) => k).sort((a, b) => (wanted[a] as Wanted).rank - (wanted[b] as Wanted).rank);
   const taken: { one: Wanted; place: Place }[] = [];
@@ -33,9 +38,10 @@ export function spread(wanted: Wanted[], width: number, height: number, corner: 
     const one = wanted[k] as Wanted;
     const near = ([dx, dy]: Place): Place => {
       const x = inside(one.x + dx * one.width, one.width, 0, width);
-      return [x, inside(one.y + (dy - OVER) * one.height, one.height, 2 * x - one.width < 2 * corner.width ? corner.height : 0, height)];
+      return [x, inside(one.y + (dy - OVER) * one.height, one.height, ceiling(x, one.width, covers), height)];
     };
-    const place = STEPS.map(near).find(([x, y]) => 2 * x + one.width <= 2 * width && 2 * y + one.height <= 2 * height && taken.every((other) => isFree(x, y, one, other)));
+    const free = STEPS.map(near).filter(([x, y]) => 2 * x + one.width <= 2 * width && 2 * y + one.height <= 2 * height && taken.every((other) => isFree(x, y, one, other)));
+    const place = beside(marks, free, one);
     if (place === undefined) continue;
     places[k] = place;
     taken.push({ one, place });
@@ -43,9 +49,27 @@ export function spread(wanted: Wanted[], width: number, height: number, corner: 
   return places;
 }
 
+/** The first of these places; where that covers a mark, the nearest of those that cover none, if there are any. */
+function beside(marks: Box[], free: Place[], one: Wanted): Place | undefined {
+  const isBeside = (at: Place): boolean => marks.every((mark) => isOff(at, one, mark));
+  const [first] = free;
+  if (first === undefined || isBeside(first)) return first;
+  const way = ([x, y]: Place): number => Math.hypot(x - one.x, y - (one.y - OVER * one.height));
+  return free.filter(isBeside).sort((a, b) => way(a) - way(b))[0] ?? first;
+}
+
 /** The middle of a text nearest to `at` with which it does not go beyond `most`; where it can't but go beyond one of both, beyond `most`. */
 function inside(at: number, size: number, least: number, most: number): number {
   return Math.max(least + 0.5 * size, Math.min(at, most - 0.5 * size));
+}
+
+/** Where the picture begins for a text with its middle at `x`. */
+function ceiling(x: number, width: number, covers: Box[]): number {
+  return Math.max(0, ...covers.filter(({ left, right }) => 2 * x - width < 2 * right && 2 * x + width > 2 * left).map(({ bottom }) => bottom));
+}
+
+function isOff([x, y]: Place, { width, height }: Wanted, { left, right, top, bottom }: Box): boolean {
+  return 2 * x + width <= 2 * left || 2 * x - width >= 2 * right || 2 * y + height <= 2 * top || 2 * y - height >= 2 * bottom;
 }
 
 function isFree(x: number, y: number, { width, height }: Wanted, { one, place }: { one: Wanted; place: Place }): boolean {

@@ -1,5 +1,5 @@
 import * as THREE from "three";
-import { spread, type Corner, type Wanted } from "./label_layout.ts";
+import { spread, type Box, type Wanted } from "./label_layout.ts";
 
 interface Label {
   element: HTMLElement;
@@ -23,8 +23,8 @@ function rankOf(className: string): number {
 const BEYOND = 2;
 export const reachOf = (className: string): number => (className === "push" || className.startsWith("leg") ? BEYOND : 1);
 
-/** Over the picture, with a little around them [pixels]. */
-const AROUND_BUTTONS = 8;
+/** Around what lies over the picture [pixels]. */
+const AROUND = 8;
 
 /** Short texts over the picture, near points of the scene, none over another. Made once, moved without a new layout, and hidden. */
 export class Labels {
@@ -33,25 +33,44 @@ export class Labels {
   private width = 0;
   private height = 0;
   private readonly at = new THREE.Vector3();
-  private corner: Corner = { width: 0, height: 0 };
+  private covers: Box[] = [];
+  private readonly marks: Box[] = [];
 
-  /** `buttons`: that lie in the upper left corner of the picture. */
+  /** `over`: what lies over the picture at its upper edge. */
   constructor(
     private readonly layer: HTMLElement,
-    buttons: HTMLElement,
+    over: HTMLElement[],
     private readonly camera: THREE.Camera,
   ) {
-    new ResizeObserver(() => {
-      const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = buttons;
-      this.corner = { width: offsetLeft + offsetWidth + AROUND_BUTTONS, height: offsetTop + offsetHeight + AROUND_BUTTONS };
-    }).observe(buttons);
+    const look = (): void => void (this.covers = over.flatMap((one) => this.coverOf(one)));
+    const observer = new ResizeObserver(look);
+    for (const one of [layer, ...over]) observer.observe(one);
+  }
+
+  /** What of the picture it covers; nothing where it is empty, or beside the picture. */
+  private coverOf(one: HTMLElement): Box[] {
+    const picture = this.layer.getBoundingClientRect(), box = one.getBoundingClientRect();
+    if (box.height === 0 || box.top > picture.top + 0.5 * picture.height) return [];
+    const [left, top, right, bottom] = [box.left - picture.left - AROUND, box.top - picture.top, box.right - picture.left + AROUND, box.bottom - picture.top + AROUND];
+    return [{ left, top, right, bottom }];
   }
 
   /** Of the picture [pixels of the page]. */
   begin(width: number, height: number): void {
-    this.wanted.length = 0;
+    this.wanted.length = this.marks.length = 0;
     this.width = width;
     this.height = height;
+  }
+
+  /** What lies between these points of the scene, in W, is to be seen beside the texts. */
+  spare(points_W: THREE.Vector3[]): void {
+    const box = { left: Infinity, right: -Infinity, top: Infinity, bottom: -Infinity };
+    for (const p_W of points_W) {
+      this.at.copy(p_W).project(this.camera);
+      const x = 0.5 * (1 + this.at.x) * this.width, y = 0.5 * (1 - this.at.y) * this.height;
+      Object.assign(box, { left: Math.min(box.left, x), right: Math.max(box.right, x), top: Math.min(box.top, y), bottom: Math.max(box.bottom, y) });
+    }
+    if (this.at.z <= 1) this.marks.push(box);
   }
 
   /** `p_W`: a point of the scene in W. */
@@ -69,7 +88,7 @@ export class Labels {
   }
 
   end(): void {
-    const places = spread(this.wanted, this.width, this.height, this.corner);
+    const places = spread(this.wanted, this.width, this.height, this.covers, this.marks);
     this.pool.forEach((label, k) => {
       const place = places[k];
       if (label.element.hidden !== (place === undefined)) label.element.hidden = place === undefined;

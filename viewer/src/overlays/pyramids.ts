@@ -77,6 +77,7 @@ export class FrictionPyramids implements Overlay {
   private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
   private readonly tip = new THREE.Vector3();
   private readonly corner = new THREE.Vector3();
+  private readonly outline = Array.from({ length: 5 }, () => new THREE.Vector3());
   private readonly q_WP = [1, 0, 0, 0];
 
   constructor() {
@@ -99,8 +100,15 @@ export class FrictionPyramids implements Overlay {
       const kind = useClass(use);
       this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
       this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
+      if (kind === "bad") labels.spare(this.outlineOf(corners, beliefToWorld));
       labels.put(this.corner, `${leg} ${percent(use)}`, `use leg${k} ${kind}`);
     });
     this.pyramids.end();
+  }
+
+  /** Tip and corners, where they are drawn. */
+  private outlineOf(corners: number[][], beliefToWorld: THREE.Matrix4): THREE.Vector3[] {
+    this.outline.forEach((point, k) => point.fromArray(corners[k] ?? [0, 0, 0]).add(this.tip).applyMatrix4(beliefToWorld));
+    return this.outline;
   }
 }

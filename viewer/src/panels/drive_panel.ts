@@ -1,3 +1,4 @@
+import { worldDirection } from "../data/change_words.ts";
 import { asSentence } from "../data/log_words.ts";
 import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY, type Commands, type Walk } from "../protocol/commands.ts";
@@ -30,16 +31,13 @@ export function nudged(walk: Walk, axis: Axis, steps: number, limits: Record<Axi
   return next;
 }
 
-/** What acts on the robot, and what more of it may. */
+/** What acts on the robot, and what more of it may. A tick shows the forces of the one before. */
 export function givenText({ push, pull, newton_seconds_left }: Status): string {
-  const of = (what: string, one: typeof push): string => (one === null ? "" : `${what} ${one.given.toFixed(1)} N·s by now. `);
-  return `${of("Pushed", push)}${of("Pulled", pull)}Up to ${Math.max(0, newton_seconds_left).toFixed(0)} N·s now.`;
-}
-
-/** A direction in the plane, counted from the world's x towards its y; along an axis it is called by that, too. */
-export function worldDirection(degrees: number): string {
-  const axis = ["+x", "+y", "−x", "−y"][(((degrees / 90) % 4) + 4) % 4];
-  return `${String(degrees).replace("-", "−")}°${axis === undefined ? "" : ` (${axis})`}`;
+  const of = (what: string, one: typeof push): string => {
+    if (one === null) return "";
+    return one.given > 0 ? `${what}ed ${one.given.toFixed(1)} N·s by now. ` : `A ${what.toLowerCase()} begins: the tick after it shows its force. `;
+  };
+  return `${of("Push", push)}${of("Pull", pull)}Up to ${Math.max(0, newton_seconds_left).toFixed(0)} N·s now.`;
 }
 
 /** Who commands the walk, and what. */
@@ -49,6 +47,8 @@ function askedText({ by, walk }: Status["command"]): string {
 
 /** Pushes by a button, and what the robot is asked to walk. */
 export class DrivePanel {
+  /** Something is asked for that acts on the run as it is now. */
+  onAct: () => void = () => {};
   walk: Walk = { walk: false, velocity: [0, 0], yaw_rate: 0, height: 0 };
   readonly most: Record<Axis, number>;
   private readonly wish = new Wish<Walk>();
@@ -112,15 +112,22 @@ export class DrivePanel {
 
   push(): void {
     const angle = (Number(this.direction.value) * Math.PI) / 180;
-    const size = takeNumber(this.impulse, Number(this.impulse.defaultValue));
-    const duration = takeNumber(this.duration, Number(this.duration.defaultValue));
-    if (size === undefined || duration === undefined) {
-      const [name, field, unit] = size === undefined ? ["impulse", this.impulse, "N·s"] : ["duration", this.duration, "s"];
-      this.report(`No push: its ${name} was no number. It is ${field.value} ${unit} again.`, "error");
-      return;
-    }
+    const size = this.take(this.impulse, "impulse", "N·s", ", its direction is chosen below");
+    const duration = size === undefined ? undefined : this.take(this.duration, "duration", "s");
+    if (size === undefined || duration === undefined) return;
     const impulse = [size * Math.cos(angle), size * Math.sin(angle), 0].map((part) => Number(part.toFixed(6)));
     this.send("push", { body: "base", impulse, duration });
+  }
+
+  /** What a field of the push has; undefined, and told, where there is no push of that size. */
+  private take(field: HTMLInputElement, name: string, unit: string, help = ""): number | undefined {
+    const given = field.value;
+    const value = takeNumber(field, Number(field.defaultValue));
+    if (value !== undefined && value > 0) return value;
+    field.value = field.defaultValue;
+    const wrong = value === undefined ? "was no number" : `can't be ${given.replace("-", "−")} ${unit}${help}`;
+    this.report(`No push: its ${name} ${wrong}. It is ${field.value} ${unit} again.`, "error");
+    return undefined;
   }
 
   nudge(axis: Axis, steps: number): void {
@@ -144,6 +151,7 @@ export class DrivePanel {
   }
 
   private send(type: string, fields: object): void {
+    this.onAct();
     this.commands.send(type, fields).catch((error: Error) => {
       if (type === "walk") this.wish.drop();
       this.report(error.message, "error");

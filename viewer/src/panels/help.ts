@@ -18,7 +18,7 @@ const LOOKING: Key[] = [
 ];
 
 const DRIVING: Key[] = [
-  ["l", "to the newest picture"],
+  ["l", "from the past, where space stops only what is shown, back to now"],
   ["w s a d", "walk forward, backward, to the left, to the right"],
   ["q e", "turn to the left, to the right"],
   ["PgUp PgDn", "torso higher or lower"],

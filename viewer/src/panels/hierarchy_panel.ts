@@ -1,7 +1,7 @@
 import { scalar, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
-import { commandText } from "../data/stop.ts";
+import { commandText, stopText } from "../data/stop.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
 import { AccountView } from "./account_view.ts";
@@ -17,6 +17,8 @@ export class HierarchyPanel {
   private cards: LevelCard[] = [];
   private names = "";
   private reordering = false;
+  /** A level is on its way: all stand still under it. */
+  private dragging = false;
   private physics: ReadonlySet<string> = new Set();
   /** The order that the program had last, and what was asked of it since. */
   newest: string[] = [];
@@ -26,11 +28,14 @@ export class HierarchyPanel {
 
   constructor(root: HTMLElement) {
     root.append(this.account.root, this.facts, this.list);
+    this.list.addEventListener("dragstart", () => (this.dragging = true));
+    for (const end of ["dragend", "drop"]) this.list.addEventListener(end, () => (this.dragging = false));
     this.clear();
   }
 
   /** Says nothing until the next tick. */
   clear(): void {
+    this.dragging = false;
     this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
@@ -49,12 +54,13 @@ export class HierarchyPanel {
   }
 
   show(frame: Frame): void {
+    if (this.dragging) return;
     const states = levelStates(frame);
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountOf(states, commandText(frame)));
+    this.account.show(accountOf(states, commandText(frame), stopText(frame) !== ""));
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 

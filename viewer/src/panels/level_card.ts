@@ -75,7 +75,7 @@ export class LevelCard {
     say(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));
-    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound)}`).join(", "));
+    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound, boundsMotion(state))}`).join(", "));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
       `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
@@ -119,6 +119,14 @@ function sideOf(bound: number): string {
   return bound <= -3 ? "(below it)" : bound >= 3 ? "(above it)" : bound < 0 ? "(lower)" : "(upper)";
 }
 
-function words(bound: number): string {
+/** Whether its limits are of lengths or angles: these bound accelerations, so that what moves comes to rest before it is beyond. */
+export function boundsMotion({ unit }: Pick<LevelState, "unit">): boolean {
+  return unit.endsWith("/s²");
+}
+
+/** What a row is about: at a limit of lengths or angles there may be something left of it. */
+export function words(bound: number, isMotion: boolean): string {
+  const side = bound < 0 ? "above its lower bound" : "below its upper bound";
+  if (isMotion) return Math.abs(bound) >= 3 ? `not kept ${side}` : `kept ${side}`;
   return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
 }

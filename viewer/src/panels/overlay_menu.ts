@@ -40,7 +40,7 @@ export class OverlayMenu {
     const id = box.dataset["overlay"] ?? "";
     const swatch = h("i", { class: isMark(id) ? "overlay-colour" : "overlay-colour none" });
     if (isMark(id)) this.swatches.set(id, swatch);
-    return h("label", { class: "overlay-line" }, box, swatch, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
+    return h("label", { class: "overlay-line", title: about }, box, swatch, h("span", {}, h("b", {}, name), h("small", {}, about)), h("kbd", {}, key));
   }
 
   private toggle(id: string): void {

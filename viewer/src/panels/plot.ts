@@ -30,9 +30,9 @@ export class Plot {
   /** It has to be drawn anew. */
   onBuilt: () => void = () => {};
   private chart: uPlot | undefined;
-  private readonly name = h("bdi", {});
+  private readonly name = h("span", { class: "plot-name" });
   private readonly unit = h("span", { class: "plot-unit" });
-  private readonly heading = h("span", { class: "plot-title" }, h("span", { class: "plot-name" }, this.name), this.unit);
+  private readonly heading = h("span", { class: "plot-title" }, this.name, this.unit);
   private readonly legend = h("div", { class: "legend" });
   private readonly frame = h("div", { class: "chart" });
   private readonly size = new ResizeObserver(() => this.resize());
@@ -62,9 +62,8 @@ export class Plot {
     const names = namesOf(series, this.schema);
     const unit = unitOf(series, this.schema);
     const styles = stylesOf(series.map((one) => legIn(partsOf(one, this.schema).join("."))));
-    say(this.name, title ?? names.title);
+    this.name.replaceChildren(...breakable(title ?? names.title));
     say(this.unit, unit ? ` [${unit}]` : "");
-    this.heading.title = this.heading.textContent ?? "";
     this.showValues(undefined);
     this.lines = series.map((one, k) => ({
       series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", {}),
@@ -210,6 +209,15 @@ export class Plot {
     const { clientWidth: width, clientHeight: height } = this.frame;
     if (width > 0 && height > 0) this.chart?.setSize({ width, height });
   }
+}
+
+/** Parts of a name that are longer than this may be broken themselves. */
+const LONG_PART = 20;
+
+/** A name that may go on in the next line behind each of its parts. */
+function breakable(name: string): Node[] {
+  const parts = name.split(/(?<=\.)/).flatMap((part) => (part.length > LONG_PART ? part.split(/(?<=_)/) : [part]));
+  return parts.flatMap((part, k) => [...(k > 0 ? [h("wbr", {})] : []), document.createTextNode(part)]);
 }
 
 /** A piece of the line, for the legend. */

@@ -28,7 +28,7 @@ interface Match {
 export function search(schema: Schema, typed: string, marks: Mark[] = []): Match[] {
   const words = typed.toLowerCase().split(/\s+/);
   const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
-  return schema.channels.flatMap((channel): Match[] => {
+  const found = schema.channels.flatMap((channel): Match[] => {
     const text = `${channel.about} ${channel.unit}`;
     const choices = choicesOf(channel, schema, marks);
     const few = hasBodies(channel, schema) ? choices.slice(0, MOST_CHOICES) : choices.length > MOST_CHOICES ? [] : choices;
@@ -36,12 +36,35 @@ export function search(schema: Schema, typed: string, marks: Mark[] = []): Match
     const some = choices.filter(({ name }) => holds(`${channel.name}.${name} ${text}`));
     return some.length > 0 ? [{ channel, choices: some.slice(0, MOST_CHOICES), isPart: true }] : [];
   });
+  return typed.trim() === "" ? found : found.sort((a, b) => rankOf(a.channel.name, words) - rankOf(b.channel.name, words));
+}
+
+/** What people look for first, of channels whose names fit as well. */
+const TOPICS = ["command", "readings", "state", "truth", "plan", "model"];
+
+/** First the channels that are called so, then those that have it in their names, then those that are described so. */
+function rankOf(name: string, words: string[]): number {
+  const parts = name.toLowerCase().split(".");
+  const end = words.join(".").split(".");
+  const isIt = end.every((part, k) => parts.at(k - end.length) === part);
+  const fit = isIt ? 0 : words.every((word) => name.toLowerCase().includes(word)) ? 1 : 2;
+  const topic = TOPICS.indexOf(parts[0] ?? "");
+  return fit * (TOPICS.length + 1) + (topic < 0 ? TOPICS.length : topic);
 }
 
 /** What is plotted of a channel that is chosen as a whole: of what pushes from outside the best choice, as most of its numbers are always 0. */
 export function allOf(channel: ChannelInfo, choices: Choice[], schema: Schema): Series[] {
   const whole = Array.from({ length: channel.size }, (_, index) => ({ channel: channel.name, index }));
   return hasBodies(channel, schema) ? (choices[0]?.series ?? whole) : whole;
+}
+
+/** Room before the time that is looked at, as a share of what is shown. */
+const BEFORE = 0.05;
+
+/** What plots of a live run show while one looks back: the time that is looked at, and all from there to now; at least `span` [s]. */
+export function rangeOfPast(time: number, first: number, last: number, span: number): [number, number] {
+  const from = Math.max(first, Math.min(last - span, time - (BEFORE / (1 - BEFORE)) * (last - time)));
+  return [from, Math.max(last, from + span)];
 }
 
 /** Plots of any channel, all over the same stretch of time. */
@@ -59,8 +82,8 @@ export class PlotsPanel {
   private from = NaN;
   private since = Infinity;
   private sincePicture = Infinity;
-  /** Times of the player and of the picture when the plots were drawn last. */
-  private drawn = NaN;
+  /** What the plots were drawn of last, and the time of the picture then. */
+  private drawn = "";
   private pictured = NaN;
   private readonly progress = h("span", { class: "soft", id: "plots-progress" });
 
@@ -169,8 +192,9 @@ export class PlotsPanel {
   }
 
   private setSpan(span: number): void {
+    const { past, time } = this.player;
     this.span = span;
-    this.from = NaN;
+    this.from = past && span > 0 ? time - 0.5 * span : NaN;
     this.since = Infinity;
   }
 
@@ -184,7 +208,7 @@ export class PlotsPanel {
   }
 
   private range(): [number, number] {
-    const { time, source, following } = this.player;
+    const { time, source, following, past } = this.player;
     const { first, last } = source;
     const span = this.span === 0 ? Math.max(last - first, 0.1) : this.span;
     if (following) {
@@ -192,6 +216,7 @@ export class PlotsPanel {
       const from = this.span === 0 ? first : Math.max(first, time - span);
       return [from, from + span];
     }
+    if (past && Number.isNaN(this.from)) return rangeOfPast(time, first, last, span);
     if (Number.isNaN(this.from)) this.from = Math.max(first, Math.min(time - 0.5 * span, last - span));
     if (time < this.from || time > this.from + span) this.from = Math.max(first, Math.min(time - 0.1 * span, last - span));
     return [this.from, this.from + span];
@@ -232,13 +257,14 @@ export class PlotsPanel {
     this.since += dt;
     this.sincePicture += dt;
     if ((isNew ? this.sincePicture : this.since) < PERIOD || Number.isNaN(time)) return;
-    if (!isNew && time === this.drawn && this.since !== Infinity) return;
+    const [from, to] = this.range();
+    const drawn = [time, this.player.source.last, from, to].join();
+    if (!isNew && drawn === this.drawn && this.since !== Infinity) return;
     if (this.row.offsetParent === null) return;
     this.since = 0;
     if (isNew) this.sincePicture = 0;
-    this.drawn = time;
+    this.drawn = drawn;
     this.pictured = pictured;
-    const [from, to] = this.range();
     for (const plot of this.plots) {
       plot.draw(this.player.source, from, to, pictured);
       if (frame !== undefined) plot.tell(frame);

@@ -1,5 +1,6 @@
 import type { Frame } from "../data/frame.ts";
 import type { Player } from "../data/player.ts";
+import { speedText } from "../data/lag.ts";
 import { columnsOf, hintOf, type Weight } from "../data/mark_columns.ts";
 import { secondsText } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
@@ -12,19 +13,13 @@ const COLUMN = 4;
 /** None of them a leg's. */
 const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--ink", notable: "--near", grave: "--bad" };
 
-const RESET = "begin again (r)", SPEED = "speed ([ and ])";
+const RESET = "begin again (r)", SPEED = "speed ([ and ])", PAST_SPEED = "speed of what is played again ([ and ])";
 
 export interface TransportActions {
   pause: () => void;
   step: (ticks: number) => void;
   speed: (factor: number) => void;
   reset: () => void;
-}
-
-/** Text of a speed factor: 1/32× … 8×, and what else may have been asked for. */
-export function speedText(factor: number): string {
-  const part = Math.round(1 / factor);
-  return factor < 1 && Math.abs(part * factor - 1) < 1e-6 ? `1/${part}×` : `${Number(factor.toFixed(3))}×`;
 }
 
 /** The next speed of the menu above or below what is. */
@@ -38,6 +33,28 @@ export function clockText(time: number, whole: number | undefined): string {
   return whole === undefined ? secondsText(time) : `${secondsText(time).replace(" s", "")} / ${secondsText(whole)}`;
 }
 
+/** How a run goes on, as far as the page knows. */
+export type Course = "runs" | "paused" | "ended" | "unknown";
+
+export function courseOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): Course {
+  if (!heard || status === undefined) return "unknown";
+  return status.ended !== null ? "ended" : status.paused ? "paused" : "runs";
+}
+
+const COURSES: Record<Course, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unknown: "the newest is" };
+
+/** Beside a time of the past: where the run itself is. */
+export function pastText(newest: number, course: Course): string {
+  return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
+}
+
+/** What the space bar and its button do; `mayCommand`: this page may change the run. */
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true): string {
+  if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
+  if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
+  return running ? "pause (space)" : "play (space)";
+}
+
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
 export class Transport {
   private readonly playButton: HTMLButtonElement;
@@ -48,6 +65,7 @@ export class Transport {
   private readonly slider: HTMLInputElement;
   private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
   private readonly clock = h("output", { class: "clock", id: "clock" });
+  private readonly past = h("span", { class: "past", id: "past" });
   private readonly hint = h("span", { class: "mark-hint", hidden: true });
   private marksSeen = "";
   readonly wish = new Wish<number>();
@@ -64,7 +82,7 @@ export class Transport {
     const button = (text: string, label: string, run: () => void, id: string): HTMLButtonElement =>
       h("button", { "aria-label": label, title: label, onclick: run, id }, text);
     this.resetButton = button("↺", RESET, actions.reset, "reset");
-    this.playButton = button("❚❚", "pause or go on (space)", actions.pause, "play");
+    this.playButton = button("❚❚", playText(player, true), actions.pause, "play");
     this.speedSelect = h("select", {
       id: "speed", "aria-label": "speed", title: SPEED,
       onchange: () => this.ask(Number(this.speedSelect.value)),
@@ -87,7 +105,7 @@ export class Transport {
         this.playButton,
         button("▸", "one tick on (.)", () => actions.step(1), "step"),
         this.speedSelect),
-      bar, this.clock,
+      bar, h("div", { class: "times" }, this.clock, player.live && this.past),
     );
     if (player.live) root.append(this.liveButton);
   }
@@ -130,17 +148,22 @@ export class Transport {
     this.marksSeen = "";
   }
 
-  update(status: Status | undefined): void {
+  /** `heard`: the program says how the run goes on. */
+  update(status: Status | undefined, heard: boolean): void {
     const { player } = this;
     const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
     const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
+    name(this.playButton, playText(player, running, this.mayCommand));
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);
+    this.liveButton.classList.toggle("primary", player.past);
+    say(this.liveButton, player.past ? "To now" : "Live");
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
-    this.forbid(this.speedSelect, player.live && player.following && !this.mayCommand, SPEED);
+    this.forbid(this.speedSelect, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
+    say(this.past, player.past && !Number.isNaN(last) ? pastText(last, courseOf(status, heard)) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
@@ -153,9 +176,9 @@ export class Transport {
   }
 
   private forbid(control: HTMLButtonElement | HTMLSelectElement, forbidden: boolean, title: string): void {
-    if (control.disabled === forbidden) return;
     control.disabled = forbidden;
-    control.title = forbidden ? `${title}: ${VIEW_ONLY}` : title;
+    const words = forbidden ? `${title}: ${VIEW_ONLY}` : title;
+    if (control.title !== words) control.title = words;
   }
 
   private drawMarks(): void {
@@ -191,4 +214,11 @@ export class Transport {
     const x = Math.min(Math.max(event.clientX, half), innerWidth - half);
     this.hint.style.left = `${x - (box.left - this.canvas.offsetLeft)}px`;
   }
+}
+
+/** For those who hover, and those who hear. */
+function name(button: HTMLButtonElement, words: string): void {
+  if (button.title === words) return;
+  button.title = words;
+  button.setAttribute("aria-label", words);
 }

@@ -1,5 +1,5 @@
 import type { Commands } from "../protocol/commands.ts";
-import type { Session, TaskInfo, TaskNumber } from "../protocol/session.ts";
+import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
 import { Wish } from "../data/wish.ts";
 import type { Status } from "../protocol/connection.ts";
@@ -12,7 +12,7 @@ export type Report = (text: string, kind?: "error" | "plain") => void;
 /** What the grip has made, foot by foot, of the friction that the operator gave; "" where it is not known. */
 export function beliefText(friction: number[], given: number): string {
   if (friction.some((mu) => Number.isNaN(mu))) return "";
-  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return "The controller believes the same of every foot now.";
+  if (friction.every((mu) => Math.abs(mu - given) < 0.005)) return `The controller believes μ = ${given.toFixed(2)} of every foot now.`;
   return `The controller believes now, after slips: ${LEGS.map((leg, k) => `${leg} ${friction[k]?.toFixed(2)}`).join(", ")}.`;
 }
 
@@ -77,7 +77,7 @@ export class TunePanel {
     this.friction.max = String(session.limits.friction_max);
     this.frictionNow = session.friction;
     this.showFriction();
-    const order = session.orders.at(-1)?.levels ?? session.header.level_names;
+    const order = orderOf(session);
     const tables = session.tasks.filter(({ numbers }) => numbers.length > 0).map((task) => this.table(task, order.indexOf(task.level_name) + 1));
     tables.sort((a, b) => a.place - b.place);
     // Elements that are put in again lose the focus.

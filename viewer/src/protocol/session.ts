@@ -112,6 +112,8 @@ export interface Session {
   source: string;
   /** Of a log: why the run does not end where it should; "": it does. */
   cut: string;
+  /** Of a log: why its run ended; "": that is not known. Of a live run its status says so. */
+  ended: string;
   period: number;
   first_tick: number;
   ticks: number;
@@ -133,6 +135,11 @@ export interface Session {
   friction: number;
   tasks: TaskInfo[];
   can_command: boolean;
+}
+
+/** The levels' order as it is now. */
+export function orderOf({ orders, header }: Session): string[] {
+  return orders.at(-1)?.levels ?? header.level_names;
 }
 
 export const PROTOCOL = 2;

@@ -10,6 +10,13 @@ import type { MeshInfo } from "../protocol/session.ts";
 /** A mesh is asked for again this long after the connection was lost [ms]. */
 const AGAIN = 1000;
 
+/** What of the robot is shown by primitives, and where to look; `missing`: why, by address. */
+export function missingText(missing: Map<string, string>): string {
+  const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
+  const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
+  return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
+}
+
 /** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
 export class MeshLibrary {
   /** What could not be shown, and why. */
@@ -49,9 +56,9 @@ export class MeshLibrary {
     }
   }
 
-  /** Which of how many is loaded just now; "" where all have come. */
+  /** How many of them are there; "" where all have come. */
   get progress(): string {
-    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading + 1} of ${this.wanted}`;
+    return this.loading === 0 ? "" : `Loading meshes: ${this.wanted - this.loading} of ${this.wanted} are here`;
   }
 
   private enqueue<T>(work: () => Promise<T>): Promise<T> {

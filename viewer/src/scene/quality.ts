@@ -95,12 +95,16 @@ export class Quality {
     this.refine();
   }
 
-  /** Pictures a second, while there are any; what is left out of them, and why. */
-  get facts(): string[] {
+  /** Pictures a second, while there are any. */
+  get rate(): string {
     const rate = 1000 / this.frameTime;
+    return rate > 0 && !this.resting ? `${rate.toFixed(rate < 9.5 ? 1 : 0)} fps` : "";
+  }
+
+  /** What is left out of them, and why. */
+  get coarse(): string {
     const { words } = this.current;
-    const facts = rate > 0 && !this.resting ? [`${rate.toFixed(rate < 9.5 ? 1 : 0)} fps`] : [];
-    return words === "" ? facts : [...facts, `${words}: ${this.software ? "the processor draws" : "drawing is slow here"}`];
+    return words === "" ? "" : `${words}: ${this.software ? "the processor draws" : "drawing is slow here"}`;
   }
 
   /** After each picture. */

@@ -53,13 +53,13 @@ export class World {
   constructor(
     canvas: HTMLCanvasElement,
     labelLayer: HTMLElement,
-    buttons: HTMLElement,
+    over: HTMLElement[],
     private readonly session: Session,
     urdf: string,
   ) {
     this.stage = new Stage(canvas);
     this.camera = new FollowCamera(this.stage.camera, canvas);
-    this.labels = new Labels(labelLayer, buttons, this.stage.camera);
+    this.labels = new Labels(labelLayer, over, this.stage.camera);
     this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);

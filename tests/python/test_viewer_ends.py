@@ -1,0 +1,63 @@
+"""How a run ended is told whole, live and in its log, and marked on the time bar."""
+
+import pytest
+
+from conftest import record
+from live_page import Page
+from viewer import Viewer
+from viewer_page import every_look, show
+
+FACTS = "document.querySelector('#head-facts')"
+ENDED = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Ended')?.nextSibling.textContent"
+HINT = "document.querySelector('.mark-hint:not([hidden])')?.textContent ?? ''"
+# So hard that the controller takes its sensors for faulty.
+HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
+
+
+def point_at_the_end(browser):
+    x, y, width = browser.run("(() => { const b = document.querySelector('.marks').getBoundingClientRect(); return [b.x, b.y + 5, b.width]; })()")
+    browser.mouse("mouseMoved", x + width - 1, y)
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory):
+    return record(tmp_path_factory.mktemp("log") / "stopped.mcap", *HIT, scenario="push", duration=6)
+
+
+def test_why_a_live_run_has_ended_is_told_whole(browser):
+    with Viewer("run", "push", "--view", "--set", "duration=6", *HIT) as viewer, Page(viewer) as page:
+        show(browser, viewer.link)
+        why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
+        browser.wait(f"document.querySelector('#mode').textContent === 'ended' && {FACTS}.textContent.includes('ended: {why}')", 60)
+        browser.wait(f"{FACTS}.title === {FACTS}.textContent && {ENDED} === '{why}'")
+        point_at_the_end(browser)
+        browser.wait(f"({HINT}).includes('ended: {why}')")
+        browser.click("#tab-hierarchy")
+        for _ in every_look(browser, "ended"):
+            pass
+        browser.press("r")
+        browser.wait(f"surefoot.status.ended === null && {ENDED} === 'not yet'", 60)
+
+
+def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
+    with Viewer("replay", stopped) as replay:
+        why = replay.json("api/session")["ended"]
+        assert why.startswith("the controller stopped for safety at ")
+        show(browser, replay.link)
+        browser.wait(f"{FACTS}.textContent.includes('ended: {why}') && {ENDED} === '{why}'")
+        browser.wait("document.querySelector('#plots-progress').textContent === ''", 60)
+        point_at_the_end(browser)
+        browser.wait(f"({HINT}).includes('ended: {why}')")
+        for _ in every_look(browser, "log_of_a_stop"):
+            pass
+    with Viewer("replay", log) as replay:
+        show(browser, replay.link)
+        browser.wait(f"{ENDED} === 'the whole duration'")
+
+
+def test_a_stop_for_safety_is_no_good_news(browser, stopped):
+    with Viewer("replay", stopped) as replay:
+        show(browser, replay.link)
+        browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
+        browser.wait("surefoot.channel('command.mode')[0] > 1 && /^No level is solved: \\w+, as /.test(document.querySelector('#account').innerText)", 30)
+        browser.wait("document.querySelector('#account').dataset.kind === 'bad'")

@@ -1,0 +1,23 @@
+import { endingText } from "../data/mark_columns.ts";
+import type { Player } from "../data/player.ts";
+import { part, say } from "./dom.ts";
+import type { Course } from "./transport.ts";
+
+/** How a live run goes on, in a word. */
+export function showMode(player: Pick<Player, "past">, course: Course): void {
+  const mode = player.past ? "past" : course === "paused" || course === "ended" ? course : "live";
+  const badge = part("mode");
+  badge.dataset["state"] = mode;
+  say(badge, mode);
+}
+
+/** Why a run has ended; "": it has not, or nobody knows. */
+export const endFact = (why: string): string => (why === "" ? "" : endingText(why));
+
+/** What is to be known beside it; where there is no room for all, it is told to a pointer. */
+export function showFacts(facts: string[]): void {
+  const text = facts.filter((one) => one !== "").join(" · ");
+  const line = part("head-facts");
+  say(line, text);
+  if (line.title !== text) line.title = text;
+}
