@@ -17,6 +17,23 @@ def pytest_collection_modifyitems(items):
             item.add_marker(pytest.mark.flaky(reruns=1))
 
 
+MOST_RERUNS = 3  # of a run: more are no chance
+
+
+def reruns(config):
+    return len(config.pluginmanager.get_plugin("terminalreporter").stats.get("rerun", []))
+
+
+def pytest_sessionfinish(session):
+    if reruns(session.config) > MOST_RERUNS:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    if reruns(config) > MOST_RERUNS:
+        terminalreporter.write_line(f"{reruns(config)} tests had to be tried twice, more than {MOST_RERUNS}: the run counts as failed.")
+
+
 def record(path, *arguments, scenario="walk_flat_ideal", duration=2):
     """Runs two seconds of the flat walk, long enough for a step, or another scenario, and records it."""
     program = os.environ.get("SUREFOOT_PROGRAM", str(SOURCE / "bin" / "surefoot"))
