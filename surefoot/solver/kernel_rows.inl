@@ -48,13 +48,19 @@ bool read_sides(Sweep& s) {
   return !any(wrong);
 }
 
+/// What another solve left beside the last row may be infinite, or no number: zeros in its place.
+SUREFOOT_INLINE Pack of_rows(const double* p, Bits rows) { return rows ? at(p) : Pack{}; }
+
 bool has_violated(const Sweep& s, int first, double rounding) {
   Bits found = Bits{};
   for (int i = first / kPack * kPack; i < s.num_rows; i += kPack) {
-    const Pack above = at(s.value + i) - at(s.upper + i), below = at(s.lower + i) - at(s.value + i);
-    const Pack limit = rounding * at(s.scale + i);
+    const Bits rows = are_rows(i, s.num_rows);
+    const Pack value = of_rows(s.value + i, rows);
+    const Pack above = value - of_rows(s.upper + i, rows);
+    const Pack below = of_rows(s.lower + i, rows) - value;
+    const Pack limit = rounding * of_rows(s.scale + i, rows);
     const Bits is_beyond = (Bits)(above > limit) | (Bits)(below > limit);
-    found |= is_beyond & (Bits)(sides_at(s.side + i) == 0) & are_rows(i, s.num_rows);
+    found |= is_beyond & (Bits)(sides_at(s.side + i) == 0) & rows;
   }
   return any(found);
 }
@@ -64,11 +70,13 @@ SUREFOOT_INLINE Pack larger_of(Pack a, Pack b) { return a > b ? a : b; }
 
 void judge_rows(Sweep& s, double tolerance) {
   for (int i = 0; i < s.num_rows; i += kPack) {
-    const Pack value = at(s.value + i), lower = at(s.lower + i), upper = at(s.upper + i);
+    const Bits rows = are_rows(i, s.num_rows);
+    const Pack value = of_rows(s.value + i, rows);
+    const Pack lower = of_rows(s.lower + i, rows), upper = of_rows(s.upper + i, rows);
     const Pack above = value - upper, below = lower - value;
     const Pack violation = larger_of(larger_of(Pack{}, below), above);
     at(s.square_violation + i) = violation * violation;
-    const Pack limit = tolerance * at(s.scale + i);
+    const Pack limit = tolerance * of_rows(s.scale + i, rows);
     const Bits is_equality = (Bits)(lower == upper);
     const Bits touches_upper = (Bits)(above >= -limit), touches_lower = (Bits)(below >= -limit);
     const Bits at_upper = (Bits{} + 1) | ((Bits)(above > limit) & 2);

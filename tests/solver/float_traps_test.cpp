@@ -62,6 +62,39 @@ TYPED_TEST(FloatTrapped, NumbersThatAreNoneAreRefused) {
   }
 }
 
+/// Up to 5 rows of small integers in each of 6 levels, sides of which are infinite at times.
+Hierarchy any_rows(RandomMatrices& random) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Hierarchy hierarchy(8);
+  for (int k = 0; k < 6; ++k) {
+    hierarchy.add_level("level " + std::to_string(k), 5);
+    for (int i = random.integer(0, 5); i > 0; --i) {
+      Rows row = hierarchy.level(static_cast<std::size_t>(k)).add(1, i);
+      for (int j = 0; j < 8; ++j) row.A(0, j) = random.chance(2.0 / 3) ? random.integer(-3, 3) : 0;
+      const double bound = random.integer(-5, 5);
+      const int kind = random.integer(0, 3);
+      row.lower[0] = kind == 1 ? -kInfinity : bound;
+      row.upper[0] = kind == 0 ? bound : kind == 2 ? kInfinity : bound + random.integer(0, 3);
+    }
+  }
+  return hierarchy;
+}
+
+// What a solve leaves beside the rows of the next, smaller one is infinite at times.
+TYPED_TEST(FloatTrapped, OneSolverMayBeAskedOneHierarchyAfterAnother) {
+  RandomMatrices random(7);
+  TypeParam solver([] {
+    Hierarchy room(8);
+    for (int k = 0; k < 6; ++k) room.add_level("level " + std::to_string(k), 5);
+    return room;
+  }());
+  for (int i = 0; i < 40000; ++i) {
+    const Hierarchy hierarchy = any_rows(random);
+    const FloatTraps traps;
+    ASSERT_EQ(solver.solve(hierarchy).status, SolveStatus::optimal) << i;
+  }
+}
+
 constexpr double kLimit = tolerance::kLargest;
 
 /// Where in a level of three rows a number may be too large.
