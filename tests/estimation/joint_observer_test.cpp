@@ -66,6 +66,18 @@ TEST(JointObserver, AJointWithoutReadingGoesOnAsItsModelSays) {
   for (const double v : observer.velocity()) EXPECT_NEAR(v, 4.0 * kPeriod, 1e-12);
 }
 
+TEST(JointObserver, AJointThatNeverHadAReadingHidesNoOtherAndBeginsAtRestWithItsFirst) {
+  JointObserver observer(kBandwidth, kPeriod);
+  for (int tick = 0; tick < 200; ++tick) {
+    JointVector q = JointVector::Constant(0.3 * kPeriod * tick);
+    if (tick < 150) q[3] = std::numeric_limits<double>::quiet_NaN();
+    observer.update(q, 1);
+    if (tick == 150) EXPECT_EQ(observer.velocity()[3], 0.0);
+    EXPECT_TRUE(observer.velocity().allFinite());
+  }
+  for (const double v : observer.velocity()) EXPECT_NEAR(v, 0.3, 0.01);
+}
+
 TEST(JointObserver, NoiseOfAnEncoderGivesLessNoiseThanItsDifferences) {
   JointObserver observer(kBandwidth, kPeriod);
   observer.start(JointVector::Zero());
