@@ -13,6 +13,7 @@ namespace surefoot {
 namespace {
 
 constexpr int kMaxDepth = 32;
+constexpr const char* kRandomise = "randomise";
 
 /// Turns yaml-cpp's nodes into ours; the only place that knows them.
 class Converter {
@@ -66,6 +67,13 @@ std::vector<std::string> split(const std::string& path) {
                 "\" must be keys with a dot between them, as in terrain.friction");
   }
   return keys;
+}
+
+/// The keys on the way down a path; those of `randomise:` are paths themselves.
+std::vector<std::string> keys_of(const std::string& path) {
+  std::vector<std::string> keys = split(path);
+  if (keys.size() < 2 || keys.front() != kRandomise) return keys;
+  return {kRandomise, path.substr(path.find('.') + 1)};
 }
 
 ConfigNode& item(ConfigNode& list, const std::string& key, const std::string& path) {
@@ -171,7 +179,7 @@ void merge(ConfigNode& tree, ConfigNode overlay) {
 
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value) {
   ConfigNode* node = &tree;
-  for (const std::string& key : split(path)) node = &child(*node, key, path, value.where);
+  for (const std::string& key : keys_of(path)) node = &child(*node, key, path, value.where);
   *node = std::move(value);
 }
 

@@ -40,8 +40,9 @@ struct ConfigNode {
 void merge(ConfigNode& tree, ConfigNode overlay);
 
 /// Replaces the node at a dotted path ("terrain.friction"; entries of a list by number, or by x, y,
-/// z). Maps on the way that are missing are made. Throws Error, naming the path, if it leads
-/// through a scalar or beyond the end of a list.
+/// z). Maps on the way that are missing are made. What follows "randomise." is one key, as the
+/// section's keys are paths. Throws Error, naming the path, if it leads through a scalar or beyond
+/// the end of a list.
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
 /// An overlay from the command line, "path.to.key=value": the value is read as YAML.

@@ -5,6 +5,7 @@
 #include "surefoot/config/criteria_section.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/estimator_section.hpp"
+#include "surefoot/config/guard_section.hpp"
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/planner_section.hpp"
@@ -219,6 +220,7 @@ void read_controller(Section& top, ControllerOptions& controller) {
       "period", controller.period,
       {.min = 0.0, .max = 0.01, .min_included = false, .words = "above 0 and at most 0.01 s"});
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
+  top.section("guard", [&](Section& s) { read_guard(s, controller.guard); });
   top.section("slip", [&](Section& s) { read_slip(s, controller.slip); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });

@@ -31,6 +31,16 @@ bool is_bridged(const GroupHealth& group) {
   return group.fault != SampleFault::none && std::isfinite(group.age);
 }
 
+/// The sensor at fault whose samples the state lacks.
+StopCause missing_sensor(const RobotState& state, const SensorHealth& health) {
+  const auto lacks = [](const GroupHealth& group, const auto& values) {
+    return group.fault != SampleFault::none && !values.allFinite();
+  };
+  if (lacks(health.encoders, state.q)) return StopCause::encoders;
+  if (lacks(health.imu, state.q_WB.coeffs())) return StopCause::imu;
+  return lacks(health.joint_torques, state.torque) ? StopCause::joint_torques : StopCause::failures;
+}
+
 /// From 0 to 1 with rest at both ends, and its slope.
 double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
 double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
@@ -99,10 +109,18 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
     stopped_q_ = state.q;
     stop(is_posture(state.q) ? CommandMode::sit : CommandMode::damping, lost, health);
   } else if (!sitting_ && failures_ > options_.damp_after_failures) {
-    stop(CommandMode::damping, StopCause::failures, health);
+    stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
   }
+}
+
+// A sensor that is there from the start has been lost before; one that never came is missed here.
+void Safety::stop_after_failures(const RobotState& state, const SensorHealth& health) {
+  const StopCause cause = missing_sensor(state, health);
+  const bool can_sit = is_sensor(cause) && is_posture(state.q);
+  stopped_q_ = is_posture(good_q_) ? good_q_ : state.q;  // what is held
+  stop(can_sit ? CommandMode::sit : CommandMode::damping, cause, health);
 }
 
 void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health) {

@@ -19,7 +19,8 @@ namespace surefoot {
 ///     hold       joint PD about the last good posture, on top of the last good torques; about the
 ///                first posture that was seen, if there never was a good tick
 ///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
-///                latched: a sensor gave nothing good for longer than `bridge_time`
+///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
+///                repeated failures nothing at all yet
 ///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
 ///                a torso tilted too far; lying; or at once where an encoder is lost, on top of the
 ///                last good torques, which fade out
@@ -49,6 +50,7 @@ class Safety {
   [[nodiscard]] static bool is_sensor(StopCause cause) { return cause >= StopCause::encoders; }
   [[nodiscard]] bool is_good(const Solution* solution) const;
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
+  void stop_after_failures(const RobotState& state, const SensorHealth& health);
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
   void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);

@@ -34,13 +34,12 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading) 
   is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
   periods_ = periods_until(reading.time);
   time_ = reading.time;
-  for (JointObserver* observer : {&force_observer_, &velocity_observer_}) {
-    if (is_first_) {
-      observer->start(reading.q);
-    } else {
-      observer->update(reading.q, periods_);
-    }
+  if (is_first_) {
+    force_observer_.start(reading.q);
+  } else {
+    force_observer_.update(reading.q, periods_);
   }
+  velocity_observer_.update(reading.q, periods_);
   return velocity_observer_.velocity();
 }
 

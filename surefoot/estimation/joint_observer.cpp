@@ -18,12 +18,18 @@ void JointObserver::start(const JointVector& q) noexcept {
   expected_.setZero();
 }
 
+void JointObserver::start(Eigen::Index joint, double q) noexcept {
+  q_[joint] = q;
+  velocity_[joint] = disturbance_[joint] = expected_[joint] = 0.0;
+}
+
 void JointObserver::update(const JointVector& q, int periods) noexcept {
   const double dt = periods * period_;
   const JointVector acceleration = expected_ + disturbance_;
   q_ += dt * velocity_ + 0.5 * dt * dt * acceleration;
   velocity_ += dt * acceleration;
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    if (std::isnan(q_[i]) && std::isfinite(q[i])) start(i, q[i]);
     const double error = q[i] - q_[i];
     if (!std::isfinite(error)) continue;
     q_[i] += alpha_ * error;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
 
 namespace surefoot {
 
@@ -22,7 +22,8 @@ class JointObserver {
 
   /// At rest at q.
   void start(const JointVector& q) noexcept;
-  /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only.
+  /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only,
+  /// and one that never had another begins at rest with the first.
   void update(const JointVector& q, int periods) noexcept;
   /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
   void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }
@@ -35,9 +36,11 @@ class JointObserver {
   [[nodiscard]] const JointVector& disturbance() const { return disturbance_; }
 
  private:
+  void start(Eigen::Index joint, double q) noexcept;
+
   double period_;
   double alpha_, beta_, gamma_;
-  JointVector q_ = JointVector::Zero(), velocity_ = JointVector::Zero();
+  JointVector q_ = JointVector::Constant(kNaN), velocity_ = JointVector::Zero();
   JointVector disturbance_ = JointVector::Zero(), expected_ = JointVector::Zero();
 };
 

@@ -28,7 +28,10 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !is_complete) return state_;
+  if (!started_ && !is_complete) {
+    write_joints(reading, context);
+    return state_;
+  }
   const Vec3 p_before = filter_.p_WB();
   if (!started_) {
     start(reading, 0.0);
@@ -46,8 +49,8 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     doubt_turn();
     for (const Leg leg : kLegs) update_foot(leg, context.contacts[index(leg)], dt);
   }
-  write_state(reading);
-  state_.qd = context.joint_velocity;
+  write_joints(reading, context);
+  write_base(reading);
   return state_;
 }
 
@@ -162,14 +165,18 @@ double LegInertialEstimator::walk(const Foot& foot, const FootContact& contact) 
   return options_.foot_walk + options_.loose_foot_walk * (1.0 - trust) * (1.0 - trust);
 }
 
-void LegInertialEstimator::write_state(const SensorReading& reading) {
+void LegInertialEstimator::write_joints(const SensorReading& reading, const TickContext& context) {
   state_.time = reading.time;
+  state_.q = reading.q;
+  state_.qd = context.joint_velocity;
+  state_.torque = reading.torque;
+}
+
+void LegInertialEstimator::write_base(const SensorReading& reading) {
   state_.p_WB = filter_.p_WB();
   state_.q_WB = Quat(filter_.R_WB());
   state_.v_WB = filter_.v_WB();
   state_.w_WB_B = reading.gyro - filter_.gyro_bias();
-  state_.q = reading.q;
-  state_.torque = reading.torque;
 }
 
 }  // namespace surefoot

@@ -63,7 +63,8 @@ class LegInertialEstimator final : public StateEstimator {
   void see_feet(const SensorReading& reading);
   void update_foot(Leg leg, const FootContact& contact, double dt);
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
-  void write_state(const SensorReading& reading);
+  void write_joints(const SensorReading& reading, const TickContext& context);
+  void write_base(const SensorReading& reading);
 
   LegInertialOptions options_;
   double period_;

@@ -77,9 +77,20 @@ TEST(ConfigTree, an_assignment_sets_a_number_a_list_entry_or_a_whole_map) {
   EXPECT_EQ(changed.find("terrain")->find("friction")->where, "--set terrain.friction=0.5");
 }
 
+TEST(ConfigTree, an_assignment_takes_what_follows_randomise_for_one_key) {
+  ConfigNode changed = parse_yaml("randomise: {initial.yaw: [0, 1], a.b: [1, 2]}\n", "a.yaml");
+  apply_assignment(changed, "randomise.a.b=[3, 4]");
+  apply_assignment(changed, "randomise.initial.yaw=~");
+  apply_assignment(changed, "randomise.c.d.e=[5, 6]");
+  apply_assignment(changed, "randomise.include=mismatch");
+  EXPECT_EQ(to_json(changed),
+            R"({"randomise":{"initial.yaw":null,"a.b":[3,4],"c.d.e":[5,6],"include":"mismatch"}})");
+}
+
 TEST(ConfigTree, an_assignment_without_a_path_or_a_value_is_told) {
   ConfigNode changed = tree();
-  for (const char* wrong : {"terrain.friction", "=3", "a..b=3", ".a=3", "a.=3"}) {
+  for (const char* wrong : {"terrain.friction", "=3", "a..b=3", ".a=3", "a.=3",
+                            "randomise..a=[0, 1]", "randomise.=3"}) {
     EXPECT_TRUE(holds(message_of([&] { apply_assignment(changed, wrong); }), "as")) << wrong;
   }
 }

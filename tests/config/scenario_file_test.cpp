@@ -267,6 +267,30 @@ TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
   EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
 }
 
+TEST_F(ScenarioFile, takes_ranges_of_the_command_line) {
+  const std::vector<std::string> narrow{"randomise.terrain.friction=[0.45, 0.46]"};
+  const Scenario scenario = read(kRandomFriction, 1, narrow);
+  ASSERT_EQ(scenario.drawn.size(), 1u);
+  EXPECT_NEAR(scenario.plant.terrain.friction, 0.455, 0.005);
+  EXPECT_EQ(read("", 1, narrow).drawn.size(), 3u) << "beside what walk_flat draws";
+  EXPECT_EQ(read("", 1, {"randomise.initial.yaw=~"}).drawn.size(), 1u);
+  const Scenario worn = read("", 1, {narrow[0], "randomise.include=mismatch"});
+  EXPECT_NEAR(worn.plant.terrain.friction, 0.455, 0.005) << "before the file's";
+}
+
+TEST_F(ScenarioFile, names_the_range_of_the_command_line_that_is_wrong) {
+  EXPECT_TRUE(holds(complaint("", {"randomise.terrain.frictoin=[0.4, 0.6]"}),
+                    "terrain.frictoin: unknown key; did you mean \"friction\"?"));
+  for (const char* wrong : {"[]", "[0.4]", "0.5", "{min: 0.4}"}) {
+    EXPECT_TRUE(holds(complaint("", {std::string("randomise.terrain.friction=") + wrong}),
+                      "randomise.terrain.friction: must be a range [min, max]"))
+        << wrong;
+  }
+  EXPECT_TRUE(holds(
+      complaint("", {"randomise.terrain.friction=[1.0, 0.4]"}),
+      "--set randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not"));
+}
+
 TEST_F(ScenarioFile, with_a_bound_beyond_reach_is_told_where_the_number_stands) {
   test::write_file(folder_ / "far.yaml",
                    "name: far\nbase: terrain_adaptation\n"
@@ -306,6 +330,15 @@ TEST_F(ScenarioFile, chooses_the_solver) {
   EXPECT_TRUE(read("").controller.solver.structure);
   EXPECT_FALSE(read("solver: {structure: false}\n").controller.solver.structure);
   EXPECT_TRUE(holds(complaint("solver: {method: simplex}\n"), "trial.yaml:2: solver.method"));
+}
+
+TEST_F(ScenarioFile, says_which_samples_are_believed) {
+  const Scenario scenario = read("guard: {max_gyro_step: 1.5, repeats: 5}\n");
+  EXPECT_EQ(scenario.controller.guard.max_gyro_step, 1.5);
+  EXPECT_EQ(scenario.controller.guard.repeats, 5);
+  EXPECT_EQ(scenario.controller.guard.patience, ReadingGuardOptions{}.patience);
+  EXPECT_TRUE(holds(complaint("guard: {repeats: 0}\n"), "guard.repeats"));
+  EXPECT_TRUE(holds(complaint("guard: {max_giro: 1}\n"), "guard.max_giro: unknown key"));
 }
 
 TEST_F(ScenarioFile, may_leave_out_the_weighing_of_legs_in_the_air) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -41,6 +42,10 @@ struct Stage {
   const JointCommand& tick(const SensorHealth& health = {}) {
     state.time = kPeriod * ++ticks;
     return safety.command(state, &solution, health);
+  }
+  const JointCommand& refused_tick(const SensorHealth& health) {
+    state.time = kPeriod * ++ticks;
+    return safety.command(state, nullptr, health);
   }
 
   Safety safety{{}, anymal_b(), 4, lying()};
@@ -132,6 +137,53 @@ TEST(SafetyOfSensors, ASensorThatTheRobotDoesNotHaveIsNotMissed) {
   Stage stage;
   const SensorHealth health{.encoders = {.age = 0.0}, .joint_torques = {}, .imu = {}};
   for (int i = 0; i < 100; ++i) EXPECT_EQ(stage.tick(health).mode, CommandMode::optimal);
+}
+
+TEST(SafetyOfSensors, OneThatNeverCameIsNamedAndSatDownFor) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (const StopCause missing : {StopCause::imu, StopCause::joint_torques}) {
+    Stage stage;
+    if (missing == StopCause::imu) stage.state.q_WB.coeffs().setConstant(unknown);
+    if (missing == StopCause::joint_torques) stage.state.torque.setConstant(unknown);
+    SensorHealth health = failing(&SensorHealth::imu, unknown);
+    health.joint_torques = health.imu;
+    JointVector held;
+    for (int i = 0; i < SafetyOptions{}.damp_after_failures; ++i) {
+      stage.state.q = anymal_b().q_nominal + JointVector::Constant(2e-4 * i);
+      const JointCommand& command = stage.refused_tick(health);
+      ASSERT_EQ(command.mode, CommandMode::hold) << "it may come late";
+      held = command.torque;
+    }
+    EXPECT_GT(held.norm(), 1.0) << "by what the encoders say";
+    EXPECT_EQ(stage.refused_tick(health).mode, CommandMode::sit);
+    const JointCommand& command = stage.refused_tick(health);
+    EXPECT_EQ(command.cause, missing);
+    EXPECT_EQ(command.fault, SampleFault::silent);
+    EXPECT_LT((command.torque - held).norm(), 0.1) << "goes on from what was held";
+  }
+}
+
+TEST(SafetyOfSensors, AnEncoderThatNeverCameIsNamedAndTheOtherJointsDamp) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  Stage stage;
+  stage.state.q[5] = unknown;
+  stage.state.qd.setConstant(1.0);
+  SensorHealth health = failing(&SensorHealth::encoders, 0.0);
+  health.encoders.joint = 5;
+  while (stage.ticks <= SafetyOptions{}.damp_after_failures) (void)stage.refused_tick(health);
+  const JointCommand& command = stage.refused_tick(health);
+  EXPECT_EQ(command.mode, CommandMode::damping);
+  EXPECT_EQ(command.cause, StopCause::encoders);
+  EXPECT_EQ(command.joint, 5);
+  EXPECT_LT(command.torque[0], 0.0);
+}
+
+TEST(SafetyOfSensors, WithoutAStateForAnotherReasonNoSensorIsNamed) {
+  Stage stage;
+  stage.state.q_WB.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 100; ++i) (void)stage.refused_tick({});
+  EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::damping);
+  EXPECT_EQ(stage.refused_tick({}).cause, StopCause::failures);
 }
 
 TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {

@@ -66,6 +66,21 @@ TEST(JointObserver, AJointWithoutReadingGoesOnAsItsModelSays) {
   for (const double v : observer.velocity()) EXPECT_NEAR(v, 4.0 * kPeriod, 1e-12);
 }
 
+TEST(JointObserver, AJointThatNeverHadAReadingHidesNoOtherAndBeginsAtRestWithItsFirst) {
+  JointObserver observer(kBandwidth, kPeriod);
+  const auto tick = [&](int number, double third) {
+    JointVector q = JointVector::Constant(0.3 * kPeriod * number);
+    q[3] = third;
+    observer.update(q, 1);
+  };
+  for (int i = 0; i < 150; ++i) tick(i, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NEAR(observer.velocity()[2], 0.3, 0.01);
+  EXPECT_EQ(observer.velocity()[3], 0.0);
+  tick(150, 0.7);
+  EXPECT_EQ(observer.q()[3], 0.7);
+  EXPECT_EQ(observer.velocity()[3], 0.0);
+}
+
 TEST(JointObserver, NoiseOfAnEncoderGivesLessNoiseThanItsDifferences) {
   JointObserver observer(kBandwidth, kPeriod);
   observer.start(JointVector::Zero());

@@ -206,6 +206,21 @@ TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
   EXPECT_LT(tilt_error(state, robot), 0.005);
 }
 
+TEST(LegInertialEstimator, BeforeTheImuComesItTellsOfTheJointsAlone) {
+  TurningRobot robot(KinematicErrors{}, kMotion);
+  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+  SensorReading reading = robot.reading();
+  reading.gyro.setConstant(kNaN);
+  TickContext context = standing();
+  context.joint_velocity.setConstant(0.2);
+  const RobotState& state = estimator.update(reading, context);
+  EXPECT_EQ(state.time, reading.time);
+  EXPECT_EQ(state.q, reading.q);
+  EXPECT_EQ(state.qd, context.joint_velocity);
+  EXPECT_TRUE(state.p_WB.array().isNaN().all());
+  EXPECT_TRUE(estimator.update(robot.reading(), standing()).p_WB.allFinite());
+}
+
 TEST(LegInertialEstimator, AllocatesNothing) {
   TurningRobot robot(KinematicErrors{}, kMotion);
   LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);

@@ -315,6 +315,12 @@ def test_with_the_real_program_a_replay_gives_the_same_numbers(tmp_path):
     assert compared and all(float(row[key]) == value for key, value in compared.items())
 
 
+def test_a_range_that_makes_no_sense_is_told_with_its_line(tmp_path):
+    text = "scenario: walk_flat\nseeds: [1]\nset:\n  randomise.terrain.friction: [1.0, 0.4]\n"
+    said = CampaignFolder(tmp_path, PROGRAM).write(text).complaint()
+    assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not be above max" in said
+
+
 def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):
     """step_down draws its friction itself, from [0.4, 1.0]."""
     folder = CampaignFolder(tmp_path, PROGRAM).write(REAL.replace("count: 2", "count: 1"))

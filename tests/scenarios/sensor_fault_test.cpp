@@ -27,9 +27,9 @@ struct Fault {
   std::string sensor, kind, more, said;
 
   /// A spike has no duration.
-  [[nodiscard]] std::string option(double duration) const {
+  [[nodiscard]] std::string option(double duration, double time = kFaultTime) const {
     return "sensors.faults.one={sensor: " + sensor + ", kind: " + kind +
-           ", time: " + std::to_string(kFaultTime) +
+           ", time: " + std::to_string(time) +
            (duration > 0.0 ? ", duration: " + std::to_string(duration) : "") +
            (more.empty() ? "" : ", " + more) + "}";
   }
@@ -142,6 +142,46 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SensorFault, testing::ValuesIn(faults()),
                            return fault.sensor + "_" + fault.kind + "_" +
                                   (fault.said.find("LF_KFE") == std::string::npos ? "all" : "one");
                          });
+
+/// From the first tick on nothing comes: there was never a state, nor anything to bridge with.
+class DeadSensor : public testing::TestWithParam<Fault> {};
+
+TEST_P(DeadSensor, IsNamedAndSatDownForWhereTheJointsAreKnown) {
+  const std::string fault = GetParam().option(0.0, 0.0);
+  Loop loop(scenario("walk_flat", walk(fault, 5.0)));
+  double fastest_descent = 0.0;
+  JointVector before = JointVector::Zero();
+  bool sat = false;
+  loop.run_until(5.0, [&] {
+    const JointCommand& command = loop.record().command;
+    EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(), kMostChange + 1e-9);
+    before = command.torque;
+    fastest_descent = std::max(fastest_descent, -loop.truth().v_WB.z());
+    sat = sat || command.mode == CommandMode::sit;
+    return testing::Test::HasFailure();
+  });
+  EXPECT_EQ(sat, !GetParam().is_of_encoders());
+  EXPECT_EQ(loop.record().command.mode, CommandMode::damping) << "in the end";
+  EXPECT_LE(fastest_descent, GetParam().is_of_encoders() ? 3.0 : 0.5);
+  const RunResult result = run_closed_loop(scenario("walk_flat", walk(fault, 2.0)), {});
+  EXPECT_TRUE(result.safety_stop);
+  EXPECT_NE(result.metrics.reason.find(GetParam().said), std::string::npos)
+      << result.metrics.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FromTheStart, DeadSensor,
+    testing::Values(Fault{"imu", "nan", "", "IMU gave no numbers"},
+                    Fault{"imu", "stops", "", "IMU"},
+                    Fault{"gyro", "nan", "", "IMU gave no numbers"},
+                    Fault{"joint_torques", "stops", "", "joint torques"},
+                    Fault{"joint_torques", "nan", "joint: RF_HFE", "joint torque RF_HFE"},
+                    Fault{"encoders", "nan", "", "encoders of several joints gave no numbers"},
+                    Fault{"encoders", "nan", "joint: LF_KFE", "encoder LF_KFE gave no numbers"}),
+    [](const auto& parameter) {
+      const Fault& fault = parameter.param;
+      return fault.sensor + "_" + fault.kind + (fault.more.empty() ? "_all" : "_one");
+    });
 
 TEST(SensorSpike, ChangesNothingThatLasts) {
   for (const Fault& fault :

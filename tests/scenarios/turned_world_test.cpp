@@ -2,15 +2,20 @@
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 #include "tests/scenarios/loop.hpp"
+#include "tests/support/random_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace surefoot {
 namespace {
+
+constexpr int kPoses = 3;  // of the world, beside the one as it is
 
 /// Believes what another estimator does, of a world that is turned and shifted: where a robot that
 /// feels its way is, and where it looks, nothing tells it.
@@ -38,17 +43,21 @@ class TurnedEstimator final : public StateEstimator {
 struct Case {
   const char* name;
   const char* scenario;
-  double push;  // sideways, from 3.5 s on for a second [N]
+  const char* calibration;  // [s]
+  double push;              // sideways, from 3.5 s on for a second [N]
+  int ticks;
 };
 
 class TurnedWorld : public testing::TestWithParam<Case> {};
 
-/// Two controllers get the same readings, one of them believes another place and heading.
+/// Controllers get the same readings, and all but one believe another place and heading.
 TEST_P(TurnedWorld, GetsTheSameTorques) {
-  Scenario scenario = test::scenario(GetParam().scenario, {"planner.calibration.duration=0"}, 3);
-  if (GetParam().push > 0.0) {
+  const Case& run = GetParam();
+  Scenario scenario = test::scenario(
+      run.scenario, {std::string("planner.calibration.duration=") + run.calibration}, 3);
+  if (run.push > 0.0) {
     scenario.plant.disturbances.pushes.push_back(
-        {.body = "", .time = 3.5, .duration = 1.0, .force = Vec3(0.0, GetParam().push, 0.0)});
+        {.body = "", .time = 3.5, .duration = 1.0, .force = Vec3(0.0, run.push, 0.0)});
   }
   Plant plant(scenario.robot, scenario.plant);
   const auto estimator = [&] {
@@ -56,27 +65,42 @@ TEST_P(TurnedWorld, GetsTheSameTorques) {
                           {scenario.robot, scenario.controller.period, plant, scenario.estimator});
   };
   Controller here(scenario.robot, scenario.controller, estimator());
-  Controller there(scenario.robot, scenario.controller,
-                   std::make_unique<TurnedEstimator>(estimator(), 2.0, Vec3(-3.0, 7.0, 0.4)));
+  std::vector<std::unique_ptr<Controller>> elsewhere;
+  test::RandomMatrices random(11);
+  const auto pose = [&] {
+    const double yaw = random.uniform(-kPi, kPi);
+    const Vec3 shift(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0),
+                     random.uniform(-2.0, 2.0));
+    return std::make_unique<TurnedEstimator>(estimator(), yaw, shift);
+  };
+  for (int i = 0; i < kPoses; ++i) {
+    elsewhere.push_back(std::make_unique<Controller>(scenario.robot, scenario.controller, pose()));
+  }
   double felt = 0.0;
-  for (int tick = 0; tick < 2400; ++tick) {
+  for (int tick = 0; tick < run.ticks; ++tick) {
     const SensorReading reading = plant.read();
     const UserCommand user = scenario.user(reading.time);
-    const JointVector other = there.step(reading, user).torque;
     const JointCommand& command = here.step(reading, user);
-    ASSERT_LT((command.torque - other).cwiseAbs().maxCoeff(), 1e-6) << "tick " << tick;
+    for (int i = 0; i < kPoses; ++i) {
+      const JointVector& other = elsewhere[static_cast<std::size_t>(i)]->step(reading, user).torque;
+      ASSERT_LT((command.torque - other).cwiseAbs().maxCoeff(), 1e-6)
+          << "pose " << i << ", tick " << tick;
+    }
     felt = std::max(felt, here.record().state.external_force.norm());
     plant.write(command);
   }
   EXPECT_GE(here.steps_taken(), 3);
-  EXPECT_GE(felt, 0.5 * GetParam().push);
+  EXPECT_GE(felt, 0.5 * run.push);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, TurnedWorld,
-                         testing::Values(Case{"Walk", "walk_flat", 0.0},
-                                         Case{"StepDown", "step_down", 0.0},
-                                         Case{"Rough", "rough_field", 0.0},
-                                         Case{"Pushed", "walk_flat", 60.0}),
+                         testing::Values(Case{"Walk", "walk_flat", "0", 0.0, 2400},
+                                         Case{"Calibrated", "walk_flat", "6", 0.0, 5600},
+                                         Case{"CalibratedMismatch", "walk_flat_mismatch", "6", 0.0,
+                                              5600},
+                                         Case{"StepDown", "step_down", "0", 0.0, 2400},
+                                         Case{"Rough", "rough_field", "0", 0.0, 2400},
+                                         Case{"Pushed", "walk_flat", "0", 60.0, 2400}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
