@@ -6,6 +6,7 @@
 #include "app/log_replay.hpp"
 #include "app/output_files.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
@@ -110,7 +111,7 @@ void dump_log(const DumpArguments& arguments, Dump& dump, std::ostream& err) {
     if (!replay.is_same() && std::isnan(different_from)) different_from = time;
   }
   if (replay.gap())
-    err << "surefoot: warning: " << arguments.source << ": " << replay.problem()
+    err << "surefoot: warning: " << arguments.source << ": " << printable(replay.problem())
         << "; behind that no tick can be computed again\n";
   if (std::isnan(different_from)) return;
   err << "surefoot: warning: " << arguments.source << ": from " << different_from

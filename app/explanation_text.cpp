@@ -128,8 +128,13 @@ class Text {
 
   static std::string share(const LevelAccount& level, const BlockingLevelAccount& by) {
     if (std::isnan(by.cost))
-      return " at a cost that is not known: the search without it came to no end\n";
-    if (by.cost == 0.0) return " and by others, none of which costs anything alone\n";
+      return " at a cost that is not known: without it the level could not be solved\n";
+    if (by.cost == 0.0) {
+      const bool is_said_again = std::ranges::any_of(
+          by.rows, [](const BlockingRowAccount& row) { return row.cost > 0.0; });
+      return is_said_again ? ", which costs nothing alone: other levels say the same\n"
+                           : " and by others, none of which costs anything alone\n";
+    }
     return ", which costs " + amount(level, by.cost) + ": without it the residual would be " +
            amount(level, std::max(0.0, level.residual - by.cost)) + "\n";
   }

@@ -16,7 +16,7 @@ namespace {
 
 /// Two digits, or all that stand before the point: 0.12, 3.4, 460.
 std::string number(double value) {
-  return formatted(std::abs(value) < 100.0 ? "%.2g" : "%.0f", value);
+  return formatted(std::abs(value) < 99.5 ? "%.2g" : "%.0f", value);
 }
 
 std::string level_name(const TickExplanation& explanation, std::int16_t level) {

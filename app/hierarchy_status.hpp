@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace surefoot {
@@ -23,6 +24,15 @@ namespace surefoot {
   if (report.status != static_cast<std::int32_t>(SolveStatus::iteration_cap)) return order;
   const auto failed = std::ranges::find(order, static_cast<std::int16_t>(report.failed_level));
   return order.first(static_cast<std::size_t>(failed - order.begin()));
+}
+
+/// Of a tick that was computed here, not read; of a level by its place. NaN: not solved.
+[[nodiscard]] inline double computed_residual(const HierarchyReport& report, std::size_t level) {
+  const auto place = static_cast<std::int32_t>(level);
+  const bool is_cut_off = report.status == static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  const bool is_known = was_solved(report) && place < report.num_levels &&
+                        !(is_cut_off && report.failed_level >= 0 && place >= report.failed_level);
+  return is_known ? report.levels[level].residual : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace surefoot

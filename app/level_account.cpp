@@ -107,12 +107,21 @@ class Accountant {
       std::vector<BlockingRowAccount> rows = blocking_rows(explanation, j);
       if (!rows.empty()) levels.push_back({j, is_rounding ? 0.0 : cost, std::move(rows)});
     }
-    std::ranges::stable_sort(levels, std::ranges::greater{}, [](const BlockingLevelAccount& level) {
-      return std::isnan(level.cost) ? -1.0 : level.cost;  // not known: last
-    });
-    if (!levels.empty() && levels.front().cost > 0.0)
-      std::erase_if(levels, [](const BlockingLevelAccount& level) { return level.cost == 0.0; });
+    std::ranges::stable_sort(levels, std::ranges::greater{}, most);
+    if (!levels.empty() && most(levels.front()) > 0.0)
+      std::erase_if(levels, [](const BlockingLevelAccount& level) { return most(level) == 0.0; });
     return levels;
+  }
+
+  /// What a level or a row of it costs, the row with those of other levels that say the same; −1
+  /// where none has a cost and one is not known.
+  static double most(const BlockingLevelAccount& level) {
+    double cost = std::isnan(level.cost) ? -1.0 : level.cost;
+    for (const BlockingRowAccount& row : level.rows) {
+      const bool is_dearer = row.cost > std::max(cost, 0.0);
+      if (is_dearer || (std::isnan(row.cost) && cost == 0.0)) cost = is_dearer ? row.cost : -1.0;
+    }
+    return cost;
   }
 
   [[nodiscard]] std::vector<BlockingRowAccount> blocking_rows(const LevelExplanation& explanation,

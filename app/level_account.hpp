@@ -38,8 +38,8 @@ struct BlockingRowAccount {
 /// A level above that holds another back.
 struct BlockingLevelAccount {
   std::size_t level = 0;
-  /// What the residual falls by without any row of it; 0 where others hold the same, NaN: not
-  /// known.
+  /// What the residual falls by without any row of it; 0 where others hold the same, though rows
+  /// that say the same as those of others have a cost with them. NaN: not known.
   double cost = 0.0;
   std::vector<BlockingRowAccount> rows;  ///< dearest first
 };

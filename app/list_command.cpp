@@ -3,6 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/results_table.hpp"
 #include "surefoot/base/formatted.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/stack_file.hpp"
@@ -81,7 +82,7 @@ int list_command(const std::string& what) {
   if (what == "stacks") table = stacks();
   if (what == "scenarios") table = scenarios();
   if (what == "tasks") table = tasks();
-  std::cout << aligned(table);
+  std::cout << printable(aligned(table), "\n");
   return kPassed;
 }
 

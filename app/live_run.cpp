@@ -4,6 +4,7 @@
 #include "app/output_files.hpp"
 #include "app/view_robot.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/logging/recorder.hpp"
 #include "surefoot/view/web_server.hpp"
 
@@ -62,7 +63,8 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
                                     .max_clients = arguments.clients},
                    feed);
     const std::string missing = missing_meshes_text(feed.meshes());
-    if (!missing.empty()) std::fprintf(stderr, "surefoot: warning: %s\n", missing.c_str());
+    if (!missing.empty())
+      std::fprintf(stderr, "surefoot: warning: %s\n", printable(missing).c_str());
     tell_link(server->link(), "^C     ends the run", arguments.listen);
   };
   const std::string first_log = options.record_path;

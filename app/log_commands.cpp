@@ -4,6 +4,7 @@
 #include "app/exit_code.hpp"
 #include "app/tick_text.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 
 #include <cmath>
 #include <ostream>
@@ -14,9 +15,9 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
   const TickExplanation explanation = read_tick(arguments.log, arguments.at);
   if (arguments.json) {
-    out << tick_json(arguments.log, explanation).dump() << std::endl;
+    out << printable(tick_json(arguments.log, explanation).dump()) << std::endl;
   } else {
-    out << tick_text(arguments.log, explanation) << std::flush;
+    out << printable(tick_text(arguments.log, explanation), "\n") << std::flush;
   }
   return kPassed;
 }
@@ -24,9 +25,9 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
 int run_info(const InfoArguments& arguments, std::ostream& out) {
   const LogContents contents = read_contents(arguments.log);
   if (arguments.json) {
-    out << contents_json(arguments.log, contents).dump() << std::endl;
+    out << printable(contents_json(arguments.log, contents).dump()) << std::endl;
   } else {
-    out << contents_text(arguments.log, contents) << std::flush;
+    out << printable(contents_text(arguments.log, contents), "\n") << std::flush;
   }
   return kPassed;
 }

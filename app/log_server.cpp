@@ -2,6 +2,7 @@
 
 #include "app/interrupt.hpp"
 #include "app/log_content.hpp"
+#include "surefoot/base/printable.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t kMostTold = 10;
 
 void warn(const std::string& text) {
-  std::fprintf(stderr, "surefoot: warning: %s\n", text.c_str());
+  std::fprintf(stderr, "surefoot: warning: %s\n", printable(text).c_str());
 }
 
 /// What is found as the log is looked through; `told` so many were told before.

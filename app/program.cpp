@@ -66,11 +66,11 @@ A level without rows asks for nothing: it is named, and the line is solved.
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
 rows of that level, while everything else above keeps what it has. Rows that say the same (one limit
 given twice) are told once, with --json as "same", and the numbers are of all of them together. A
-multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is nearly dependent on others that
-hold it says little. With --json it is one object a line, where "independence" is what of the row's
-length no other of them has, and null a cost that could not be solved for. For each cost the level is
-solved again: 111 unknowns and 160 costs take 0.4 s, twice as many of both more than ten times as
-long; after a while it says on stderr how far it is, as a long solve says that it goes on.
+multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is
+nearly dependent on others that hold it says little. With --json it is one object a line, where
+"independence" is what of the row's length no other of them has, and null a cost that could not be
+solved for. For each cost the level is solved again: 111 unknowns and 160 costs take 0.4 s, twice as
+many of both more than ten times as long; after a while it says on stderr how far it is, as a long solve says that it goes on.
 
 A line whose search ended at its --budget or --budget-us has "status": "iteration_cap", the level
 where it ended "status": "cut off" and the residual so far, those below "status": "not reached" and no

@@ -1,5 +1,7 @@
 #include "app/progress.hpp"
 
+#include "surefoot/base/printable.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ void count_seconds(const std::stop_token& stop, const std::string& label,
 }  // namespace
 
 Progress::Progress(std::string label, double total, std::string unit)
-    : label_(std::move(label)),
+    : label_(printable(label)),
       unit_(std::move(unit)),
       total_(total),
       terminal_(is_terminal()),
@@ -55,7 +57,7 @@ void Progress::update(double done) {
 
 void Progress::say(const std::string& line) {
   wipe();
-  std::fprintf(stderr, "%s\n", line.c_str());
+  std::fprintf(stderr, "%s\n", printable(line).c_str());
   if (terminal_) draw();
 }
 
@@ -79,7 +81,7 @@ Waiting::Waiting(std::string label)
     : Waiting(std::move(label), is_terminal() ? std::chrono::seconds(1) : kNextLine) {}
 
 Waiting::Waiting(std::string label, std::chrono::milliseconds every)
-    : thread_([label = std::move(label), every](const std::stop_token& stop) {
+    : thread_([label = printable(label), every](const std::stop_token& stop) {
         count_seconds(stop, label, every);
       }) {}
 

@@ -7,9 +7,11 @@
 #include "app/output_files.hpp"
 #include "app/replay_text.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/recorder.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -54,8 +56,10 @@ class TickTable {
     file_ << logged.reading.time;
     for (const TickRecord* tick : {&logged, &other})
       for (const double torque : tick->command.torque) file_ << ',' << torque;
-    residuals(logged, header.level_names.size());
-    residuals(other, other_levels.size());
+    for (std::size_t k = 0; k < header.level_names.size(); ++k)
+      residual(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));
+    for (std::size_t k = 0; k < other_levels.size(); ++k)
+      residual(computed_residual(other.hierarchy, k));
     file_ << '\n';
   }
 
@@ -84,13 +88,15 @@ class TickTable {
     if (!level.unit.empty()) file_ << '[' << level.unit << ']';
   }
 
-  void residuals(const TickRecord& tick, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const bool known =
-          was_solved(tick.hierarchy) && static_cast<std::int32_t>(k) < tick.hierarchy.num_levels;
-      file_ << ',';
-      if (known) file_ << tick.hierarchy.levels[k].residual;
-    }
+  static bool is_of(const TickRecord& tick, std::size_t level) {
+    return was_solved(tick.hierarchy) &&
+           static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
+  }
+
+  /// NaN is an empty cell.
+  void residual(double value) {
+    file_ << ',';
+    if (!std::isnan(value)) file_ << value;
   }
 
   std::string path_;
@@ -101,9 +107,9 @@ class TickTable {
 int verify(const ReplayArguments& arguments, std::ostream& out) {
   const Verification result = verify_log(arguments.log);
   if (arguments.json) {
-    out << verification_json(arguments.log, result).dump() << std::endl;
+    out << printable(verification_json(arguments.log, result).dump()) << std::endl;
   } else {
-    out << verification_text(arguments.log, result) << std::flush;
+    out << printable(verification_text(arguments.log, result), "\n") << std::flush;
   }
   if (!result.is_same()) return kFailed;
   return result.is_all() && result.is_whole() ? kPassed : kNotWhole;
@@ -137,9 +143,9 @@ int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   if (arguments.verify) return verify(arguments, out);
   const StackComparison result = compare(arguments);
   if (arguments.json) {
-    out << comparison_json(arguments.log, result).dump() << std::endl;
+    out << printable(comparison_json(arguments.log, result).dump()) << std::endl;
   } else {
-    out << comparison_text(arguments.log, result) << std::flush;
+    out << printable(comparison_text(arguments.log, result), "\n") << std::flush;
   }
   return kPassed;
 }

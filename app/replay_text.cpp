@@ -102,9 +102,10 @@ Json run_json(const std::string& path, const LogHeader& header) {
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
 
+/// From 100 on all digits before the point.
 std::string residual(double value, const std::string& unit) {
   if (value < kResidualRounding) return "0";
-  return formatted("%.3g", value) + (unit.empty() ? "" : " " + unit);
+  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string joint_table(const StackComparison& result) {

@@ -11,6 +11,7 @@
 #include "app/scratch_folder.hpp"
 #include "app/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/printable.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
 
@@ -104,7 +105,7 @@ std::string cut_logs(const std::vector<PlannedRun>& runs) {
 }
 
 void print(const RunArguments& arguments, const Json& json, const std::string& table) {
-  std::cout << (arguments.json ? json.dump() + "\n" : table) << std::flush;
+  std::cout << printable(arguments.json ? json.dump() + "\n" : table, "\n") << std::flush;
 }
 
 /// The same rule for one run and for many.

@@ -14,12 +14,13 @@
 namespace surefoot {
 namespace {
 
-std::optional<double> residual(const TickRecord& tick, const std::vector<std::string>& names,
-                               const std::string& name) {
+/// Where a level's numbers are in a report; none where it has none.
+std::optional<std::size_t> place(const TickRecord& tick, const std::vector<std::string>& names,
+                                 const std::string& name) {
   const auto found = std::ranges::find(names, name);
   const auto level = found - names.begin();
   if (found == names.end() || level >= tick.hierarchy.num_levels) return std::nullopt;
-  return tick.hierarchy.levels[static_cast<std::size_t>(level)].residual;
+  return static_cast<std::size_t>(level);
 }
 
 bool is_optimal(const TickRecord& tick) {
@@ -49,6 +50,7 @@ class Comparison {
       if (std::ranges::find(names_, other_names_[k]) == names_.end())
         add_level(other_names_[k], other_units[k]);
     }
+    solved_.resize(result_.levels.size());
   }
 
   void add(const TickRecord& logged, const TickRecord& other) {
@@ -63,9 +65,10 @@ class Comparison {
 
   void finish() {
     const auto ticks = static_cast<double>(std::max(1L, result_.ticks));
-    const auto solved = static_cast<double>(std::max(1L, solved_));
     for (JointComparison& joint : result_.joints) joint.rms = std::sqrt(joint.rms / ticks);
-    for (LevelComparison& level : result_.levels) {
+    for (std::size_t k = 0; k < result_.levels.size(); ++k) {
+      LevelComparison& level = result_.levels[k];
+      const auto solved = static_cast<double>(std::max(1L, solved_[k]));
       level.logged_rms = std::sqrt(level.logged_rms / solved);
       level.other_rms = std::sqrt(level.other_rms / solved);
     }
@@ -95,10 +98,14 @@ class Comparison {
   }
 
   void add_residuals(const TickRecord& logged, const TickRecord& other) {
-    ++solved_;
-    for (LevelComparison& level : result_.levels) {
-      const double before = residual(logged, names_, level.name).value_or(0.0);
-      const double now = residual(other, other_names_, level.name).value_or(0.0);
+    for (std::size_t k = 0; k < result_.levels.size(); ++k) {
+      LevelComparison& level = result_.levels[k];
+      const auto in_log = place(logged, names_, level.name);
+      const auto in_other = place(other, other_names_, level.name);
+      const double before = in_log ? logged.hierarchy.levels[*in_log].residual : 0.0;
+      const double now = in_other ? computed_residual(other.hierarchy, *in_other) : 0.0;
+      if (std::isnan(before) || std::isnan(now)) continue;
+      ++solved_[k];
       level.logged_rms += before * before;
       level.other_rms += now * now;
       level.logged_max = std::max(level.logged_max, before);
@@ -118,7 +125,7 @@ class Comparison {
   const std::vector<std::string> names_, other_names_;
   std::vector<OtherLevel> other_levels_;
   StackComparison& result_;
-  long solved_ = 0;
+  std::vector<long> solved_;  // ticks, of each level
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct JointComparison {
   double time = 0.0;     ///< of the largest [s]
 };
 
-/// Residuals of a level, over the ticks at which both hierarchies were solved.
+/// Residuals of a level, over the ticks at which both hierarchies were solved as far as it.
 struct LevelComparison {
   std::string name, unit;
   bool in_log = false, in_other = false;

@@ -89,7 +89,11 @@ Json levels_json(const TickExplanation& explanation) {
   return list;
 }
 
+/// Of the levels that were solved; null where none was.
 Json limits_json(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  const bool is_any_solved = !solved_levels(report, explanation.order).empty();
+  if (!was_solved(report) || (!is_any_solved && !explanation.order.empty())) return {};
   Json list = Json::array();
   for (const ActiveRow& row : rows_at_bounds(explanation)) {
     const auto& names = explanation.header.level_names;

@@ -188,8 +188,13 @@ std::string level_table(const TickExplanation& explanation) {
 
 std::string at_bounds(const TickExplanation& explanation) {
   const std::vector<ActiveRow> rows = rows_at_bounds(explanation);
+  const std::size_t solved = solved_levels(explanation.tick.hierarchy, explanation.order).size();
+  const bool is_all = solved == explanation.order.size();
+  if (rows.empty() && !is_all)
+    return solved == 0 ? "" : "In the levels that were solved no limit acts.\n";
   if (rows.empty()) return "No limit acts.\n";
-  std::string out = "Limits that act:\n";
+  std::string out =
+      is_all ? "Limits that act:\n" : "Limits that act in the levels that were solved:\n";
   for (const ActiveRow& row : rows) {
     const auto found = explanation.row_names.find({row.level, row.id});
     out += "  " + level_name(explanation, row.level) + " " +

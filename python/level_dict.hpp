@@ -185,7 +185,10 @@ class LevelDict {
     const std::string place = block.key + "_weights[" + std::to_string(row) + "] ";
     if (!(weight > 0.0 && weight <= kLargestNumber))
       fail(place + "is " + text(weight) + "; expected a number above 0, at most 1e100");
-    double largest = weight * block.A.row(row).lpNorm<Eigen::Infinity>();
+    double largest = block.A.row(row).lpNorm<Eigen::Infinity>();
+    if (is_weighted_away(largest, weight))
+      fail(place + weighted_away(text(weight), block.key + "[" + std::to_string(row) + "]"));
+    largest *= weight;
     if (largest != 0.0 && largest < kSmallestRow)
       fail(place + "makes a row that " + too_small(text(largest)));
     for (const double bound : {block.lower[row], block.upper[row]})

@@ -51,7 +51,7 @@ def sentence(frame, units):
         return ""
     level, residual, row, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
-    digits = ".2g" if abs(residual) < 100 else ".0f"
+    digits = ".2g" if abs(residual) < 99.5 else ".0f"
     return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {told(by, row)}{also(others)}"
 
 

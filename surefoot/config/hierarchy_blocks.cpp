@@ -61,10 +61,15 @@ Vector read_vector(const Json& array, const Place& place, double missing = std::
   return numbers;
 }
 
-/// A row whose square is no number would ask for nothing, without a word.
-void check_length(const Vector& row, const Place& place) {
+double largest_of(const Vector& row) {
   double largest = 0.0;
   for (const double number : row) largest = std::max(largest, std::abs(number));
+  return largest;
+}
+
+/// A row whose square is no number would ask for nothing, without a word.
+void check_length(const Vector& row, const Place& place) {
+  const double largest = largest_of(row);
   if (largest == 0.0 || largest >= kSmallestRow) return;
   place.fail(too_small(quoted(Json(largest))));
 }
@@ -124,6 +129,10 @@ Vector read_weights(const Json& level, const std::string& matrix_key, const Bloc
     const Place here = place.at(key).at("element " + std::to_string(i + 1));
     const double weight = weights.emplace_back(read_positive(element, here));
     Vector row = block.rows[i];
+    if (is_weighted_away(largest_of(row), weight)) {
+      here.fail(
+          weighted_away(quoted(element), "row " + std::to_string(i + 1) + " of " + matrix_key));
+    }
     for (double& number : row) number *= weight;
     check_length(row, here.at("the weighted row"));
     for (const double bound : {block.lower[i], block.upper[i]})

@@ -19,4 +19,14 @@ inline constexpr double kSmallestRow = 1e-100;
          ", too small to compute with; expected at least 1e-100, or zeros only";
 }
 
+/// Whether a weight makes zeros of a row that asks for something: no double holds what it would be.
+[[nodiscard]] inline bool is_weighted_away(double largest, double weight) {
+  return largest != 0.0 && weight * largest == 0.0;
+}
+/// What follows the name of such a weight.
+[[nodiscard]] inline std::string weighted_away(const std::string& weight, const std::string& row) {
+  return "is " + weight + " and makes zeros of " + row +
+         ", too small to compute with; expected an element of at least 1e-100 in the weighted row";
+}
+
 }  // namespace surefoot

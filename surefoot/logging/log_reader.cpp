@@ -195,15 +195,28 @@ void add_switch(const logged::Hierarchy& named, const LevelNumbers& numbers,
   set_change(change.remove, LevelChange::goes, named, numbers, report.level_switch);
 }
 
+/// Of a solve that was cut off: the level that it ended in, and those behind it, have no residual.
+void forget_unsolved(const logged::Hierarchy& named, const LevelNumbers& numbers,
+                     HierarchyReport& report) {
+  constexpr std::int32_t kIterationCap = 1;  // as the schema of the message has it
+  if (named.status != kIterationCap || named.failed_level < 0) return;
+  for (auto i = static_cast<std::size_t>(named.failed_level); i < named.levels.size(); ++i) {
+    const auto number = static_cast<std::size_t>(numbers.of(named.levels[i].name));
+    if (number < report.levels.size()) report.levels[number].residual = kNaN;
+  }
+}
+
 HierarchyReport without_names(const logged::Hierarchy& named,
                               const std::vector<std::string>& header) {
   const LevelNumbers numbers(header, named);
   HierarchyReport report;
   report.status = named.status;
   const auto failed = static_cast<std::size_t>(named.failed_level);
-  report.failed_level = named.failed_level >= 0 && failed < named.levels.size()
-                            ? numbers.of(named.levels[failed].name)
-                            : named.failed_level;
+  report.failed_level = named.failed_level;
+  if (named.failed_level >= 0) {
+    report.failed_level = failed < named.levels.size() ? numbers.of(named.levels[failed].name)
+                                                       : static_cast<std::int32_t>(kMaxLevels);
+  }
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {
@@ -216,6 +229,7 @@ HierarchyReport without_names(const logged::Hierarchy& named,
                         .state = static_cast<std::int16_t>(row.state),
                         .id = row.id};
   }
+  forget_unsolved(named, numbers, report);
   add_blockers(named, numbers, report);
   add_switch(named, numbers, report);
   return report;

@@ -2,10 +2,12 @@
 
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -19,8 +21,13 @@ constexpr double kSmall = 5e4;
 /// Directions that differ by less, of length 1, are the same but for rounding.
 constexpr double kSame = 1e-12;
 
-/// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself.
+/// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself. A bound that
+/// is too far for the solvers is none.
 void copy(const Level& from, Index i, double lower, double upper, Level& to) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (lower < -tolerance::kLargest) lower = -kNone;
+  if (upper > tolerance::kLargest) upper = kNone;
+  if (lower == -kNone && upper == kNone) return;
   Rows row = to.add(1, 0);
   row.A.row(0) = from.A().row(i);
   row.lower[0] = lower;

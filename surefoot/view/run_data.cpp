@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -56,6 +57,12 @@ TruthSample truth_sample(const McapMessage& message, AppliedForceWatch& forces,
   return truth.sample;
 }
 
+/// Of a level that was not solved nothing is known of its rows.
+bool is_solved(const HierarchyReport& report, std::int16_t level) {
+  const auto number = static_cast<std::size_t>(level);
+  return number < kMaxLevels && !std::isnan(report.levels[number].residual);
+}
+
 TickSample sample(const TickRecord& tick) {
   TickSample result{.time = tick.reading.time,
                     .plan = tick.plan,
@@ -65,11 +72,14 @@ TickSample sample(const TickRecord& tick) {
                     .mode = tick.command.mode,
                     .residuals = {},
                     .num_levels = tick.hierarchy.num_levels,
-                    .active = {tick.hierarchy.active.begin(),
-                               tick.hierarchy.active.begin() + tick.hierarchy.num_active},
+                    .active = {},
                     .truth = {}};
   for (std::size_t i = 0; i < kMaxLevels; ++i)
     result.residuals[i] = tick.hierarchy.levels[i].residual;
+  std::copy_if(tick.hierarchy.active.begin(),
+               tick.hierarchy.active.begin() + tick.hierarchy.num_active,
+               std::back_inserter(result.active),
+               [&](const ActiveRow& row) { return is_solved(tick.hierarchy, row.level); });
   return result;
 }
 
@@ -81,6 +91,7 @@ class ActiveTimes {
   void add(double time, const HierarchyReport& report) {
     for (int i = 0; i < report.num_active; ++i) {
       const ActiveRow& row = report.active[static_cast<std::size_t>(i)];
+      if (!is_solved(report, row.level)) continue;
       const auto [entry, is_new] = last_.try_emplace({row.level, row.id}, times.size());
       const bool goes_on = !is_new && time - times[entry->second].to < 0.5 * period_;
       if (!goes_on) {
@@ -108,7 +119,7 @@ class GaveWaySum {
     ++num_ticks_;
     for (int i = 0; i < report.num_blocking; ++i) {
       const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
-      if (row.cost > kResidualRounding) add(time, row);
+      if (row.cost > kResidualRounding && is_solved(report, row.level)) add(time, row);
     }
   }
 

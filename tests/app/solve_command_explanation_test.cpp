@@ -163,6 +163,33 @@ TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {
                    .contains("same"));
 }
 
+TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {
+  const std::string wish = R"({"name":"wish","A":[[1,0],[0,1]],"b":[5,2]}]})";
+  const std::string twice = R"({"levels":[{"name":"l1","D":[[1,0]],"f":[1]},)"
+                            R"({"name":"l2","D":[[1,0]],"f":[1]},)";
+  const std::string line = twice + R"({"name":"l3","D":[[0,1]],"f":[1]},)" + wish;
+  const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+  const std::string told =
+      "held back by 1 l1, which costs nothing alone: other levels say the same\n"
+      "      D 1, at its upper bound, with D 1 of level 2, which says the same, costs ";
+  const std::size_t limit = text.find(told + "3.1"), other = text.find("held back by 3 l3, which");
+  ASSERT_NE(limit, std::string::npos) << text;
+  ASSERT_NE(other, std::string::npos) << text;
+  EXPECT_LT(limit, other) << "the dearest first";
+  const std::string alone = CommandRun(twice + wish, {.file = "", .explain = true}).out.str();
+  EXPECT_NE(alone.find(told + "4 "), std::string::npos) << alone;
+  EXPECT_EQ(alone.find("and by others"), std::string::npos) << alone;
+}
+
+TEST(SolveCommand, WhereABoundIsFarAwayTheCostOfAnotherRowIsKnown) {
+  // At x = 1e60 the limit is met by 1e160, more than the solvers take as a bound.
+  const CommandRun run(R"({"levels":[{"A":[[1e-60]],"b":[1]},{"D":[[-1e100]],"f":[0]},)"
+                       R"({"A":[[1]],"b":[-3]}]})",
+                       {.file = "", .explain = true});
+  EXPECT_NE(run.out.str().find("held back by level 1, which costs 1e+60"), std::string::npos)
+      << run.out.str();
+}
+
 TEST(SolveCommand, ExplainsTheSameAsJson) {
   const CommandRun run(
       kLimitedWish,

@@ -1,12 +1,14 @@
 #include "app/tick_text.hpp"
 
 #include "app/gave_way.hpp"
+#include "app/hierarchy_status.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -211,6 +213,43 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
   for (const std::size_t place : {1u, 2u})
     for (const char* member : {"residual", "rows", "at_bound", "freedom_left", "iterations"})
       EXPECT_TRUE(json.at("levels").at(place).at(member).is_null()) << member;
+}
+
+TEST(TickText, OfLimitsOfLevelsThatWereNotSolvedNothingIsSaid) {
+  TickExplanation explanation = cut_off();
+  EXPECT_NE(tick_text("x", explanation).find("Limits that act in the levels that were solved:"),
+            std::string::npos);
+  explanation.tick.hierarchy.num_active = 0;
+  EXPECT_NE(tick_text("x", explanation).find("In the levels that were solved no limit acts."),
+            std::string::npos);
+  EXPECT_TRUE(tick_json("x", explanation).at("limits").empty());
+  EXPECT_FALSE(tick_json("x", explanation).at("limits").is_null());
+  explanation.tick.hierarchy.failed_level = explanation.order[0];
+  EXPECT_EQ(tick_text("x", explanation).find("imit acts"), std::string::npos);
+  EXPECT_TRUE(tick_json("x", explanation).at("limits").is_null());
+  EXPECT_TRUE(tick_json("x", unsolved()).at("limits").is_null());
+}
+
+TEST(TickText, OfASolveThatWasCutOffOnlyLevelsAboveHaveAResidual) {
+  HierarchyReport report;
+  report.num_levels = 3;
+  report.status = static_cast<std::int32_t>(SolveStatus::iteration_cap);
+  for (const std::int32_t failed : {0, 1, 2, 3}) {
+    report.failed_level = failed;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool is_known = static_cast<std::int32_t>(k) < failed;
+      EXPECT_EQ(std::isnan(computed_residual(report, k)), !is_known) << k << " of " << failed;
+    }
+  }
+  report.status = static_cast<std::int32_t>(SolveStatus::invalid_input);
+  EXPECT_TRUE(std::isnan(computed_residual(report, 0)));
+}
+
+TEST(TickText, NumbersJustBelowAHundredHaveAllTheirDigits) {
+  TickExplanation explanation = pushed_over();
+  explanation.tick.hierarchy.levels[1].residual = 99.7;
+  EXPECT_NE(gave_way_sentence(explanation).find("com_xy gave way by 100 m/s²"), std::string::npos)
+      << gave_way_sentence(explanation);
 }
 
 TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {

@@ -392,6 +392,8 @@ TEST(HierarchyJson, WeightsDampingAndReferencesThatMakeNoSenseAreErrors) {
     expect_error(level + rest, message);
   expect_error(R"({"levels":[{"A":[[1]],"b":[1e60],"A_weights":[1e60]}]})",
                "element 1: a number of the weighted row: is ");
+  expect_error(R"({"levels":[{"A":[[1,0],[1e-90,0]],"b":[1,1],"A_weights":[1,1e-250]}]})",
+               "A_weights: element 2: is 1e-250 and makes zeros of row 2 of A, too small");
 }
 
 }  // namespace

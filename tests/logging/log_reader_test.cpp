@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,41 @@ using test::SyntheticRun;
 using test::TemporaryFolder;
 using test::ticks_in;
 using test::write_file;
+
+/// Reads the only tick of a log whose hierarchy of 11 levels ended in `failed_level`; its header
+/// has a level more.
+HierarchyReport read_cut_off(std::int32_t failed_level) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  header.level_names.emplace_back("posture");
+  header.level_units.emplace_back("");
+  {
+    Recorder recorder(folder / "run.mcap", header);
+    SyntheticRun run;
+    run.step();
+    run.tick.hierarchy.status = 1;
+    run.tick.hierarchy.failed_level = failed_level;
+    recorder.record(run.tick);
+    recorder.close("{}");
+  }
+  LogReader log(folder / "run.mcap");
+  TickRecord tick;
+  EXPECT_TRUE(log.next(tick));
+  return tick.hierarchy;
+}
+
+TEST(LogReader, WhereAllLevelsAreOptimalNoneIsTheOneThatItEndedIn) {
+  const HierarchyReport report = read_cut_off(11);
+  EXPECT_GE(report.failed_level, 12) << "a level of the header";
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_FALSE(std::isnan(report.levels[k].residual));
+}
+
+TEST(LogReader, LevelsThatWereNotSolvedHaveNoResidual) {
+  const HierarchyReport report = read_cut_off(4);
+  EXPECT_EQ(report.failed_level, 4);
+  for (std::size_t k = 0; k < 11; ++k)
+    EXPECT_EQ(std::isnan(report.levels[k].residual), k >= 4) << k;
+}
 
 TEST(LogReader, ALogThatWasNotClosedIsReadableUnderItsPartialName) {
   const TemporaryFolder folder;

@@ -146,6 +146,8 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
          r"A_weights\[0\] makes a number that is .*, too large"),
         (lambda: surefoot.solve([{"A": [[1e-60]], "b": [0], "A_weights": [1e-60]}]), surefoot.Error,
          r"A_weights\[0\] makes a row that has nothing larger than 1e-120, too small"),
+        (lambda: surefoot.solve([{"A": [[1], [1e-90]], "b": [0, 0], "A_weights": [1, 1e-250]}]), surefoot.Error,
+         r"A_weights\[1\] is 1e-250 and makes zeros of A\[1\], too small"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1], "damping": 0}]), surefoot.Error,
          "level 1: damping is 0; expected a number above 0"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1], "damping": "much"}]), surefoot.Error, "level 1: damping is 'much'; expected"),

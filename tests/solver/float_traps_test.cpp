@@ -149,7 +149,6 @@ TYPED_TEST(FloatTrapped, NumbersWithoutASquareAreRefused) {
 
 TYPED_TEST(FloatTrapped, NumbersUpToTheLimitAreSolved) {
   const MatrixXd one = MatrixXd::Ones(1, 1);
-  const auto number = [](double b) { return VectorXd::Constant(1, b); };
   expect_solved_under_traps<TypeParam>(1, {equalities(kLimit * one, number(-kLimit))});
   expect_solved_under_traps<TypeParam>(1, {equalities(one, number(kLimit))});
   expect_solved_under_traps<TypeParam>(

@@ -348,6 +348,30 @@ TEST(RunData, RowsAreActiveInStretchesOfTime) {
   EXPECT_NEAR(limb_time, 2.5 * (1.0 - 2.0 * std::asin(std::sqrt(0.2)) / kPi), 0.006);
 }
 
+TEST(RunData, LevelsThatWereNotSolvedHaveNeitherResidualNorRowsAtTheirBounds) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder(folder / "run.mcap", SyntheticRun::header());
+    SyntheticRun run(1, -1.0);  // in which rows of level 6 are active, and one holds level 9 back
+    for (int i = 0; i < 4; ++i) {
+      run.step();
+      if (i >= 2) run.tick.hierarchy.status = 1;
+      if (i >= 2) run.tick.hierarchy.failed_level = i == 2 ? 6 : 11;
+      recorder.record(run.tick);
+    }
+    recorder.close("{}");
+  }
+  const RunData run = read_run(folder / "run.mcap");
+  for (std::size_t i = 0; i < run.ticks.size(); ++i) {
+    const TickSample& tick = run.ticks[i];
+    EXPECT_EQ(std::isnan(tick.residuals[6]), i == 2) << i;
+    EXPECT_FALSE(std::isnan(tick.residuals[5])) << i;
+    EXPECT_EQ(tick.active.empty(), i == 2) << i;
+  }
+  EXPECT_EQ(run.active.front().to, run.ticks[2].time);
+  EXPECT_EQ(run.gave_way.front().num_ticks, 3);
+}
+
 TEST(RunData, EachTickHasItsOwnTruth) {
   const TemporaryFolder folder;
   record(folder / "run.mcap", {.seconds = 1.0});

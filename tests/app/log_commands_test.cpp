@@ -1,0 +1,58 @@
+#include "app/log_commands.hpp"
+
+#include "surefoot/base/printable.hpp"
+#include "surefoot/logging/recorder.hpp"
+#include "tests/logging/synthetic_run.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace surefoot {
+namespace {
+
+/// With control characters in what `info` and `explain` tell of it.
+void record_coloured(const std::string& path) {
+  LogHeader header = test::SyntheticRun::header();
+  header.description = "\x1b[31mred";
+  header.scenario = "back\x1b[1A\xc2\x9b";
+  header.notes = {"a note\x1b[2J"};
+  header.level_names[8] = "hei\x1b[32mght";
+  Recorder recorder(path, header);
+  test::SyntheticRun run;
+  for (int i = 0; i < 4; ++i) {
+    run.step();
+    run.tick.hierarchy.levels[8].residual = 5.0;
+    recorder.record(run.tick);
+  }
+  recorder.close("{}");
+}
+
+TEST(LogCommands, NamesAndNotesOfALogCannotMoveTheTerminalsCursor) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  record_coloured(path);
+  for (const bool json : {false, true}) {
+    std::ostringstream info, explain;
+    InfoArguments of_info;
+    of_info.log = path;
+    of_info.json = json;
+    ASSERT_EQ(run_info(of_info, info), 0);
+    ExplainArguments of_explain;
+    of_explain.log = path;
+    of_explain.at = 0.0;
+    of_explain.json = json;
+    ASSERT_EQ(run_explain(of_explain, explain), 0);
+    for (const std::string& text : {info.str(), explain.str()}) {
+      EXPECT_EQ(text, printable(text, "\n"));
+      EXPECT_NE(text.find("back\\u001b[1A\\u009b"), std::string::npos) << text;
+    }
+    EXPECT_NE(info.str().find("\\u001b[31mred"), std::string::npos) << info.str();
+    EXPECT_NE(explain.str().find("hei\\u001b[32mght"), std::string::npos) << explain.str();
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
