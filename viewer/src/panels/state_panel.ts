@@ -1,6 +1,7 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { TOLD } from "../data/change_words.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -60,9 +61,6 @@ function pyramidUses(frame: Frame): string {
 function hierarchyText({ cut, whole, more }: Account): string {
   return more.length === 0 || more.length > 2 ? whole : [...(cut === undefined ? [] : [cut]), ...more].join(" ");
 }
-
-/** Share of a force that is told: less is within 22.5° of the others. */
-const TOLD = 0.38;
 
 /** Where a force in W goes, seen along the robot's heading. */
 function directionText([x, y, z]: [number, number, number], yaw: number): string {
