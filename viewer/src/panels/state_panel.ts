@@ -7,6 +7,7 @@ import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
 import { digits, secondsText } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
+import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
@@ -101,7 +102,7 @@ export function sentences(frame: Frame): [string, string][] {
     ["Velocity, true", speedText(frame, "truth")],
     ["Velocity, believed", speedText(frame, "state")],
     ["Pushed by", pushText(frame)],
-    ["Command", commandText(frame)],
+    ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
     ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");
