@@ -88,3 +88,5 @@ def test_of_a_run_that_has_not_ended_nobody_knows_how_it_goes_on_when_its_progra
         browser.wait(f"{MODE} === 'live' && {ENDED} === 'not yet'")
         viewer.process.kill()
         browser.wait(f"{MODE} === 'not known' && {ENDED} === 'not known'", 60)
+        for look in every_look(browser, "lost"):
+            assert browser.run("document.querySelector('#mode').getBoundingClientRect().right <= innerWidth && document.documentElement.scrollWidth <= innerWidth"), look
