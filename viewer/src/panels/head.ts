@@ -14,6 +14,7 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
   const badge = part("mode");
   badge.dataset["state"] = player.past ? "past" : course;
   say(badge, modeText(player, course));
+  badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 
 /** Why a run has ended; "": it has not, or nobody knows. */
