@@ -1,13 +1,16 @@
 """How a run ended is told whole, live and in its log, and marked on the time bar."""
 
+import time
+
 import pytest
 
 from conftest import record
 from live_page import Page
 from viewer import Viewer
-from viewer_page import every_look, show
+from viewer_page import SPY, WALK, every_look, sent, show
 
 FACTS = "document.querySelector('#head-facts')"
+MODE = "document.querySelector('#mode').textContent"
 ENDED = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Ended')?.nextSibling.textContent"
 HINT = "document.querySelector('.mark-hint:not([hidden])')?.textContent ?? ''"
 # So hard that the controller takes its sensors for faulty.
@@ -61,3 +64,29 @@ def test_a_stop_for_safety_is_no_good_news(browser, stopped):
         browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
         browser.wait("surefoot.channel('command.mode')[0] > 1 && /^No level is solved: \\w+, as /.test(document.querySelector('#account').innerText)", 30)
         browser.wait("document.querySelector('#account').dataset.kind === 'bad'")
+
+
+def test_a_run_that_has_ended_has_nothing_to_pause_and_stays_ended_when_its_program_is_gone(browser):
+    with Viewer("run", "push", "--view", "--set", "duration=2") as viewer, Page(viewer) as page:
+        show(browser, viewer.link)
+        browser.run(SPY)
+        why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
+        browser.wait(f"{MODE} === 'ended' && document.querySelector('#play').disabled && document.querySelector('#play').title.startsWith('the run has ended')", 60)
+        for key in " .":
+            browser.press(key)
+        browser.wait("document.querySelector('#notes').textContent.includes('nothing to pause')")
+        assert [one for kind in ("pause", "resume", "step") for one in sent(browser, kind)] == []
+        viewer.process.kill()
+        browser.wait("document.querySelector('#link-state').textContent === 'connection lost'", 60)
+        time.sleep(0.5)
+        assert browser.run(f"[{MODE}, {ENDED}]") == ["ended", why]
+
+
+def test_of_a_run_that_has_not_ended_nobody_knows_how_it_goes_on_when_its_program_is_gone(browser):
+    with Viewer(*WALK) as viewer:
+        show(browser, viewer.link)
+        browser.wait(f"{MODE} === 'live' && {ENDED} === 'not yet'")
+        viewer.process.kill()
+        browser.wait(f"{MODE} === 'not known' && {ENDED} === 'not known'", 60)
+        for look in every_look(browser, "lost"):
+            assert browser.run("document.querySelector('#mode').getBoundingClientRect().right <= innerWidth && document.documentElement.scrollWidth <= innerWidth"), look

@@ -20,7 +20,7 @@ import { PlotsPanel } from "./panels/plots_panel.ts";
 import { showTime } from "./panels/stale.ts";
 import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
-import { courseOf, Transport } from "./panels/transport.ts";
+import { courseOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
@@ -161,7 +161,7 @@ export class App {
       ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
       ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
       ["Log", source === "" ? recordingText(this.recording, this.hasEnded) : cut === "" ? source : `${source} (${cut})`],
-      ["Ended", this.ending || (this.link === undefined ? "" : "not yet")],
+      ["Ended", this.link === undefined ? this.ending : endedText(this.ending, courseOf(this.link.status, this.link.isHeard))],
       ["Again", this.again()], ["Version", version],
     ];
   }
@@ -233,6 +233,7 @@ export class App {
   private pause(): void {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
+    else if (this.hasEnded) this.notes.say("The run has ended: there is nothing to pause.", "plain", "now");
     else if (this.commands.allowed) this.askPause(!this.paused);
     else player.seek(player.time);
   }
@@ -249,6 +250,7 @@ export class App {
     const newest = player.live && player.time >= player.source.last - 1e-9;
     if (ticks > 0 && (player.following || newest) && link !== undefined && this.commands.allowed) {
       player.goLive();
+      if (this.hasEnded) return;
       if (this.paused) this.command("step", { ticks });
       else this.askPause(true);
     } else player.step(ticks);

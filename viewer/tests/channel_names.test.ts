@@ -66,6 +66,7 @@ test("of channels that are called as was typed the usual ones come first, then o
   const found = search(many, "torque").map(({ channel }) => channel.name);
   assert.deepEqual(found, ["command.torque", "readings.torque", "state.torque", "truth.torque", "readings.torque_time", "health.joint_torques.age", "com.about"]);
   assert.equal(search(many, "joint torques")[0]?.channel.name, "health.joint_torques.age");
+  for (const typed of ["torque ", " torque", " torque  "]) assert.deepEqual(search(many, typed).map(({ channel }) => channel.name), found, "with space around it");
   assert.deepEqual(search(many, "").map(({ channel }) => channel.name), many.channels.map(({ name }) => name), "all, in the order of the log");
 });
 

@@ -1,9 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { limbText } from "../src/overlays/feet.ts";
-import { reachOf } from "../src/overlays/labels.ts";
+import * as THREE from "three";
+import limbLimits from "../../surefoot/tasks/limb_extension_limits.cpp";
+import type { Frame } from "../src/data/frame.ts";
+import { brakeOf, LIMB_ROW, limbText } from "../src/overlays/feet.ts";
+import { boxOf, reachOf } from "../src/overlays/labels.ts";
 import { spread, type Wanted } from "../src/overlays/label_layout.ts";
-import { randomNumbers } from "./make.ts";
+import { randomNumbers, schemaOf } from "./make.ts";
 
 const BUTTONS = [{ left: 0, right: 120, top: 0, bottom: 48 }];
 const label = (x: number, y: number, rank = 1): Wanted => ({ x, y, width: 50, height: 16, rank });
@@ -60,9 +63,32 @@ test("beside a leg stand its name, its length, and what is left of its limits", 
   assert.equal(limbText("RH", 0.48, -0.0061), "RH 48.0 cm, 0.6 cm beyond");
   for (const room of [-0.0001, 0, 0.0004]) assert.equal(limbText("RH", 0.48, room), "RH 48.0 cm, at limit");
   assert.equal(limbText("RH", 0.48, -0.0006), "RH 48.0 cm, 0.1 cm beyond");
-  assert.equal(limbText("LF", 0.4213, 0.008, true), "LF 42.1 cm, 0.8 cm left, braked", "the limit acts before it is reached");
-  assert.equal(limbText("LF", 0.48, 0.0001, true), "LF 48.0 cm, at limit");
+  assert.equal(limbText("LF", 0.4213, 0.008, "braked"), "LF 42.1 cm, 0.8 cm left, braked", "the limit acts before it is reached");
+  assert.equal(limbText("LF", 0.48, 0.0001, "braked"), "LF 48.0 cm, at limit");
   assert.equal(limbText("RH", 0.48, Infinity), "RH 48.0 cm", "without limits");
+});
+
+test("a leg whose limit is violated is not called braked", () => {
+  const schema = schemaOf({}, { rows: [["LF extension"], ["LF extension", "RF extension"]] });
+  const brake = (...states: number[]): string => brakeOf({ schema, active: states.map((state, row) => ({ level: 1, state, row })) } as unknown as Frame, "LF", 1);
+  assert.deepEqual([[], [1], [-1], [3], [-3], [-1, 3]].map((states) => brake(...states)), ["", "braked", "braked", "not braked enough", "not braked enough", "braked"]);
+  assert.equal(brakeOf({ schema, active: [{ level: 0, state: 1, row: 0 }] } as unknown as Frame, "LF", 1), "", "of another level");
+  assert.equal(limbText("LF", 0.4213, 0.008, "not braked enough"), "LF 42.1 cm, 0.8 cm left, not braked enough");
+});
+
+test("rows of the legs' limits are called as the controller calls them", () => {
+  assert.ok(limbLimits.includes(`+ "${LIMB_ROW}";`));
+});
+
+test("what is spared of a picture is what lies before the camera", () => {
+  const camera = new THREE.PerspectiveCamera(90, 1, 0.1, 10); // looks along −z
+  camera.updateMatrixWorld();
+  const [left, right, behind] = [new THREE.Vector3(-0.5, 0, -1), new THREE.Vector3(0.5, 0.5, -1), new THREE.Vector3(9, 9, 1)];
+  for (const points of [[left, right], [left, right, behind], [behind, left, right]]) {
+    const box = boxOf(points, camera, 200, 100);
+    assert.deepEqual(Object.entries(box ?? {}).map(([side, at]) => [side, Math.round(at)]), [["left", 50], ["right", 150], ["top", 25], ["bottom", 50]]);
+  }
+  assert.equal(boxOf([behind], camera, 200, 100), undefined);
 });
 
 test("only numbers of forces stand at the picture's edge for what is beyond it", () => {

@@ -20,6 +20,8 @@ test("a log full of holes is not told hole by hole", () => {
 test("how much of a log is read never says more than there is", () => {
   assert.equal(readText(17.03, 60), "Reading the log: 17 s of 60 s");
   assert.equal(readText(1.98, 2), "Reading the log: 1 s of 2 s");
+  assert.equal(readText(6, 12.04), "Reading the log: 6 s of 12 s");
+  assert.equal(readText(0, 0.04), "Reading the log: 0 s of 1 s");
 });
 
 test("a run that was steered is not had again by its command", () => {

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import closedLoop from "../../app/closed_loop.cpp";
 import { columnsOf, hintOf, weightOf } from "../src/data/mark_columns.ts";
 import { endOf } from "../src/data/marks.ts";
 import type { Mark } from "../src/data/source.ts";
@@ -29,6 +30,12 @@ test("a hint tells the weightiest, and how many more there are", () => {
   assert.equal(hintOf(marks, 8, 0.5), "");
   const hole: Mark = { time: 12.4, text: "12.40 s to 12.61 s can't be read: why", leg: "", kind: "damage" };
   assert.equal(hintOf([hole], 12.4, 0.5), "12.40 s to 12.61 s can't be read: why");
+});
+
+test("of the ends that the program knows the whole duration and the goal are those of a run that went as it should", () => {
+  const ends = [...closedLoop.matchAll(/case Ending::(\w+):\s+return "([^"]+)";/g)].map(([, end, why]) => [end, weightOf(endOf(1, why as string))]);
+  assert.deepEqual(ends.filter(([, weight]) => weight === "change").map(([end]) => end), ["finished", "goal_reached"]);
+  assert.ok(ends.filter(([, weight]) => weight === "grave").length >= 3);
 });
 
 test("what is no part of a usual walk has more weight than what is", () => {

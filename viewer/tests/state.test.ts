@@ -110,6 +110,20 @@ test("what is told to push is drawn, however weak, and nothing else is", () => {
   assert.equal(drawn(30, -20), "push 30 N and push 20 N", "each where it acts");
 });
 
+test("forces of the solution that no ground gives stand beside its command, where that is the robot's", () => {
+  const feet = LEGS.flatMap((leg) => [`commanded.normal_force.${leg}`, `plan.feet.${leg}.force_max`, `commanded.friction_use.${leg}`]);
+  const schema = schemaOf({ "command.mode": 1, ...Object.fromEntries(feet.map((name) => [name, 1])) });
+  Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "hold"] });
+  const of = (mode: number, ...more: number[][]): string | undefined => {
+    const values = LEGS.flatMap((_, k) => more[k] ?? [80, 400, 0.5]);
+    return new Map(sentences({ schema, tick: 0, time: 0, values: Float32Array.from([mode, ...values]), active: [], blocking: [] })).get("Command");
+  };
+  assert.equal(of(0), "optimal");
+  assert.equal(of(0, [-0.5, 400, NaN], [400.5, 400, 1.005], [NaN, 400, NaN]), "optimal", "roundings, and what is not known");
+  assert.equal(of(0, [-39.7, 400, NaN], [500, 400, 0.2], [80, 400, 1.3]), "optimal, but for contact forces that no ground gives: LF −39.7 N, RF 500 N, LH 130 % of its pyramid");
+  assert.equal(of(1, [-39.7, 400, NaN]), "hold", "the solution's forces are no part of another command");
+});
+
 test("where the solve was cut off that is told, and what the levels above gave way to as well", () => {
   const level = (name: string): [string, number][] => ["residual", "num_rows"].map((field) => [`hierarchy.level.${name}.${field}`, 1]);
   const header = { robot: { mass: 30 }, level_names: ["first", "second", "third"], level_units: ["N", "N", "N"], level_visible: [0.5, 0.5, 0.5], event_names: [] };

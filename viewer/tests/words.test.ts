@@ -5,7 +5,8 @@ import { effortOf } from "../src/panels/hierarchy_panel.ts";
 import { boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
 import { speedText } from "../src/data/lag.ts";
 import { changeText } from "../src/data/change_words.ts";
-import { clockText, courseOf, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
+import { modeText } from "../src/panels/head.ts";
+import { clockText, courseOf, endedText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
@@ -72,6 +73,21 @@ test("who looks back is told where the run is, and what the space bar does there
   for (const running of [true, false]) assert.match(playText(past, running), /the run is left alone/);
   assert.match(playText(now, true, false), /the run is left alone/, "of a page that only looks");
   assert.deepEqual([true, false].map((running) => playText(log, running)), ["pause (space)", "play (space)"]);
+});
+
+test("of a program that is no longer heard it is told what is known, never that its run is live", () => {
+  const [runs, paused, ended] = [{ paused: false, ended: null }, { paused: true, ended: null }, { paused: false, ended: "fell" }];
+  const modes = [runs, paused, ended, undefined].map((status) => [true, false].map((heard) => modeText({ past: false }, courseOf(status, heard))));
+  assert.deepEqual(modes, [["live", "not known"], ["paused", "not known"], ["ended", "ended"], ["not known", "not known"]]);
+  assert.equal(modeText({ past: true }, courseOf(runs, false)), "past");
+  assert.deepEqual([true, false].map((heard) => endedText("", courseOf(runs, heard))), ["not yet", "not known"]);
+  assert.equal(endedText("fell", courseOf(ended, false)), "fell");
+});
+
+test("where a run has ended there is nothing to let go on", () => {
+  const [now, past] = [{ live: true, past: false }, { live: true, past: true }];
+  assert.deepEqual([true, false].map((may) => playText(now, false, may, true)), ["the run has ended; ↺ begins it again", "the run has ended"]);
+  assert.match(playText(past, false, true, true), /play on from here/);
 });
 
 test("changes are told without the names and vectors of the program", () => {

@@ -5,7 +5,7 @@ export function worldDirection(degrees: number): string {
 }
 
 /** Share of a force that is told: less is within 22.5° of the others. */
-const TOLD = 0.38;
+export const TOLD = 0.38;
 
 /** A force in the world [N], by its size and where it goes. */
 function forceWords([x = 0, y = 0, z = 0]: number[]): string {

@@ -23,7 +23,7 @@ export function unreadableText(shown: number): string {
 
 /** How much of a log is summarised [s], for long plots and the list of events. */
 export function readText(read: number, whole: number): string {
-  return `Reading the log: ${Math.floor(read)} s of ${Math.ceil(whole)} s`;
+  return `Reading the log: ${Math.floor(read)} s of ${Math.max(1, Math.round(whole))} s`;
 }
 
 /** The log that a live run goes into, as it is told beside what the run is: the file has its name when it is whole. */

@@ -13,7 +13,7 @@ export function endingText(why: string): string {
   return `ended: ${why}`;
 }
 
-/** Ends of a run that went as it should. */
+/** Ends of a run that went as it should, as the program calls them. */
 const PLAIN_ENDS = ["the whole duration", "goal reached"].map(endingText);
 
 export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {

@@ -8,6 +8,7 @@ export const LEG_CHANNELS = {
   friction: ofLegs((leg) => `plan.feet.${leg}.friction`),
   frictionUse: ofLegs((leg) => `commanded.friction_use.${leg}`),
   normalForce: ofLegs((leg) => `commanded.normal_force.${leg}`),
+  mostForce: ofLegs((leg) => `plan.feet.${leg}.force_max`),
   pyramid: ofLegs((leg) => `commanded.q_WP.${leg}`),
   pyramidFriction: ofLegs((leg) => `commanded.pyramid_friction.${leg}`),
   plannedFoot: ofLegs((leg) => `plan.feet.${leg}.p_WF`),

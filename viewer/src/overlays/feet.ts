@@ -109,16 +109,23 @@ export class Footholds implements Overlay {
 /** Nearer to a limit than this is at it: less can't be told in 0.1 cm [m]. */
 const AT_LIMIT = 0.0005;
 
-/** What is left between a leg's length and the nearer of its limits, in words; `braked`: the limit acts already, so that it is not exceeded. */
-export function limbText(leg: string, length: number, room: number, braked = false): string {
+type Brake = "" | "braked" | "not braked enough";
+
+/** What is left between a leg's length and the nearer of its limits, in words; `brake`: of a limit that acts already, so that it is not exceeded. */
+export function limbText(leg: string, length: number, room: number, brake: Brake = ""): string {
   const cm = (metres: number): string => `${(100 * metres).toFixed(1)} cm`;
   const left = !Number.isFinite(room) ? "" : Math.abs(room) < AT_LIMIT ? ", at limit" : room >= 0 ? `, ${cm(room)} left` : `, ${cm(-room)} beyond`;
-  return `${leg} ${cm(length)}${left}${braked && room >= AT_LIMIT ? ", braked" : ""}`;
+  return `${leg} ${cm(length)}${left}${brake !== "" && room >= AT_LIMIT ? `, ${brake}` : ""}`;
 }
 
-/** Whether the limit of this leg acts: it bounds the acceleration, before the leg is as long as it may be. */
-function isBraked({ active, schema }: Frame, leg: string, limits: number): boolean {
-  return active.some(({ level, row }) => level === limits && schema.rowName(level, row).includes(`${leg} extension`));
+/** What the controller's rows of these limits are called after their leg. */
+export const LIMB_ROW = " extension";
+
+/** How the limit of this leg acts, which bounds the acceleration before the leg is as long as it may be: its row is kept, or violated. */
+export function brakeOf({ active, schema }: Frame, leg: string, limits: number): Brake {
+  const acting = active.filter(({ level, row }) => level === limits && schema.rowName(level, row).includes(leg + LIMB_ROW));
+  if (acting.length === 0) return "";
+  return acting.some(({ state }) => Math.abs(state) > 1) ? "not braked enough" : "braked";
 }
 
 /** Spheres around the hips between which the feet must stay, of each leg in its colour; plainer the nearer a foot is to one. */
@@ -156,7 +163,7 @@ export class LimbLimits implements Overlay {
       place(shells.max, this.hip, max ?? 0, above, colour);
       place(shells.min, this.hip, min ?? 0, below, colour);
       this.lines.add(this.hip, this.foot, colour);
-      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below), isBraked(frame, leg, header.limb.level)), `limb leg${k}`);
+      labels.put(this.hip.lerp(this.foot, 0.5).applyMatrix4(beliefToWorld), limbText(leg, length, Math.min(above, below), brakeOf(frame, leg, header.limb.level)), `limb leg${k}`);
     });
     this.lines.end();
   }

@@ -26,6 +26,14 @@ export const reachOf = (className: string): number => (className === "push" || c
 /** Around what lies over the picture [pixels]. */
 const AROUND = 8;
 
+/** What points in W cover of a picture of this size; those behind the camera are left out, undefined: all are. */
+export function boxOf(points_W: THREE.Vector3[], camera: THREE.Camera, width: number, height: number): Box | undefined {
+  const seen = points_W.map((p_W) => p_W.clone().project(camera)).filter(({ z }) => z <= 1);
+  if (seen.length === 0) return undefined;
+  const x = seen.map((at) => 0.5 * (1 + at.x) * width), y = seen.map((at) => 0.5 * (1 - at.y) * height);
+  return { left: Math.min(...x), right: Math.max(...x), top: Math.min(...y), bottom: Math.max(...y) };
+}
+
 /** Short texts over the picture, near points of the scene, none over another. Made once, moved without a new layout, and hidden. */
 export class Labels {
   private readonly pool: Label[] = [];
@@ -64,13 +72,8 @@ export class Labels {
 
   /** What lies between these points of the scene, in W, is to be seen beside the texts. */
   spare(points_W: THREE.Vector3[]): void {
-    const box = { left: Infinity, right: -Infinity, top: Infinity, bottom: -Infinity };
-    for (const p_W of points_W) {
-      this.at.copy(p_W).project(this.camera);
-      const x = 0.5 * (1 + this.at.x) * this.width, y = 0.5 * (1 - this.at.y) * this.height;
-      Object.assign(box, { left: Math.min(box.left, x), right: Math.max(box.right, x), top: Math.min(box.top, y), bottom: Math.max(box.bottom, y) });
-    }
-    if (this.at.z <= 1) this.marks.push(box);
+    const box = boxOf(points_W, this.camera, this.width, this.height);
+    if (box !== undefined) this.marks.push(box);
   }
 
   /** `p_W`: a point of the scene in W. */

@@ -3,12 +3,18 @@ import type { Player } from "../data/player.ts";
 import { part, say } from "./dom.ts";
 import type { Course } from "./transport.ts";
 
-/** How a live run goes on, in a word. */
+const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
+
+/** How a live run goes on, in a word or two. */
+export function modeText({ past }: Pick<Player, "past">, course: Course): string {
+  return past ? "past" : MODES[course];
+}
+
 export function showMode(player: Pick<Player, "past">, course: Course): void {
-  const mode = player.past ? "past" : course === "paused" || course === "ended" ? course : "live";
   const badge = part("mode");
-  badge.dataset["state"] = mode;
-  say(badge, mode);
+  badge.dataset["state"] = player.past ? "past" : course;
+  say(badge, modeText(player, course));
+  badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 
 /** Why a run has ended; "": it has not, or nobody knows. */

@@ -26,7 +26,7 @@ interface Match {
 
 /** The channels, or components of one, whose names and descriptions have every word of what was typed. */
 export function search(schema: Schema, typed: string, marks: Mark[] = []): Match[] {
-  const words = typed.toLowerCase().split(/\s+/);
+  const words = typed.trim().toLowerCase().split(/\s+/);
   const holds = (text: string): boolean => words.every((word) => text.toLowerCase().includes(word));
   const found = schema.channels.flatMap((channel): Match[] => {
     const text = `${channel.about} ${channel.unit}`;

@@ -1,11 +1,13 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
+import { TOLD } from "../data/change_words.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
 import { digits, secondsText } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
+import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
 import { h, say } from "./dom.ts";
 
@@ -61,9 +63,6 @@ function hierarchyText({ cut, whole, more }: Account): string {
   return more.length === 0 || more.length > 2 ? whole : [...(cut === undefined ? [] : [cut]), ...more].join(" ");
 }
 
-/** Share of a force that is told: less is within 22.5° of the others. */
-const TOLD = 0.38;
-
 /** Where a force in W goes, seen along the robot's heading. */
 function directionText([x, y, z]: [number, number, number], yaw: number): string {
   const size = Math.hypot(x, y, z);
@@ -103,7 +102,7 @@ export function sentences(frame: Frame): [string, string][] {
     ["Velocity, true", speedText(frame, "truth")],
     ["Velocity, believed", speedText(frame, "state")],
     ["Pushed by", pushText(frame)],
-    ["Command", commandText(frame)],
+    ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
     ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame)))],
   ].filter((row): row is [string, string] => row[1] !== "");

@@ -33,23 +33,28 @@ export function clockText(time: number, whole: number | undefined): string {
   return whole === undefined ? secondsText(time) : `${secondsText(time).replace(" s", "")} / ${secondsText(whole)}`;
 }
 
-/** How a run goes on, as far as the page knows. */
-export type Course = "runs" | "paused" | "ended" | "unknown";
+/** How a run goes on, as far as the page knows; `unheard`: nobody says, and it has not ended before. */
+export type Course = "runs" | "paused" | "ended" | "unheard";
 
 export function courseOf(status: Pick<Status, "paused" | "ended"> | undefined, heard: boolean): Course {
-  if (!heard || status === undefined) return "unknown";
-  return status.ended !== null ? "ended" : status.paused ? "paused" : "runs";
+  if (status !== undefined && status.ended !== null) return "ended"; // and stays so, whoever is heard
+  if (!heard || status === undefined) return "unheard";
+  return status.paused ? "paused" : "runs";
 }
 
-const COURSES: Record<Course, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unknown: "the newest is" };
+const COURSES: Record<Course, string> = { runs: "the run is at", paused: "the run is paused at", ended: "the run ended at", unheard: "the newest is" };
+
+/** Of a live run: why it has ended, where that is known. */
+export const endedText = (why: string, course: Course): string => why || (course === "unheard" ? "not known" : "not yet");
 
 /** Beside a time of the past: where the run itself is. */
 export function pastText(newest: number, course: Course): string {
   return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
 }
 
-/** What the space bar and its button do; `mayCommand`: this page may change the run. */
-export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true): string {
+/** What the space bar and its button do; `mayCommand`: this page may change the run; `ended`: that has come to its end. */
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, ended = false): string {
+  if (ended && player.live && !player.past) return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
   if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
   if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
   return running ? "pause (space)" : "play (space)";
@@ -153,9 +158,11 @@ export class Transport {
     const { player } = this;
     const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
-    const running = player.following ? !(status?.paused ?? false) && !(status?.ended ?? false) : player.playing;
+    const ended = status !== undefined && status.ended !== null;
+    const running = player.following ? !(status?.paused ?? false) && !ended : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
-    name(this.playButton, playText(player, running, this.mayCommand));
+    name(this.playButton, playText(player, running, this.mayCommand, ended));
+    this.playButton.disabled = player.following && ended;
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);

@@ -1,0 +1,5 @@
+/** A source of the program, as text: what the page repeats of it is held against it. */
+declare module "*.cpp" {
+  const text: string;
+  export default text;
+}
