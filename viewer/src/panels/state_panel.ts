@@ -19,10 +19,17 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   search: ["searches for ground", "searches for ground"],
 };
 
+/** Whether feet are to do what the plan says: a robot that sits down, or is damped, has none. */
+function hasPlan(frame: Frame): boolean {
+  return !["sit", "damping"].includes(word(frame, "command.mode"));
+}
+
 /** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
 function footText(frame: Frame, leg: string, k: number): string {
-  const [asPlanned, inTheAir] = PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"];
   const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
+  const [asPlanned, inTheAir] = hasPlan(frame)
+    ? (PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"])
+    : [touching > 0 ? "touches" : "has no plan", "is in the air"];
   if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
   if (touching === 0) return `${leg} ${inTheAir}`;
   const force = [0, 0, 0];
