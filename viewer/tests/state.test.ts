@@ -13,15 +13,14 @@ import stopWords from "../../tests/support/stop_words.json";
 import { schemaOf } from "./make.ts";
 
 const PHASES = ["stance", "unloading", "swing", "search"];
-const MODES = ["optimal", "sit", "damping"];
 
 /** `touching`: undefined where the truth is not known. */
 function said(phase: string, touching: number | undefined, force = [3, 4, 12], mode = "optimal"): Map<string, string> {
   const truth = touching === undefined ? {} : Object.fromEntries(LEGS.flatMap((leg) => [[`truth.feet.${leg}.touching`, 1], [`truth.feet.${leg}.force`, 3]]));
-  const schema = schemaOf({ ...Object.fromEntries(LEGS.map((leg) => [`plan.feet.${leg}.phase`, 1])), ...truth, "command.mode": 1, "state.v_WB": 3, ...(touching === undefined ? {} : { "truth.v_WB": 3 }) });
-  Object.assign(schema.channel("command.mode") as object, { values: MODES });
+  const schema = schemaOf({ ...Object.fromEntries(LEGS.map((leg) => [`plan.feet.${leg}.phase`, 1])), ...truth, "state.v_WB": 3, ...(touching === undefined ? {} : { "truth.v_WB": 3 }), "command.mode": 1 });
+  Object.assign(schema.channel("command.mode") as object, { values: [mode] });
   for (const leg of LEGS) Object.assign(schema.channel(`plan.feet.${leg}.phase`) as object, { values: PHASES });
-  const values = [...LEGS.map(() => PHASES.indexOf(phase)), ...(touching === undefined ? [] : LEGS.flatMap(() => [touching, ...force])), MODES.indexOf(mode), 3, 4, 1, 6, 8, 1];
+  const values = [...LEGS.map(() => PHASES.indexOf(phase)), ...(touching === undefined ? [] : LEGS.flatMap(() => [touching, ...force])), 3, 4, 1, ...(touching === undefined ? [] : [6, 8, 1]), 0];
   const table = new FrameTable(schema, 1);
   table.append(0, 0, Float32Array.from(values.slice(0, schema.frameFloats)), undefined);
   return new Map(sentences(table.frame(0) as Frame));
@@ -34,18 +33,18 @@ test("a foot in the air does not stand, whatever was planned", () => {
   assert.match(said("search", 0).get("Feet") as string, /^LF searches for ground; /);
 });
 
-test("a robot that sits down or is damped has no plan for its feet", () => {
-  for (const mode of ["sit", "damping"]) {
-    assert.match(said("stance", 0, [0, 0, 0], mode).get("Feet") as string, /^LF is in the air; RF /);
-    assert.match(said("swing", 1, [3, 4, 12], mode).get("Feet") as string, /^LF touches, \|f\| 13\.0 N; /);
-    assert.match(said("stance", undefined, [], mode).get("Feet") as string, /^LF has no plan; /);
-  }
-});
-
 test("of a foot that touches the size of the force is told, by that name", () => {
   assert.match(said("stance", 1).get("Feet") as string, /^LF stands, \|f\| 13\.0 N; /);
   assert.match(said("swing", 1).get("Feet") as string, /^LF swings, touches, \|f\| 13\.0 N; /);
   assert.match(said("stance", undefined).get("Feet") as string, /^LF stands; RF stands; /, "where nobody knows the truth, the plan");
+});
+
+test("where the command is not the solution's nothing is told of what feet should do", () => {
+  for (const mode of ["hold", "sit", "damping"]) for (const phase of PHASES) {
+    assert.match(said(phase, 0, [0, 0, 0], mode).get("Feet") as string, /^LF is in the air; RF is in the air; /);
+    assert.match(said(phase, 1, [3, 4, 12], mode).get("Feet") as string, /^LF touches, \|f\| 13\.0 N; /);
+  }
+  assert.match(said("stance", 0, [0, 0, 0], "degraded").get("Feet") as string, /^LF should stand/);
 });
 
 test("of velocities it is told whose they are", () => {

@@ -19,22 +19,19 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
   search: ["searches for ground", "searches for ground"],
 };
 
-/** Whether feet are to do what the plan says: a robot that sits down, or is damped, has none. */
-function hasPlan(frame: Frame): boolean {
-  return !["sit", "damping"].includes(word(frame, "command.mode"));
-}
+/** Commands that are not the solution's: nobody asks of feet what was planned. */
+const WITHOUT_PLAN = ["hold", "sit", "damping"];
 
 /** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
 function footText(frame: Frame, leg: string, k: number): string {
+  const isPlanned = !WITHOUT_PLAN.includes(word(frame, "command.mode"));
+  const [asPlanned, inTheAir] = (isPlanned ? PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] : undefined) ?? ["is not known", "is in the air"];
   const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
-  const [asPlanned, inTheAir] = hasPlan(frame)
-    ? (PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"])
-    : [touching > 0 ? "touches" : "has no plan", "is in the air"];
   if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
   if (touching === 0) return `${leg} ${inTheAir}`;
   const force = [0, 0, 0];
   const size = read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
-  return `${leg} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${size}`;
+  return `${leg} ${isPlanned ? asPlanned : "touches"}${asPlanned === "swings" ? ", touches" : ""}${size}`;
 }
 
 /** Velocity of the base in the plane. */
