@@ -181,6 +181,14 @@ TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {
   EXPECT_EQ(alone.find("and by others"), std::string::npos) << alone;
 }
 
+TEST(SolveCommand, AnAnswerHasTheNumberOfItsLine) {
+  for (const bool explain : {false, true}) {
+    const CommandRun run("\n{\n" + kLimitedWish, {.file = "", .explain = explain, .json = explain});
+    ASSERT_EQ(run.results.size(), 1u);
+    EXPECT_EQ(run.results[0].at("line"), 3);
+  }
+}
+
 TEST(SolveCommand, WhereABoundIsFarAwayTheCostOfAnotherRowIsKnown) {
   // At x = 1e60 the limit is met by 1e160, more than the solvers take as a bound.
   const CommandRun run(R"({"levels":[{"A":[[1e-60]],"b":[1]},{"D":[[-1e100]],"f":[0]},)"
