@@ -138,7 +138,7 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
   EXPECT_NE(alone.out.str().find("held back by nothing above"), std::string::npos)
       << alone.out.str();
   const CommandRun both(
-      R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})",
+      R"({"levels":[{"A":[[1,0],[0,1]],"b":[0,0]},{"A":[[1,1]],"b":[0]},{"A":[[1,1]],"b":[1]}]})",
       {.file = "", .explain = true});
   EXPECT_NE(both.out.str().find("held back by level 1 and by others"), std::string::npos)
       << both.out.str();
