@@ -49,8 +49,9 @@ Examples:
 
 constexpr const char* kSolveFooter = R"(
 The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖²) of each level:
-  {"x":[…],"levels":[{"residual":…},…],"instructions":…}
+  {"x":[…],"levels":[{"residual":…},…],"instructions":…,"line":…}
 "instructions" is the set that the solver's kernels use on this processor; the cascade has none.
+"line" is the number of the line in the file: one that is wrong has no answer, only its error.
 Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows,
 and D a "lower" beside f: lower ≤ D x ≤ f, where null is no bound; "A_ids" and "D_ids" are the numbers
 by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its bounds, and

@@ -104,11 +104,11 @@ class SolveCommand {
   int solve_lines(std::istream& input, const std::string& name) {
     std::string line;
     bool is_empty = true;
-    for (int number = 1; std::getline(input, line); ++number) {
+    for (line_ = 1; std::getline(input, line); ++line_) {
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
       is_empty = false;
       try {
-        solve_line(line, name + ":" + std::to_string(number));
+        solve_line(line, name + ":" + std::to_string(line_));
       } catch (const FileError& error) {
         err_ << error.what() << '\n';
         exit_code_ = kWrongInput;
@@ -125,7 +125,9 @@ class SolveCommand {
   /// The set that the kernels of the lexicographic solver use.
   static std::string instructions() { return fastest_kernels().name; }
 
-  [[nodiscard]] Json with_instructions(Json line) const {
+  /// Lines that are wrong have no answer: its line says which problem is meant.
+  [[nodiscard]] Json with_place(Json line) const {
+    line["line"] = line_;
     if (!is_cascade()) line["instructions"] = instructions();
     return line;
   }
@@ -167,7 +169,7 @@ class SolveCommand {
     if (arguments_.explain) {
       explain_line(place, question, solution, certificates);
     } else {
-      const Json answer = with_instructions(json_line(question, solution, certificates));
+      const Json answer = with_place(json_line(question, solution, certificates));
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
@@ -180,7 +182,7 @@ class SolveCommand {
                     const Solution& solution, const std::vector<LevelCertificate>& certificates) {
     const std::vector<LevelAccount> levels = account(place, question, solution);
     if (arguments_.json) {
-      const Json line = with_instructions(explanation_json(levels, solution, certificates));
+      const Json line = with_place(explanation_json(levels, solution, certificates));
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
@@ -270,6 +272,7 @@ class SolveCommand {
   SolveArguments arguments_;
   std::ostream& out_;
   std::ostream& err_;
+  int line_ = 0;  // of the input, counted from 1
   int exit_code_ = 0;
   int num_notes_ = 0;
 };

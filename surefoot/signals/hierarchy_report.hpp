@@ -47,8 +47,10 @@ struct LevelSwitchReport {
 
 /// How the hierarchy came out at one tick: plain data for the log and the viewer.
 struct HierarchyReport {
-  std::int32_t status = 0;         ///< SolveStatus; invalid_input also where no state was believed
-  std::int32_t failed_level = -1;  ///< where it ended early; −1: none
+  std::int32_t status = 0;  ///< SolveStatus; invalid_input also where no state was believed
+  /// Where it ended early; −1: nowhere. The number of no level: all are optimal, x not the
+  /// shortest.
+  std::int32_t failed_level = -1;
   std::int32_t num_levels = 0;
   std::int32_t num_active = 0;    ///< entries of `active`
   std::int32_t num_blocking = 0;  ///< entries of `blocking`

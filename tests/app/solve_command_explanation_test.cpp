@@ -138,7 +138,7 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
   EXPECT_NE(alone.out.str().find("held back by nothing above"), std::string::npos)
       << alone.out.str();
   const CommandRun both(
-      R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})",
+      R"({"levels":[{"A":[[1,0],[0,1]],"b":[0,0]},{"A":[[1,1]],"b":[0]},{"A":[[1,1]],"b":[1]}]})",
       {.file = "", .explain = true});
   EXPECT_NE(both.out.str().find("held back by level 1 and by others"), std::string::npos)
       << both.out.str();
@@ -179,6 +179,14 @@ TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {
   const std::string alone = CommandRun(twice + wish, {.file = "", .explain = true}).out.str();
   EXPECT_NE(alone.find(told + "4 "), std::string::npos) << alone;
   EXPECT_EQ(alone.find("and by others"), std::string::npos) << alone;
+}
+
+TEST(SolveCommand, AnAnswerHasTheNumberOfItsLine) {
+  for (const bool explain : {false, true}) {
+    const CommandRun run("\n{\n" + kLimitedWish, {.file = "", .explain = explain, .json = explain});
+    ASSERT_EQ(run.results.size(), 1u);
+    EXPECT_EQ(run.results[0].at("line"), 3);
+  }
 }
 
 TEST(SolveCommand, WhereABoundIsFarAwayTheCostOfAnotherRowIsKnown) {
