@@ -126,9 +126,12 @@ void read_probe(Section& section, ProbeOptions& probe) {
 void read_torso(Section& section, TorsoOptions& torso) {
   section.number("frequency", torso.frequency, kPositive);
   section.number("max_tilt", torso.max_tilt, kNotNegative);
-  section.number("restart_position", torso.restart_position, kPositive);
-  section.number("restart_angle", torso.restart_angle, kPositive);
   section.flag("follow_terrain", torso.follow_terrain);
+}
+
+void read_friction_frame(Section& section, FrictionFrameOptions& frame) {
+  section.number("time_constant", frame.time_constant, kNotNegative);
+  section.number("rate_max", frame.rate_max, kPositive);
 }
 
 void read_calibration(Section& section, CalibrationOptions& calibration) {
@@ -144,6 +147,7 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.flag("hind_use_front_prints", foothold.hind_use_front_prints);
   section.number("print_radius", foothold.print_radius, kNotNegative);
   section.number("same_height", foothold.same_height, kPositive);
+  section.flag("bounded_by_feet", foothold.bounded_by_feet);
   section.number("max_step", foothold.max_step, kPositive);
   section.number("stretch_max", foothold.stretch_max, kNotNegative);
   section.number("max_side_step", foothold.max_side_step, kPositive);
@@ -204,6 +208,8 @@ void read_planner(Section& section, PlannerOptions& options) {
   section.section("reflex", [&](Section& s) { read_reflex(s, options.reflex); });
   section.section("probe", [&](Section& s) { read_probe(s, options.probe); });
   section.section("torso", [&](Section& s) { read_torso(s, options.torso); });
+  section.section("friction_frame",
+                  [&](Section& s) { read_friction_frame(s, options.friction_frame); });
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
   section.section("push", [&](Section& s) { read_push(s, options.push); });
   check_switch(section, options);

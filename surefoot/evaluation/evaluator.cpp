@@ -53,6 +53,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   add_progress(truth, tick);
   add_com(truth, tick);
   add_torso(truth, tick);
+  add_frames(tick);
   add_torques(truth, tick);
   for (const Leg leg : kLegs) add_foot(leg, truth, tick.plan.feet[index(leg)]);
   add_body_contacts(truth);
@@ -102,6 +103,19 @@ void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
   height_error_.add(truth.p_WB.z() - frame_.to_truth({0.0, 0.0, tick.plan.torso.height}).z());
   orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
   raise(metrics_.max_tilt_rad, tilt(truth.q_WB));
+}
+
+// A calibration begins the plan anew, in a world of its own.
+void Evaluator::add_frames(const TickRecord& tick) {
+  const MotionPlan& now = tick.plan;
+  if (plan_before_) {
+    const MotionPlan& before = *plan_before_;
+    raise(metrics_.torso_reference_step_max_rad, now.torso.q_WB.angularDistance(before.torso.q_WB));
+    raise(metrics_.torso_reference_step_max_m, std::abs(now.torso.height - before.torso.height));
+    raise(metrics_.control_frame_step_max_rad, Quat(now.R_WC).angularDistance(Quat(before.R_WC)));
+  }
+  plan_before_.reset();
+  if (now.calibration == CalibrationStage::none) plan_before_ = now;
 }
 
 void Evaluator::add_torques(const GroundTruth& truth, const TickRecord& tick) {

@@ -72,6 +72,7 @@ class Evaluator {
   void add_progress(const GroundTruth& truth, const TickRecord& tick);
   void add_com(const GroundTruth& truth, const TickRecord& tick);
   void add_torso(const GroundTruth& truth, const TickRecord& tick);
+  void add_frames(const TickRecord& tick);
   void add_torques(const GroundTruth& truth, const TickRecord& tick);
   void add_foot(Leg leg, const GroundTruth& truth, const FootPlan& plan);
   void add_stance(Foot& foot, const TrueContact& contact);
@@ -95,6 +96,7 @@ class Evaluator {
   int walk_ticks_ = 0;
   Squares com_error_, height_error_, orientation_error_;
   double sway_min_ = 0.0, sway_max_ = 0.0;
+  std::optional<MotionPlan> plan_before_;  // empty where the plan begins anew
   JointVector torque_before_ = JointVector::Zero();
   PerLeg<Foot> feet_{};
   double footprint_height_ = kNaN;

@@ -46,6 +46,11 @@ struct Metrics {
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference
   double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
+  /// Largest change between two ticks, of the torso's reference and of the friction pyramids' frame
+  /// (of the control frame, whichever axes they have).
+  double torso_reference_step_max_rad = 0.0;
+  double torso_reference_step_max_m = 0.0;  ///< … of the reference's height
+  double control_frame_step_max_rad = 0.0;
 
   double velocity_error_rms_mps = kNaN;  ///< believed base velocity against the true one, in B
   double tilt_error_rms_rad = kNaN;      ///< angle between the believed vertical and the true one

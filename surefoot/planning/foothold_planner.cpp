@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
 constexpr double kLastReach = 1.25;      // … and one that would not go on otherwise must be
+constexpr double kSteepest = 0.36;       // rise over run of a slope; what is steeper is an edge
+constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
 // Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
@@ -43,12 +46,36 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   const Vec2 step = clip_norm<2>(near - from.head<2>(), options_.max_step);
   Vec3 nominal;
   nominal << from.head<2>() + step, 0.0;
-  nominal.z() = plane.height(nominal.head<2>());
+  nominal.z() = expected_height(leg, nominal.head<2>(), footholds, plane);
   const Vec2 heading = R.col(0) * (user.velocity.x() < 0.0 ? -1.0 : 1.0);
   const bool follows = !is_front(leg) && options_.hind_use_front_prints;
   const Vec3 wanted =
       follows ? on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from, heading) : nominal;
   return beside_voids(wanted, from, plane, heading);
+}
+
+double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
+                                        const TerrainPlane& plane) const {
+  const double height = plane.height(place);
+  if (!is_front(leg) || !options_.bounded_by_feet) return height;
+  const double way = (place - footholds[index(leg)].head<2>()).norm();
+  const double beyond = way * last_slope(prints_[is_left(leg) ? 0 : 1]);
+  const auto [lowest, highest] =
+      std::ranges::minmax(footholds, {}, [](const Vec3& p) { return p.z(); });
+  return std::clamp(height, lowest.z() - beyond, highest.z() + beyond);
+}
+
+double FootholdPlanner::last_slope(const Prints& prints) const {
+  const auto newest = [&](std::size_t i) {
+    return prints.points[(prints.count - 1 - i) % kPrintsKept];
+  };
+  for (std::size_t i = 1; i < std::min(prints.count, kPrintsKept); ++i) {
+    const Vec3 stride = newest(0) - newest(i);
+    const double length = stride.head<2>().norm(), rise = std::abs(stride.z());
+    if (length < kLeastStride) continue;
+    return rise > kSteepest * length + options_.same_height ? 0.0 : rise / length;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 // A front foot does not run away from the hind foot that is to follow in its prints.

@@ -31,6 +31,12 @@ class FootholdPlanner {
   [[nodiscard]] Vec3 foothold(Leg leg, const PerLeg<Vec3>& footholds, const TerrainPlane& plane,
                               double yaw, const UserCommand& user, double cycle_duration) const;
 
+  /// Height at which a leg is to find ground at a place: the plane's, for a front leg no further
+  /// above or below all feet than its last stride's slope leads. A stride steeper than any slope
+  /// went over an edge, and behind an edge the ground is taken as level.
+  [[nodiscard]] double expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
+                                       const TerrainPlane& plane) const;
+
   /// Share of the commanded velocity, at most 1, that the strides of all legs allow. A foot makes
   /// one step a cycle, so its stride is velocity × cycle:
   ///
@@ -55,6 +61,9 @@ class FootholdPlanner {
     std::array<Vec3, kPrintsKept> points{};
     std::size_t count = 0;  // ever added; the newest kPrintsKept are kept
   };
+  /// |Δz| / |Δ(x, y)| of a side's front foot's last stride; 0 over an edge, infinite before there
+  /// was one.
+  [[nodiscard]] double last_slope(const Prints& prints) const;
   [[nodiscard]] Vec2 not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
                                    const Vec2& heading) const;
   [[nodiscard]] Vec3 towards(const Vec3& print, const Vec3& from) const;

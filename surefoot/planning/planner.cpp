@@ -34,6 +34,7 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
       balance_(options.push, weight, period),
       foothold_planner_(options.stance, options.foothold),
       torso_(options.torso, period),
+      friction_frame_(options.friction_frame, period),
       grip_(options.grip, options.force.friction, period),
       calibration_(options.calibration),
       legs_{LegMotion(options.swing, options.contact, options.force, period, options.reflex),
@@ -96,6 +97,7 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
     hips_[index(k)] = hip.head<2>();
   }
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  friction_frame_.restart(plane_.normal);
   torso_.restart(state);
   replan_com(UserCommand{}, dynamics);
 }
@@ -129,7 +131,7 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
       case LegEvent::none:
         break;
       case LegEvent::touchdown:
-        on_touchdown(k, user, state, dynamics);
+        on_touchdown(k, user, dynamics);
         break;
       case LegEvent::caught:
         on_caught(k, user, dynamics);
@@ -214,7 +216,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     const Vec2 step = (goal - p_WF).head<2>();
     probe_direction_ = step.norm() > 0.02 ? step.normalized() : heading;
     goal.head<2>() += options_.probe.ahead * probe_direction_;
-    goal.z() = plane_.height(goal.head<2>());
+    goal.z() = foothold_planner_.expected_height(k, goal.head<2>(), footholds(), plane_);
   }
   const double duration = pace() * options_.gait.swing_duration;
   goal.head<2>() = within_reach(k, goal, duration, dynamics);
@@ -333,7 +335,8 @@ void Planner::write_plan(const UserCommand& user) {
   torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height,
                 calibration_.at(time_ - initialised_at_));
   plan_.torso = torso_.plan();
-  plan_.R_WC = control_frame(plane_.normal, yaw_);
+  friction_frame_.update(plane_.normal);
+  plan_.R_WC = control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = plane_.point;
   plan_.calibration = calibration_.stage(time_ - initialised_at_);
   plan_.event = static_cast<int>(event_);

@@ -6,6 +6,7 @@
 #include "surefoot/planning/capture_step.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
+#include "surefoot/planning/friction_frame.hpp"
 #include "surefoot/planning/grip.hpp"
 #include "surefoot/planning/leg_motion.hpp"
 #include "surefoot/planning/planner_options.hpp"
@@ -35,8 +36,8 @@ class Planner {
   /// unless it is above 0.
   void set_friction(double friction);
 
-  /// Unit normal of the terrain as believed, in W.
-  [[nodiscard]] const Vec3& terrain_normal() const { return plane_.normal; }
+  /// Unit normal of the terrain as believed, in W; it never jumps.
+  [[nodiscard]] const Vec3& terrain_normal() const { return friction_frame_.normal(); }
   [[nodiscard]] int steps_taken() const { return steps_taken_; }
   /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,
   /// once all feet stand and nothing moves.
@@ -65,8 +66,7 @@ class Planner {
   [[nodiscard]] UserCommand with_caution(const UserCommand& user) const;
   /// Of the gait's durations, longer for the same reason: a factor.
   [[nodiscard]] double pace() const;
-  void on_touchdown(Leg leg, const UserCommand& user, const RobotState& state,
-                    const Dynamics& dynamics);
+  void on_touchdown(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
   bool continue_probe(Leg leg, const Vec3& p_WF);
   void reach_beyond_edge(Leg leg, const UserCommand& user, const Dynamics& dynamics);
@@ -140,6 +140,7 @@ class Planner {
   PushBalance balance_;
   FootholdPlanner foothold_planner_;
   TorsoReference torso_;
+  FrictionFrame friction_frame_;
   Grip grip_;
   CalibrationMotion calibration_;
   PerLeg<LegMotion> legs_;

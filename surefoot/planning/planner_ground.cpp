@@ -14,8 +14,7 @@ constexpr double kSamePlace = 1e-3;    // [m]
 
 }  // namespace
 
-void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& state,
-                           const Dynamics& dynamics) {
+void Planner::on_touchdown(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
   const bool is_picky = was_swinging && !emergency_;
@@ -26,7 +25,6 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const RobotState& sta
   leg(k).plant(time_, p_WF);
   foothold_planner_.remember(k, p_WF);
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
-  if (!calibrating() && torso_.far_off(state)) torso_.restart(state);
   if (was_swinging) {
     ++steps_taken_;
     cursor_ = (cursor_ + 1) % kNumLegs;

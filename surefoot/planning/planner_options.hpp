@@ -118,21 +118,28 @@ struct ProbeOptions {
   double duration = 0.35;    ///< of the second swing [s]
 };
 
+/// How the friction pyramids' normal follows the plane through the footholds.
+struct FrictionFrameOptions {
+  double time_constant = 0.10;  ///< [s]
+  double rate_max = 0.5;        ///< [rad/s]
+};
+
 /// How the torso follows the terrain.
 struct TorsoOptions {
-  double frequency = 5.0;          ///< of the critically damped reference filter [rad/s]
-  double max_tilt = 0.35;          ///< of the reference [rad]
-  double restart_position = 0.01;  ///< restart from the true pose beyond this after a touchdown [m]
-  double restart_angle = 0.02;     ///< [rad]
-  bool follow_terrain = true;      ///< roll and pitch from the plane through the footholds
+  double frequency = 7.5;      ///< of the critically damped reference filter, third order [rad/s]
+  double max_tilt = 0.35;      ///< of the reference [rad]
+  bool follow_terrain = true;  ///< roll and pitch from the plane through the footholds
 };
 
 struct FootholdOptions {
   bool hind_use_front_prints = true;  ///< hind feet step where the front feet found ground
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
   double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
-  double max_step = 0.30;     ///< [m]
-  double stretch_max = 0.50;  ///< front and hind foot of a side may be further apart by this [m]
+  /// The plane through feet on two levels says nothing of what lies beyond them: a front foot
+  /// expects ground between the feet's heights, and beyond these only as its last stride rose.
+  bool bounded_by_feet = true;
+  double max_step = 0.30;       ///< [m]
+  double stretch_max = 0.50;    ///< front and hind foot of a side may be further apart by this [m]
   double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
   double void_radius = 0.06;  ///< no foothold nearer than this to where a foot found no ground [m]
 };
@@ -181,6 +188,7 @@ struct PlannerOptions {
   ReflexOptions reflex;
   ProbeOptions probe;
   TorsoOptions torso;
+  FrictionFrameOptions friction_frame;
   FootholdOptions foothold;
   PushOptions push;
 };

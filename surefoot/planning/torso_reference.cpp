@@ -20,43 +20,34 @@ void TorsoReference::restart(const RobotState& state) {
   const Mat3 R_WB = state.R_WB();
   const Vec3 angles = roll_pitch_yaw(R_WB);
   const Vec3 w_heading = rotation_about_z(-angles.z()) * (R_WB * state.w_WB_B);
-  tilt_ = angles.head<2>();
-  tilt_rate_ = w_heading.head<2>();
-  height_ = state.p_WB.z();
-  height_rate_ = state.v_WB.z();
+  posture_ = {Vec3(angles.x(), angles.y(), state.p_WB.z()),
+              Vec3(w_heading.x(), w_heading.y(), state.v_WB.z()), Vec3::Zero()};
   plan_.q_WB = state.q_WB;
-  plan_.height = height_;
-}
-
-bool TorsoReference::far_off(const RobotState& state) const {
-  const Vec2 tilt = roll_pitch_yaw(state.R_WB()).head<2>();
-  return std::abs(state.p_WB.z() - height_) > options_.restart_position ||
-         (tilt - tilt_).norm() > options_.restart_angle;
+  plan_.height = state.p_WB.z();
 }
 
 void TorsoReference::update(const TerrainPlane& plane, double yaw, double yaw_rate,
                             const ComPlan& com, double height, const Motion<Vec3>& turn) {
-  const double w = options_.frequency;
   const Vec3 level = options_.follow_terrain ? plane.normal : Vec3::UnitZ();
-  const Vec2 target_tilt = roll_pitch_of(rotation_about_z(-yaw) * level);
-  const Vec2 tilt_acceleration = w * w * (target_tilt - tilt_) - 2.0 * w * tilt_rate_;
-  tilt_rate_ += period_ * tilt_acceleration;
-  tilt_ += period_ * tilt_rate_;
+  const Vec2 tilt = roll_pitch_of(rotation_about_z(-yaw) * level);
+  const double climb = -(plane.normal.head<2>().dot(com.v)) / plane.normal.z();
+  const Motion<Vec3> target{Vec3(tilt.x(), tilt.y(), plane.height(com.p) + height),
+                            Vec3(0.0, 0.0, climb), Vec3::Zero()};
+  const double w = options_.frequency;
+  const Vec3 jerk = w * w * w * (target.p - posture_.p) + 3.0 * w * w * (target.v - posture_.v) -
+                    3.0 * w * posture_.a;
+  posture_.a += period_ * jerk;
+  posture_.v += period_ * posture_.a;
+  posture_.p += period_ * posture_.v;
 
-  const double target_height = plane.height(com.p) + height;
-  const double target_rate = -(plane.normal.head<2>().dot(com.v)) / plane.normal.z();
-  const double height_acceleration =
-      w * w * (target_height - height_) + 2.0 * w * (target_rate - height_rate_);
-  height_rate_ += period_ * height_acceleration;
-  height_ += period_ * height_rate_;
-
-  const Vec3 angles = Vec3(tilt_.x(), tilt_.y(), yaw) + turn.p;
-  const Vec3 rates = Vec3(tilt_rate_.x(), tilt_rate_.y(), yaw_rate) + turn.v;
-  const Vec3 accelerations = Vec3(tilt_acceleration.x(), tilt_acceleration.y(), 0.0) + turn.a;
-  write_orientation(angles, rates, accelerations);
-  plan_.height = height_;
-  plan_.height_rate = height_rate_;
-  plan_.height_acceleration = height_acceleration;
+  const auto with_yaw = [](const Vec3& posture, double value) {
+    return Vec3(posture.x(), posture.y(), value);
+  };
+  write_orientation(with_yaw(posture_.p, yaw) + turn.p, with_yaw(posture_.v, yaw_rate) + turn.v,
+                    with_yaw(posture_.a, 0.0) + turn.a);
+  plan_.height = posture_.p.z();
+  plan_.height_rate = posture_.v.z();
+  plan_.height_acceleration = posture_.a.z();
 }
 
 // The axes of pitch and roll turn too: ω = axes · ṙ and ω̇ = axes · r̈ + their own rates.

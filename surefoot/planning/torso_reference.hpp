@@ -9,16 +9,19 @@
 namespace surefoot {
 
 /// Desired torso pose: yaw along the heading, roll and pitch along the terrain plane, height over
-/// it; plane and height pass through a critically damped filter  r̈ = ω² (target − r) + 2 ω (ṫarget
-/// − ṙ).
+/// it; plane and height pass through a critically damped filter
+///
+///     r⃛ = ω³ (target − r) + 3 ω² (ṫarget − ṙ) − 3 ω r̈,
+///
+/// so that neither r nor ṙ nor r̈ jumps where the target does. It knows nothing of the torso, which
+/// legs that reach down may take elsewhere: that comes back to its reference, as the tasks and the
+/// legs let it.
 class TorsoReference {
  public:
   TorsoReference(const TorsoOptions& options, double period) : options_(options), period_(period) {}
 
-  /// Begins at the true pose: at the start, and after a touchdown that found it far off.
+  /// Begins at the true pose and motion.
   void restart(const RobotState& state);
-  /// Is the torso further from the reference than the options allow?
-  [[nodiscard]] bool far_off(const RobotState& state) const;
   /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
   /// added to roll, pitch and yaw.
   void update(const TerrainPlane& plane, double yaw, double yaw_rate, const ComPlan& com,
@@ -32,8 +35,7 @@ class TorsoReference {
 
   TorsoOptions options_;
   double period_;
-  Vec2 tilt_{0.0, 0.0}, tilt_rate_{0.0, 0.0};  // roll and pitch [rad], [rad/s]
-  double height_ = 0.0, height_rate_ = 0.0;
+  Motion<Vec3> posture_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // roll, pitch [rad], height [m]
   TorsoPlan plan_;
 };
 

@@ -132,6 +132,26 @@ TEST(Evaluator, TorsoErrorsAreRootMeanSquares) {
   EXPECT_NEAR(run.metrics().max_tilt_rad, 0.2, 1e-7);
 }
 
+TEST(Evaluator, StepsOfTheFramesAreTheLargestChangesBetweenTwoTicksOfOnePlan) {
+  HandMadeRun run;
+  const auto lean = [&](double torso, double height, double frame) {
+    run.tick.plan.torso.q_WB = Quat(Eigen::AngleAxisd(torso, Vec3::UnitY()));
+    run.tick.plan.torso.height = height;
+    run.tick.plan.R_WC = Eigen::AngleAxisd(frame, Vec3::UnitX()).toRotationMatrix();
+    run.step();
+  };
+  lean(0.5, 0.5, 0.5);  // before the first tick there is none
+  lean(0.4, 0.53, 0.5);
+  lean(0.2, 0.52, 0.25);
+  run.tick.plan.calibration = CalibrationStage::settling;  // the plan begins anew
+  lean(-0.5, 0.2, 1.0);
+  run.tick.plan.calibration = CalibrationStage::none;
+  lean(0.3, 0.7, 0.0);
+  EXPECT_NEAR(run.metrics().torso_reference_step_max_rad, 0.2, 1e-7);
+  EXPECT_NEAR(run.metrics().torso_reference_step_max_m, 0.03, 1e-12);
+  EXPECT_NEAR(run.metrics().control_frame_step_max_rad, 0.25, 1e-7);
+}
+
 TEST(Evaluator, TorqueStepIsTheLargestChangeOfACommand) {
   HandMadeRun run;
   run.tick.command.torque[4] = -30.0;  // before the first tick there is none
