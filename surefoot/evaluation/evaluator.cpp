@@ -108,14 +108,14 @@ void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
 // A calibration begins the plan anew, in a world of its own.
 void Evaluator::add_frames(const TickRecord& tick) {
   const MotionPlan& now = tick.plan;
-  if (plan_before_) {
+  const bool calibrates = now.calibration != CalibrationStage::none;
+  if (plan_before_ && !calibrates) {
     const MotionPlan& before = *plan_before_;
     raise(metrics_.torso_reference_step_max_rad, now.torso.q_WB.angularDistance(before.torso.q_WB));
     raise(metrics_.torso_reference_step_max_m, std::abs(now.torso.height - before.torso.height));
     raise(metrics_.control_frame_step_max_rad, Quat(now.R_WC).angularDistance(Quat(before.R_WC)));
   }
-  plan_before_.reset();
-  if (now.calibration == CalibrationStage::none) plan_before_ = now;
+  plan_before_ = calibrates ? std::nullopt : std::optional(now);
 }
 
 void Evaluator::add_torques(const GroundTruth& truth, const TickRecord& tick) {

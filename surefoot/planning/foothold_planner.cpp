@@ -60,9 +60,9 @@ double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg
   if (!is_front(leg) || !options_.bounded_by_feet) return height;
   const double way = (place - footholds[index(leg)].head<2>()).norm();
   const double beyond = way * last_slope(prints_[is_left(leg) ? 0 : 1]);
-  const auto [lowest, highest] =
-      std::ranges::minmax(footholds, {}, [](const Vec3& p) { return p.z(); });
-  return std::clamp(height, lowest.z() - beyond, highest.z() + beyond);
+  double highest = footholds[index(leg)].z();
+  for (const Vec3& foothold : footholds) highest = std::max(highest, foothold.z());
+  return std::min(height, highest + beyond);
 }
 
 double FootholdPlanner::last_slope(const Prints& prints) const {

@@ -32,8 +32,9 @@ class FootholdPlanner {
                               double yaw, const UserCommand& user, double cycle_duration) const;
 
   /// Height at which a leg is to find ground at a place: the plane's, for a front leg no further
-  /// above or below all feet than its last stride's slope leads. A stride steeper than any slope
-  /// went over an edge, and behind an edge the ground is taken as level.
+  /// above all feet than its last stride's slope leads. A stride steeper than any slope went over
+  /// an edge, and behind an edge the ground is taken as level. (Ground that lies higher than
+  /// expected is met early; for ground that lies lower the torso must come down.)
   [[nodiscard]] double expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
                                        const TerrainPlane& plane) const;
 

@@ -136,7 +136,7 @@ struct FootholdOptions {
   double print_radius = 0.08;  ///< a footprint is used within this of the nominal foothold [m]
   double same_height = 0.03;  ///< footprints that differ by more than this have an edge between [m]
   /// The plane through feet on two levels says nothing of what lies beyond them: a front foot
-  /// expects ground between the feet's heights, and beyond these only as its last stride rose.
+  /// expects ground no higher than the feet stand, and above that only as its last stride rose.
   bool bounded_by_feet = true;
   double max_step = 0.30;       ///< [m]
   double stretch_max = 0.50;    ///< front and hind foot of a side may be further apart by this [m]

@@ -41,7 +41,7 @@ TEST_P(TerrainFrames, DoNotJumpAtATouchdown) {
 INSTANTIATE_TEST_SUITE_P(Scenarios, TerrainFrames,
                          testing::Values(Walk{"walk_flat", 10.0}, Walk{"slope_up", 25.0},
                                          Walk{"step_down", 36.0}),
-                         [](const auto& info) { return std::string(info.param.scenario); });
+                         [](const auto& walk) { return std::string(walk.param.scenario); });
 
 }  // namespace
 }  // namespace surefoot
