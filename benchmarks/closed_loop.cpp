@@ -37,7 +37,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  std::vector<std::string> scenarios{"walk_flat_sea", "step_down"};
+  std::vector<std::string> scenarios{"walk_flat", "step_down"};
   std::uint64_t seed = 0;
   std::vector<std::string> assignments;
   int runs = 3;

@@ -2,8 +2,8 @@
 
 #include "surefoot/math/rotation.hpp"
 #include "tests/support/malloc_counter.hpp"
+#include "tests/support/nees.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
@@ -142,28 +142,6 @@ TEST(InvariantFilter, TurningOnTheSpotFindsTheBiasesAndTheVertical) {
   }
 }
 
-/// Normalised squared error of tilt (2) and velocity (3), as the filter's covariance has it.
-double nees(const Bench& bench) {
-  const Filter& filter = bench.filter;
-  // Right-invariant errors of this estimate, with the true state turned into the filter's heading.
-  const double heading = yaw(filter.R_WB()) - yaw(bench.body.R(bench.time));
-  const Mat3 turn = rotation_about_z(heading);
-  const Vec3 theta =
-      log_rotation(Quat(Mat3(filter.R_WB() * (turn * bench.body.R(bench.time)).transpose())));
-  const Vec3 xi_v = filter.v_WB() - exp_rotation(theta) * (turn * Body::v(bench.time));
-  Eigen::Matrix<double, 5, 1> error;
-  error << theta.head<2>(), xi_v;
-  Eigen::Matrix<double, 5, 5> P;
-  const std::array<int, 5> rows{0, 1, 3, 4, 5};
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 5; ++j) {
-      P(i, j) =
-          filter.covariance()(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
-    }
-  }
-  return error.dot(P.ldlt().solve(error));
-}
-
 TEST(InvariantFilter, KnowsHowWrongItIs) {
   constexpr int kRuns = 60;
   double sum = 0.0;
@@ -171,7 +149,7 @@ TEST(InvariantFilter, KnowsHowWrongItIs) {
     Bench bench = noisy(seed + 100, 0.1);
     bench.start();
     bench.run_until(4.0);
-    sum += nees(bench);
+    sum += test::nees(bench.filter, bench.body.R(bench.time), Body::v(bench.time));
   }
   // χ² with 5 × 60 degrees of freedom lies in 240 … 366 with 99 %; the foot's walk and the initial
   // deviations of the filter are a little larger than the truth's.

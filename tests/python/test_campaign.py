@@ -6,12 +6,15 @@ import pathlib
 import shlex
 import signal
 import subprocess
+import sys
 import time
 
 import pytest
 
 from campaign_folder import SPEC, CampaignFolder, is_running
 from program import PROGRAM
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture
@@ -56,6 +59,17 @@ def test_csv_and_parquet_hold_the_same(folder):
     assert columns["seed"] == [int(row["seed"]) for row in rows]
     assert columns["com_error_max_m"] == [float(row["com_error_max_m"]) for row in rows]
     assert columns["fell"] == [row["fell"] == "true" for row in rows]
+
+
+def test_a_tool_makes_the_readmes_rows_of_the_table(tmp_path):
+    runs = tmp_path / "runs.csv"
+    lines = ["scenario,seed,outcome,missed,reason,com_error_max_m,false_touchdowns,steps_taken,torque_step_max_nm"]
+    lines += [f"walk,{seed},succeeded,,,0.00{seed},0,600,{seed}" for seed in (1, 2, 3)]
+    runs.write_text("\n".join([*lines, "walk,4,failed,fell,fell,,1,200,"]))
+    made = subprocess.run([sys.executable, ROOT / "tools/campaign_table.py", runs], capture_output=True, text=True,
+                          env={"PYTHONPATH": str(ROOT / "python")})
+    assert "| `walk` | 3 of 4 (30.1–95.4 %) | 2, 2.8, 3 | 1 of 2,000 | 2, 2.8, 3 |" in made.stdout, made.stderr
+    assert "walk failed: 4 (fell)" in made.stdout
 
 
 def test_results_are_the_same_for_any_number_of_jobs(tmp_path):
