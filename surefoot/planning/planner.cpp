@@ -218,13 +218,10 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
     goal.head<2>() += options_.probe.ahead * probe_direction_;
     goal.z() = foothold_planner_.expected_height(k, goal.head<2>(), footholds(), plane_);
   }
-  // Ground as high as the plane says is not expected everywhere, but cleared.
-  const double over =
-      knows_ground(k) ? 0.0 : std::max(0.0, plane_.height(goal.head<2>()) - goal.z());
   const double duration = pace() * options_.gait.swing_duration;
   goal.head<2>() = within_reach(k, goal, duration, dynamics);
   const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
-  leg(k).lift(time_, {p_WF, goal, plane_.normal, duration, apex + over});
+  leg(k).lift(time_, {p_WF, goal, plane_.normal, duration, apex});
   const bool on_time = time_ - lift_time_ < 0.05;
   expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
