@@ -21,10 +21,11 @@ void read_frozen_joints(Section& section, FrozenJointOptions& options) {
 }
 
 void read_torque_check(Section& section, TorqueCheckOptions& options) {
-  section.number("time_constant", options.time_constant, kPositive);
   section.number("max_error", options.max_error, kPositive);
+  section.number("duration", options.duration, kNotNegative);
   section.number("max_force", options.max_force, kPositive);
   section.number("max_moment", options.max_moment, kPositive);
+  section.number("time_constant", options.time_constant, kPositive);
 }
 
 void read_consistency(Section& section, SensorConsistencyOptions& options) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNearlyUnit = 0.01;
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
-constexpr double kFadeTime = 0.5;        // of torques without an encoder [s]
+constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kRounding = 1e-9;       // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
@@ -184,11 +184,18 @@ void Safety::sit(const RobotState& state) {
   const JointVector way = lying_q_ - stopped_q_;
   const JointVector q = stopped_q_ + ease(share) * way;
   const JointVector qd = ease_slope(share) / options_.sit_duration * way;
-  command_.torque = (1.0 - ease(share)) * good_torque_ + hold_kp_ * (q - state.q) +
+  command_.torque = (1.0 - ease(faded())) * good_torque_ + hold_kp_ * (q - state.q) +
                     finite_or_zero(hold_kd_ * (qd - state.qd));
   for (int i = 0; i < kNumJoints; ++i) {
     if (lame_[static_cast<std::size_t>(i)]) command_.torque[i] = good_torque_[i];
   }
+}
+
+// The last torques of a sensor that lied were good for little.
+double Safety::faded() const {
+  const double time =
+      command_.fault == SampleFault::contradicts ? kFadeTime : options_.sit_duration;
+  return std::clamp((command_.time - stopped_at_) / time, 0.0, 1.0);
 }
 
 void Safety::damp(const RobotState& state) {

@@ -61,6 +61,7 @@ class Safety {
   void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);
   void sit(const RobotState& state);
+  [[nodiscard]] double faded() const;
   void damp(const RobotState& state);
   void limit();
   void limit_change(const JointVector& before, bool wanted);

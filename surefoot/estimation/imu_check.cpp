@@ -49,8 +49,11 @@ void ImuCheck::update(const SensorReading& reading, const RobotState& state,
   const bool follows = std::abs(reading.time - time_ - period_) < kJitter * period_;
   const bool is_finite =
       reading.gyro.allFinite() && reading.accelerometer.allFinite() && dynamics.q.allFinite();
+  const bool is_new = reading.encoder_time > encoder_time_ && reading.imu_time > imu_time_;
   time_ = reading.time;
-  if (!follows || !is_finite) forget();
+  encoder_time_ = reading.encoder_time;
+  imu_time_ = reading.imu_time;
+  if (!follows || !is_finite || !is_new) forget();
   if (is_finite) {
     move(reading, state, dynamics);
     count_firm_feet(state, stands, normal_W);

@@ -31,8 +31,9 @@ struct ImuDisagreement {
 ///
 ///     e = ΔΔp − ΔΔ ∫∫ (R_IB a + g_I) dt²,    ΔΔy = y(t) − 2 y(t − T/2) + y(t − T)
 ///
-/// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. Does not
-/// allocate after construction.
+/// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. Encoders
+/// or an IMU without a new sample at every tick are too coarse for this: nothing is said of them.
+/// Does not allocate after construction.
 class ImuCheck {
  public:
   static constexpr int kNumSpans = 4;
@@ -85,7 +86,7 @@ class ImuCheck {
   std::array<int, kNumSpans> ticks_{};
   std::vector<Moment> moments_;  // a ring
   int newest_ = 0;
-  double time_ = kNaN;  // of the last tick [s]
+  double time_ = kNaN, encoder_time_ = kNaN, imu_time_ = kNaN;  // of the last tick [s]
   Vec3 gyro_before_ = Vec3::Zero();
   Mat3 R_IB_ = Mat3::Identity();
   PerLeg<Mat3> R_IS_;    // shanks

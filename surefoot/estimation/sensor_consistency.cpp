@@ -6,7 +6,6 @@ namespace surefoot {
 namespace {
 
 void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
-  if (group.fault != SampleFault::none) return;
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
 
@@ -20,6 +19,11 @@ void SensorConsistency::forget() noexcept {
 void SensorConsistency::update(const SensorReading& reading, const ConsistencyInputs& known,
                                SensorHealth& health) noexcept {
   if (!enabled_) return;
+  if (health.encoders.fault != SampleFault::none || health.imu.fault != SampleFault::none ||
+      health.joint_torques.fault != SampleFault::none) {
+    forget();  // what is filled in says nothing
+    return;
+  }
   imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   frozen_.update(reading, known.dynamics, known.plan, known.command);
   torques_.update(known.state, known.dynamics, known.stands, known.command);
@@ -28,9 +32,8 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
     blame(health.encoders, SampleFault::repeats, frozen_.encoder_age(), frozen_.encoder());
   if (frozen_.torque() >= 0)
     blame(health.joint_torques, SampleFault::repeats, frozen_.torque_age(), frozen_.torque());
-  if (!torques_.is_well())
-    blame(health.joint_torques, SampleFault::contradicts, torques_.time_constant(),
-          torques_.joint());
+  if (torques_.wrong_for() > 0.0)
+    blame(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());
 }
 
 }  // namespace surefoot

@@ -27,12 +27,13 @@ struct FrozenJointOptions {
 };
 
 /// When joint torques are not those that were commanded, or claim more than anything that pushes or
-/// loads the robot; all low-passed.
+/// loads the robot.
 struct TorqueCheckOptions {
-  double time_constant = 0.1;  ///< [s]
-  double max_error = 11.0;     ///< of a joint's torque against its command [N·m]
-  double max_force = 400.0;    ///< [N]
-  double max_moment = 100.0;   ///< [N·m]
+  double max_error = 8.0;      ///< of a joint's torque against its command, to one side [N·m] …
+  double duration = 0.25;      ///< … for so long; a drive at its limit is off for less [s]
+  double max_force = 400.0;    ///< that the torques claim [N]
+  double max_moment = 65.0;    ///< [N·m]
+  double time_constant = 0.1;  ///< of both [s]
 };
 
 /// When sensors contradict each other, though each gives what it can give.

@@ -19,21 +19,20 @@ class TorqueCheck {
   /// Nothing is known of this tick.
   void forget() noexcept;
 
-  /// False where a torque is not what was commanded, or all claim too much.
-  [[nodiscard]] bool is_well() const { return !(error_share() > 1.0) && !(claim_share() > 1.0); }
-  /// The only joint whose torque is not what was commanded; −1: none, or several.
+  /// For how long torques have been wrong: those of joints that were not what was commanded, or
+  /// all, which claim too much [s]; 0: they are not.
+  [[nodiscard]] double wrong_for() const;
+  /// The only joint whose torque was not what was commanded; −1: none, or several.
   [[nodiscard]] int joint() const;
-  /// The largest error, and the largest claim, as shares of what is allowed.
-  [[nodiscard]] double error_share() const;
-  [[nodiscard]] double claim_share() const;
-  [[nodiscard]] double time_constant() const { return options_.time_constant; }
+  /// Of the joints, low-passed [N·m].
   [[nodiscard]] const JointVector& error() const { return error_; }
+  /// What they claim.
   [[nodiscard]] const ExternalForceEstimator& claim() const { return claim_; }
 
  private:
   TorqueCheckOptions options_;
-  double gain_;
-  JointVector error_ = JointVector::Zero();  // low-passed [N·m]
+  double period_, gain_;
+  JointVector error_ = JointVector::Zero(), off_for_ = JointVector::Zero();  // [N·m], [s]
   ExternalForceEstimator claim_;
 };
 
