@@ -29,7 +29,7 @@ void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics
 }
 
 void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVector& motion) {
-  const bool is_new = reading.encoder_time != encoder_time_;
+  const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
   encoder_ = -1;
   for (int i = 0; i < kNumJoints; ++i) {
@@ -43,7 +43,7 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
 }
 
 void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVector& command) {
-  const bool is_new = reading.torque_time != torque_time_;
+  const bool is_new = reading.torque_time > torque_time_;
   torque_time_ = reading.torque_time;
   torque_ = -1;
   for (int i = 0; i < kNumJoints; ++i) {

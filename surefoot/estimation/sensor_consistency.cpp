@@ -19,6 +19,8 @@ void SensorConsistency::forget() noexcept {
 void SensorConsistency::update(const SensorReading& reading, const ConsistencyInputs& known,
                                SensorHealth& health) noexcept {
   if (!enabled_) return;
+  const bool is_new = reading.encoder_time > encoder_time_;
+  encoder_time_ = reading.encoder_time;
   if (health.encoders.fault != SampleFault::none || health.imu.fault != SampleFault::none ||
       health.joint_torques.fault != SampleFault::none) {
     forget();  // what is filled in says nothing
@@ -26,7 +28,7 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
   }
   imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   frozen_.update(reading, known.dynamics, known.plan, known.command);
-  torques_.update(known.state, known.dynamics, known.stands, known.command);
+  torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   if (imu_.wrong_for() > 0.0) blame(health.imu, SampleFault::contradicts, imu_.wrong_for());
   if (frozen_.encoder() >= 0)
     blame(health.encoders, SampleFault::repeats, frozen_.encoder_age(), frozen_.encoder());

@@ -44,6 +44,7 @@ class SensorConsistency {
   ImuCheck imu_;
   FrozenJoints frozen_;
   TorqueCheck torques_;
+  double encoder_time_ = kNaN;  // [s]
 };
 
 }  // namespace surefoot

@@ -22,7 +22,8 @@ void TorqueCheck::forget() noexcept {
 }
 
 void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
-                         const PerLeg<bool>& stands, const JointVector& command) noexcept {
+                         const PerLeg<bool>& stands, const JointVector& command,
+                         bool moves_exactly) noexcept {
   const JointVector before = error_;
   const JointVector error = state.torque - command;
   if (error.allFinite()) error_ += gain_ * (error - error_);
@@ -30,6 +31,7 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
     const bool is_off = std::abs(error_[i]) > options_.max_error && error_[i] * before[i] > 0.0;
     off_for_[i] = is_off ? off_for_[i] + period_ : 0.0;
   }
+  exact_for_ = moves_exactly ? exact_for_ + period_ : 0.0;
   RobotState claimed = state;
   claim_.update(dynamics, stands, claimed);
 }
@@ -37,6 +39,7 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
 double TorqueCheck::wrong_for() const {
   const double longest = off_for_.maxCoeff();
   if (longest > options_.duration) return longest;
+  if (exact_for_ < options_.time_constant) return 0.0;
   const bool claims =
       claim_.force().norm() > options_.max_force || claim_.moment().norm() > options_.max_moment;
   return claims ? options_.time_constant : 0.0;

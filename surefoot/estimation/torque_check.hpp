@@ -12,10 +12,10 @@ class TorqueCheck {
  public:
   TorqueCheck(const TorqueCheckOptions& options, double period);
 
-  /// One tick. `command` is of the tick before, NaN where none was followed; `state` has the
-  /// torques and foot forces of this one.
+  /// One tick. `command` is of the tick before; `state` has the torques and foot forces of this
+  /// one. `moves_exactly`: from encoders with a new sample; coarser ones claim what they like.
   void update(const RobotState& state, const Dynamics& dynamics, const PerLeg<bool>& stands,
-              const JointVector& command) noexcept;
+              const JointVector& command, bool moves_exactly) noexcept;
   /// Nothing is known of this tick.
   void forget() noexcept;
 
@@ -34,6 +34,7 @@ class TorqueCheck {
   double period_, gain_;
   JointVector error_ = JointVector::Zero(), off_for_ = JointVector::Zero();  // [N·m], [s]
   ExternalForceEstimator claim_;
+  double exact_for_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot

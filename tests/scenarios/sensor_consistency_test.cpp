@@ -49,7 +49,7 @@ const std::vector<Lie>& lies() {
       {"gyroscope", "sensor: gyro, kind: jump, size: 0.1", StopCause::imu, SampleFault::contradicts,
        0.5},
       {"imu_late", "sensor: imu, kind: late, size: 7", StopCause::imu, SampleFault::late, 0.05},
-      {"torques", "sensor: joint_torques, kind: jump, size: 20", StopCause::joint_torques,
+      {"torques", "sensor: joint_torques, kind: jump, size: -20", StopCause::joint_torques,
        SampleFault::contradicts, 0.3},
       {"torque", "sensor: joint_torques, kind: jump, size: 20, joint: LF_KFE",
        StopCause::joint_torques, SampleFault::contradicts, 0.3, 2},
@@ -118,9 +118,9 @@ TEST(SensorConsistencyInWalks, ChangesNoTorqueWhileSensorsAreHonest) {
 
 TEST(SensorConsistencyInWalks, SlowSensorsAreNoFault) {
   for (const char* rate :
-       {"sensors.encoders.rate_hz=100", "sensors.imu.rate_hz=50",
-        "sensors.joint_torques.rate_hz=50", "sensors.encoders.resolution=0.003"}) {
-    Loop loop(scenario("walk_flat", {"planner.calibration.duration=0", rate}));
+       {"sensors.encoders.rate_hz=200", "sensors.imu.rate_hz=50",
+        "sensors.joint_torques.rate_hz=100", "sensors.encoders.resolution=0.003"}) {
+    Loop loop(scenario("walk_flat", {"planner.calibration.duration=0", rate}, 1));
     loop.run_until(6.0);
     EXPECT_EQ(loop.record().command.cause, StopCause::none) << rate;
   }
