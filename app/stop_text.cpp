@@ -22,6 +22,8 @@ std::string verb(SampleFault fault) {
       return "changed too fast";
     case SampleFault::repeats:
       return "repeated";
+    case SampleFault::contradicts:
+      return "did not fit the rest";
   }
   return "";
 }

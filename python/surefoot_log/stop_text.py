@@ -4,8 +4,8 @@ JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HA
 CAUSES = {"none": "", "tilt": "the torso tilted too far", "failures": "too many ticks without a solution"}
 GROUPS = {"encoders": ("encoder", "encoders"), "joint_torques": ("joint torque", "joint torques"), "imu": ("IMU", "IMU")}
 VERBS = {"none": "failed", "silent": "stopped", "late": "came late", "not_a_number": "gave no numbers", "out_of_range": "left the range",
-         "jump": "changed too fast", "repeats": "repeated"}  # fmt: skip
-OF_ONE_VALUE = ("not_a_number", "out_of_range", "jump", "repeats")  # the others are of all of a group at once
+         "jump": "changed too fast", "repeats": "repeated", "contradicts": "did not fit the rest"}  # fmt: skip
+OF_ONE_VALUE = ("not_a_number", "out_of_range", "jump", "repeats", "contradicts")  # the others are of all of a group at once
 
 
 def stop_text(command, health):

@@ -1,9 +1,48 @@
 #include "surefoot/config/guard_section.hpp"
 
 namespace surefoot {
+namespace {
 
-void read_guard(Section& section, ReadingGuardOptions& options) {
+void read_imu_check(Section& section, ImuCheckOptions& options) {
+  section.number("window", options.window, kPositive);
+  section.number("position_margin", options.position_margin, kPositive);
+  section.number("velocity_margin", options.velocity_margin, kPositive);
+  section.number("turn_margin", options.turn_margin, kPositive);
+  section.number("rate_margin", options.rate_margin, kPositive);
+  section.number("doubt", options.doubt, kNotNegative);
+  section.number("force", options.force, kNotNegative);
+  section.number("settle", options.settle, kNotNegative);
+}
+
+void read_frozen_joints(Section& section, FrozenJointOptions& options) {
+  section.number("motion", options.motion, kPositive);
+  section.number("torque", options.torque, kPositive);
+  section.number("duration", options.duration, kNotNegative);
+}
+
+void read_torque_check(Section& section, TorqueCheckOptions& options) {
+  section.number("max_error", options.max_error, kPositive);
+  section.number("duration", options.duration, kNotNegative);
+  section.number("max_force", options.max_force, kPositive);
+  section.number("max_moment", options.max_moment, kPositive);
+  section.number("time_constant", options.time_constant, kPositive);
+}
+
+void read_consistency(Section& section, SensorConsistencyOptions& options) {
+  section.flag("enabled", options.enabled);
+  section.section("imu", [&](Section& s) { read_imu_check(s, options.imu); });
+  section.section("frozen", [&](Section& s) { read_frozen_joints(s, options.frozen); });
+  section.section("torques", [&](Section& s) { read_torque_check(s, options.torques); });
+}
+
+}  // namespace
+
+void read_guard(Section& section, ReadingGuardOptions& options,
+                SensorConsistencyOptions& consistency) {
   section.number("patience", options.patience, kPositive);
+  section.number("max_encoder_delay", options.max_encoder_delay, kNotNegative);
+  section.number("max_torque_delay", options.max_torque_delay, kNotNegative);
+  section.number("max_imu_delay", options.max_imu_delay, kNotNegative);
   section.number("max_angle", options.max_angle, kPositive);
   section.number("angle_margin", options.angle_margin, kPositive);
   section.number("velocity_margin", options.velocity_margin, kNotNegative);
@@ -14,6 +53,7 @@ void read_guard(Section& section, ReadingGuardOptions& options) {
   section.number("max_acceleration", options.max_acceleration, kPositive);
   section.number("max_acceleration_step", options.max_acceleration_step, kPositive);
   section.integer("repeats", options.repeats, 1);
+  section.section("consistency", [&](Section& s) { read_consistency(s, consistency); });
 }
 
 }  // namespace surefoot

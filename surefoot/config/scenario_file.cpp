@@ -220,7 +220,8 @@ void read_controller(Section& top, ControllerOptions& controller) {
       "period", controller.period,
       {.min = 0.0, .max = 0.01, .min_included = false, .words = "above 0 and at most 0.01 s"});
   top.section("planner", [&](Section& s) { read_planner(s, controller.planner); });
-  top.section("guard", [&](Section& s) { read_guard(s, controller.guard); });
+  top.section("guard",
+              [&](Section& s) { read_guard(s, controller.guard, controller.consistency); });
   top.section("slip", [&](Section& s) { read_slip(s, controller.slip); });
   top.section("contact_force",
               [&](Section& s) { read_contact_force(s, controller.contact_force); });

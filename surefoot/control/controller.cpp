@@ -10,6 +10,7 @@
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
+#include "surefoot/estimation/sensor_consistency.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
@@ -90,6 +91,7 @@ struct Controller::Implementation {
         weighs_by_torques(!options.contact_force.use_foot_sensor),
         slip(options.slip, options.period),
         external_force(options.external_force),
+        consistency(options.consistency, options.period),
         planner(options.planner, model.mass() * kGravity, options.period),
         robot_description(robot),
         solver_options(options.solver),
@@ -103,6 +105,7 @@ struct Controller::Implementation {
   [[nodiscard]] TickContext context() noexcept;
   void forget_lost_joints() noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
+  void compare_sensors(const Dynamics& dynamics) noexcept;
   void calibrate(const Dynamics& dynamics) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
   void describe_refused_state() noexcept;
@@ -122,6 +125,8 @@ struct Controller::Implementation {
   const bool weighs_by_torques;  // and so with the links that the torques carry
   SlipDetector slip;
   ExternalForceEstimator external_force;
+  SensorConsistency consistency;
+  KinematicErrors errors_before;
   Planner planner;
   RobotDescription robot_description;
   SolverOptions solver_options;
@@ -205,6 +210,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
                        record.state);
   slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
   external_force.update(dynamics, standing(record.plan), record.state);
+  compare_sensors(dynamics);
   calibrate(dynamics);
   model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
@@ -225,6 +231,22 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   ended(Stage::solve);
   describe(dynamics, *solution);
   return solution;
+}
+
+// Legs that are found to be other than they were believed to be have not moved.
+void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexcept {
+  if (kinematics.errors() != errors_before) consistency.forget();
+  errors_before = kinematics.errors();
+  const PerLeg<bool> stands = standing(record.plan);
+  const Vec3 normal_W = planner.terrain_normal();
+  consistency.update(guard.repaired(),
+                     {.state = record.state,
+                      .dynamics = dynamics,
+                      .stands = stands,
+                      .normal_W = normal_W,
+                      .plan = record.plan,
+                      .command = record.command.torque},
+                     record.health);
 }
 
 // From feet that stand, and while nobody pushes. A payload, which the external force has too, is

@@ -8,6 +8,7 @@
 #include "surefoot/estimation/external_force.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard_options.hpp"
+#include "surefoot/estimation/sensor_consistency_options.hpp"
 #include "surefoot/estimation/slip_detector.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
@@ -44,6 +45,7 @@ struct ControllerOptions {
   std::vector<LevelSwitch> level_switches;  ///< of the stack, by time; one ends before the next
   SolverOptions solver;
   ReadingGuardOptions guard;
+  SensorConsistencyOptions consistency;
   ContactForceOptions contact_force;
   LinkMassOptions link_masses;
   SlipOptions slip;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNearlyUnit = 0.01;
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
-constexpr double kFadeTime = 0.5;        // of torques without an encoder [s]
+constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kRounding = 1e-9;       // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
@@ -101,18 +101,46 @@ StopCause Safety::lost_sensor(const SensorHealth& health) const noexcept {
 void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
+  if (lost == StopCause::encoders) note_lame_joints(state, health);
   if (uprightness(state) < std::cos(options_.max_tilt)) {
     stop(CommandMode::damping, StopCause::tilt, health);
-  } else if (lost == StopCause::encoders || (sitting_ && !is_posture(state.q))) {
+  } else if ((lost == StopCause::encoders || sitting_) && !can_sit(state)) {
     stop(CommandMode::damping, StopCause::encoders, health);
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
-    stop(is_posture(state.q) ? CommandMode::sit : CommandMode::damping, lost, health);
+    stop(can_sit(state) ? CommandMode::sit : CommandMode::damping, lost, health);
   } else if (!sitting_ && failures_ > options_.damp_after_failures) {
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
   }
+}
+
+// Of several joints at fault the health does not say which: those whose angles are unknown are.
+// Angles that only come late are good enough to sit down by.
+void Safety::note_lame_joints(const RobotState& state, const SensorHealth& health) {
+  const int one = health.encoders.joint;
+  bool is_known = false;
+  for (int i = 0; i < kNumJoints; ++i) {
+    bool& lame = lame_[static_cast<std::size_t>(i)];
+    lame = lame || i == one || !std::isfinite(state.q[i]);
+    is_known = is_known || lame;
+  }
+  if (!is_known && health.encoders.fault != SampleFault::late) lame_.fill(true);
+}
+
+bool Safety::can_sit(const RobotState& state) const {
+  int lame_legs = 0;
+  for (const Leg leg : kLegs) {
+    bool is_lame = false;
+    for (int i = first_joint(leg); i < first_joint(leg) + kJointsPerLeg; ++i) {
+      const bool lame = lame_[static_cast<std::size_t>(i)];
+      is_lame = is_lame || lame;
+      if (!lame && !(std::abs(state.q[i]) <= kFullTurn)) return false;  // nor if it is NaN
+    }
+    lame_legs += is_lame ? 1 : 0;
+  }
+  return lame_legs <= 1;
 }
 
 // A sensor that is there from the start has been lost before; one that never came is missed here.
@@ -156,8 +184,18 @@ void Safety::sit(const RobotState& state) {
   const JointVector way = lying_q_ - stopped_q_;
   const JointVector q = stopped_q_ + ease(share) * way;
   const JointVector qd = ease_slope(share) / options_.sit_duration * way;
-  command_.torque = (1.0 - ease(share)) * good_torque_ + hold_kp_ * (q - state.q) +
+  command_.torque = (1.0 - ease(faded())) * good_torque_ + hold_kp_ * (q - state.q) +
                     finite_or_zero(hold_kd_ * (qd - state.qd));
+  for (int i = 0; i < kNumJoints; ++i) {
+    if (lame_[static_cast<std::size_t>(i)]) command_.torque[i] = good_torque_[i];
+  }
+}
+
+// The last torques of a sensor that lied were good for little.
+double Safety::faded() const {
+  const double time =
+      command_.fault == SampleFault::contradicts ? kFadeTime : options_.sit_duration;
+  return std::clamp((command_.time - stopped_at_) / time, 0.0, 1.0);
 }
 
 void Safety::damp(const RobotState& state) {

@@ -7,6 +7,8 @@
 #include "surefoot/signals/sensor_health.hpp"
 #include "surefoot/solver/solution.hpp"
 
+#include <array>
+
 namespace surefoot {
 
 /// The last stage of a tick: whatever came before, the command is finite and inside the torque
@@ -20,10 +22,11 @@ namespace surefoot {
 ///                first posture that was seen, if there never was a good tick
 ///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
-///                repeated failures nothing at all yet
+///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
+///                keep their last good torques
 ///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
-///                a torso tilted too far; lying; or at once where an encoder is lost, on top of the
-///                last good torques, which fade out
+///                a torso tilted too far; lying; or at once where encoders of several legs are
+///                lost, on top of the last good torques, which fade out
 ///
 /// While a sensor is at fault, and after that until they are back where they should be, torques
 /// change by no more than `max_torque_change` a tick.
@@ -49,12 +52,16 @@ class Safety {
  private:
   [[nodiscard]] static bool is_sensor(StopCause cause) { return cause >= StopCause::encoders; }
   [[nodiscard]] bool is_good(const Solution* solution) const;
+  void note_lame_joints(const RobotState& state, const SensorHealth& health);
+  /// Can the robot sit down with the joints whose angles are known?
+  [[nodiscard]] bool can_sit(const RobotState& state) const;
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
   void stop_after_failures(const RobotState& state, const SensorHealth& health);
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
   void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);
   void sit(const RobotState& state);
+  [[nodiscard]] double faded() const;
   void damp(const RobotState& state);
   void limit();
   void limit_change(const JointVector& before, bool wanted);
@@ -66,8 +73,9 @@ class Safety {
   JointVector lying_q_;
   int failures_ = 0;
   bool sitting_ = false, damping_ = false;
-  bool catching_up_ = false;  // torques that were limited in their change
-  double stopped_at_ = kNaN;  // [s]
+  bool catching_up_ = false;             // torques that were limited in their change
+  std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
+  double stopped_at_ = kNaN;             // [s]
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();

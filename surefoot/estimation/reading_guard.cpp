@@ -17,6 +17,12 @@ JointVector limited(const JointVector& velocity, const JointVector& limit) {
   return result;
 }
 
+/// Samples that are good, but later than the robot bears.
+void tell_delay(const SampleWatch& watch, GroupHealth& health) {
+  if (watch.delayed_for() == 0.0 || health.fault != SampleFault::none) return;
+  health = {.fault = SampleFault::late, .age = std::fmax(health.age, watch.delayed_for())};
+}
+
 }  // namespace
 
 ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot,
@@ -25,9 +31,9 @@ ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescri
       period_(period),
       velocity_limit_(robot.velocity_limit),
       torque_limit_(robot.torque_limit),
-      encoder_watch_(period, options.patience),
-      torque_watch_(period, options.patience),
-      imu_watch_(period, options.patience) {}
+      encoder_watch_(period, options.patience, options.max_encoder_delay),
+      torque_watch_(period, options.patience, options.max_torque_delay),
+      imu_watch_(period, options.patience, options.max_imu_delay) {}
 
 void ReadingGuard::update(const SensorReading& reading,
                           const JointVector& joint_velocity) noexcept {
@@ -98,6 +104,9 @@ void ReadingGuard::describe(const SensorReading& reading) {
   if (gyro.fault != SampleFault::none) health_.imu.fault = gyro.fault;
   health_.imu.age = std::fmax(health_.imu.age, gyro.age);
   health_.imu.joint = -1;
+  tell_delay(encoder_watch_, health_.encoders);
+  tell_delay(torque_watch_, health_.joint_torques);
+  tell_delay(imu_watch_, health_.imu);
 }
 
 JointVector ReadingGuard::encoder_age() const {

@@ -7,6 +7,8 @@ namespace surefoot {
 /// What a sensor of a legged robot can truly give.
 struct ReadingGuardOptions {
   double patience = 0.02;  ///< a sample older than this is of no use any more [s]
+  /// How late samples may come: a robot that walks by later ones falls [s].
+  double max_encoder_delay = 0.006, max_torque_delay = 0.011, max_imu_delay = 0.011;
 
   double max_angle = 2.0 * kPi;  ///< no joint turns further [rad]
   /// How far an encoder may be from where the joint's velocity led: in a period at twice the

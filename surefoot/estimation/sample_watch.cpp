@@ -22,6 +22,8 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   }
   if (is_new_) sample_time_ = given;
   const double age = time - sample_time_;
+  const bool is_delayed = is_new_ ? age > max_delay_ + kRounding : delayed_for_ > 0.0;
+  delayed_for_ = is_delayed ? delayed_for_ + period_ : 0.0;
   const bool is_too_old = age > patience_ + kRounding;
   fault_ = SampleFault::none;
   if (is_too_old || (!is_new_ && age > usual_age_ + kMargin * period_)) {

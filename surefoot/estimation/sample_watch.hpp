@@ -7,12 +7,13 @@ namespace surefoot {
 /// Watches when a sensor's samples come: which are new, and which are overdue.
 ///
 /// How old a sample gets before the next replaces it is learnt, so that slow sensors and constant
-/// delays are no fault. At first anything up to `patience` is usual.
+/// delays are no fault; but where new samples are older than `max_delay` is told. At first anything
+/// up to `patience` is usual.
 class SampleWatch {
  public:
-  /// Both [s].
-  SampleWatch(double period, double patience)
-      : period_(period), patience_(patience), usual_age_(patience) {}
+  /// All [s].
+  SampleWatch(double period, double patience, double max_delay)
+      : period_(period), patience_(patience), max_delay_(max_delay), usual_age_(patience) {}
 
   /// One tick. A sample time that is NaN, or lies ahead, is taken for the tick's.
   void update(double time, double sample_time) noexcept;
@@ -21,12 +22,15 @@ class SampleWatch {
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Of the newest sample [s].
   [[nodiscard]] double sample_time() const { return sample_time_; }
+  /// How long new samples have been older than `max_delay` [s].
+  [[nodiscard]] double delayed_for() const { return delayed_for_; }
   /// `silent`, `late` or `none`.
   [[nodiscard]] SampleFault fault() const { return fault_; }
 
  private:
-  double period_, patience_, usual_age_;
+  double period_, patience_, max_delay_, usual_age_;
   double sample_time_ = kNaN, time_before_ = kNaN, given_time_ = kNaN;
+  double delayed_for_ = 0.0;  // [s]
   bool is_new_ = false;
   SampleFault fault_ = SampleFault::none;
 };

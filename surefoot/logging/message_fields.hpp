@@ -82,8 +82,8 @@ inline constexpr std::array<std::string_view, 6> kCauseNames{
     "none", "tilt", "failures", "encoders", "joint_torques", "imu"};
 inline constexpr std::array<std::string_view, 4> kCalibrationNames{"none", "settling", "turning",
                                                                    "weighing"};
-inline constexpr std::array<std::string_view, 7> kFaultNames{
-    "none", "silent", "late", "not_a_number", "out_of_range", "jump", "repeats"};
+inline constexpr std::array<std::string_view, 8> kFaultNames{
+    "none", "silent", "late", "not_a_number", "out_of_range", "jump", "repeats", "contradicts"};
 
 /// `T` or `const T`: the encoder reads what the decoder writes.
 template <typename T, typename Described>

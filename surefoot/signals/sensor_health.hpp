@@ -13,6 +13,7 @@ enum class SampleFault : int {
   out_of_range = 4,  ///< beyond what can be
   jump = 5,          ///< a change that no body makes in the time
   repeats = 6,       ///< the very same numbers again, as new samples
+  contradicts = 7,   ///< what the other sensors say, or what was commanded
 };
 
 /// How one group of sensors is at a tick.

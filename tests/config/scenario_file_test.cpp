@@ -338,6 +338,19 @@ TEST_F(ScenarioFile, says_which_samples_are_believed) {
   EXPECT_EQ(scenario.controller.guard.repeats, 5);
   EXPECT_EQ(scenario.controller.guard.patience, ReadingGuardOptions{}.patience);
   EXPECT_TRUE(holds(complaint("guard: {repeats: 0}\n"), "guard.repeats"));
+  const Scenario lenient = read(
+      "guard: {max_imu_delay: 0.02, consistency: {imu: {rate_margin: 0.2}, frozen: {motion: 1}, "
+      "torques: {max_force: 900}}}\n");
+  EXPECT_EQ(lenient.controller.guard.max_imu_delay, 0.02);
+  EXPECT_EQ(lenient.controller.consistency.imu.rate_margin, 0.2);
+  EXPECT_EQ(lenient.controller.consistency.imu.window, ImuCheckOptions{}.window);
+  EXPECT_EQ(lenient.controller.consistency.frozen.motion, 1.0);
+  EXPECT_EQ(lenient.controller.consistency.torques.max_force, 900.0);
+  EXPECT_FALSE(read("guard: {consistency: {enabled: false}}\n").controller.consistency.enabled);
+  EXPECT_TRUE(holds(complaint("guard: {consistency: {imu: {window: 0}}}\n"),
+                    "guard.consistency.imu.window"));
+  EXPECT_TRUE(holds(complaint("guard: {consistency: {torque: {}}}\n"),
+                    "guard.consistency.torque: unknown key"));
   EXPECT_TRUE(holds(complaint("guard: {max_giro: 1}\n"), "guard.max_giro: unknown key"));
 }
 

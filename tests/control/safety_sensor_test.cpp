@@ -91,10 +91,49 @@ TEST(SafetyOfSensors, WithoutImuOrTorquesItSitsDownSlowlyAndThenDamps) {
   }
 }
 
-TEST(SafetyOfSensors, AnEncoderThatIsLostFadesTheTorques) {
+TEST(SafetyOfSensors, WithoutEncodersOfOneLegTheOtherJointsSitDown) {
+  Stage stage;
+  JointVector before = stage.tick().torque;
+  stage.state.q[2] = stage.state.qd[2] = kNaN;
+  SensorHealth health = failing(&SensorHealth::encoders, 0.03);
+  health.encoders.joint = 2;
+  for (int i = 0; i < 799; ++i) {
+    const JointCommand& command = stage.tick(health);
+    ASSERT_EQ(command.mode, CommandMode::sit);
+    ASSERT_EQ(command.cause, StopCause::encoders);
+    ASSERT_EQ(command.joint, 2);
+    ASSERT_EQ(command.torque[2], 10.0) << "what it bore";
+    ASSERT_LE((command.torque - before).cwiseAbs().maxCoeff(), 0.5);
+    before = command.torque;
+  }
+  EXPECT_GT(std::abs(before[1] - 10.0), 1.0) << "its leg goes down with the others";
+  (void)stage.tick(health);
+  EXPECT_EQ(stage.tick(health).mode, CommandMode::damping);
+}
+
+TEST(SafetyOfSensors, AnEncoderThatIsFrozenCountsAsUnknownHoweverFiniteItsAngle) {
+  Stage stage;
+  (void)stage.tick();
+  SensorHealth health = failing(&SensorHealth::encoders, 0.03);
+  health.encoders = {.fault = SampleFault::repeats, .age = 0.03, .joint = 4};
+  ASSERT_EQ(stage.tick(health).mode, CommandMode::sit);
+  for (int i = 0; i < 400; ++i) ASSERT_EQ(stage.tick().torque[4], 10.0);
+}
+
+TEST(SafetyOfSensors, ByAnglesThatOnlyComeLateItSitsDown) {
+  Stage stage;
+  (void)stage.tick();
+  SensorHealth health = failing(&SensorHealth::encoders, 0.03);
+  health.encoders.fault = SampleFault::late;
+  EXPECT_EQ(stage.tick(health).mode, CommandMode::sit);
+  EXPECT_EQ(stage.tick(health).cause, StopCause::encoders);
+}
+
+TEST(SafetyOfSensors, EncodersOfSeveralLegsThatAreLostFadeTheTorques) {
   Stage stage;
   (void)stage.tick();
   stage.state.q[2] = stage.state.qd[2] = kNaN;
+  stage.state.q[5] = stage.state.qd[5] = kNaN;
   const JointCommand first = stage.tick(failing(&SensorHealth::encoders, 0.03));
   EXPECT_EQ(first.mode, CommandMode::damping);
   EXPECT_EQ(first.cause, StopCause::encoders);

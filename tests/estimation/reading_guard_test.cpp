@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -184,6 +185,36 @@ TEST(ReadingGuard, AConstantDelayIsNoFaultAndATooLongOneIs) {
     const GroupHealth& imu = robot.guard.health().imu;
     EXPECT_EQ(imu.fault, delay > 8 ? SampleFault::late : SampleFault::none);
     EXPECT_EQ(imu.age > 0.02, delay > 8);
+  }
+}
+
+TEST(ReadingGuard, SamplesThatComeLaterThanTheRobotBearsAreToldButUsed) {
+  const ReadingGuardOptions options;
+  for (const auto& [limit, group] :
+       {std::pair(options.max_encoder_delay, &SensorHealth::encoders),
+        std::pair(options.max_torque_delay, &SensorHealth::joint_torques),
+        std::pair(options.max_imu_delay, &SensorHealth::imu)}) {
+    const int most = static_cast<int>(limit / kPeriod);
+    for (const int delay : {most, most + 1}) {
+      Swinging robot;
+      robot.run(200);
+      SensorReading past;
+      for (int i = 0; i < 20; ++i) {
+        robot.tick([&](SensorReading& reading) {
+          past = robot.sample(robot.time - delay * kPeriod);
+          past.time = reading.time;
+          reading = past;
+        });
+      }
+      const bool is_late = delay > most;
+      const GroupHealth& health = robot.guard.health().*group;
+      EXPECT_EQ(health.fault == SampleFault::late, is_late) << delay;
+      EXPECT_EQ(health.age > 0.02, is_late) << delay;
+      EXPECT_EQ(robot.guard.repaired().q, past.q);
+      EXPECT_EQ(robot.guard.repaired().gyro, past.gyro);
+      robot.run(10);
+      EXPECT_EQ((robot.guard.health().*group).fault, SampleFault::none);
+    }
   }
 }
 

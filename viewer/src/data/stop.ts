@@ -3,6 +3,7 @@ import { scalar, word, type Frame } from "./frame.ts";
 /** What is wrong with a group of sensors, as the program says it. */
 const VERBS: Record<string, string> = {
   silent: "stopped", late: "came late", not_a_number: "gave no numbers", out_of_range: "left the range", jump: "changed too fast", repeats: "repeated",
+  contradicts: "did not fit the rest",
 };
 const GROUPS: Record<string, [one: string, all: string]> = {
   encoders: ["encoder", "encoders"], joint_torques: ["joint torque", "joint torques"], imu: ["IMU", "IMU"],

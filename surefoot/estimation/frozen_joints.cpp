@@ -1,0 +1,61 @@
+#include "surefoot/estimation/frozen_joints.hpp"
+
+#include "surefoot/model/leg_jacobian.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+/// Of a leg's joints, that its foot stands or goes where it should [rad/s].
+Vec3 asked_velocity(const Dynamics& dynamics, const MotionPlan& plan, Leg leg) {
+  const std::size_t k = index(leg);
+  const bool stands = plan.contact(leg);
+  const PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
+  const Vec3 target = stands ? Vec3(Vec3::Zero()) : plan.feet[k].v_WF;
+  const Vec3 by_base = point.J.leftCols<6>() * dynamics.u.head<6>();
+  return damped_inverse(leg_jacobian(point, leg)) * (target - by_base);
+}
+
+}  // namespace
+
+void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics,
+                          const MotionPlan& plan, const JointVector& command) noexcept {
+  JointVector motion;
+  for (const Leg leg : kLegs)
+    motion.segment<kJointsPerLeg>(first_joint(leg)) = period_ * asked_velocity(dynamics, plan, leg);
+  look_at_angles(reading, motion);
+  look_at_torques(reading, command);
+}
+
+void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVector& motion) {
+  const bool is_new = reading.encoder_time > encoder_time_;
+  encoder_time_ = reading.encoder_time;
+  encoder_ = -1;
+  for (int i = 0; i < kNumJoints; ++i) {
+    int& same = same_angle_[static_cast<std::size_t>(i)];
+    const bool moves = reading.q[i] != q_[i] || !std::isfinite(motion[i]);
+    same = moves ? 0 : same + 1;
+    unseen_[i] = moves ? 0.0 : unseen_[i] + motion[i];
+    if (is_new && same > 1 && std::abs(unseen_[i]) > options_.motion) encoder_ = i;
+  }
+  q_ = reading.q;
+}
+
+void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVector& command) {
+  const bool is_new = reading.torque_time > torque_time_;
+  torque_time_ = reading.torque_time;
+  torque_ = -1;
+  for (int i = 0; i < kNumJoints; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool moves = reading.torque[i] != measured_[i];
+    same_torque_[k] = moves ? 0 : same_torque_[k] + 1;
+    if (moves) command_[i] = command[i];
+    const bool is_off = std::abs(command[i] - command_[i]) > options_.torque;
+    off_[k] = !moves && is_off ? off_[k] + 1 : 0;
+    if (is_new && period_ * off_[k] > options_.duration) torque_ = i;
+  }
+  measured_ = reading.torque;
+}
+
+}  // namespace surefoot

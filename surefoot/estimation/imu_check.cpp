@@ -1,0 +1,188 @@
+#include "surefoot/estimation/imu_check.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+const Vec3 kGravityVector(0.0, 0.0, -kGravity);
+constexpr int kLeastFeet = 2, kLeastFeetForTurn = 3;
+/// Parts of the window: a gross error shows in a short one already.
+constexpr std::array<double, ImuCheck::kNumSpans> kParts{0.1, 0.25, 0.5, 1.0};
+constexpr double kJitter = 0.5;  // of a period
+
+int even_ticks(double duration, double period) {
+  return 2 * std::max(1, static_cast<int>(std::lround(0.5 * duration / period)));
+}
+
+}  // namespace
+
+ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
+    : options_(options), period_(period) {
+  for (std::size_t i = 0; i < kParts.size(); ++i)
+    ticks_[i] = even_ticks(kParts[i] * options.window, period);
+  Moment nowhere;
+  nowhere.x.fill(Vec3::Zero());
+  moments_.assign(static_cast<std::size_t>(ticks_.back()) + 1, nowhere);
+  R_IS_.fill(Mat3::Identity());
+  arm_.fill(Vec3::Zero());
+  rolled_.fill(Vec3::Zero());
+}
+
+double ImuCheck::span(int span) const { return period_ * ticks_[static_cast<std::size_t>(span)]; }
+
+void ImuCheck::forget() noexcept { firm_ticks_.fill(0); }
+
+const ImuCheck::Moment& ImuCheck::before(int ticks) const {
+  const int size = static_cast<int>(moments_.size());
+  return moments_[static_cast<std::size_t>((newest_ - ticks + size) % size)];
+}
+
+void ImuCheck::update(const SensorReading& reading, const RobotState& state,
+                      const Dynamics& dynamics, const PerLeg<bool>& stands,
+                      const Vec3& normal_W) noexcept {
+  const bool follows = std::abs(reading.time - time_ - period_) < kJitter * period_;
+  const bool is_finite =
+      reading.gyro.allFinite() && reading.accelerometer.allFinite() && dynamics.q.allFinite();
+  const bool is_new = reading.encoder_time > encoder_time_ && reading.imu_time > imu_time_;
+  time_ = reading.time;
+  encoder_time_ = reading.encoder_time;
+  imu_time_ = reading.imu_time;
+  if (!follows || !is_finite || !is_new) forget();
+  if (is_finite) {
+    move(reading, state, dynamics);
+    count_firm_feet(state, stands, normal_W);
+  }
+  judge();
+}
+
+void ImuCheck::move(const SensorReading& reading, const RobotState& state,
+                    const Dynamics& dynamics) {
+  const Vec3 turn = 0.5 * period_ * (gyro_before_ + reading.gyro);
+  const Mat3 R_half = R_IB_ * exp_rotation(0.5 * turn).toRotationMatrix();
+  R_IB_ = Quat(R_IB_ * exp_rotation(turn).toRotationMatrix()).normalized().toRotationMatrix();
+  gyro_before_ = reading.gyro;
+  const Mat3 R_IW = R_IB_ * state.R_WB().transpose();
+  const Vec3 v =
+      before(0).v_imu + period_ * (R_half * reading.accelerometer + R_IW * kGravityVector);
+  newest_ = (newest_ + 1) % static_cast<int>(moments_.size());
+  Moment& now = moments_[static_cast<std::size_t>(newest_)];
+  now.v_imu = v;
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const Mat3 R_IS = R_IW * dynamics.shank[k].R;
+    const Vec3 rolling = log_rotation(Quat(Mat3(R_IS * R_IS_[k].transpose())));
+    rolled_[k] += rolling.cross(R_IW * (dynamics.foot[k].p - dynamics.contact[k].p));
+    R_IS_[k] = R_IS;
+    arm_[k] = R_IW * (dynamics.foot[k].p - dynamics.base.p);
+    now.x[k] = arm_[k] - rolled_[k];
+  }
+}
+
+void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stands,
+                               const Vec3& normal_W) {
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    const bool is_firm =
+        stands[k] && normal_W.dot(state.foot_force[k]) >= options_.force;  // not if it is NaN
+    firm_ticks_[k] = is_firm ? std::min(firm_ticks_[k] + 1, 1 << 20) : 0;
+    if (!is_firm) rolled_[k].setZero();
+  }
+}
+
+Vec3 ImuCheck::second_way_of_imu(int half) const {
+  Vec3 way = Vec3::Zero();
+  for (int i = 0; i < half; ++i) {
+    way +=
+        before(i).v_imu + before(i + 1).v_imu - before(half + i).v_imu - before(half + i + 1).v_imu;
+  }
+  return 0.5 * period_ * way;
+}
+
+ImuDisagreement ImuCheck::compare(int ticks) const {
+  ImuDisagreement result;
+  const int settled = static_cast<int>(std::lround(options_.settle / period_));
+  const int half = ticks / 2;
+  PerLeg<bool> firm{};
+  Vec3 second_way = second_way_of_imu(half);
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    firm[k] = firm_ticks_[k] > ticks + settled;
+    result.feet += firm[k] ? 1 : 0;
+  }
+  if (result.feet < kLeastFeet) return result;
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    if (!firm[k]) continue;
+    second_way += (before(0).x[k] - 2.0 * before(half).x[k] + before(ticks).x[k]) / result.feet;
+  }
+  result.displacement = second_way.norm();
+  const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
+  result.spread = first.spread + second.spread;
+  if (result.feet < kLeastFeetForTurn) return result;
+  const auto sure = [&](const Turn& half_turn) {
+    return half_turn.angle.norm() - options_.doubt * half_turn.misfit / half_turn.lever;
+  };
+  const bool goes_on = first.angle.dot(second.angle) > 0.0;
+  result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
+  return result;
+}
+
+ImuCheck::Turn ImuCheck::turn(const PerLeg<bool>& firm, int from, int to) const {
+  Turn result;
+  const auto count = static_cast<double>(std::ranges::count(firm, true));
+  Vec3 mean_arm = Vec3::Zero(), mean_moved = Vec3::Zero();
+  const auto moved = [&](std::size_t k) { return Vec3(before(to).x[k] - before(from).x[k]); };
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    if (!firm[k]) continue;
+    mean_arm += arm_[k] / count;
+    mean_moved += moved(k) / count;
+  }
+  Mat3 information = Mat3::Zero();
+  Vec3 moments = Vec3::Zero();
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    if (!firm[k]) continue;
+    const Vec3 arm = arm_[k] - mean_arm, own = moved(k) - mean_moved;
+    result.spread += own.squaredNorm() / count;
+    result.lever += arm.squaredNorm() / count;
+    information += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+    moments += arm.cross(own);
+  }
+  result.angle = information.ldlt().solve(moments);
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    if (!firm[k]) continue;
+    const Vec3 arm = arm_[k] - mean_arm, own = moved(k) - mean_moved;
+    result.misfit += (own - result.angle.cross(arm)).squaredNorm() / count;
+  }
+  result.spread = std::sqrt(result.spread);
+  result.lever = std::sqrt(result.lever);
+  result.misfit = std::sqrt(result.misfit);
+  return result;
+}
+
+void ImuCheck::judge() {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < ticks_.size(); ++i) {
+    ImuDisagreement& found = disagreements_[i];
+    found = compare(ticks_[i]);
+    shares_[i] = 0.0;
+    if (found.feet < kLeastFeet) continue;
+    const double span = period_ * ticks_[i];
+    const double way = options_.position_margin + options_.velocity_margin * span;
+    const double angle = options_.turn_margin + options_.rate_margin * span;
+    shares_[i] = std::max(0.0, (found.displacement - options_.doubt * found.spread) / way);
+    if (found.feet >= kLeastFeetForTurn) {
+      shares_[i] = std::max(shares_[i], found.turn / angle);
+    }
+    if (shares_[i] > 1.0) longest = std::max(longest, span);
+  }
+  lasts_ = longest > 0.0 ? lasts_ + period_ : 0.0;
+  wrong_for_ = longest + lasts_;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "surefoot/estimation/frozen_joints.hpp"
+#include "surefoot/estimation/imu_check.hpp"
+#include "surefoot/estimation/torque_check.hpp"
+#include "surefoot/signals/sensor_health.hpp"
+
+namespace surefoot {
+
+/// What a tick knows beside the reading, for the sensors to be held against.
+struct ConsistencyInputs {
+  const RobotState& state;
+  const Dynamics& dynamics;
+  const PerLeg<bool>& stands;  ///< which feet the plan lets carry
+  const Vec3& normal_W;        ///< of the terrain
+  const MotionPlan& plan;      ///< of the tick before
+  const JointVector& command;  ///< torques of the tick before [N·m]
+};
+
+/// Holds the sensors against each other: IMU against the feet that stand (`ImuCheck`), joints
+/// against what is asked of them (`FrozenJoints`), joint torques against what was commanded and
+/// what can push or load the robot (`TorqueCheck`). Does not allocate after construction.
+class SensorConsistency {
+ public:
+  SensorConsistency(const SensorConsistencyOptions& options, double period)
+      : enabled_(options.enabled),
+        imu_(options.imu, period),
+        frozen_(options.frozen, period),
+        torques_(options.torques, period) {}
+
+  /// One tick, with the reading as it is used. What contradicts the others is written into
+  /// `health`, where nothing worse is known of it.
+  void update(const SensorReading& reading, const ConsistencyInputs& known,
+              SensorHealth& health) noexcept;
+  /// Nothing is known of this tick, or the legs are found to be other than believed.
+  void forget() noexcept;
+
+  [[nodiscard]] const ImuCheck& imu() const { return imu_; }
+  [[nodiscard]] const FrozenJoints& frozen() const { return frozen_; }
+  [[nodiscard]] const TorqueCheck& torques() const { return torques_; }
+
+ private:
+  bool enabled_;
+  ImuCheck imu_;
+  FrozenJoints frozen_;
+  TorqueCheck torques_;
+  double encoder_time_ = kNaN;  // [s]
+};
+
+}  // namespace surefoot

@@ -1,0 +1,161 @@
+#include "surefoot/estimation/frozen_joints.hpp"
+
+#include "surefoot/math/rotation.hpp"
+#include "surefoot/model/robot_model.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+constexpr double kPeriod = 0.0025;
+constexpr double kQuantum = 4.4e-4;  // of the encoders [rad]
+
+double rounded(double angle) { return kQuantum * std::round(angle / kQuantum); }
+
+/// A robot whose base moves as told over feet that stand, read with coarse encoders.
+struct Standing {
+  Standing() {
+    state.q_WB = Quat::Identity();
+    state.p_WB.setZero();
+    state.w_WB_B.setZero();
+    state.v_WB.setZero();
+    state.qd.setZero();
+    state.q = test::anymal_b().q_nominal;
+    state.torque.setZero();
+    plan = test::plan_with_contacts({true, true, true, true});
+    tick();
+  }
+  /// As joints of feet that stand move.
+  [[nodiscard]] JointVector joint_velocity(const Dynamics& dynamics) const {
+    JointVector result = JointVector::Zero();
+    for (const Leg leg : kLegs) {
+      const PointKinematics& foot = dynamics.contact[index(leg)];
+      const Mat3 J = foot.J.block<3, 3>(0, 6 + first_joint(leg));
+      result.segment<3>(first_joint(leg)) =
+          J.inverse() * -(foot.J.leftCols<6>() * state.u().head<6>());
+    }
+    return result;
+  }
+  void tick() {
+    state.time = reading.time = reading.encoder_time = reading.torque_time = kPeriod * ++ticks;
+    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    state.qd = joint_velocity(dynamics);
+    state.q += kPeriod * state.qd;
+    for (int i = 0; i < kNumJoints; ++i) {
+      if (i != frozen_encoder) reading.q[i] = rounded(state.q[i]);
+      if (i != frozen_torque) reading.torque[i] = command[i] + random.uniform(-0.2, 0.2);
+    }
+    watch.update(reading, model.update(state, Vec3::UnitZ()), plan, command);
+  }
+  void run(double duration) {
+    for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
+  }
+
+  RobotModel model{test::anymal_b()};
+  FrozenJoints watch{FrozenJointOptions{}, kPeriod};
+  Random random{5};
+  RobotState state;
+  SensorReading reading;
+  MotionPlan plan;
+  JointVector command = JointVector::Constant(10.0);
+  int frozen_encoder = -1, frozen_torque = -1, ticks = 0;
+};
+
+TEST(FrozenJoints, AtRestAnEncoderMayGiveTheSameNumberForLong) {
+  Standing robot;
+  robot.run(5.0);
+  EXPECT_EQ(robot.watch.encoder(), -1);
+  EXPECT_EQ(robot.watch.torque(), -1);
+}
+
+TEST(FrozenJoints, AnEncoderThatMovesIsNotFrozenHoweverSlowly) {
+  Standing robot;
+  robot.state.v_WB = {0.002, 0.001, -0.001};
+  for (int i = 0; i < 1000; ++i) {
+    robot.tick();
+    ASSERT_EQ(robot.watch.encoder(), -1) << i;
+  }
+}
+
+TEST(FrozenJoints, AnEncoderOfAStandingLegThatStaysWhileTheBaseMovesIsFound) {
+  for (int joint = 0; joint < kNumJoints; ++joint) {
+    Standing robot;
+    robot.state.v_WB = {0.1, 0.1, 0.0};
+    robot.run(0.1);
+    robot.frozen_encoder = joint;
+    robot.run(1.0);
+    EXPECT_EQ(robot.watch.encoder(), joint);
+    EXPECT_NEAR(robot.watch.encoder_age(), 1.05, 0.06);
+  }
+}
+
+TEST(FrozenJoints, AnEncoderOfALegInTheAirThatStaysWhileItShouldSwingIsFound) {
+  Standing robot;
+  const Leg leg = Leg::RF;
+  robot.plan = test::plan_with_contacts({true, false, true, true});
+  robot.plan.feet[index(leg)].v_WF = {1.0, 0.0, 0.5};
+  const int knee = first_joint(leg) + 2;
+  robot.run(0.2);
+  EXPECT_EQ(robot.watch.encoder(), knee) << "its joints are read as those of a leg that stands";
+}
+
+TEST(FrozenJoints, ASlowEncoderIsNotFrozenBetweenItsSamples) {
+  Standing robot;
+  robot.state.v_WB = {0.5, 0.3, 0.0};
+  SensorReading held = robot.reading;
+  FrozenJoints watch{FrozenJointOptions{}, kPeriod};
+  for (int i = 0; i < 400; ++i) {
+    robot.tick();
+    if (i % 40 == 0) held = robot.reading;
+    watch.update(held, robot.model.dynamics(), robot.plan, robot.command);
+    ASSERT_EQ(watch.encoder(), -1) << i;
+  }
+}
+
+TEST(FrozenJoints, ATorqueThatStaysWhileItsCommandChangesIsFound) {
+  for (int joint = 0; joint < kNumJoints; ++joint) {
+    Standing robot;
+    robot.run(0.1);
+    robot.frozen_torque = joint;
+    robot.run(1.0);
+    EXPECT_EQ(robot.watch.torque(), -1) << "nothing else was asked for";
+    robot.command.setConstant(18.0);
+    robot.run(0.1);
+    EXPECT_EQ(robot.watch.torque(), joint);
+    robot.frozen_torque = -1;
+    robot.tick();
+    EXPECT_EQ(robot.watch.torque(), -1);
+  }
+}
+
+TEST(FrozenJoints, NumbersThatAreNoneFreezeNothing) {
+  Standing robot;
+  robot.state.v_WB = {0.1, 0.1, 0.0};
+  for (int i = 0; i < 400; ++i) {
+    robot.tick();
+    SensorReading reading = robot.reading;
+    reading.q.setConstant(kNaN);
+    reading.torque.setConstant(kNaN);
+    robot.watch.update(reading, robot.model.dynamics(), robot.plan, JointVector::Constant(i));
+    ASSERT_EQ(robot.watch.encoder(), -1);
+    ASSERT_EQ(robot.watch.torque(), -1);
+  }
+}
+
+TEST(FrozenJoints, DoesNotAllocate) {
+  Standing robot;
+  const test::MallocCounter counter;
+  robot.run(0.5);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot

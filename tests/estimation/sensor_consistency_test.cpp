@@ -1,0 +1,166 @@
+#include "surefoot/estimation/sensor_consistency.hpp"
+
+#include "surefoot/model/robot_model.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+using test::Random;
+
+constexpr double kPeriod = 0.0025;
+
+/// A robot that stands on four feet, whose sensors a test makes wrong.
+struct Standing {
+  explicit Standing(const SensorConsistencyOptions& options = {}) : consistency(options, kPeriod) {
+    state.p_WB = {0.0, 0.0, 0.46};
+    state.q_WB = Quat::Identity();
+    state.v_WB.setZero();
+    state.w_WB_B.setZero();
+    state.q = test::anymal_b().q_nominal;
+    state.qd.setZero();
+    state.foot_force.fill({0.0, 0.0, 0.25 * model.mass() * kGravity});
+    plan = test::plan_with_contacts({true, true, true, true});
+  }
+  void tick() {
+    state.time = reading.time = kPeriod * ++ticks;
+    reading.encoder_time = reading.torque_time = reading.imu_time = reading.time;
+    reading.q = state.q;
+    for (double& torque : reading.torque) torque = 10.0 + random.uniform(-0.2, 0.2);
+    reading.torque += torque_error;
+    reading.gyro = random.vector(1e-3);
+    reading.accelerometer = kGravity * Vec3::UnitZ() + random.vector(0.02) + accelerometer_error;
+    state.torque = reading.torque;
+    const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
+    health = {.encoders = {.age = 0.0}, .joint_torques = {.age = 0.0}, .imu = {.age = 0.0}};
+    if (is_imu_late) health.imu = {.fault = SampleFault::late, .age = 0.01};
+    consistency.update(reading,
+                       {.state = state,
+                        .dynamics = dynamics,
+                        .stands = stands,
+                        .normal_W = Vec3::UnitZ(),
+                        .plan = plan,
+                        .command = JointVector::Constant(10.0)},
+                       health);
+  }
+  void run(double duration) {
+    for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
+  }
+  [[nodiscard]] bool is_well() const {
+    return health.encoders.fault == SampleFault::none &&
+           health.joint_torques.fault == SampleFault::none && health.imu.fault == SampleFault::none;
+  }
+
+  RobotModel model{test::anymal_b()};
+  SensorConsistency consistency;
+  Random random{3};
+  RobotState state;
+  SensorReading reading;
+  SensorHealth health;
+  MotionPlan plan;
+  PerLeg<bool> stands{true, true, true, true};
+  Vec3 accelerometer_error = Vec3::Zero();
+  JointVector torque_error = JointVector::Zero();
+  bool is_imu_late = false;
+  int ticks = 0;
+};
+
+TEST(SensorConsistency, SensorsThatFitEachOtherAreWell) {
+  Standing robot;
+  for (int i = 0; i < 2000; ++i) {
+    robot.tick();
+    ASSERT_TRUE(robot.is_well()) << i;
+  }
+}
+
+TEST(SensorConsistency, AnAccelerometerThatDoesNotFitTheFeetIsALostImu) {
+  Standing robot;
+  robot.run(0.5);
+  robot.accelerometer_error = {0.0, 3.0, 0.0};
+  robot.run(0.2);
+  EXPECT_EQ(robot.health.imu.fault, SampleFault::contradicts);
+  EXPECT_GT(robot.health.imu.age, 0.02) << "beyond what is bridged";
+  EXPECT_EQ(robot.health.imu.joint, -1);
+}
+
+TEST(SensorConsistency, TorquesThatWereNotCommandedAreFoundAndTheOnlyJointIsNamed) {
+  for (int joint = 0; joint < kNumJoints; ++joint) {
+    Standing robot;
+    robot.run(0.5);
+    robot.torque_error[joint] = joint % 2 == 0 ? 20.0 : -20.0;
+    robot.run(0.3);
+    EXPECT_EQ(robot.health.joint_torques.fault, SampleFault::contradicts);
+    EXPECT_EQ(robot.health.joint_torques.joint, joint);
+    EXPECT_GT(robot.health.joint_torques.age, 0.02);
+  }
+  Standing robot;
+  robot.torque_error.setConstant(20.0);
+  robot.run(0.3);
+  EXPECT_EQ(robot.health.joint_torques.joint, -1) << "several";
+}
+
+TEST(SensorConsistency, TorquesMayBeOffByWhatDrivesAreOffBy) {
+  Standing robot;
+  robot.torque_error.setConstant(5.0);
+  robot.run(2.0);
+  EXPECT_TRUE(robot.is_well());
+}
+
+TEST(SensorConsistency, TorquesMayBeOffForAsLongAsADriveIsAtItsLimit) {
+  Standing robot;
+  for (int i = 0; i < 10; ++i) {
+    robot.torque_error.setConstant(30.0);
+    robot.run(0.15);
+    robot.torque_error.setConstant(0.0);
+    robot.run(0.15);
+  }
+  EXPECT_TRUE(robot.is_well());
+}
+
+TEST(SensorConsistency, FeetThatCarryMoreThanAnythingCanLoadAreAFaultOfTheTorques) {
+  for (const double share : {1.2, 3.0}) {
+    Standing robot;
+    for (Vec3& force : robot.state.foot_force) force *= share;
+    robot.run(1.0);
+    const bool is_found = robot.health.joint_torques.fault == SampleFault::contradicts;
+    EXPECT_EQ(is_found, share > 2.0) << share;
+  }
+}
+
+TEST(SensorConsistency, WhatTheGuardFoundStays) {
+  Standing robot;
+  robot.run(0.5);
+  robot.accelerometer_error = {0.0, 3.0, 0.0};
+  robot.is_imu_late = true;
+  robot.run(0.2);
+  EXPECT_EQ(robot.health.imu.fault, SampleFault::late);
+  EXPECT_EQ(robot.health.imu.age, 0.01);
+}
+
+TEST(SensorConsistency, SwitchedOffItSaysNothing) {
+  SensorConsistencyOptions options;
+  options.enabled = false;
+  Standing robot(options);
+  robot.run(0.5);
+  robot.accelerometer_error = {0.0, 30.0, 0.0};
+  robot.torque_error.setConstant(20.0);
+  robot.run(0.5);
+  EXPECT_TRUE(robot.is_well());
+}
+
+TEST(SensorConsistency, DoesNotAllocate) {
+  Standing robot;
+  robot.tick();
+  const test::MallocCounter counter;
+  robot.run(0.5);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot

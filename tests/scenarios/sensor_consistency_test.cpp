@@ -1,0 +1,130 @@
+// A blind walk whose sensors lie within what they can give: found before the robot falls, and it
+// sits down.
+#include "surefoot/simulation/plant.hpp"
+#include "tests/scenarios/loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+namespace {
+
+using test::Loop;
+using test::scenario;
+
+constexpr double kFaultTime = 2.5;    // in the walk, a foot in the air [s]
+constexpr double kHardLanding = 0.9;  // of the base [m/s]; a free fall gives 2.4
+constexpr double kMostChange = SafetyOptions{}.max_torque_change;
+constexpr double kTooFar = 0.5;  // tilt of a robot that sat down [rad]
+
+struct Lie {
+  std::string name, fault;
+  StopCause cause = StopCause::imu;
+  SampleFault said = SampleFault::contradicts;
+  double latest = 0.0;  // after its begin [s]
+  int joint = -1;
+};
+
+std::ostream& operator<<(std::ostream& out, const Lie& lie) { return out << lie.name; }
+
+std::vector<std::string> walk(const std::string& fault) {
+  return {"planner.calibration.duration=0",
+          "sensors.faults.one={" + fault + ", time: " + std::to_string(kFaultTime) + "}"};
+}
+
+const std::vector<Lie>& lies() {
+  static const std::vector<Lie> all{
+      {"accelerometer_1", "sensor: accelerometer, kind: jump, size: 1", StopCause::imu,
+       SampleFault::contradicts, 0.3},
+      {"accelerometer_30", "sensor: accelerometer, kind: jump, size: 30", StopCause::imu,
+       SampleFault::contradicts, 0.05},
+      {"accelerometer_100_for_a_moment",
+       "sensor: accelerometer, kind: jump, size: 100, duration: 0.02", StopCause::imu,
+       SampleFault::contradicts, 0.02},
+      {"gyroscope", "sensor: gyro, kind: jump, size: 0.1", StopCause::imu, SampleFault::contradicts,
+       0.5},
+      {"imu_late", "sensor: imu, kind: late, size: 7", StopCause::imu, SampleFault::late, 0.05},
+      {"torques", "sensor: joint_torques, kind: jump, size: -20", StopCause::joint_torques,
+       SampleFault::contradicts, 0.3},
+      {"torque", "sensor: joint_torques, kind: jump, size: 20, joint: LF_KFE",
+       StopCause::joint_torques, SampleFault::contradicts, 0.3, 2},
+      {"torque_frozen", "sensor: joint_torques, kind: repeats, joint: LF_KFE",
+       StopCause::joint_torques, SampleFault::repeats, 1.0, 2},
+      {"encoder_frozen", "sensor: encoders, kind: repeats, joint: LF_KFE", StopCause::encoders,
+       SampleFault::repeats, 0.6, 2},
+      {"encoders_late", "sensor: encoders, kind: late, size: 3", StopCause::encoders,
+       SampleFault::late, 0.05},
+  };
+  return all;
+}
+
+class SensorLie : public testing::TestWithParam<Lie> {};
+
+TEST_P(SensorLie, IsFoundBeforeTheRobotFallsAndItSitsDown) {
+  const Lie& lie = GetParam();
+  Loop loop(scenario("walk_flat", walk(lie.fault)));
+  JointVector before = JointVector::Zero();
+  double found = kNaN, fastest = 0.0;
+  CommandMode mode = CommandMode::optimal;
+  loop.run_until(6.0, [&] {
+    const JointCommand& command = loop.record().command;
+    const bool is_first = std::isnan(found) && command.cause != StopCause::none;
+    if (is_first) {
+      found = command.time - kFaultTime;
+      mode = command.mode;
+    }
+    if (!std::isnan(found)) {
+      EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(), kMostChange + 1e-9);
+    }
+    before = command.torque;
+    fastest = std::max(fastest, -loop.truth().v_WB.z());
+    return testing::Test::HasFailure();
+  });
+  const JointCommand& command = loop.record().command;
+  EXPECT_EQ(mode, CommandMode::sit);
+  EXPECT_GE(found, 0.0);
+  EXPECT_LE(found, lie.latest);
+  EXPECT_EQ(command.cause, lie.cause);
+  EXPECT_EQ(command.fault, lie.said);
+  EXPECT_EQ(command.joint, lie.joint);
+  EXPECT_LE(fastest, kHardLanding);
+  EXPECT_LE(std::acos(loop.truth().q_WB.toRotationMatrix()(2, 2)), kTooFar);
+  RecordProperty("found", std::to_string(found));
+  RecordProperty("descent", std::to_string(fastest));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SensorLie, testing::ValuesIn(lies()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+TEST(SensorConsistencyInWalks, ChangesNoTorqueWhileSensorsAreHonest) {
+  for (const char* name : {"walk_flat", "walk_flat_mismatch"}) {
+    const std::string quick = "planner.calibration.duration=0";
+    Loop with(scenario(name, {quick}, 3));
+    Loop without(scenario(name, {quick, "guard.consistency.enabled=false"}, 3));
+    for (int i = 0; i < 2400; ++i) {
+      (void)with.tick();
+      (void)without.tick();
+      ASSERT_EQ(with.record().command.torque, without.record().command.torque) << i;
+    }
+    EXPECT_EQ(with.record().command.cause, StopCause::none);
+    EXPECT_EQ(with.allocations(), 0U) << with.last_allocation();
+  }
+}
+
+TEST(SensorConsistencyInWalks, SlowSensorsAreNoFault) {
+  for (const char* rate :
+       {"sensors.encoders.rate_hz=200", "sensors.imu.rate_hz=50",
+        "sensors.joint_torques.rate_hz=100", "sensors.encoders.resolution=0.003"}) {
+    Loop loop(scenario("walk_flat", {"planner.calibration.duration=0", rate}, 1));
+    loop.run_until(6.0);
+    EXPECT_EQ(loop.record().command.cause, StopCause::none) << rate;
+  }
+}
+
+}  // namespace
+}  // namespace surefoot
