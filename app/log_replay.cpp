@@ -13,6 +13,17 @@
 #include <filesystem>
 
 namespace surefoot {
+namespace logged {
+
+// What is taken from every /truth.
+struct TorsoTruth {
+  bool torso_contact = false;
+};
+
+void fields(Decoder& field, TorsoTruth& truth) { field("torso_contact", truth.torso_contact, ""); }
+
+}  // namespace logged
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,7 +100,11 @@ void keep_change(const McapMessage& message, std::vector<logged::Change>& change
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path, [this](const McapMessage& message) { keep_change(message, changes_); }),
+    : log_(path,
+           [this](const McapMessage& message) {
+             keep_change(message, changes_);
+             see_truth(message);
+           }),
       own_stack_(options.stack.empty()) {
   check_attachments(path, log_);
   const ScratchFolder folder;
@@ -121,6 +136,15 @@ bool LogReplay::step() {
   switch_levels(tick_.hierarchy.level_switch);
   controller_->step(tick_.reading, tick_.user);
   return true;
+}
+
+void LogReplay::see_truth(const McapMessage& message) {
+  if (torso_down_ || message.channel->topic != "/truth") return;
+  logged::TorsoTruth truth;
+  logged::Decoder::decode(message.data, truth);
+  if (was_torso_up_ && truth.torso_contact)
+    torso_down_ = 1e-9 * static_cast<double>(message.log_time);
+  was_torso_up_ = !truth.torso_contact;
 }
 
 void LogReplay::pass_over_rest() {

@@ -316,7 +316,26 @@ def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
     residuals = [level["residual"] for h in messages(log, "/hierarchy") for level in h["levels"] if level["name"] == "contact_force_minimisation"]
     logged = next(level["logged"] for level in found["levels"] if level["name"] == "contact_force_minimisation")
     assert logged["largest"] == pytest.approx(max(residuals), rel=1e-9)
+    assert logged["time"] == messages(log, "/state")[residuals.index(max(residuals))]["time"]
+    assert "walk_end" not in found
     assert "rms" in answer("replay", log, "--stack", "regular")
+
+
+@pytest.mark.parametrize(("force", "why"), [(400, "its controller stopped for safety: "), (150, "its torso came to the ground")])
+def test_what_another_stack_asks_behind_a_fall_or_a_stop_is_marked(tmp_path, force, why):
+    hit = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", f"disturbances.pushes.lateral.force.y={force}", "--set", "planner.push.enabled=false"]
+    file = record(tmp_path / "hit.mcap", *hit, scenario="push", duration=6)
+    found = of_json("replay", file, "--stack", "regular")
+    end = found["walk_end"]
+    assert end["why"].startswith(why)
+    stopped = [command["time"] for command in messages(file, "/command") if command["cause"] != "none"]
+    down = [truth["time"] for truth in messages(file, "/truth") if truth["torso_contact"]]
+    assert end["time"] == pytest.approx(min(stopped[:1] + down[:1]), abs=1e-9)
+    text = answer("replay", file, "--stack", "regular")
+    assert f"* From {end['time']:.4f} s on the run says nothing of its walk: {end['why']}." in text
+    times = [level[side]["time"] for level in found["levels"] for side in ("logged", "other") if level.get(side, {}).get("largest", 0) >= 1e-6]
+    times += [joint["time"] for joint in found["torque_difference"].values()]
+    assert text.count(" s *") == sum(time > end["time"] - 1e-9 for time in times)
 
 
 def test_wrong_arguments_of_replay_are_said(log, tmp_path):
@@ -369,6 +388,9 @@ def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
 
     found = of_json("replay", changed(old, tmp_path, "/command", 398, change), "--verify")
     assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.995}}
+    now = json.loads(attachment(file, "header.json"))["log_version"]
+    found = of_json("replay", older(file, tmp_path, now, {"/command": ("fault", "joint")}), "--verify")
+    assert found["same"] and found["different_messages"]["/command"]["ticks"] > 50, "a log of today's version lacks nothing"
 
 
 def test_verify_runs_the_runs_own_estimator_again(tmp_path):

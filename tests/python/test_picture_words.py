@@ -1,6 +1,7 @@
 """What of a run is shown in its pictures, from where, and what is said of it."""
 
 import json
+import re
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,7 +11,7 @@ from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.frames import LEGS, SLIP, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -26,6 +27,11 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
         assert side > 0.9  # it looks to the robot's left, from its right
         assert np.ptp(heights) < 0.003
         assert view.at(2.5)[0][:2] == pytest.approx(frames[25].p_WB[:2], abs=1e-6)
+
+
+def test_the_event_of_a_slip_has_the_programs_number():
+    numbers = dict(re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE))
+    assert int(numbers["slip"]) == SLIP
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
