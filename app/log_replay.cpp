@@ -5,6 +5,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <algorithm>
@@ -13,17 +14,6 @@
 #include <filesystem>
 
 namespace surefoot {
-namespace logged {
-
-// What is taken from every /truth.
-struct TorsoTruth {
-  bool torso_contact = false;
-};
-
-void fields(Decoder& field, TorsoTruth& truth) { field("torso_contact", truth.torso_contact, ""); }
-
-}  // namespace logged
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,12 +129,15 @@ bool LogReplay::step() {
 }
 
 void LogReplay::see_truth(const McapMessage& message) {
-  if (torso_down_ || message.channel->topic != "/truth") return;
-  logged::TorsoTruth truth;
+  if (own_stack_ || message.channel->topic != "/truth") return;
+  GroundTruth truth;
   logged::Decoder::decode(message.data, truth);
-  if (was_torso_up_ && truth.torso_contact)
-    torso_down_ = 1e-9 * static_cast<double>(message.log_time);
+  if (!torso_down_ && was_torso_up_ && truth.torso_contact) torso_down_ = truth.time;
   was_torso_up_ = !truth.torso_contact;
+  if (std::ranges::any_of(truth.feet, &TrueContact::touching))
+    feet_up_.reset();
+  else if (!feet_up_)
+    feet_up_ = truth.time;
 }
 
 void LogReplay::pass_over_rest() {

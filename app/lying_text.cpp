@@ -24,7 +24,7 @@ std::string parts_text(const GroundTruth& truth) {
 std::string lying_text(const GroundTruth& truth) {
   const bool stands = std::ranges::any_of(truth.feet, &TrueContact::touching);
   const std::string parts = parts_text(truth);
-  if (parts.empty()) return stands ? "" : "nothing: it is in the air";
+  if (parts.empty()) return stands ? "" : "nothing at this tick";
   const double most = truth.body_contact_force;
   return parts + (most > 0.0 ? formatted(", up to %.0f N on a part", most) : "") +
          (stands ? ", beside its feet" : "");

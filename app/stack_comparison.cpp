@@ -155,9 +155,12 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
     if (observer) observer(replay.logged(), other, comparison.other_levels());
   }
   comparison.finish();
-  const std::optional<double>& down = replay.torso_down();
-  if (down && !(result.walk_end && result.walk_end->time <= *down))
-    result.walk_end = {*down, "its torso came to the ground"};
+  const auto ends = [&result](const std::optional<double>& time, const char* why) {
+    if (time && !(result.walk_end && result.walk_end->time <= *time))
+      result.walk_end = {*time, why};
+  };
+  ends(replay.torso_down(), "its torso came to the ground");
+  ends(replay.feet_up(), "no foot touched the ground any more");
   result.problem = replay.problem();
   result.gap = replay.gap();
   if (result.ticks == 0 && result.gap)

@@ -132,7 +132,7 @@ test("between two hierarchies no level is said to have its optimum", () => {
   assert.deepEqual(accountOf(states, "", { share: 0.35 }), {
     kind: "bad", line: "Between two hierarchies: second gives way.", first: [blended], whole: `${blended} second gives way.`, more: [blended, "second gives way, 0.500 m/s² short."],
   });
-  assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies: every level gets what it asks for.");
+  assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies: all tasks are met.");
   assert.deepEqual(accountOf(states, "", { share: 1 }), accountOf(states, ""));
   assert.equal(blendShare(frameOf([0, 0])), 1, "of a log that has none");
 });

@@ -66,6 +66,9 @@ export function levelStates(frame: Frame): LevelState[] {
   });
 }
 
+/** False where no hierarchy was solved: what is planned is then of the last tick at which one was. */
+export const wasSolved = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT;
+
 /** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
 function solvedLevels(frame: Frame): number {
   const status = scalar(frame, "hierarchy.status"), failed = scalar(frame, "hierarchy.failed_level");
@@ -110,8 +113,11 @@ export function accountOf(states: LevelState[], command: string, { share = 1, st
   const account = accountOfLevels(states);
   if (share >= 1) return account;
   const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
-  const line = `Between two hierarchies: ${account.line.replace(/^(Every|All)\b/, (word) => word.toLowerCase())}`;
-  return { ...account, line, first: [blended, ...account.first], whole: `${blended} ${account.whole}`, more: account.more.length === 0 ? [] : [blended, ...account.more] };
+  const { line, whole } = account.kind === "good" ? same("All tasks are met.") : account; // who holds back what is minimised is not known on the way
+  return {
+    ...account, line: `Between two hierarchies: ${line.replace(/^All/, "all")}`, whole: `${blended} ${whole}`,
+    first: [blended, ...account.first], more: account.more.length === 0 ? [] : [blended, ...account.more],
+  };
 }
 
 function accountOfLevels(states: LevelState[]): Account {

@@ -9,7 +9,7 @@ export function lyingText(frame: Frame): string {
   const parts = partsText(torso > 0, LEGS.filter((_, k) => (legs >> k) & 1), most);
   const beside = feet.some((one) => one > 0) ? ", beside its feet" : "";
   if (parts !== "") return `${parts}${most > 0 ? `, up to ${most.toFixed(0)} N on a part` : ""}${beside}`;
-  return beside === "" ? "nothing: it is in the air" : "";
+  return beside === "" ? "nothing at this tick" : "";
 }
 
 function partsText(torso: boolean, legs: string[], most: number): string {

@@ -108,8 +108,8 @@ function pushText(frame: Frame): string {
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
-/** The state in sentences: what a picture shows to those who see it. */
-export function sentences(frame: Frame): [string, string][] {
+/** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
+function allSentences(frame: Frame): [string, string][] {
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
@@ -124,7 +124,12 @@ export function sentences(frame: Frame): [string, string][] {
     ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
     ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }))],
-  ].filter((row): row is [string, string] => row[1] !== "");
+  ];
+}
+
+/** Those that say something. */
+export function sentences(frame: Frame): [string, string][] {
+  return allSentences(frame).filter(([, text]) => text !== "");
 }
 
 /** The state in words, and what the run is. */
@@ -156,10 +161,11 @@ export class StatePanel {
     this.list.replaceChildren();
   }
 
-  /** Rows that this frame has nothing for are hidden. */
+  /** Rows that this frame has nothing for are hidden, and have their place. */
   show(frame: Frame): void {
-    const told = new Map(sentences(frame));
-    for (const name of told.keys()) if (!this.rows.has(name)) this.add(name);
+    const all = allSentences(frame);
+    const told = new Map(all.filter(([, text]) => text !== ""));
+    for (const [name] of all) if (!this.rows.has(name)) this.add(name);
     for (const [row, { name, text }] of this.rows) {
       name.hidden = text.hidden = !told.has(row);
       say(text, told.get(row) ?? "");
