@@ -52,7 +52,8 @@ def sentence(frame, units):
     level, residual, row, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 99.5 else ".0f"
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {told(by, row)}{also(others)}"
+    to = " between two hierarchies" if by is None else f" to {told(by, row)}"
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit}{to}{also(others)}"
 
 
 def wrapped(text, length, room):

@@ -29,6 +29,14 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
         assert view.at(2.5)[0][:2] == pytest.approx(frames[25].p_WB[:2], abs=1e-6)
 
 
+def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
+    force = np.array([30.0, 0.0, 40.0])
+    assert [tuple(way) for way in overlays.ground_arrows(force)] == [tuple(overlays.METRES_PER_NEWTON * force)]
+    whole, second = overlays.ground_arrows(100 * force)
+    assert np.linalg.norm(whole) == pytest.approx(overlays.LONGEST) and np.cross(whole, force) == pytest.approx(np.zeros(3))
+    assert np.linalg.norm(second) < np.linalg.norm(whole)
+
+
 def test_the_event_of_a_slip_has_the_programs_number():
     numbers = dict(re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE))
     assert int(numbers["slip"]) == SLIP
@@ -80,6 +88,8 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
     frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
     assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
+    frame.gave_way = ("torso_yaw", 2.0, None, None, ("com_xy",))
+    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 between two hierarchies; com xy gives way too"
     frame.gave_way = ("torso_yaw", 2.0, "height", "torso_height", ())
     assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to torso height"
     frame.gave_way = ("torso_yaw", 2.0, "y", "com_xy", ())
@@ -129,6 +139,8 @@ def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
     assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ("torso",))
     levels[0]["residual"] = None
     assert gave_way({"levels": levels, "blocked_by": rows}, header) is None, "nothing was solved, or what holds it is not known"
+    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 0.3}, header) == ("torso", 1.0, None, None, ())
+    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 1.0}, header) is None
     del header["level_visible"]
     levels[0]["residual"] = 0.01
     assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"
