@@ -7,9 +7,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from log_tools import ROOT
+from PIL import Image
 from pictures_made import frame_at
 
-from surefoot_log import camera, captions, moments, overlays  # isort: skip
+from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
 from surefoot_log.frames import LEGS, SLIP, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
@@ -96,8 +97,6 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to com xy y"
     frame.stop = "encoder LF_KFE changed too fast"
     assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
-    from PIL import Image
-
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
     blank = Image.new("RGB", (320, 240), "black")
     drawn = np.asarray(captions.Captions(240, header).draw(blank, frame, "a title that is much longer than such a small picture is wide, really", 2))
@@ -112,8 +111,6 @@ def test_words_that_are_too_long_for_a_line_go_on_in_the_next():
 
 
 def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_stay_inside():
-    from PIL import Image
-
     def rows(title):
         """Of the picture, that have ink: of the title alone, as nothing else is drawn that far up."""
         drawn = np.asarray(captions.Captions(480, {"level_names": []}).draw(Image.new("RGB", (640, 480), "white"), frame_at(0.0, 1.0), title))
@@ -124,6 +121,20 @@ def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_sta
     short, long = rows("Hd"), rows(" ".join(40 * ["Hd"]))
     assert len(short) == 1 and len(long) > 2
     assert {len(line) for line in long} == {len(short[0])}
+
+
+def test_no_text_of_a_strip_lies_on_a_robot():
+    words = captions.Captions(strip.TILE[1], {"level_names": [], "level_units": []}, strip.LETTERS)
+    quiet, pushed = frame_at(0.0, 0.0), frame_at(0.0, 0.0)
+    pushed.event, pushed.pushes = "pushed in a swing: foot down at once", [(1, np.array([250.0, 0, 0]), np.zeros(3))]
+    pushed.gave_way = ("friction_cone", 2072.0, "RH_KFE", "torque_limits", ("motion",))
+    assert strip.band_over([quiet, quiet], words) == 0
+    over = strip.band_over([quiet, pushed], words)
+    picture, _ = strip.make_strip(SimpleNamespace(frames=[pushed]), lambda _: Image.new("RGB", strip.TILE, (10, 20, 30)), words)
+    assert over > 40 and picture.height == strip.ROWS * (strip.TILE[1] + over + strip.GAP) - strip.GAP
+    tile = picture.crop((0, 0, strip.TILE[0], strip.TILE[1] + over))
+    texts = np.abs(np.asarray(tile, int) - (10, 20, 30)).sum(axis=2).any(axis=1)
+    assert texts[: over + strip.SKY].any() and not texts[over + strip.SKY : -80].any(), "between the texts at the top and the time"
 
 
 def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
