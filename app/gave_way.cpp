@@ -19,12 +19,6 @@ std::string number(double value) {
   return formatted(std::abs(value) < 99.5 ? "%.2g" : "%.0f", value);
 }
 
-std::string level_name(const TickExplanation& explanation, std::int16_t level) {
-  const auto& names = explanation.header.level_names;
-  const auto k = static_cast<std::size_t>(level);
-  return k < names.size() ? names[k] : "level " + std::to_string(level + 1);
-}
-
 std::string row_name(const TickExplanation& explanation, const BlockingRow& row) {
   const auto found = explanation.row_names.find({row.by_level, row.id});
   return found == explanation.row_names.end() ? "row " + std::to_string(row.id) : found->second;
@@ -36,7 +30,8 @@ std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t 
   for (std::int32_t i = 0; i < report.num_blocking; ++i) {
     const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
     if (row.level != level) continue;
-    rows.push_back({level_name(explanation, row.by_level), row_name(explanation, row), row.cost});
+    rows.push_back(
+        {explanation.header.level_name(row.by_level), row_name(explanation, row), row.cost});
   }
   return rows;
 }
@@ -73,12 +68,24 @@ bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
          std::ranges::is_permutation(a.to, b.to, is_same);
 }
 
-std::string clause(const LevelThatGaveWay& level, bool is_known) {
+/// What is known of the rows that held the levels of a tick back.
+enum class Known { all, not_all, none_on_the_way };
+
+Known known(const TickExplanation& explanation) {
+  if (explanation.tick.hierarchy.blocking_is_known) return Known::all;
+  return explanation.blend ? Known::none_on_the_way : Known::not_all;
+}
+
+std::string to_nobody(Known known) {
+  if (known == Known::none_on_the_way) return "";
+  return known == Known::all ? " to nothing above: its own rows can't all be had"
+                             : "; to what is not known";
+}
+
+std::string clause(const LevelThatGaveWay& level, Known known) {
   const std::string unit = level.unit.empty() ? "" : " " + level.unit;
   std::string text = level.name + " gave way by " + number(level.residual) + unit;
-  if (level.to.empty())
-    return text + (is_known ? " to nothing above: its own rows can't all be had"
-                            : "; to what is not known");
+  if (level.to.empty()) return text + to_nobody(known);
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < level.to.size(); ++i) {
     const CostlyRow& row = level.to[i];
@@ -99,7 +106,7 @@ std::string without_costs(const std::vector<LevelThatGaveWay>& levels) {
                                        : ", none of which costs anything alone";
 }
 
-std::string clauses(const std::vector<LevelThatGaveWay>& levels, bool is_known) {
+std::string clauses(const std::vector<LevelThatGaveWay>& levels, Known known) {
   std::string text;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const LevelThatGaveWay& level = levels[i];
@@ -107,7 +114,7 @@ std::string clauses(const std::vector<LevelThatGaveWay>& levels, bool is_known) 
     const bool goes_on = i > 0 && is_by_the_same(level, levels[i - 1]);
     text += (i == 0 ? "" : "; ") +
             (goes_on ? level.name + " gave way by " + number(level.residual) + unit + " to the same"
-                     : clause(level, is_known));
+                     : clause(level, known));
   }
   return text + without_costs(levels);
 }
@@ -133,8 +140,9 @@ std::string without_solution(const TickRecord& tick) {
 /// The level in which a solve was cut off; empty: it came to its end.
 std::string cut_off_level(const TickExplanation& explanation) {
   const std::size_t solved = solved_levels(explanation.tick.hierarchy, explanation.order).size();
-  return solved < explanation.order.size() ? level_name(explanation, explanation.order[solved])
-                                           : "";
+  return solved < explanation.order.size()
+             ? explanation.header.level_name(explanation.order[solved])
+             : "";
 }
 
 /// Of the levels that are at their optimum.
@@ -142,9 +150,40 @@ std::string account(const TickExplanation& explanation, const std::string& cut_o
   std::vector<LevelThatGaveWay> levels = gave_way(explanation), restless;
   std::ranges::copy_if(levels, std::back_inserter(restless), &LevelThatGaveWay::restless);
   std::erase_if(levels, &LevelThatGaveWay::restless);
-  if (!levels.empty()) return clauses(levels, explanation.tick.hierarchy.blocking_is_known) + ".";
+  if (!levels.empty()) return clauses(levels, known(explanation)) + ".";
   return nothing_gave_way(cut_off.empty() ? "Every level" : "Every level above " + cut_off,
                           restless);
+}
+
+/// The same of a tick beside a blend, with its time; empty: the log does not have it.
+std::string neighbour(const TickExplanation& explanation, const std::optional<NeighbourTick>& tick,
+                      const std::string& where) {
+  if (!tick) return "";
+  TickExplanation beside;
+  beside.header = explanation.header;
+  beside.tick = tick->tick;
+  beside.order = tick->order;
+  beside.row_names = explanation.row_names;
+  return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + gave_way_sentence(beside);
+}
+
+/// "Two hierarchies are blended until 9.5700 s (order: torso_yaw from 8 to 5); …"
+std::string blended(const TickExplanation& explanation) {
+  const HierarchyBlend& blend = *explanation.blend;
+  return "Two hierarchies are blended" +
+         (std::isnan(blend.until) ? "" : formatted(" until %.4f s", blend.until)) +
+         (blend.change.empty() ? "" : " (" + blend.change + ")") +
+         formatted("; this tick is %.0f %% of the way, at the optimum of neither. ",
+                   100.0 * explanation.tick.hierarchy.transition_share);
+}
+
+/// What came of the levels that were solved, and where a solve was cut off.
+std::string outcome(const TickExplanation& explanation) {
+  const std::string cut_off = cut_off_level(explanation);
+  if (cut_off.empty()) return account(explanation, cut_off);
+  const bool is_any_solved = !solved_levels(explanation.tick.hierarchy, explanation.order).empty();
+  return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
+         cut_off + ": of it and the levels below it nothing is known.";
 }
 
 }  // namespace
@@ -155,9 +194,8 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   for (const std::int16_t k : solved_levels(report, explanation.order)) {
     const auto level = static_cast<std::size_t>(k);
     const double residual = report.levels[level].residual;
-    const auto& units = explanation.header.level_units;
-    const std::string name = level_name(explanation, k);
-    const std::string unit = level < units.size() ? units[level] : "";
+    const std::string name = explanation.header.level_name(k);
+    const std::string unit = explanation.header.level_unit(k);
     const double visible = visible_residual(name, unit);
     const bool restless = std::isnan(visible);
     if (!(residual > (restless ? kResidualRounding : visible))) continue;
@@ -181,13 +219,11 @@ std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
 }
 
 std::string gave_way_sentence(const TickExplanation& explanation) {
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  if (!was_solved(report)) return without_solution(explanation.tick);
-  const std::string cut_off = cut_off_level(explanation);
-  if (cut_off.empty()) return account(explanation, cut_off);
-  const bool is_any_solved = !solved_levels(report, explanation.order).empty();
-  return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
-         cut_off + ": of it and the levels below it nothing is known.";
+  if (!was_solved(explanation.tick.hierarchy)) return without_solution(explanation.tick);
+  if (!explanation.blend) return outcome(explanation);
+  return blended(explanation) + outcome(explanation) +
+         neighbour(explanation, explanation.blend->before, " Before") +
+         neighbour(explanation, explanation.blend->after, " Behind");
 }
 
 }  // namespace surefoot

@@ -29,7 +29,8 @@ struct LevelThatGaveWay {
 [[nodiscard]] std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation);
 
 /// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
-/// RH (0.1)." Of a solve that was cut off also where.
+/// RH (0.1)." Of a solve that was cut off also where. Of a blend of two hierarchies that it is one,
+/// until when, and the same of the ticks before and behind it.
 [[nodiscard]] std::string gave_way_sentence(const TickExplanation& explanation);
 
 }  // namespace surefoot

@@ -149,13 +149,17 @@ void LiveOperator::check_body(const std::string& body) const {
 void LiveOperator::push(const ViewCommand& command) {
   check_body(command.body);
   check("duration", command.duration, 0.001, limits_.push_duration, "s");
-  check("the impulse's size", command.impulse.norm(), 0.0, limits_.push_impulse, "N·s");
+  const double size = command.impulse.norm();
+  if (!(size > 0.0 && size <= limits_.push_impulse)) {
+    throw Error(text("the impulse's size is ", size, "; valid is more than 0, up to ",
+                     limits_.push_impulse, " N·s"));
+  }
   const Vec3 force = command.impulse / command.duration;
   if (force.norm() > limits_.push_force * (1.0 + 1e-9)) {
-    throw Error(text("an impulse of ", command.impulse.norm(), " N·s in ", command.duration,
-                     " s is a force of ", force.norm(), " N; valid is up to ", limits_.push_force,
+    throw Error(text("an impulse of ", size, " N·s in ", command.duration, " s is a force of ",
+                     force.norm(), " N; valid is up to ", limits_.push_force,
                      " N, so a duration of at least ",
-                     whole_milliseconds(command.impulse.norm() / limits_.push_force), " s"));
+                     whole_milliseconds(size / limits_.push_force), " s"));
   }
   wishes_.pushes.push_back(
       {.body = command.body, .time = 0.0, .duration = command.duration, .force = force});

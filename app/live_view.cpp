@@ -98,9 +98,9 @@ bool LiveView::has(const WantedControl& control) const {
 }
 
 void LiveView::take(double time) {
-  const bool waits = is_pending_ && !has(wishes_.control);
+  const bool is_change_waiting = is_pending_ && wishes_.reason.empty() && !has(wishes_.control);
   if (!operator_.take(wishes_)) return;
-  if (waits) wishes_.reason.clear();  // more comes with an undo than what it undoes
+  if (is_change_waiting) wishes_.reason.clear();  // it comes with what an undo undoes
   if (wishes_.halt || !wishes_.paused) steps_ = 0;
   if (wishes_.paused) steps_ = std::min(steps_ + wishes_.steps, kMostStepsWaiting);
   reset_ = reset_ || wishes_.reset;

@@ -60,7 +60,7 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
       header.scenario + (header.seed == 0 ? "" : ", seed " + std::to_string(header.seed));
   session_.source = std::filesystem::path(path).filename().string();
   if (!frames_.complete()) {
-    session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end()) +
+    session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end_byte()) +
                    "): what is left of it is shown";
   } else {
     const report::Outcome outcome = report::read_outcome(frames_.outcome(), header.options);

@@ -42,8 +42,8 @@ class LogFrames {
   /// One past the last.
   [[nodiscard]] std::uint32_t end_tick() const { return end_tick_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
-  /// Of what was found in the file [bytes].
-  [[nodiscard]] std::uint64_t end() const { return file_.end(); }
+  /// Where what was found in the file ends [bytes].
+  [[nodiscard]] std::uint64_t end_byte() const { return file_.end(); }
   [[nodiscard]] double period() const { return period_; }
   /// Of the run, as its recorder closed the log with it (JSON); empty without one.
   [[nodiscard]] std::string outcome() { return file_.attachment("summary.json"); }

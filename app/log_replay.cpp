@@ -5,6 +5,7 @@
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/config/stack_file.hpp"
+#include "surefoot/evaluation/truth_fields.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 
 #include <algorithm>
@@ -89,7 +90,11 @@ void keep_change(const McapMessage& message, std::vector<logged::Change>& change
 }  // namespace
 
 LogReplay::LogReplay(const std::string& path, const ReplayOptions& options)
-    : log_(path, [this](const McapMessage& message) { keep_change(message, changes_); }),
+    : log_(path,
+           [this](const McapMessage& message) {
+             keep_change(message, changes_);
+             see_truth(message);
+           }),
       own_stack_(options.stack.empty()) {
   check_attachments(path, log_);
   const ScratchFolder folder;
@@ -121,6 +126,18 @@ bool LogReplay::step() {
   switch_levels(tick_.hierarchy.level_switch);
   controller_->step(tick_.reading, tick_.user);
   return true;
+}
+
+void LogReplay::see_truth(const McapMessage& message) {
+  if (own_stack_ || message.channel->topic != "/truth") return;
+  GroundTruth truth;
+  logged::Decoder::decode(message.data, truth);
+  if (!torso_down_ && was_torso_up_ && truth.torso_contact) torso_down_ = truth.time;
+  was_torso_up_ = !truth.torso_contact;
+  if (std::ranges::any_of(truth.feet, &TrueContact::touching))
+    feet_up_.reset();
+  else if (!feet_up_)
+    feet_up_ = truth.time;
 }
 
 void LogReplay::pass_over_rest() {

@@ -63,16 +63,23 @@ class LogReplay {
   [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
   /// After the last tick: whether the run may have had more behind all that can be read.
   [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
+  /// Of another stack, in the truth of the ticks so far: when the torso first came to the ground,
+  /// and since when no foot has been on it [s].
+  [[nodiscard]] const std::optional<double>& torso_down() const { return torso_down_; }
+  [[nodiscard]] const std::optional<double>& feet_up() const { return feet_up_; }
   [[nodiscard]] const ClockSkips& clock_skips() const { return log_.clock_skips(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 
  private:
+  void see_truth(const McapMessage& message);
   void switch_levels(const LevelSwitchReport& logged);
   void apply_changes();
   void pass_over_rest();
 
-  std::vector<logged::Change> changes_;  // that stand before the tick
+  std::vector<logged::Change> changes_;         // that stand before the tick
+  std::optional<double> torso_down_, feet_up_;  // [s]
+  bool was_torso_up_ = false;
   LogReader log_;
   TickRecord tick_;
   std::optional<double> last_time_;  // of the ticks that were computed [s]

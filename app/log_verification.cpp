@@ -34,10 +34,11 @@ Json reduced(const Json& message, const Json& kind) {
   return result;
 }
 
-/// Compares messages in what those of the log have: an older version lacks some members.
+/// Compares messages, of a log of an older version in what they have: it lacks some members.
 class Comparison {
  public:
-  explicit Comparison(const std::string& path) {
+  Comparison(const std::string& path, bool is_older) {
+    if (!is_older) return;
     const TickRecord ours;
     McapReader log(path);
     McapMessage message;
@@ -103,7 +104,7 @@ void compare_messages(const Comparison& comparison, const TickRecord& logged,
 
 Verification verify_log(const std::string& path) {
   LogReplay replay(path, {.state = ReplayedState::estimated, .stack = {}});
-  const Comparison comparison(path);
+  const Comparison comparison(path, replay.header().is_older);
   Verification result;
   result.header = replay.header();
   result.header.attachments.clear();

@@ -34,8 +34,8 @@ struct Verification {
   double first_time = 0.0, last_time = 0.0;  ///< [s]
   long different_ticks = 0;                  ///< with another torque or another mode
   std::optional<TorqueDifference> first, largest;
-  /// In the order of the tick. What is not known (NaN) is equal to itself; members that the log's
-  /// messages lack are not compared.
+  /// In the order of the tick. What is not known (NaN) is equal to itself; members that the
+  /// messages of a log of an older version lack are not compared.
   std::array<MessageDifferences, 4> messages{
       {{"/state", 0, 0.0}, {"/plan", 0, 0.0}, {"/model", 0, 0.0}, {"/command", 0, 0.0}}};
   std::string problem;        ///< why not all of the log could be read; empty if it is whole

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <ostream>
 
@@ -75,10 +76,8 @@ class TickTable {
     for (const char* side : {"", "other."})
       for (const std::string& joint : header.robot.joint_names)
         file_ << ',' << side << "command.torque." << joint << "[N·m]";
-    for (std::size_t k = 0; k < header.level_names.size(); ++k) {
-      write_level("", {.name = header.level_names[k],
-                       .unit = k < header.level_units.size() ? header.level_units[k] : ""});
-    }
+    for (std::ptrdiff_t k = 0; k < std::ssize(header.level_names); ++k)
+      write_level("", {.name = header.level_name(k), .unit = header.level_unit(k)});
     for (const OtherLevel& level : other_levels) write_level("other.", level);
     file_ << '\n';
   }

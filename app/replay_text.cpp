@@ -102,10 +102,26 @@ Json run_json(const std::string& path, const LogHeader& header) {
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
 
+Json residual_json(double rms, double largest, double time) {
+  return {{"rms", rms}, {"largest", largest}, {"time", time}};
+}
+
 /// From 100 on all digits before the point.
 std::string residual(double value, const std::string& unit) {
   if (value < kResidualRounding) return "0";
   return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
+}
+
+/// Of a largest difference; marked where the run said nothing of its walk any more.
+std::string largest_at(const StackComparison& result, double time) {
+  const bool is_behind = result.walk_end && time >= result.walk_end->time - 1e-9;
+  return seconds(time) + (is_behind ? " *" : "");
+}
+
+std::string walk_end(const StackComparison& result) {
+  if (!result.walk_end) return "";
+  return "* From " + seconds(result.walk_end->time) +
+         " on the run says nothing of its walk: " + result.walk_end->why + ".\n\n";
 }
 
 std::string joint_table(const StackComparison& result) {
@@ -113,21 +129,26 @@ std::string joint_table(const StackComparison& result) {
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     const JointComparison& joint = result.joints[i];
     table.push_back({result.header.robot.joint_names[i], formatted("%.3g N·m", joint.rms),
-                     formatted("%+.3g N·m", joint.largest), formatted("%.4f s", joint.time)});
+                     formatted("%+.3g N·m", joint.largest), largest_at(result, joint.time)});
   }
   return aligned(table);
 }
 
 std::string level_table(const StackComparison& result) {
   std::vector<std::vector<std::string>> table{
-      {"residual", "rms, logged", "other", "largest, logged", "other"}};
+      {"residual", "rms, logged", "other", "largest, logged", "at", "other", "at"}};
   for (const LevelComparison& level : result.levels) {
     const auto shown = [&](bool is_there, double value) {
       return is_there ? residual(value, level.unit) : std::string("–");
     };
+    const auto at = [&](bool is_there, double largest, double time) {
+      return is_there && largest >= kResidualRounding ? largest_at(result, time) : std::string("–");
+    };
     table.push_back({level.name, shown(level.in_log, level.logged_rms),
                      shown(level.in_other, level.other_rms), shown(level.in_log, level.logged_max),
-                     shown(level.in_other, level.other_max)});
+                     at(level.in_log, level.logged_max, level.logged_time),
+                     shown(level.in_other, level.other_max),
+                     at(level.in_other, level.other_max, level.other_time)});
   }
   return aligned(table);
 }
@@ -198,8 +219,8 @@ std::string comparison_text(const std::string& path, const StackComparison& resu
   return headline(path, result.header) + "Asked at each tick on the same states: stack " +
          result.other + ". None of its torques moved the robot.\n" +
          span(result.ticks, result.first_time, result.last_time) + "\n\n" + joint_table(result) +
-         "\n" + level_table(result) + "\n" + optimality(result) + behind_gap(result.gap, "asked") +
-         not_whole(result.problem);
+         "\n" + level_table(result) + "\n" + walk_end(result) + optimality(result) +
+         behind_gap(result.gap, "asked") + not_whole(result.problem);
 }
 
 Json comparison_json(const std::string& path, const StackComparison& result) {
@@ -216,12 +237,16 @@ Json comparison_json(const std::string& path, const StackComparison& result) {
   json["levels"] = Json::array();
   for (const LevelComparison& level : result.levels) {
     Json one = {{"name", level.name}, {"unit", level.unit}};
-    if (level.in_log) one["logged"] = {{"rms", level.logged_rms}, {"largest", level.logged_max}};
-    if (level.in_other) one["other"] = {{"rms", level.other_rms}, {"largest", level.other_max}};
+    if (level.in_log)
+      one["logged"] = residual_json(level.logged_rms, level.logged_max, level.logged_time);
+    if (level.in_other)
+      one["other"] = residual_json(level.other_rms, level.other_max, level.other_time);
     json["levels"].push_back(std::move(one));
   }
   json["not_optimal"] = {{"logged", result.logged_not_optimal},
                          {"other", result.other_not_optimal}};
+  if (result.walk_end)
+    json["walk_end"] = {{"time", result.walk_end->time}, {"why", result.walk_end->why}};
   if (result.other_stopped) json["other_stopped_at"] = result.other_stopped_at;
   json["same_plan"] = result.same_plan;
   json["logged_switches"] = result.logged_switches;

@@ -3,12 +3,14 @@
 #include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
 #include "app/log_replay.hpp"
+#include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/message_codec.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace surefoot {
@@ -41,9 +43,8 @@ class Comparison {
       : names_(replay.header().level_names),
         other_names_(replay.controller().level_names()),
         result_(result) {
-    const auto& units = replay.header().level_units;
-    for (std::size_t k = 0; k < names_.size(); ++k)
-      add_level(names_[k], k < units.size() ? units[k] : "");
+    for (std::ptrdiff_t k = 0; k < std::ssize(names_); ++k)
+      add_level(replay.header().level_name(k), replay.header().level_unit(k));
     const std::vector<std::string> other_units = replay.controller().level_units();
     for (std::size_t k = 0; k < other_names_.size(); ++k) {
       other_levels_.push_back({other_names_[k], other_units[k]});
@@ -108,13 +109,22 @@ class Comparison {
       ++solved_[k];
       level.logged_rms += before * before;
       level.other_rms += now * now;
-      level.logged_max = std::max(level.logged_max, before);
-      level.other_max = std::max(level.other_max, now);
+      see(before, logged.reading.time, level.logged_max, level.logged_time);
+      see(now, logged.reading.time, level.other_max, level.other_time);
     }
+  }
+
+  static void see(double residual, double time, double& largest, double& at) {
+    if (residual <= largest) return;
+    largest = residual;
+    at = time;
   }
 
   void add_modes(const TickRecord& logged, const TickRecord& other) {
     if (!is_optimal(logged)) ++result_.logged_not_optimal;
+    if (!result_.walk_end && logged.command.cause != StopCause::none)
+      result_.walk_end = {logged.reading.time,
+                          "its controller stopped for safety: " + text_of_stop(logged)};
     if (!is_optimal(other) && result_.other_not_optimal++ == 0)
       result_.other_first_not_optimal = logged.reading.time;
     if (result_.other_stopped || other.command.cause == StopCause::none) return;
@@ -145,6 +155,12 @@ StackComparison compare_stack(const std::string& path, const std::string& stack,
     if (observer) observer(replay.logged(), other, comparison.other_levels());
   }
   comparison.finish();
+  const auto ends = [&result](const std::optional<double>& time, const char* why) {
+    if (time && !(result.walk_end && result.walk_end->time <= *time))
+      result.walk_end = {*time, why};
+  };
+  ends(replay.torso_down(), "its torso came to the ground");
+  ends(replay.feet_up(), "no foot touched the ground any more");
   result.problem = replay.problem();
   result.gap = replay.gap();
   if (result.ticks == 0 && result.gap)

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct LevelComparison {
   bool in_log = false, in_other = false;
   double logged_rms = 0.0, logged_max = 0.0;  ///< in the level's unit
   double other_rms = 0.0, other_max = 0.0;
+  double logged_time = 0.0, other_time = 0.0;  ///< of the largest [s]
+};
+
+/// From when on a run says nothing of its walk.
+struct WalkEnd {
+  double time = 0.0;  ///< [s]
+  std::string why;    ///< "its torso came to the ground", "its controller stopped for safety: …"
 };
 
 /// What another hierarchy would have commanded at each tick of a run, on the same states: each tick
@@ -41,10 +49,11 @@ struct StackComparison {
   double other_first_not_optimal = 0.0;                ///< [s]
   bool other_stopped = false;  ///< for good: from then on its torques say nothing of the hierarchy
   double other_stopped_at = 0.0;  ///< [s]
-  bool same_plan = true;          ///< both followed the same plan at every tick
-  long logged_switches = 0;       ///< of levels at run time, which the other hierarchy did not make
-  std::string problem;            ///< why not all of the log could be read
-  std::optional<LogGap> gap;      ///< behind which nothing was asked
+  std::optional<WalkEnd> walk_end;
+  bool same_plan = true;      ///< both followed the same plan at every tick
+  long logged_switches = 0;   ///< of levels at run time, which the other hierarchy did not make
+  std::string problem;        ///< why not all of the log could be read
+  std::optional<LogGap> gap;  ///< behind which nothing was asked
 };
 
 /// A level of the other hierarchy, and the unit of its residual; empty: none.

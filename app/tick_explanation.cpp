@@ -77,6 +77,44 @@ std::optional<TickTiming> read_timing(const std::string& path, std::uint64_t tim
   return logged::timing_from(*found, level_names);
 }
 
+/// Follows the blends of hierarchies up to the one that a tick is in, and to its end.
+class BlendWatch {
+ public:
+  /// Between two ticks: levels in another order, or other numbers of their tasks.
+  void change(const logged::Change& change) {
+    if (change.kind == "stack") change_ = change;
+  }
+
+  void see(const TickRecord& tick, const std::vector<std::int16_t>& order, bool follows) {
+    const bool was_going_on = std::exchange(is_going_on_, tick.hierarchy.transition_share < 1.0);
+    if (!follows) last_.reset();
+    if (is_going_on_ && (!was_going_on || !follows)) begin(tick.reading.time);
+    if (is_going_on_) return;
+    last_ = NeighbourTick{tick, order};
+    if (!was_going_on || !follows) return;
+    blend_.until = tick.reading.time;
+    blend_.after = last_;
+  }
+
+  /// At the tick that was seen last.
+  [[nodiscard]] bool is_going_on() const { return is_going_on_; }
+  [[nodiscard]] const HierarchyBlend& blend() const { return blend_; }
+
+ private:
+  void begin(double time) {
+    const bool is_by_change = time < change_.time + change_.duration;
+    blend_ = {.until = kNaN,
+              .change = is_by_change ? change_.text : "",
+              .before = std::exchange(last_, std::nullopt),
+              .after = {}};
+  }
+
+  bool is_going_on_ = false;
+  logged::Change change_;
+  HierarchyBlend blend_;
+  std::optional<NeighbourTick> last_;  // that is in no blend
+};
+
 /// Reads a log up to a little behind a time.
 class Search {
  public:
@@ -92,7 +130,10 @@ class Search {
     LegsAtTick before;
     bool has_before = false;
     bool has_ended = false;
-    while (!(has_ended = !log_.next(tick_)) && tick_.reading.time <= time_ + kEventWindow) {
+    while (!(has_ended = !log_.next(tick_)) &&
+           (tick_.reading.time <= time_ + kEventWindow || is_in_blend_)) {
+      see_blend();
+      if (tick_.reading.time > time_ + kEventWindow) continue;
       if (has_before && log_.follows()) add_event(before);
       before = legs_of(tick_.plan, tick_.state);
       has_before = true;
@@ -101,6 +142,7 @@ class Search {
       found_.tick = tick_;
       found_.order = log_.level_order();
       nearest_ = tick_.reading.time;
+      find_blend();
     }
     found_.header = log_.header();
     const double period = found_.header.control_period;
@@ -131,6 +173,20 @@ class Search {
 
   [[nodiscard]] bool is_near(double time) const { return std::abs(time - time_) <= kEventWindow; }
 
+  /// Of the tick that is told.
+  void find_blend() {
+    is_in_blend_ = blends_.is_going_on();
+    found_.blend.reset();
+    if (is_in_blend_) found_.blend = blends_.blend();
+  }
+
+  void see_blend() {
+    blends_.see(tick_, log_.level_order(), log_.follows());
+    const bool goes_on = log_.follows() && blends_.is_going_on();
+    if (is_in_blend_ && log_.follows() && !goes_on) found_.blend = blends_.blend();
+    is_in_blend_ = is_in_blend_ && goes_on;
+  }
+
   void add_event(const LegsAtTick& before) {
     const auto event = static_cast<std::size_t>(tick_.plan.event);
     const auto& names = log_.header().event_names;
@@ -147,6 +203,7 @@ class Search {
     logged::Change change;
     logged::Decoder::decode(message.data, change);
     scenario_->acts(change);
+    blends_.change(change);
     if (!told_.tells(change) || !is_near(change.time)) return;
     found_.events.push_back({change.time, operator_text(change, yaw_), "", "operator"});
   }
@@ -203,6 +260,8 @@ class Search {
   double time_, nearest_ = kNaN;
   double yaw_ = kNaN;  // believed at the last tick
   ToldChanges told_;
+  BlendWatch blends_;
+  bool is_in_blend_ = false;  // the tick that is told, and none behind it was out of it yet
   std::optional<ScenarioForces> scenario_;
   AppliedForceWatch forces_;
   std::vector<AppliedForce> begun_, ended_;

@@ -23,6 +23,20 @@ struct NearbyEvent {
   std::string by = "planner";  ///< "operator", "outside"
 };
 
+/// A tick beside another.
+struct NeighbourTick {
+  TickRecord tick;
+  std::vector<std::int16_t> order;  ///< as of a TickExplanation
+};
+
+/// On the way from one hierarchy to another, as after a change of the order: the torques lie
+/// between the optima of both.
+struct HierarchyBlend {
+  double until = kNaN;  ///< the first tick behind it [s]; NaN: the log does not have it
+  std::string change;   ///< what it came from, in words; empty: not known
+  std::optional<NeighbourTick> before, after;  ///< the last tick of the one, the first of the other
+};
+
 /// One tick of a log, with what is needed to say why it came out so.
 struct TickExplanation {
   LogHeader header;  ///< without its attachments
@@ -35,6 +49,7 @@ struct TickExplanation {
   std::vector<std::string> bodies;    ///< names by their row of the truth's `xfrc_applied`
   std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
+  std::optional<HierarchyBlend> blend;                                     ///< that the tick is in
   std::vector<NearbyEvent> events;  ///< around the tick, in order
   double asked = kNaN;              ///< [s]
   bool is_behind_end = false;       ///< the log ends before that; the tick is its last

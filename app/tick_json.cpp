@@ -1,5 +1,6 @@
 #include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
+#include "app/lying_text.hpp"
 #include "app/stop_text.hpp"
 #include "app/tick_text.hpp"
 #include "surefoot/evaluation/estimate_fields.hpp"
@@ -75,10 +76,8 @@ Json levels_json(const TickExplanation& explanation) {
     const auto known = [is_solved = list.size() < solved](const Json& value) {
       return is_solved ? value : Json();
     };
-    const auto& names = explanation.header.level_names;
-    const auto& units = explanation.header.level_units;
-    list.push_back({{"name", k < names.size() ? names[k] : ""},
-                    {"unit", k < units.size() ? units[k] : ""},
+    list.push_back({{"name", explanation.header.level_name(number_of_level)},
+                    {"unit", explanation.header.level_unit(number_of_level)},
                     {"residual", known(number(level.residual))},
                     {"rows", known(level.num_rows)},
                     {"at_bound", known(level.num_active)},
@@ -96,15 +95,27 @@ Json limits_json(const TickExplanation& explanation) {
   if (!was_solved(report) || (!is_any_solved && !explanation.order.empty())) return {};
   Json list = Json::array();
   for (const ActiveRow& row : rows_at_bounds(explanation)) {
-    const auto& names = explanation.header.level_names;
-    const auto level = static_cast<std::size_t>(row.level);
     const auto found = explanation.row_names.find({row.level, row.id});
-    list.push_back({{"level", level < names.size() ? names[level] : ""},
+    list.push_back({{"level", explanation.header.level_name(row.level)},
                     {"row", found == explanation.row_names.end() ? "" : found->second},
                     {"bound", row.state < 0 ? "lower" : "upper"},
                     {"beyond", std::abs(row.state) > 1}});
   }
   return list;
+}
+
+/// Null of a tick that is in no blend of two hierarchies.
+Json blend_json(const TickExplanation& explanation) {
+  if (!explanation.blend) return {};
+  const HierarchyBlend& blend = *explanation.blend;
+  const auto time_of = [](const std::optional<NeighbourTick>& tick) {
+    return tick ? Json(tick->tick.reading.time) : Json();
+  };
+  return {{"share", explanation.tick.hierarchy.transition_share},
+          {"until", number(blend.until)},
+          {"change", blend.change},
+          {"before", time_of(blend.before)},
+          {"behind", time_of(blend.after)}};
 }
 
 Json events_json(const TickExplanation& explanation) {
@@ -144,6 +155,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"sentence", gave_way_sentence(explanation)},
                {"gave_way", gave_way_json(explanation)},
                {"blocking_is_known", tick.hierarchy.blocking_is_known},
+               {"blend", blend_json(explanation)},
                {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
                {"feet", feet_json(explanation)},
                {"levels", levels_json(explanation)},
@@ -157,6 +169,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"plan", is_solved ? message(tick.plan) : Json()},
                {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
+  if (explanation.truth) json["lies_on"] = lying_text(*explanation.truth);
   if (explanation.truth) json["pushed_by"] = applied_json(explanation);
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);

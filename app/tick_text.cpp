@@ -2,6 +2,7 @@
 
 #include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
+#include "app/lying_text.hpp"
 #include "app/results_table.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/formatted.hpp"
@@ -95,6 +96,8 @@ std::string facts(const TickExplanation& explanation) {
         {"is off by", formatted("%.1f cm, %.1f° in heading, counted from the first tick",
                                 100.0 * explanation.estimate->position_error,
                                 std::abs(explanation.estimate->heading_error) * kDegrees)});
+  const std::string lying = explanation.truth ? lying_text(*explanation.truth) : "";
+  if (!lying.empty()) table.push_back({"lies on", lying + " (truth)"});
   for (const AppliedForce& force : explanation.applied)
     table.push_back({"pushed by", applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});
@@ -150,19 +153,12 @@ std::string feet_table(const TickExplanation& explanation) {
                      : "");
 }
 
-std::string level_name(const TickExplanation& explanation, std::int16_t level) {
-  const auto& names = explanation.header.level_names;
-  const auto k = static_cast<std::size_t>(level);
-  return k < names.size() ? names[k] : "level";
-}
-
 /// As the sentence has it: from 100 on all digits before the point.
-std::string residual(const TickExplanation& explanation, std::size_t level) {
-  const double value = explanation.tick.hierarchy.levels[level].residual;
+std::string residual(const TickExplanation& explanation, std::int16_t level) {
+  const double value = explanation.tick.hierarchy.levels[static_cast<std::size_t>(level)].residual;
   if (!(value > kResidualRounding)) return "0";
-  const auto& units = explanation.header.level_units;
-  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) +
-         (level < units.size() && !units[level].empty() ? " " + units[level] : "");
+  const std::string unit = explanation.header.level_unit(level);
+  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string level_table(const TickExplanation& explanation) {
@@ -171,7 +167,8 @@ std::string level_table(const TickExplanation& explanation) {
   Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
     const std::int16_t number = explanation.order[place];
-    const std::string name = std::to_string(place + 1) + " " + level_name(explanation, number);
+    const std::string name =
+        std::to_string(place + 1) + " " + explanation.header.level_name(number);
     if (place >= solved) {
       table.push_back({name, "not solved", "–", "–", "–", "–", "–"});
       continue;
@@ -179,7 +176,7 @@ std::string level_table(const TickExplanation& explanation) {
     const auto k = static_cast<std::size_t>(number);
     const LevelReport& level = report.levels[k];
     table.push_back(
-        {name, residual(explanation, k), std::to_string(level.num_rows),
+        {name, residual(explanation, number), std::to_string(level.num_rows),
          std::to_string(level.num_active), std::to_string(level.degrees_of_freedom_left),
          std::to_string(level.iterations), known(level_time(explanation, k), "%.1f µs")});
   }
@@ -197,7 +194,7 @@ std::string at_bounds(const TickExplanation& explanation) {
       is_all ? "Limits that act:\n" : "Limits that act in the levels that were solved:\n";
   for (const ActiveRow& row : rows) {
     const auto found = explanation.row_names.find({row.level, row.id});
-    out += "  " + level_name(explanation, row.level) + " " +
+    out += "  " + explanation.header.level_name(row.level) + " " +
            (found == explanation.row_names.end() ? std::to_string(row.id) : found->second) +
            (std::abs(row.state) > 1 ? ", beyond its " : ", at its ") +
            (row.state < 0 ? "lower bound\n" : "upper bound\n");

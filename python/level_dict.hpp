@@ -73,8 +73,7 @@ class LevelDict {
     double damping = 0.0;
     const bool is_number = nb::try_cast(dict_["damping"], damping);
     if (is_number && damping > 0.0 && damping <= kLargestNumber) return damping;
-    fail("damping is " + text(nb::repr(dict_["damping"])) +
-         "; expected a number above 0, at most 1e100");
+    fail("damping " + not_positive(text(nb::repr(dict_["damping"]))));
   }
 
   /// In the order A, D.
@@ -183,8 +182,7 @@ class LevelDict {
   void check_weight(const Block& block, Eigen::Index row) const {
     const double weight = block.weights[row];
     const std::string place = block.key + "_weights[" + std::to_string(row) + "] ";
-    if (!(weight > 0.0 && weight <= kLargestNumber))
-      fail(place + "is " + text(weight) + "; expected a number above 0, at most 1e100");
+    if (!(weight > 0.0 && weight <= kLargestNumber)) fail(place + not_positive(text(weight)));
     double largest = block.A.row(row).lpNorm<Eigen::Infinity>();
     if (is_weighted_away(largest, weight))
       fail(place + weighted_away(text(weight), block.key + "[" + std::to_string(row) + "]"));

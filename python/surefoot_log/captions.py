@@ -52,7 +52,8 @@ def sentence(frame, units):
     level, residual, row, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 99.5 else ".0f"
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit} to {told(by, row)}{also(others)}"
+    to = " between two hierarchies" if by is None else f" to {told(by, row)}"
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit}{to}{also(others)}"
 
 
 def wrapped(text, length, room):
@@ -82,18 +83,26 @@ class Captions:
         self._panel(draw, 1.2 * unit, height - 4.0 * unit, [time], INK, bold=True)
         self._legs(draw, (width - 1.2 * unit, height - 1.2 * unit), frame)
         top = 1.2 * unit
-        push = pushes_of(frame)
-        for text, colour in [(title, SOFT), (frame.event, INK), (push and f"outside force {push}", INK), (sentence(frame, self._units), INK)]:
-            if text:
-                top = self._text(draw, top, text, colour) + 0.3 * unit
+        for text, colour in self._texts(frame, title):
+            lines = self._lines(text, width)
+            self._panel(draw, 1.2 * unit, top, lines, colour)
+            top += self._height(lines) + 0.3 * unit
         return Image.alpha_composite(image.convert("RGBA"), canvas).convert("RGB")
 
-    def _text(self, draw, top, text, colour):
-        """Below `top`, over as many lines as it needs; returns where it ends."""
-        unit = self._unit
-        lines = wrapped(text, lambda line: draw.textlength(line, self._letters(False)), draw.im.size[0] - 3.8 * unit)
-        self._panel(draw, 1.2 * unit, top, lines, colour)
-        return top + self._height(lines)
+    def height(self, frame, width):
+        """What the texts at the top of an image so wide cover; 0 where there are none."""
+        texts = self._texts(frame)
+        heights = [self._height(self._lines(text, width)) + 0.3 * self._unit for text, _ in texts]
+        return round(sum(heights) + 1.2 * self._unit) if texts else 0
+
+    def _texts(self, frame, title=""):
+        push = pushes_of(frame)
+        texts = [(title, SOFT), (frame.event, INK), (push and f"outside force {push}", INK), (sentence(frame, self._units), INK)]
+        return [(text, colour) for text, colour in texts if text]
+
+    def _lines(self, text, width):
+        """Over as many lines as it needs."""
+        return wrapped(text, self._letters(False).getlength, width - 3.8 * self._unit)
 
     def _letters(self, bold):
         return font(round(1.75 * self._unit), bold)

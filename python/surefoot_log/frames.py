@@ -185,7 +185,8 @@ def solved_levels(hierarchy):
 
 
 def gave_way(hierarchy, header):
-    """The highest level that did not get what it asked for, what held it back most, and the other levels that did not."""
+    """The highest level that did not get what it asked for, what held it back most, and the other levels that did not. On the way from one
+    hierarchy to another nobody knows what did: None."""
     visible = visible_residuals(header)
     dearest = {row["level"]: row for row in reversed(hierarchy.get("blocked_by", []))}
     yielding = {}
@@ -193,10 +194,12 @@ def gave_way(hierarchy, header):
         residual, least = level["residual"] or 0.0, visible.get(level["name"], ROUNDING)
         if least is not None and residual > least:
             yielding[level["name"]] = residual
-    name = next((name for name in yielding if name in dearest), None)
+    is_blended = hierarchy.get("transition_share", 1.0) < 1.0
+    name = next((name for name in yielding if name in dearest or is_blended), None)
     if name is None:
         return None
-    return name, yielding[name], dearest[name]["row"], dearest[name]["by"], tuple(other for other in yielding if other != name)
+    row = {"row": None, "by": None} if is_blended else dearest[name]
+    return name, yielding[name], row["row"], row["by"], tuple(other for other in yielding if other != name)
 
 
 def friction_of(frame):

@@ -6,6 +6,7 @@ from surefoot_log.frames import LOADED
 from surefoot_log.offscreen import mujoco
 
 METRES_PER_NEWTON = 0.0022
+LONGEST = 1.3  # m: an arrow of the ground that would be longer is cut short, with two heads
 SEEN_LENGTH = 0.2  # m: so much longer is the arrow of a push, which begins inside of the robot
 BODY_REACH = 1.0  # m: no body reaches further from its centre of mass
 # Like those of the viewer's page: none of them a leg's, and colour-blind people can tell them apart.
@@ -27,6 +28,13 @@ def push_arrow(centre, force, torque):
     lever = np.cross(force, torque) / size**2
     start = centre + (lever if np.linalg.norm(lever) <= BODY_REACH else 0.0)
     return start, (SEEN_LENGTH / size + METRES_PER_NEWTON) * force
+
+
+def ground_arrows(force):
+    """The ways of the arrows that stand for a force of the ground: one, or two where it is longer than can be seen."""
+    way = METRES_PER_NEWTON * force
+    length = np.linalg.norm(way)
+    return [way] if length <= LONGEST else [LONGEST / length * way, 0.85 * LONGEST / length * way]
 
 
 def hull(points):
@@ -57,7 +65,8 @@ class Overlays:
         self._polygon(frame)
         for touch in frame.forces:
             if np.linalg.norm(touch.force) > LOADED / 4:
-                self._arrow(touch.point, touch.point + METRES_PER_NEWTON * touch.force, 0.019, colour_of_use(touch.friction_use))
+                for way in ground_arrows(touch.force):
+                    self._arrow(touch.point, touch.point + way, 0.019, colour_of_use(touch.friction_use))
         if frame.p_WCom is not None:
             self._centre_of_mass(frame)
 

@@ -37,12 +37,12 @@ def dress(model_xml, urdf, packages, cache=None, size=(1280, 720), detail=meshes
 def set_light(spec, size):
     spec.visual.global_.offwidth, spec.visual.global_.offheight = size
     spec.stat.extent = 1.0  # m: the shadows' part of the world, however large the ground is
-    spec.visual.quality.shadowsize = 2048
+    spec.visual.quality.shadowsize = 4096
     spec.visual.quality.offsamples = 4
     spec.visual.headlight.ambient = [0.42, 0.42, 0.44]
     spec.visual.headlight.diffuse = [0.22, 0.22, 0.22]
     spec.visual.headlight.specular = [0.1, 0.1, 0.1]
-    spec.visual.map.shadowclip = 2.5
+    spec.visual.map.shadowclip = 10.0  # as far as the ground is seen: at the rim of what has shadows are black dots
     spec.visual.map.znear = 0.02
     spec.visual.map.zfar = 60.0
     spec.visual.rgba.haze = [*SKY_LOW, 1.0]

@@ -8,17 +8,28 @@ COLUMNS, ROWS = 4, 2
 TILE = (480, 330)  # pixels
 LETTERS = 1.7  # times as large as a film has them: a report shows four tiles side by side
 GAP = 6
+SKY = 70  # pixels: as much over the robot a text may cover
 QUALITY = 82
 
 
 def make_strip(run, paint, captions):
-    """`paint`: frame → image of at least the tile's size."""
+    """`paint`: frame → image of at least the tile's size. A row has more sky where more is said of one of its
+    moments than there is room for over the robot."""
     frames = chosen(run.frames, span_of_interest(run.frames), COLUMNS * ROWS)
     rows = -(-len(frames) // COLUMNS)
     columns = min(COLUMNS, len(frames))
-    strip = Image.new("RGB", (columns * (TILE[0] + GAP) - GAP, rows * (TILE[1] + GAP) - GAP), "white")
+    bands = [band_over(frames[k * COLUMNS : (k + 1) * COLUMNS], captions) for k in range(rows)]
+    strip = Image.new("RGB", (columns * (TILE[0] + GAP) - GAP, rows * (TILE[1] + GAP) - GAP + sum(bands)), "white")
     for i, frame in enumerate(frames):
-        tile = paint(frame).resize(TILE, Image.Resampling.LANCZOS)
-        tile = captions.draw(tile, frame)
-        strip.paste(tile, ((i % COLUMNS) * (TILE[0] + GAP), (i // COLUMNS) * (TILE[1] + GAP)))
+        row = i // COLUMNS
+        picture = paint(frame).resize(TILE, Image.Resampling.LANCZOS)
+        tile = Image.new("RGB", (TILE[0], TILE[1] + bands[row]), picture.getpixel((0, 0)))
+        tile.paste(picture, (0, bands[row]))
+        strip.paste(captions.draw(tile, frame), ((i % COLUMNS) * (TILE[0] + GAP), row * (TILE[1] + GAP) + sum(bands[:row])))
     return strip, frames
+
+
+def band_over(frames, captions):
+    """How much higher the sky over a row of moments is than in its pictures, so that no text lies on a robot [pixels]."""
+    highest = max(captions.height(frame, TILE[0]) for frame in frames)
+    return max(0, highest - SKY)

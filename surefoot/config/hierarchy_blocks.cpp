@@ -202,7 +202,7 @@ void check_keys(const Json& object, const std::vector<std::string>& valid, const
 double read_positive(const Json& value, const Place& place) {
   if (value.is_number() && value.get<double>() > 0.0 && value.get<double>() <= kLargestNumber)
     return value.get<double>();
-  place.fail("is " + quoted(value) + "; expected a number above 0, at most 1e100");
+  place.fail(not_positive(quoted(value)));
 }
 
 Block read_equalities(const Json& level, std::size_t& unknowns, const Place& place) {

@@ -19,6 +19,11 @@ inline constexpr double kSmallestRow = 1e-100;
          ", too small to compute with; expected at least 1e-100, or zeros only";
 }
 
+/// What follows the name of a weight or a damping that is none.
+[[nodiscard]] inline std::string not_positive(const std::string& number) {
+  return "is " + number + "; expected a number above 0, at most 1e100";
+}
+
 /// Whether a weight makes zeros of a row that asks for something: no double holds what it would be.
 [[nodiscard]] inline bool is_weighted_away(double largest, double weight) {
   return largest != 0.0 && weight * largest == 0.0;

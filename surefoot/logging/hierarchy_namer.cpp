@@ -12,10 +12,7 @@ std::size_t count(std::int32_t claimed, std::size_t most) {
 
 }  // namespace
 
-std::string LevelNames::level(int number) const {
-  const bool known = number >= 0 && static_cast<std::size_t>(number) < levels.size();
-  return known ? levels[static_cast<std::size_t>(number)] : "level " + std::to_string(number + 1);
-}
+std::string LevelNames::level(int number) const { return level_name(levels, number); }
 
 std::string LevelNames::row(int level, std::int32_t id) const {
   return row_name ? row_name(level, id) : "row " + std::to_string(id);

@@ -4,6 +4,7 @@
 #include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace surefoot {
 namespace {
@@ -48,6 +49,20 @@ void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
 }
 
 }  // namespace
+
+std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number) {
+  const bool is_known = number >= 0 && number < std::ssize(names);
+  return is_known ? names[static_cast<std::size_t>(number)] : "level " + std::to_string(number + 1);
+}
+
+std::string LogHeader::level_name(std::ptrdiff_t number) const {
+  return surefoot::level_name(level_names, number);
+}
+
+std::string LogHeader::level_unit(std::ptrdiff_t number) const {
+  const bool is_known = number >= 0 && number < std::ssize(level_units);
+  return is_known ? level_units[static_cast<std::size_t>(number)] : "";
+}
 
 const std::string* LogHeader::attachment(std::string_view name) const {
   const auto found = std::ranges::find(attachments, name, &LogAttachment::name);

@@ -4,6 +4,7 @@
 #include "surefoot/signals/sensor_reading.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -59,6 +60,7 @@ using RowNamer = std::function<std::string(int level, std::int32_t id)>;
 /// ran.
 struct LogHeader {
   std::string version;          ///< of the program
+  bool is_older = false;        ///< a log that was read is of an older kLogVersion
   std::string commit;           ///< that it was built from; empty: not known
   std::string command;          ///< that makes this run again; empty: not known
   std::string scenario, stack;  ///< names
@@ -79,6 +81,11 @@ struct LogHeader {
   /// everything worked in, and the robot's URDF.
   std::vector<LogAttachment> attachments;
 
+  /// Of a level by its number; "level 3" where there is none of it.
+  [[nodiscard]] std::string level_name(std::ptrdiff_t number) const;
+  /// Of its residual; empty where there is none.
+  [[nodiscard]] std::string level_unit(std::ptrdiff_t number) const;
+
   /// The content of an attachment; null where there is none of that name.
   [[nodiscard]] const std::string* attachment(std::string_view name) const;
 
@@ -86,6 +93,9 @@ struct LogHeader {
   /// messages.
   RowNamer row_name;
 };
+
+/// Of a level by its number; "level 3" where there is none of it.
+[[nodiscard]] std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number);
 
 /// The header as JSON, without the attachments.
 [[nodiscard]] std::string to_json(const LogHeader& header);

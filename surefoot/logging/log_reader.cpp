@@ -115,6 +115,11 @@ LogHeader parse_header(const json& header) {
   return result;
 }
 
+int second_number(std::string_view version) {
+  const std::size_t point = std::min(version.find('.'), version.size() - 1);
+  return std::atoi(std::string(version.substr(point + 1)).c_str());
+}
+
 /// A log's header, of a version that can be read. Throws FileError, with what can still be done.
 LogHeader read_header(const std::string& path, const std::string& text) {
   const auto refuse = [&](const std::string& what) -> LogHeader {
@@ -130,7 +135,9 @@ LogHeader read_header(const std::string& path, const std::string& text) {
           path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
           ". Read it with the version of surefoot that made it, or record the run anew");
     }
-    return parse_header(header);
+    LogHeader result = parse_header(header);
+    result.is_older = second_number(version) < second_number(kLogVersion);
+    return result;
   } catch (const json::parse_error& error) {
     return refuse("is damaged at its byte " + std::to_string(error.byte) + " of " +
                   std::to_string(text.size()));

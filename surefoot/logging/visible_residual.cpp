@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace surefoot {
@@ -21,11 +22,8 @@ double visible_residual(std::string_view level_name, std::string_view unit) {
 
 std::vector<double> visible_residuals(const LogHeader& header) {
   std::vector<double> residuals;
-  for (std::size_t k = 0; k < header.level_names.size(); ++k) {
-    const bool has_unit = k < header.level_units.size();
-    residuals.push_back(
-        visible_residual(header.level_names[k], has_unit ? header.level_units[k] : ""));
-  }
+  for (std::ptrdiff_t k = 0; k < std::ssize(header.level_names); ++k)
+    residuals.push_back(visible_residual(header.level_name(k), header.level_unit(k)));
   return residuals;
 }
 

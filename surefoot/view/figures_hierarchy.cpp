@@ -15,16 +15,6 @@ using plot::Svg;
 
 constexpr double kRowHeight = 27.0, kNames = 205.0, kMaxima = 118.0, kHead = 24.0;
 
-std::string task_of(const RunData& run, std::size_t level) {
-  const auto& names = run.header.level_names;
-  return level < names.size() ? names[level] : "";
-}
-
-std::string unit_of(const RunData& run, std::size_t level) {
-  const auto& units = run.header.level_units;
-  return level < units.size() && !units[level].empty() ? " " + units[level] : "";
-}
-
 bool never_zero(const std::string& task) { return std::isnan(visible_residual(task, "")); }
 
 /// Where a tick solved nothing there is no curve: 0.
@@ -49,7 +39,8 @@ void draw_curve(Svg& svg, Frame frame, const RunData& run, const std::vector<dou
 }
 
 void draw_level(Svg& svg, const Frame& frame, const RunData& run, std::size_t level) {
-  const std::string task = task_of(run, level);
+  const auto number = static_cast<std::ptrdiff_t>(level);
+  const std::string task = run.header.level_name(number), unit = run.header.level_unit(number);
   const bool restless = never_zero(task);
   const std::vector<double> values = residuals(run, level);
   const double largest = *std::ranges::max_element(values);
@@ -60,8 +51,9 @@ void draw_level(Svg& svg, const Frame& frame, const RunData& run, std::size_t le
   std::replace(words.begin(), words.end(), '_', ' ');
   svg.text({kNames - 8.0, bottom - 7.0}, std::to_string(level + 1) + "  " + words, "tick",
            plot::Anchor::end);
-  const std::string size =
-      largest > kResidualRounding ? plot::two_digits(largest) + unit_of(run, level) : "0";
+  const std::string size = largest > kResidualRounding
+                               ? plot::two_digits(largest) + (unit.empty() ? "" : " " + unit)
+                               : "0";
   svg.text({frame.corner.x + frame.width + 8.0, bottom - 7.0}, size + (restless ? "  *" : ""),
            largest > kResidualRounding ? "label" : "tick");
 }

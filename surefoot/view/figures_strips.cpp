@@ -97,10 +97,8 @@ std::string in_words(std::string level) {
 
 // Rows of a leg in a level are one group, but its normal force another.
 std::string group_of(const RunData& run, const ActiveRow& row, const std::string& name) {
-  const auto level = static_cast<std::size_t>(row.level);
-  const auto& names = run.header.level_names;
-  const std::string task = in_words(level < names.size() ? names[level] : "level");
-  const std::string number = std::to_string(level + 1) + "  ";
+  const std::string task = in_words(run.header.level_name(row.level));
+  const std::string number = std::to_string(row.level + 1) + "  ";
   const std::optional<std::size_t> leg = leg_of(name);
   if (!leg) return number + task + ": " + name;
   const std::string leg_name(kLegNames[*leg]);

@@ -11,9 +11,7 @@ namespace {
 constexpr std::size_t kMostRows = 4;  // of a level
 
 std::string level_name(const RunData& run, std::int16_t level) {
-  const auto& names = run.header.level_names;
-  const auto index = static_cast<std::size_t>(level);
-  std::string name = index < names.size() ? names[index] : "level";
+  std::string name = run.header.level_name(level);
   std::ranges::replace(name, '_', ' ');
   return std::to_string(level + 1) + "  " + name;
 }
@@ -24,10 +22,8 @@ std::string row_name(const RunData& run, const GaveWay& row) {
 }
 
 std::string amount(const RunData& run, const GaveWay& row) {
-  const auto& units = run.header.level_units;
-  const auto level = static_cast<std::size_t>(row.level);
-  const bool has_unit = level < units.size() && !units[level].empty();
-  return plot::two_digits(row.largest) + (has_unit ? " " + units[level] : "");
+  const std::string unit = run.header.level_unit(row.level);
+  return plot::two_digits(row.largest) + (unit.empty() ? "" : " " + unit);
 }
 
 std::vector<Cell> cells(const RunData& run, const GaveWay& row, bool is_first) {

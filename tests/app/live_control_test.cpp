@@ -1,3 +1,4 @@
+#include "app/gave_way.hpp"
 #include "app/live_view.hpp"
 #include "app/log_replay.hpp"
 #include "app/stack_text.hpp"
@@ -11,6 +12,7 @@
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +112,66 @@ TEST(LiveControl, an_explained_tick_has_the_order_that_its_levels_had) {
   EXPECT_EQ(names(0.49), order);
   const std::string text = tick_text("x", read_tick(folder / "run.mcap", 0.49));
   EXPECT_LT(text.find(" " + order[order.size() - 2]), text.find(" " + order.back()));
+}
+
+TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_beside_it_gave) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1.5"});
+  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  const auto yaw = std::ranges::find(order, "torso_yaw");
+  std::iter_swap(yaw, yaw - 1);
+  run.at(100, {.type = Type::order, .levels = order});
+  run.run(folder / "run.mcap");
+  const auto at = [&](double time) { return read_tick(folder / "run.mcap", time); };
+  for (const double time : {0.1, 0.2475, 0.55, 1.45}) {
+    EXPECT_FALSE(at(time).blend) << time;
+    EXPECT_FALSE(test::holds(gave_way_sentence(at(time)), "blended")) << time;
+    EXPECT_TRUE(tick_json("x", at(time)).at("blend").is_null());
+  }
+  for (const double time : {0.25, 0.4, 0.5475}) {
+    const TickExplanation tick = at(time);
+    ASSERT_TRUE(tick.blend && tick.blend->before && tick.blend->after) << time;
+    const std::string text = gave_way_sentence(tick);
+    EXPECT_TRUE(text.starts_with("Two hierarchies are blended until 0.5500 s (order: ")) << text;
+    EXPECT_FALSE(test::holds(text, "not known")) << text;
+    const std::string before = gave_way_sentence(at(0.2475)),
+                      behind = gave_way_sentence(at(0.55));
+    EXPECT_TRUE(
+        text.ends_with(" Before it, at 0.2475 s: " + before + " Behind it, at 0.5500 s: " + behind))
+        << text;
+    EXPECT_EQ(tick_json("x", tick).at("blend").at("until"), 0.55);
+  }
+}
+
+TEST(LiveControl, of_a_blend_that_the_log_ends_in_it_is_not_said_until_when) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=0.4"});
+  run.at(100, gain("com_xy", "kp", 60.0));
+  run.run(folder / "run.mcap");
+  const std::string text = gave_way_sentence(read_tick(folder / "run.mcap", 0.39));
+  EXPECT_TRUE(text.starts_with("Two hierarchies are blended (com_xy kp ")) << text;
+  EXPECT_TRUE(test::holds(text, "Before it, at 0.2475 s: ")) << text;
+  EXPECT_FALSE(test::holds(text, "Behind")) << text;
+}
+
+TEST(LiveControl, an_undo_that_waits_stays_one_whatever_else_is_done_meanwhile) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1.5"});
+  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  const std::string lowest = order.back();
+  std::iter_swap(order.end() - 2, order.end() - 1);
+  run.at(100, {.type = Type::order, .levels = order});
+  const ViewCommand push{.type = Type::push, .body = "base", .impulse = {0, 1, 0}, .duration = 0.1};
+  run.at(110, {.type = Type::undo});  // while the change before fades in
+  run.at(112, push);
+  run.at(400, {.type = Type::pause});
+  run.at(400, {.type = Type::resume});
+  run.run(folder / "run.mcap");
+  EXPECT_EQ(run.errors, std::vector<std::string>(5));
+  std::string undone;
+  for (const logged::Change& change : changes_of(folder / "run.mcap"))
+    if (change.kind == "stack") undone = change.text;
+  EXPECT_TRUE(undone.starts_with("undo: order: " + lowest + " from ")) << undone;
 }
 
 TEST(LiveControl, torques_do_not_jump_when_a_gain_does) {

@@ -41,7 +41,9 @@ class LiveOperatorTest : public ::testing::Test {
 TEST_F(LiveOperatorTest, pushes_are_capped_and_the_caps_are_told) {
   EXPECT_EQ(push("base", Vec3(0, 20, 0), 0.2), "");
   EXPECT_EQ(taken().pushes.at(0).force, Vec3(0, 100, 0));
-  EXPECT_TRUE(test::holds(push("base", Vec3(0, 61, 0), 1.0), "valid is 0 to 60 N·s"));
+  for (const double size : {0.0, 61.0})
+    EXPECT_TRUE(
+        test::holds(push("base", Vec3(0, size, 0), 1.0), "valid is more than 0, up to 60 N·s"));
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 60, 0), 0.1), "a duration of at least 0.2 s"));
   EXPECT_TRUE(test::holds(push("base", Vec3(0, 59, 0), 0.1), "a duration of at least 0.197 s"));
   EXPECT_EQ(push("base", Vec3(0, 59, 0), 0.197), "") << "what is told to be valid is";

@@ -1,5 +1,6 @@
 """Calls of the program, as its user makes them."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -11,6 +12,19 @@ SHORT = ["--set", "duration=0.1"]
 
 def surefoot(*arguments, cwd=None):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
+
+
+def answer(*arguments, status=0):
+    """What a call says that ends with that status."""
+    result = surefoot(*arguments)
+    assert result.returncode == status, result
+    assert result.stderr == ""
+    return result.stdout
+
+
+def of_json(*arguments, status=0):
+    """The same with `--json`, decoded."""
+    return json.loads(answer(*arguments, "--json", status=status))
 
 
 def complaint(*arguments, cwd=None):

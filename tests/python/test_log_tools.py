@@ -1,32 +1,18 @@
 """`surefoot info`, `explain` and `replay` as their user sees them; and logs that are not what they should be."""
 
-import csv
 import json
-import math
 import re
 import time
 
 import pytest
-from conftest import record
-from damaged_logs import HEAD, attachment_place, bare_messages, changed, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, older, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
+from damaged_logs import HEAD, attachment_place, bare_messages, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
 from live_page import Served
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from mcap.reader import make_reader
 from mcap.writer import CompressionType
-from program import complaint, surefoot
+from program import answer, complaint, of_json, surefoot
 
 COMMANDS = {"info": [], "explain": ["--at", 0.5], "replay": ["--verify"]}
-
-
-def answer(*arguments, status=0):
-    result = surefoot(*arguments)
-    assert result.returncode == status, result
-    assert result.stderr == ""
-    return result.stdout
-
-
-def of_json(*arguments, status=0):
-    return json.loads(answer(*arguments, "--json", status=status))
 
 
 def raw_bytes(path, topic):
@@ -293,103 +279,12 @@ def test_of_a_log_that_is_cut_off_before_its_first_tick_that_is_said(log, tmp_pa
     assert line.count(str(file)) == 1 and "cut off" in line
 
 
-def test_verify_says_that_every_torque_is_the_same(log):
-    found = of_json("replay", log, "--verify")
-    assert found["same"] and found["ticks"] == 800 and found["different_ticks"] == 0 and not found["estimated"]
-    assert found["different_messages"] == {}
-    assert "800 ticks, 0.0000 s to 1.9975 s: every torque is the same to the bit." in answer("replay", log, "--verify")
-
-
-def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
-    file = tmp_path / "ticks.csv"
-    found = of_json("replay", log, "--stack", "regular", "--csv", file)
-    assert found["same_plan"] and found["ticks"] == 800
-    with open(file, newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    commands = messages(log, "/command")
-    assert len(rows) == 800 and {"time[s]", "hierarchy.level.contact_force_minimisation.residual[N]"} <= rows[0].keys()
-    assert float(rows[411]["command.torque.RF_HFE[N·m]"]) == commands[411]["torque"][4]
-    differences = [float(row["other.command.torque.RF_HFE[N·m]"]) - float(row["command.torque.RF_HFE[N·m]"]) for row in rows]
-    rms = (sum(d * d for d in differences) / len(differences)) ** 0.5
-    assert found["torque_difference"]["RF_HFE"]["rms"] == pytest.approx(rms, rel=1e-9)
-    assert abs(found["torque_difference"]["RF_HFE"]["largest"]) == pytest.approx(max(map(abs, differences)), rel=1e-9)
-    residuals = [level["residual"] for h in messages(log, "/hierarchy") for level in h["levels"] if level["name"] == "contact_force_minimisation"]
-    logged = next(level["logged"] for level in found["levels"] if level["name"] == "contact_force_minimisation")
-    assert logged["largest"] == pytest.approx(max(residuals), rel=1e-9)
-    assert "rms" in answer("replay", log, "--stack", "regular")
-
-
-def test_wrong_arguments_of_replay_are_said(log, tmp_path):
-    assert "--json is for --verify and --stack" in complaint("replay", log, "--json")
-    assert "is the log itself" in complaint("replay", log, "--stack", "regular", "--csv", log)
-    assert 'did you mean "regular"?' in complaint("replay", log, "--stack", "regulr")
-    assert "one at a time" in complaint("replay", log, "--verify", "--stack", "regular")
-    assert "--csv" in complaint("replay", log, "--verify", "--csv", tmp_path / "a.csv")
-    assert "there is no folder" in complaint("replay", log, "--stack", "regular", "--csv", tmp_path / "no/a.csv")
-
-
 def test_a_log_without_ticks_has_nothing_to_explain_or_to_run_again(log, tmp_path):
     file = without_ticks(log, tmp_path)
     assert "holds no tick" in complaint("explain", file, "--at", 0)
     line = complaint("replay", file, "--verify")
     assert str(file) in line and "the log has no attachment resolved_stack.yaml" in line
     assert "no tick" in answer("info", file)
-
-
-def test_verify_finds_a_torque_that_is_another_in_its_last_bit(log, tmp_path):
-    before = messages(log, "/command")[345]["torque"][7]
-    other = math.nextafter(before, math.inf)
-
-    def change(command):
-        command["torque"][7] = other
-
-    file = changed(log, tmp_path, "/command", 345, change)
-    found = of_json("replay", file, "--verify", status=1)
-    assert (found["same"], found["different_ticks"]) == (False, 1)
-    expected = {"tick": 345, "time": 0.8625, "joint": "LH_HFE", "logged": other, "computed": before}
-    assert found["first"] == found["largest"] == expected
-    assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.8625}}
-    text = answer("replay", file, "--verify", status=1)
-    assert f"tick 345, 0.8625 s, LH_HFE: {other:.17g} N·m in the log, {before:.17g} N·m now" in text
-    assert "1 have another torque or mode" in text
-
-
-def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
-    """A log before 2.8 does not say what was wrong with the sensor that stopped the robot."""
-    fault = ["--set", "planner.calibration.duration=0", "--set", "sensors.faults.one={sensor: imu, kind: nan, time: 0.5}"]
-    file = tmp_path / "stopped.mcap"
-    assert surefoot("run", "walk_flat", "--set", "duration=1", "--record", file, *fault).returncode == 3
-    assert messages(file, "/command")[-1]["fault"] == "not_a_number"
-    old = older(file, tmp_path, "2.7", {"/command": ("fault", "joint")})
-    found = of_json("replay", old, "--verify")
-    assert found["same"] and found["different_messages"] == {}
-
-    def change(command):
-        command["cause"] = "encoders"
-
-    found = of_json("replay", changed(old, tmp_path, "/command", 398, change), "--verify")
-    assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.995}}
-
-
-def test_verify_runs_the_runs_own_estimator_again(tmp_path):
-    """With `estimation: sensors` the logged state is not asked: that it comes out again is a part of the answer."""
-    file = record(tmp_path / "walk.mcap", "--set", "planner.calibration.duration=0", scenario="walk_flat", duration=1)
-    found = of_json("replay", file, "--verify")
-    assert found["same"] and found["estimated"]
-    assert "Estimator and controller ran again" in answer("replay", file, "--verify")
-
-    def change(state):
-        state["p_WB"][0] += 1e-3
-
-    found = of_json("replay", changed(file, tmp_path, "/state", 100, change), "--verify")
-    assert found["same"] and found["different_messages"] == {"/state": {"ticks": 1, "first": 0.25}}
-
-    def push(reading):
-        reading["accelerometer"][0] += 0.5
-
-    found = of_json("replay", changed(file, tmp_path, "/readings", 100, push), "--verify", status=1)
-    assert found["first"]["tick"] in (100, 101) and found["different_ticks"] > 100
-    assert found["different_messages"]["/state"]["first"] <= found["first"]["time"]
 
 
 def test_a_report_of_a_log_that_lacks_its_index_shows_all_of_the_run_and_says_what_is_lost(log, tmp_path):

@@ -1,16 +1,18 @@
 """What of a run is shown in its pictures, from where, and what is said of it."""
 
 import json
+import re
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from log_tools import ROOT
+from PIL import Image
 from pictures_made import frame_at
 
-from surefoot_log import camera, captions, moments, overlays  # isort: skip
+from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.frames import LEGS, SLIP, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -26,6 +28,19 @@ def test_the_camera_stands_beside_the_walk_and_follows_smoothly():
         assert side > 0.9  # it looks to the robot's left, from its right
         assert np.ptp(heights) < 0.003
         assert view.at(2.5)[0][:2] == pytest.approx(frames[25].p_WB[:2], abs=1e-6)
+
+
+def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
+    force = np.array([30.0, 0.0, 40.0])
+    assert [tuple(way) for way in overlays.ground_arrows(force)] == [tuple(overlays.METRES_PER_NEWTON * force)]
+    whole, second = overlays.ground_arrows(100 * force)
+    assert np.linalg.norm(whole) == pytest.approx(overlays.LONGEST) and np.cross(whole, force) == pytest.approx(np.zeros(3))
+    assert np.linalg.norm(second) < np.linalg.norm(whole)
+
+
+def test_the_event_of_a_slip_has_the_programs_number():
+    numbers = dict(re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE))
+    assert int(numbers["slip"]) == SLIP
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
@@ -74,14 +89,14 @@ def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
     frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
     assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
+    frame.gave_way = ("torso_yaw", 2.0, None, None, ("com_xy",))
+    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 between two hierarchies; com xy gives way too"
     frame.gave_way = ("torso_yaw", 2.0, "height", "torso_height", ())
     assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to torso height"
     frame.gave_way = ("torso_yaw", 2.0, "y", "com_xy", ())
     assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to com xy y"
     frame.stop = "encoder LF_KFE changed too fast"
     assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
-    from PIL import Image
-
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
     blank = Image.new("RGB", (320, 240), "black")
     drawn = np.asarray(captions.Captions(240, header).draw(blank, frame, "a title that is much longer than such a small picture is wide, really", 2))
@@ -96,8 +111,6 @@ def test_words_that_are_too_long_for_a_line_go_on_in_the_next():
 
 
 def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_stay_inside():
-    from PIL import Image
-
     def rows(title):
         """Of the picture, that have ink: of the title alone, as nothing else is drawn that far up."""
         drawn = np.asarray(captions.Captions(480, {"level_names": []}).draw(Image.new("RGB", (640, 480), "white"), frame_at(0.0, 1.0), title))
@@ -108,6 +121,20 @@ def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_sta
     short, long = rows("Hd"), rows(" ".join(40 * ["Hd"]))
     assert len(short) == 1 and len(long) > 2
     assert {len(line) for line in long} == {len(short[0])}
+
+
+def test_no_text_of_a_strip_lies_on_a_robot():
+    words = captions.Captions(strip.TILE[1], {"level_names": [], "level_units": []}, strip.LETTERS)
+    quiet, pushed = frame_at(0.0, 0.0), frame_at(0.0, 0.0)
+    pushed.event, pushed.pushes = "pushed in a swing: foot down at once", [(1, np.array([250.0, 0, 0]), np.zeros(3))]
+    pushed.gave_way = ("friction_cone", 2072.0, "RH_KFE", "torque_limits", ("motion",))
+    assert strip.band_over([quiet, quiet], words) == 0
+    over = strip.band_over([quiet, pushed], words)
+    picture, _ = strip.make_strip(SimpleNamespace(frames=[pushed]), lambda _: Image.new("RGB", strip.TILE, (10, 20, 30)), words)
+    assert over > 40 and picture.height == strip.ROWS * (strip.TILE[1] + over + strip.GAP) - strip.GAP
+    tile = picture.crop((0, 0, strip.TILE[0], strip.TILE[1] + over))
+    texts = np.abs(np.asarray(tile, int) - (10, 20, 30)).sum(axis=2).any(axis=1)
+    assert texts[: over + strip.SKY].any() and not texts[over + strip.SKY : -80].any(), "between the texts at the top and the time"
 
 
 def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
@@ -123,6 +150,8 @@ def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
     assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ("torso",))
     levels[0]["residual"] = None
     assert gave_way({"levels": levels, "blocked_by": rows}, header) is None, "nothing was solved, or what holds it is not known"
+    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 0.3}, header) == ("torso", 1.0, None, None, ())
+    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 1.0}, header) is None
     del header["level_visible"]
     levels[0]["residual"] = 0.01
     assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"

@@ -33,6 +33,7 @@ def test_why_a_live_run_has_ended_is_told_whole(browser):
         why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
         browser.wait(f"document.querySelector('#mode').textContent === 'ended' && {FACTS}.textContent.includes('ended: {why}')", 60)
         browser.wait(f"{FACTS}.title === {FACTS}.textContent && {ENDED} === '{why}'")
+        assert browser.run(f"{FACTS}.scrollHeight <= {FACTS}.clientHeight + 1"), "at 1280 pixels all of it is seen"
         point_at_the_end(browser)
         browser.wait(f"({HINT}).includes('ended: {why}')")
         browser.click("#tab-hierarchy")
@@ -72,6 +73,7 @@ def test_a_run_that_has_ended_has_nothing_to_pause_and_stays_ended_when_its_prog
         browser.run(SPY)
         why = page.status(lambda status: status["ended"] is not None, 120)["ended"]
         browser.wait(f"{MODE} === 'ended' && document.querySelector('#play').disabled && document.querySelector('#play').title.startsWith('the run has ended')", 60)
+        assert browser.run("document.querySelector('#go-live').textContent") == "The end"
         for key in " .":
             browser.press(key)
         browser.wait("document.querySelector('#notes').textContent.includes('nothing to pause')")
@@ -88,5 +90,7 @@ def test_of_a_run_that_has_not_ended_nobody_knows_how_it_goes_on_when_its_progra
         browser.wait(f"{MODE} === 'live' && {ENDED} === 'not yet'")
         viewer.process.kill()
         browser.wait(f"{MODE} === 'not known' && {ENDED} === 'not known'", 60)
+        browser.wait("document.querySelector('#play').disabled && document.querySelector('#play').title.startsWith('the program says nothing')")
+        assert browser.run("document.querySelector('#go-live').textContent") == "Newest"
         for look in every_look(browser, "lost"):
             assert browser.run("document.querySelector('#mode').getBoundingClientRect().right <= innerWidth && document.documentElement.scrollWidth <= innerWidth"), look

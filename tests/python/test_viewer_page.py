@@ -264,5 +264,8 @@ def test_without_webgl_the_page_says_so_and_its_panels_work(replayed):
         browser.open(replayed.link)
         browser.wait("document.querySelectorAll('.level').length > 5", 60)
         browser.screenshot(SCREENSHOTS / "no_webgl.png")
-        assert "no WebGL" in browser.run("document.querySelector('#notes').textContent")
+        said = browser.run("document.querySelector('#view').innerText")
+        assert said.startswith("There is no picture") and "hardware acceleration" in said and "THREE" not in said
+        assert browser.run("document.querySelector('#notes').textContent") == ""
+        assert browser.run("document.querySelector('#view').offsetHeight") < 100, "no empty box"
         browser.wait("surefoot.time > 0.3", 30)

@@ -3,6 +3,7 @@
 import itertools
 import json
 import math
+import time
 
 from browser import wait_for
 from damaged_logs import damaged, without_chunk
@@ -45,6 +46,13 @@ def test_a_page_that_is_opened_late_scrubs_back_to_before_it_came(browser, tmp_p
     assert complaints == [] and any(url.endswith("/api/events") for url in browser.requests)
 
 
+def drawn_no_more(browser):
+    """How many pictures there were, once none has come for three seconds."""
+    before = browser.run("surefoot.pictures")
+    time.sleep(3)
+    return before if browser.run("surefoot.pictures") == before else None
+
+
 def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, tmp_path):
     log = "[...document.querySelectorAll('#panel-state dt')].find(one => one.textContent === 'Log')?.nextSibling.textContent"
     with Viewer(*WALK) as walk:
@@ -58,8 +66,11 @@ def test_a_page_of_a_recorded_run_says_where_its_log_is(browser, tmp_path):
         browser.wait(f"{log} === 'goes into {kept}.partial, which is called {kept} when the run has ended'")
         browser.press(" ")
         browser.wait("!surefoot.following")  # the picture stands, whatever the run does
+        browser.wait("surefoot.meshesLoading === 0", 60)
+        shown = wait_for(lambda: drawn_no_more(browser), "a picture that is drawn no more", 120)
         hand.do("resume")
         browser.wait(f"{log} === 'recorded in {kept}'")
+        assert browser.run("surefoot.pictures") == shown, "no picture has brought it"
         hand.do("reset")
         browser.wait(f"{log}.includes('{tmp_path / 'kept-2.mcap'}')")
 

@@ -104,7 +104,8 @@ def every_look(browser, name):
             browser.prefer(theme)
             for size, (width, height) in SIZES.items():
                 browser.resize(width, height, mobile=size == "phone")
-                browser.wait(f"innerWidth === {width}")
+                browser.wait(f"innerWidth === {width} && document.documentElement.dataset.theme === {theme!r}")
+                browser.wait("window.surefoot === undefined || surefoot.isDrawn", 60)
                 yield f"{name} {size} {theme}"
                 browser.screenshot(SCREENSHOTS / f"{name}_{size}_{theme}.png")
     finally:

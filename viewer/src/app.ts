@@ -2,13 +2,14 @@ import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { accountOf, levelStates } from "./data/hierarchy.ts";
+import { accountOf, blendShare, levelStates } from "./data/hierarchy.ts";
 import { commandText } from "./data/stop.ts";
-import { againText, asSentence, recordingText, unreadableText } from "./data/log_words.ts";
+import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
+import { aboutRun } from "./panels/about_run.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
 import { endFact, showFacts, showMode } from "./panels/head.ts";
@@ -129,7 +130,7 @@ export class App {
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
-      this.notes.keep("webgl", `There is no picture: this browser has no WebGL (${(error as Error).message}). The panels work all the same. Try another browser, or switch hardware acceleration on.`, "error");
+      console.warn(error);
       part("view").classList.add("no-picture");
       return undefined;
     }
@@ -144,26 +145,15 @@ export class App {
     return this.link?.status?.ended != null;
   }
 
-  private again(): string {
-    const { header, cut, source } = this.session;
-    const isSteered = this.player.source.marks.some(({ kind }) => kind === "change");
-    return againText(header.command, source || this.recording, cut === "", isSteered, source !== "" || this.hasEnded);
-  }
-
   /** Why the run has ended; "": it has not, or nobody knows. */
   private get ending(): string {
     return this.link === undefined ? this.session.ended : (this.link.status?.ended ?? "");
   }
 
   private aboutRun(): [string, string][] {
-    const { header, version, source, cut } = this.session;
-    return [
-      ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
-      ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
-      ["Log", source === "" ? recordingText(this.recording, this.hasEnded) : cut === "" ? source : `${source} (${cut})`],
-      ["Ended", this.link === undefined ? this.ending : endedText(this.ending, courseOf(this.link.status, this.link.isHeard))],
-      ["Again", this.again()], ["Version", version],
-    ];
+    const { link, recording, hasEnded } = this;
+    const ended = link === undefined ? this.ending : endedText(this.ending, courseOf(link.status, link.isHeard));
+    return aboutRun(this.session, { recording, hasEnded, ended, isSteered: this.player.source.marks.some(({ kind }) => kind === "change") });
   }
 
   private wire(): void {
@@ -234,6 +224,7 @@ export class App {
     const { player, link } = this;
     if (!player.following || link === undefined) player.toggle();
     else if (this.hasEnded) this.notes.say("The run has ended: there is nothing to pause.", "plain", "now");
+    else if (!link.isHeard) this.notes.say("The program says nothing: the run can't be paused.", "plain", "now");
     else if (this.commands.allowed) this.askPause(!this.paused);
     else player.seek(player.time);
   }
@@ -393,7 +384,7 @@ export class App {
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const text = accountOf(levelStates(frame), commandText(frame)).line;
+    const text = accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }).line;
     if (text === this.toldLevels) return;
     this.toldLevels = text;
     say(part("events"), text);

@@ -7,6 +7,7 @@ import { ReplaySource } from "./data/replay_source.ts";
 import { Schema } from "./data/schema.ts";
 import { part, say } from "./panels/dom.ts";
 import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { courseOf, type Course } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
 import { readBlock, readBlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
@@ -271,7 +272,7 @@ export class LiveLink {
   tellFacts(): string[] {
     const facts: string[] = [];
     const log = this.status?.recording ?? "";
-    if (log !== "") facts.push(`${this.status?.ended == null ? "recording" : "recorded in"} ${log.slice(log.lastIndexOf("/") + 1)}`);
+    if (log !== "") facts.push(logFact(log, courseOf(this.status, this.isHeard)));
     if (this.status !== undefined && this.rate > 0) facts.push(paceText(this.status), this.ageText());
     const lost = this.dropped + this.skipped;
     if (lost > 0) facts.push(`${lost} ticks not sent in time`);
@@ -283,6 +284,13 @@ export class LiveLink {
     const { frame, player } = this.app as App;
     return frame === undefined || !player.following ? "" : this.age.text(frame.time, performance.now() / 1000);
   }
+}
+
+/** Of the log that the run goes into: nobody knows whether one of a program that says nothing goes on. */
+export function logFact(path: string, course: Course): string {
+  const name = path.slice(path.lastIndexOf("/") + 1);
+  if (course === "unheard") return `log: ${name}`;
+  return `${course === "ended" ? "recorded in" : "recording"} ${name}`;
 }
 
 /** What of a message is for people, as they read it. */

@@ -18,6 +18,8 @@ export interface SurefootWindow {
   readonly playing: boolean;
   readonly following: boolean;
   readonly pictures: number;
+  /** Whether the picture is as all that has changed it, as its colours. */
+  readonly isDrawn: boolean;
   /** Time from the page's beginning to the first picture with a robot [ms]. */
   readonly firstPicture: number;
   /** Script times of the frames since this was read last [ms]. */
@@ -77,6 +79,9 @@ export function expose(app: App): void {
     },
     get pictures() {
       return app.pictures;
+    },
+    get isDrawn() {
+      return app.world?.isDrawn ?? true;
     },
     get firstPicture() {
       return app.firstPicture;

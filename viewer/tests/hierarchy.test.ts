@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
-import { accountOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
+import { accountOf, blendShare, levelStates, type LevelState } from "../src/data/hierarchy.ts";
 import { blockOf, schemaOf } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
@@ -28,7 +28,7 @@ test("a level has its time from the tick's timing, and none in a log that has no
 
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
-  assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", whole: "Every level gets what it asks for.", more: [] });
+  assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", first: [], whole: "Every level gets what it asks for.", more: [] });
 });
 
 test("a level with a row at its bound is at its limit", () => {
@@ -41,7 +41,7 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", first: [], whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
@@ -95,12 +95,12 @@ test("three levels that are held back above 0 are listed as three", () => {
 test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
   assert.equal(states[0]?.status, "not solved");
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "none", line: "No level is solved: damping, as the torso tilted too far.", whole: "No level is solved: damping, as the torso tilted too far.", more: [] });
+  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "none", line: "No level is solved: damping, as the torso tilted too far.", first: [], whole: "No level is solved: damping, as the torso tilted too far.", more: [] });
 });
 
 test("that the controller has stopped is no good news", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
-  assert.equal(accountOf(states, "damping, as the torso tilted too far", true).kind, "bad");
+  assert.equal(accountOf(states, "damping, as the torso tilted too far", { stopped: true }).kind, "bad");
 });
 
 test("of a solve that was cut off nothing is said of the level that it was in and those below", () => {
@@ -115,7 +115,7 @@ test("of a solve that was cut off nothing is said of the level that it was in an
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
   const cut = "The solver was cut off in second: of it and the levels below nothing is known.";
-  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, cut, whole: cut, more: [] });
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, first: [cut], whole: cut, more: [] });
   assert.equal(accountOf(statesOf(2, -1), "hold").line, "No level is solved: hold.", "whatever an older program left in its record");
   assert.equal(accountOf(statesOf(1, 0), "hold").line, "No level is solved: hold.");
   for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
@@ -124,4 +124,15 @@ test("of a solve that was cut off nothing is said of the level that it was in an
 test("a level's residual is plotted with the unit of its rows", () => {
   const schema = schemaOf({ "hierarchy.level.first.residual": 1, "hierarchy.level.second.residual": 1, "hierarchy.level.second.iterations": 1 });
   assert.deepEqual(schema.channels.map(({ unit }) => unit), ["N", "m/s²", ""]);
+});
+
+test("between two hierarchies no level is said to have its optimum", () => {
+  const blended = "Two hierarchies are blended; this tick is 35 % of the way, at the optimum of neither.";
+  const states = levelStates(frameOf([0, 0.5]));
+  assert.deepEqual(accountOf(states, "", { share: 0.35 }), {
+    kind: "bad", line: "Between two hierarchies: second gives way.", first: [blended], whole: `${blended} second gives way.`, more: [blended, "second gives way, 0.500 m/s² short."],
+  });
+  assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies: all tasks are met.");
+  assert.deepEqual(accountOf(states, "", { share: 1 }), accountOf(states, ""));
+  assert.equal(blendShare(frameOf([0, 0])), 1, "of a log that has none");
 });

@@ -5,7 +5,7 @@ import limbLimits from "../../surefoot/tasks/limb_extension_limits.cpp";
 import type { Frame } from "../src/data/frame.ts";
 import { brakeOf, LIMB_ROW, limbText } from "../src/overlays/feet.ts";
 import { boxOf, reachOf } from "../src/overlays/labels.ts";
-import { spread, type Wanted } from "../src/overlays/label_layout.ts";
+import { leaderOf, spread, type Wanted } from "../src/overlays/label_layout.ts";
 import { randomNumbers, schemaOf } from "./make.ts";
 
 const BUTTONS = [{ left: 0, right: 120, top: 0, bottom: 48 }];
@@ -28,6 +28,21 @@ test("no text covers another, wherever their points are, and those that are show
       assert.ok(Math.abs(place[0] - x) <= 1.2 * 50 && Math.abs(place[1] - Math.max(y, top)) <= 3 * 16);
       for (const other of places.slice(k + 1)) if (other !== undefined) assert.ok(Math.abs(place[0] - other[0]) >= 50 || Math.abs(place[1] - other[1]) >= 16);
     });
+  }
+});
+
+test("a text that stands away from its point has a line to it, from its edge", () => {
+  assert.equal(leaderOf(label(100, 100), [100, 100 - 0.7 * 16]), undefined, "where it has room");
+  assert.equal(leaderOf(label(100, 100), [100, 100 + 1.2 * 16]), undefined, "beside it");
+  const right = leaderOf(label(200, 100), [100, 100]), down = leaderOf(label(100, 160), [100, 100]);
+  assert.deepEqual(right, { x: 25, y: 0, length: 75, angle: 0 });
+  assert.deepEqual([down?.x, down?.y, down?.length, down?.angle], [0, 8, 52, Math.PI / 2]);
+  const random = randomNumbers(3);
+  for (let round = 0; round < 100; ++round) {
+    const [x, y] = [400 * random(), 300 * random()], leader = leaderOf(label(x, y), [200, 150]);
+    if (leader === undefined) continue;
+    assert.ok(Math.abs(200 + leader.x + leader.length * Math.cos(leader.angle) - x) < 1e-9 && Math.abs(150 + leader.y + leader.length * Math.sin(leader.angle) - y) < 1e-9);
+    assert.ok(Math.abs(Math.abs(leader.x) - 25) < 1e-9 || Math.abs(Math.abs(leader.y) - 8) < 1e-9, "the edge");
   }
 });
 

@@ -4,11 +4,14 @@ import * as THREE from "three";
 import type { Frame } from "../src/data/frame.ts";
 import { LEGS } from "../src/data/schema.ts";
 import type { ForceMark, Mark } from "../src/data/source.ts";
-import { OutsideForce } from "../src/overlays/forces.ts";
+import { GroundForces, OutsideForce } from "../src/overlays/forces.ts";
 import type { Picture } from "../src/overlays/overlay.ts";
 import { commandText, faultsText, stopText } from "../src/data/stop.ts";
+import { FORCE_SLACK, SHARE_SLACK } from "../src/data/wished_forces.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
+import lyingWords from "../../tests/support/lying_words.json";
+import tickExplanation from "../../app/tick_explanation.cpp";
 import stopWords from "../../tests/support/stop_words.json";
 import { schemaOf } from "./make.ts";
 
@@ -41,10 +44,19 @@ test("of a foot that touches the size of the force is told, by that name", () =>
 
 test("where the command is not the solution's nothing is told of what feet should do", () => {
   for (const mode of ["hold", "sit", "damping"]) for (const phase of PHASES) {
-    assert.match(said(phase, 0, [0, 0, 0], mode).get("Feet") as string, /^LF is in the air; RF is in the air; /);
-    assert.match(said(phase, 1, [3, 4, 12], mode).get("Feet") as string, /^LF touches, \|f\| 13\.0 N; /);
+    assert.equal(said(phase, 0, [0, 0, 0], mode).get("Feet"), `nothing is asked of them (${mode}); all are in the air`);
+    assert.ok((said(phase, 1, [3, 4, 12], mode).get("Feet") as string).startsWith(`nothing is asked of them (${mode}); LF touches, |f| 13.0 N; RF `));
+    assert.equal(said(phase, undefined, [0, 0, 0], mode).get("Feet"), `nothing is asked of them (${mode})`);
   }
   assert.match(said("stance", 0, [0, 0, 0], "degraded").get("Feet") as string, /^LF should stand/);
+});
+
+test("what of the robot lies on the ground is said in the program's words", () => {
+  const schema = schemaOf({ "truth.torso_contact": 1, "truth.shank_contacts": 1, "truth.body_contact_force": 1, ...Object.fromEntries(LEGS.map((leg) => [`truth.feet.${leg}.touching`, 1])) });
+  const of = (values: number[]): string | undefined => new Map(sentences({ schema, tick: 0, time: 0, values: Float32Array.from(values), active: [], blocking: [] })).get("Lies on");
+  for (const [torso, legs, most, feet, text] of lyingWords as [number, number, number, number, string][])
+    assert.equal(of([torso, legs, most, ...LEGS.map((_, k) => (feet >> k) & 1)]) ?? "", text);
+  assert.equal(of([NaN, NaN, NaN, NaN, NaN, NaN, NaN]), undefined, "where nobody knows");
 });
 
 test("of velocities it is told whose they are", () => {
@@ -99,6 +111,20 @@ test("an arrow begins at the body that is pushed, in the line in which the force
   assert.deepEqual(starts.map((start) => start.map((one) => Number(one.toFixed(6)))), [[0.2, 0, 0.4], [1, 0, 0.4]]);
 });
 
+test("an arrow that would leave the picture is cut short, with two heads, and keeps its number", () => {
+  const names = ["touching", "force", "point"].flatMap((field) => LEGS.map((leg) => [`truth.feet.${leg}.${field}`, field === "touching" ? 1 : 3] as const));
+  const schema = schemaOf(Object.fromEntries(names));
+  const table = new FrameTable(schema, 1);
+  table.append(0, 0, Float32Array.from([1, 1, 0, 0, 0, 0, 300, 0, 0, 2792, ...Array<number>(18).fill(0)]), undefined);
+  const texts: string[] = [], ends: number[] = [];
+  const labels = { put: (at: THREE.Vector3, text: string) => (texts.push(text), ends.push(Number(at.z.toFixed(6)))) };
+  const overlay = new GroundForces();
+  overlay.update({ frame: table.frame(0), labels, newton: 0.0025, longest: 1.5 } as unknown as Picture);
+  assert.deepEqual([texts, ends], [["|f| 300 N", "|f| 2792 N"], [0.75, 1.5]]);
+  const [shafts, heads] = overlay.root.children.at(-1)?.children as THREE.InstancedMesh[];
+  assert.deepEqual([shafts?.count, heads?.count], [2, 3]);
+});
+
 test("what the pointer pulls has the spring for its arrow; what else pushes the same body is drawn, and called so", () => {
   const change = (force: ForceMark): Mark => ({ time: 0, text: "", leg: "", kind: "change", force });
   const pull = change({ kind: "pull", body: "base", begins: true }), none = [0, 0, 0, 0, 0, 0];
@@ -131,6 +157,11 @@ test("forces of the solution that no ground gives stand beside its command, wher
   assert.equal(of(0, [-0.5, 400, NaN], [400.5, 400, 1.005], [NaN, 400, NaN]), "optimal", "roundings, and what is not known");
   assert.equal(of(0, [-39.7, 400, NaN], [500, 400, 0.2], [80, 400, 1.3]), "optimal, but for contact forces that no ground gives: LF −39.7 N, RF 500 N, LH 130 % of its pyramid");
   assert.equal(of(1, [-39.7, 400, NaN]), "hold", "the solution's forces are no part of another command");
+});
+
+test("a force is beyond its limits from where explain says so", () => {
+  const [, loaded] = /kLoaded = ([\d.]+);/.exec(tickExplanation) ?? [], [, slack] = /kSlack = ([\d.]+);/.exec(tickExplanation) ?? [];
+  assert.deepEqual([Number(loaded), Number(slack)], [FORCE_SLACK, SHARE_SLACK]);
 });
 
 test("where the solve was cut off that is told, and what the levels above gave way to as well", () => {

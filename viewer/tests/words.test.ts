@@ -6,7 +6,8 @@ import { boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../sr
 import { speedText } from "../src/data/lag.ts";
 import { changeText } from "../src/data/change_words.ts";
 import { modeText } from "../src/panels/head.ts";
-import { clockText, courseOf, endedText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
+import { logFact } from "../src/live_link.ts";
+import { clockText, courseOf, endedText, newestText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
@@ -86,8 +87,21 @@ test("of a program that is no longer heard it is told what is known, never that 
 
 test("where a run has ended there is nothing to let go on", () => {
   const [now, past] = [{ live: true, past: false }, { live: true, past: true }];
-  assert.deepEqual([true, false].map((may) => playText(now, false, may, true)), ["the run has ended; ↺ begins it again", "the run has ended"]);
-  assert.match(playText(past, false, true, true), /play on from here/);
+  assert.deepEqual([true, false].map((may) => playText(now, false, may, "ended")), ["the run has ended; ↺ begins it again", "the run has ended"]);
+  assert.match(playText(past, false, true, "ended"), /play on from here/);
+});
+
+test("of a program that says nothing neither its log nor what can be done with its run is told as of one that is there", () => {
+  const [now, past] = [{ live: true, past: false }, { live: true, past: true }];
+  assert.equal(playText(now, true, true, "unheard"), "the program says nothing: the run can't be paused");
+  assert.match(playText(past, true, true, "unheard"), /stop here/);
+  const courses = ["runs", "paused", "ended", "unheard"] as const;
+  assert.deepEqual(courses.map((course) => logFact("/tmp/run.mcap", course)), ["recording run.mcap", "recording run.mcap", "recorded in run.mcap", "log: run.mcap"]);
+});
+
+test("the button that leads to the newest picture is not called live where nothing is", () => {
+  const texts = (["runs", "ended", "unheard"] as const).map((course) => [false, true].map((back) => newestText(back, course)[0]));
+  assert.deepEqual(texts, [["Live", "To now"], ["The end", "To the end"], ["Newest", "To newest"]]);
 });
 
 test("changes are told without the names and vectors of the program", () => {

@@ -1,4 +1,5 @@
 import { quantity } from "./numbers.ts";
+import { percent } from "../math/friction.ts";
 import { scalar, type Frame } from "./frame.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
@@ -65,6 +66,9 @@ export function levelStates(frame: Frame): LevelState[] {
   });
 }
 
+/** False where no hierarchy was solved: what is planned is then of the last tick at which one was. */
+export const wasSolved = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT;
+
 /** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
 function solvedLevels(frame: Frame): number {
   const status = scalar(frame, "hierarchy.status"), failed = scalar(frame, "hierarchy.failed_level");
@@ -83,16 +87,40 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
-  /** That the solve was cut off, where it was. */
-  cut?: string;
+  /** That two hierarchies are blended, and that the solve was cut off, where that is so. */
+  first: string[];
   /** That, and each level that gives way, and to which, or what is held back without that. */
   whole: string;
   more: string[];
 }
 
-/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved, `stopped`: the controller, for safety. */
-export function accountOf(states: LevelState[], command: string, stopped = false): Account {
+/** How far the torques are on the way from one hierarchy to another; 1: on none. */
+export function blendShare(frame: Frame): number {
+  const share = scalar(frame, "hierarchy.transition_share");
+  return Number.isNaN(share) ? 1 : share;
+}
+
+export interface Circumstances {
+  /** See `blendShare`. */
+  share?: number;
+  /** The controller, for safety. */
+  stopped?: boolean;
+}
+
+/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved. */
+export function accountOf(states: LevelState[], command: string, { share = 1, stopped = false }: Circumstances = {}): Account {
   if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(`No level is solved: ${command}.`), more: [] };
+  const account = accountOfLevels(states);
+  if (share >= 1) return account;
+  const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
+  const { line, whole } = account.kind === "good" ? same("All tasks are met.") : account; // who holds back what is minimised is not known on the way
+  return {
+    ...account, line: `Between two hierarchies: ${line.replace(/^All/, "all")}`, whole: `${blended} ${whole}`,
+    first: [blended, ...account.first], more: account.more.length === 0 ? [] : [blended, ...account.more],
+  };
+}
+
+function accountOfLevels(states: LevelState[]): Account {
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
@@ -100,14 +128,14 @@ export function accountOf(states: LevelState[], command: string, stopped = false
   if (first !== undefined) {
     const cut = `The solver was cut off in ${plainName(first)}: of it and the levels below nothing is known.`;
     const others = yielding.length > 0 ? yieldingText(yielding, states) : held.length > 0 ? `${heldText(held, states)}.` : "";
-    return { kind: "bad", line: cut, cut, whole: `${cut} ${others}`.trim(), more };
+    return { kind: "bad", line: cut, first: [cut], whole: `${cut} ${others}`.trim(), more };
   }
-  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), whole: yieldingText(yielding, states), more };
+  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), first: [], whole: yieldingText(yielding, states), more };
   if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), more };
   return { kind: "good", ...same("Every level gets what it asks for."), more };
 }
 
-const same = (line: string): Pick<Account, "line" | "whole"> => ({ line, whole: line });
+const same = (line: string): Pick<Account, "line" | "first" | "whole"> => ({ line, first: [], whole: line });
 
 /** Of levels that are to be as small as can be, and would be smaller alone. */
 function heldText(held: LevelState[], states: LevelState[]): string {

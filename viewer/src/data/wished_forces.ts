@@ -4,7 +4,7 @@ import { digits } from "./numbers.ts";
 import { LEG_CHANNELS, LEGS } from "./schema.ts";
 
 /** Further beyond a limit than this is no rounding [N], of a friction pyramid as a share; those of `explain`. */
-const FORCE_SLACK = 1, SHARE_SLACK = 0.01;
+export const FORCE_SLACK = 1, SHARE_SLACK = 0.01;
 
 /** What the solution asks of a foot beyond its limits; "": nothing. */
 function wishOf(frame: Frame, k: number): string {

@@ -23,9 +23,11 @@ export class Arrows {
     private readonly radius: number,
     capacity: number,
     order = 3,
+    /** From one head to the other, of an arrow that is cut short [m]. */
+    private readonly twice = 5.4 * radius,
   ) {
     this.shafts = new Copies(SHAFT, material, capacity);
-    this.heads = new Copies(HEAD, material, capacity);
+    this.heads = new Copies(HEAD, material, 2 * capacity);
     this.root.add(this.shafts.mesh, this.heads.mesh);
     if (!material.depthTest) this.shafts.mesh.renderOrder = this.heads.mesh.renderOrder = order;
   }
@@ -35,17 +37,19 @@ export class Arrows {
     this.heads.begin();
   }
 
-  /** From `start` along `vector` [m]; left out where it is too short to see. */
-  add(start: THREE.Vector3, vector: THREE.Vector3, colour: THREE.Color): boolean {
-    const length = vector.length();
+  /** From `start` along `vector` [m], no longer than `most`: then with two heads. Left out where it is too short to see. */
+  add(start: THREE.Vector3, vector: THREE.Vector3, colour: THREE.Color, most = Infinity): boolean {
+    const whole = vector.length(), length = Math.min(whole, most);
     if (!(length > 0.01)) return false;
     const { radius, turn, size, place } = this;
-    this.tip.copy(start).add(vector);
-    turn.setFromUnitVectors(UP, this.direction.copy(vector).divideScalar(length));
+    turn.setFromUnitVectors(UP, this.direction.copy(vector).divideScalar(whole));
+    this.tip.copy(start).addScaledVector(this.direction, length);
     const head = Math.min(4.5 * radius, 0.5 * length);
-    this.neck.copy(start).addScaledVector(this.direction, length - head);
     this.shafts.add(place.compose(start, turn, size.set(radius, radius, length - head)), colour);
-    this.heads.add(place.compose(this.neck, turn, size.set(2.2 * radius, 2.2 * radius, head)), colour);
+    for (const back of whole > most ? [0, this.twice] : [0]) {
+      this.neck.copy(start).addScaledVector(this.direction, length - head - back);
+      this.heads.add(place.compose(this.neck, turn, size.set(2.2 * radius, 2.2 * radius, head)), colour);
+    }
     return true;
   }
 

@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { scalar, type Frame } from "../data/frame.ts";
+import { wasSolved } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
@@ -34,7 +35,7 @@ export class SwingCurves implements Overlay {
   update(picture: Picture): void {
     const { frame } = picture;
     this.targets.begin();
-    LEGS.forEach((_, k) => {
+    if (wasSolved(frame)) LEGS.forEach((_, k) => {
       if (scalar(frame, LEG_CHANNELS.phase[k] as string) >= 2 && vector(frame, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
         this.targets.add(this.place.setPosition(this.foot), this.colours[k] as THREE.Color);
     });

@@ -25,14 +25,14 @@ export class GroundForces implements Overlay {
     this.colours.forEach((colour, k) => colour.set(palette.legs[k] as number));
   }
 
-  update({ frame, labels, newton }: Picture): void {
+  update({ frame, labels, newton, longest }: Picture): void {
     this.arrows.begin();
     LEGS.forEach((_, k) => {
       if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
       if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
       const newtons = this.force.length();
-      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color))
+      if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color, longest))
         labels.put(this.arrows.tip, `|f| ${newtons.toFixed(0)} N`, `leg${k}`);
     });
     this.arrows.end();
@@ -56,13 +56,13 @@ export class WantedForces implements Overlay {
     this.colour.set(palette.com);
   }
 
-  update({ frame, header, newton }: Picture): void {
+  update({ frame, header, newton, longest }: Picture): void {
     this.arrows.begin();
     LEGS.forEach((_, k) => {
       if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
       this.point.z -= header.robot.foot_radius;
-      this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colour);
+      this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colour, longest);
     });
     this.arrows.end();
   }
@@ -91,8 +91,8 @@ export class OutsideForce implements Overlay {
   private readonly colour = new THREE.Color();
   private readonly edgeColour = new THREE.Color();
   private readonly believed = new Arrows(paintOverBodies(0.45), 0.009, 1, 2);
-  private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3);
-  private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4);
+  private readonly edges = new Arrows(paintOverBodies(), 0.02, MOST_PUSHES, 3, 0.08);
+  private readonly arrows = new Arrows(paintOverBodies(), 0.015, MOST_PUSHES, 4, 0.08);
   private readonly start = new THREE.Vector3();
   private readonly point = new THREE.Vector3();
   private readonly force = new THREE.Vector3();
@@ -126,25 +126,25 @@ export class OutsideForce implements Overlay {
     return this.force.setLength(SEEN_LENGTH + newton * this.force.length());
   }
 
-  private draw(push: Push, told: ToldForces, { frame, labels, newton, held, centreOf }: Picture): void {
+  private draw(push: Push, told: ToldForces, { frame, labels, newton, longest, held, centreOf }: Picture): void {
     const body = frame.schema.bodies[push.body] ?? "";
     if (body === held && !told.pushed.has(body)) return; // the spring to the pointer stands for the pull
     if (centreOf(body, this.start)) this.start.add(this.point.fromArray(leverOf(push, BODY_REACH)));
     else if (!vector(frame, "truth.p_WCom", this.start)) return;
     const newtons = this.force.fromArray(push.force).length();
-    this.arrows.add(this.start, this.stretch(newton), this.colour);
+    this.arrows.add(this.start, this.stretch(newton), this.colour, longest);
     const size = `${newtons < 10 ? digits(newtons) : newtons.toFixed(0)} N`;
     this.point.copy(this.arrows.tip).z += NUMBER_OVER;
     labels.put(this.point, forceText(body, size, told), "push");
     this.over.copy(this.force).setLength(EDGE);
-    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour);
+    this.edges.add(this.start.sub(this.over), this.force.addScaledVector(this.over, 2.5), this.edgeColour, longest + 2.5 * EDGE);
   }
 
-  private drawBelieved({ frame, labels, newton, beliefToWorld }: Picture): void {
+  private drawBelieved({ frame, labels, newton, longest, beliefToWorld }: Picture): void {
     if (!vector(frame, "truth.p_WCom", this.start)) return;
     if (!vector(frame, "state.external_force", this.force) || this.force.length() < LEAST_BELIEVED) return;
     const newtons = this.force.applyMatrix4(this.turn.extractRotation(beliefToWorld)).length();
-    this.believed.add(this.start, this.stretch(newton), this.colour);
+    this.believed.add(this.start, this.stretch(newton), this.colour, longest);
     labels.put(this.believed.tip, `believed ${newtons.toFixed(0)} N`, "believed");
   }
 }

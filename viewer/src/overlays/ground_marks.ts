@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
+import { wasSolved } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
@@ -95,7 +96,7 @@ export class ZeroMomentPoint implements Overlay {
   }
 
   update(picture: Picture): void {
-    const known = this.plane.read(picture) && read(picture.frame, "plan.com.zmp", this.zmp);
+    const known = wasSolved(picture.frame) && this.plane.read(picture) && read(picture.frame, "plan.com.zmp", this.zmp);
     this.planned.visible = known;
     const [x, y] = this.zmp as [number, number];
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);

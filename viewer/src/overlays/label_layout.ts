@@ -49,6 +49,27 @@ export function spread(wanted: Wanted[], width: number, height: number, covers: 
   return places;
 }
 
+/** From the edge of a text that is not at its usual place to its point: where the line begins, from the text's middle, and how it goes. */
+export interface Leader {
+  x: number;
+  y: number;
+  /** [pixels] */
+  length: number;
+  /** Clockwise from the right [rad]. */
+  angle: number;
+}
+
+/** A text that is nearer to its point than this has no line to it, in heights of the text. */
+const NEAR = 1;
+
+/** The line from a text to its point; undefined where that is beside it. */
+export function leaderOf({ x, y, width, height }: Wanted, [left, top]: Place): Leader | undefined {
+  const dx = x - left, dy = y - top;
+  const inside = Math.min(1, (0.5 * width) / Math.abs(dx), (0.5 * height) / Math.abs(dy));
+  const length = (1 - inside) * Math.hypot(dx, dy);
+  return length > NEAR * height ? { x: inside * dx, y: inside * dy, length, angle: Math.atan2(dy, dx) } : undefined;
+}
+
 /** The first of these places; where that covers a mark, the nearest of those that cover none, if there are any. */
 function beside(marks: Box[], free: Place[], one: Wanted): Place | undefined {
   const isBeside = (at: Place): boolean => marks.every((mark) => isOff(at, one, mark));

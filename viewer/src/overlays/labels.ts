@@ -1,11 +1,15 @@
 import * as THREE from "three";
-import { spread, type Box, type Wanted } from "./label_layout.ts";
+import { leaderOf, spread, type Box, type Leader, type Wanted } from "./label_layout.ts";
 
 interface Label {
   element: HTMLElement;
+  words: Text;
+  /** The line to its point. */
+  line: HTMLElement;
   text: string;
   className: string;
   place: string;
+  leader: string;
 }
 
 /** Size of a text without asking the browser, which would lay the page out anew [pixels]. */
@@ -83,7 +87,7 @@ export class Labels {
     if (this.at.z > 1 || Math.abs(this.at.x) > reach || Math.abs(this.at.y) > reach) return;
     const label = this.next();
     const { element } = label;
-    if (label.text !== text) element.textContent = label.text = text;
+    if (label.text !== text) label.words.data = label.text = text;
     if (label.className !== className) element.className = `label ${(label.className = className)}`;
     const x = 0.5 * (1 + this.at.x) * this.width;
     const y = 0.5 * (1 - this.at.y) * this.height;
@@ -98,13 +102,24 @@ export class Labels {
       if (place === undefined) return;
       const transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px) translate(-50%, -50%)`;
       if (label.place !== transform) label.element.style.transform = label.place = transform;
+      this.lead(label, leaderOf(this.wanted[k] as Wanted, place));
     });
+  }
+
+  /** Whose text it is that stands away from its point. */
+  private lead(label: Label, leader: Leader | undefined): void {
+    if (label.line.hidden !== (leader === undefined)) label.line.hidden = leader === undefined;
+    if (leader === undefined) return;
+    const { x, y, length, angle } = leader;
+    const transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) rotate(${angle.toFixed(3)}rad) scaleX(${length.toFixed(1)})`;
+    if (label.leader !== transform) label.line.style.transform = label.leader = transform;
   }
 
   private next(): Label {
     const known = this.pool[this.wanted.length];
     if (known !== undefined) return known;
-    const label = { element: document.createElement("span"), text: "", className: "none", place: "" };
+    const label = { element: document.createElement("span"), words: new Text(), line: document.createElement("i"), text: "", className: "none", place: "", leader: "" };
+    label.element.append(label.line, label.words);
     this.layer.append(label.element);
     this.pool.push(label);
     return label;

@@ -13,6 +13,8 @@ export interface Picture {
   labels: Labels;
   /** Length of an arrow of 1 N [m/N]. */
   newton: number;
+  /** An arrow of a force is drawn no longer [m]: those of a fall would leave the picture. */
+  longest: number;
   /** Takes what was planned and believed to where the robot really is. */
   beliefToWorld: THREE.Matrix4;
   /** The body that the pointer holds, whose pull it shows itself. */

@@ -65,7 +65,7 @@ export class DrivePanel {
   constructor(root: HTMLElement, private readonly commands: Commands, limits: Limits, private readonly report: Report) {
     this.most = walkLimits(limits);
     const number = (id: string, value: number, max: number, step: number): HTMLInputElement =>
-      h("input", { type: "number", id, value, min: step, max, step });
+      h("input", { type: "number", id, value, min: 0, max, step });
     this.impulse = number("push-impulse", Math.min(15, limits.push_newton_seconds), limits.push_newton_seconds, 1);
     this.duration = number("push-duration", 0.2, limits.push_seconds, 0.05);
     this.direction = h("input", { type: "range", id: "push-direction", min: -180, max: 180, step: 5, value: 90, oninput: () => this.showDirection() });

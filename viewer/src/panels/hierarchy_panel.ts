@@ -1,5 +1,5 @@
 import { scalar, type Frame } from "../data/frame.ts";
-import { accountOf, levelStates, type LevelState } from "../data/hierarchy.ts";
+import { accountOf, blendShare, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
 import { commandText, stopText } from "../data/stop.ts";
 import { Wish } from "../data/wish.ts";
@@ -60,7 +60,7 @@ export class HierarchyPanel {
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountOf(states, commandText(frame), stopText(frame) !== ""));
+    this.account.show(accountOf(states, commandText(frame), { share: blendShare(frame), stopped: stopText(frame) !== "" }));
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 

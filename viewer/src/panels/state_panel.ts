@@ -1,7 +1,8 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
-import { accountOf, levelStates, type Account } from "../data/hierarchy.ts";
+import { accountOf, blendShare, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { TOLD } from "../data/change_words.ts";
+import { lyingText } from "../data/lying.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -22,16 +23,30 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
 /** Commands that are not the solution's: nobody asks of feet what was planned. */
 const WITHOUT_PLAN = ["hold", "sit", "damping"];
 
+/** Of a foot that touches the ground: the size of its force. */
+function sizeText(frame: Frame, k: number): string {
+  const force = [0, 0, 0];
+  return read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
+}
+
 /** What a foot is to do and what it does, with the size of the ground's force on it where it touches. */
 function footText(frame: Frame, leg: string, k: number): string {
-  const isPlanned = !WITHOUT_PLAN.includes(word(frame, "command.mode"));
-  const [asPlanned, inTheAir] = (isPlanned ? PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] : undefined) ?? ["is not known", "is in the air"];
+  const [asPlanned, inTheAir] = PHASES[word(frame, LEG_CHANNELS.phase[k] as string)] ?? ["is not known", "is in the air"];
   const touching = scalar(frame, LEG_CHANNELS.touching[k] as string);
   if (Number.isNaN(touching)) return `${leg} ${asPlanned}`;
   if (touching === 0) return `${leg} ${inTheAir}`;
-  const force = [0, 0, 0];
-  const size = read(frame, LEG_CHANNELS.trueForce[k] as string, force) ? `, |f| ${digits(Math.hypot(...force))} N` : "";
-  return `${leg} ${isPlanned ? asPlanned : "touches"}${asPlanned === "swings" ? ", touches" : ""}${size}`;
+  return `${leg} ${asPlanned}${asPlanned === "swings" ? ", touches" : ""}${sizeText(frame, k)}`;
+}
+
+/** What feet are to do and what they do; of a command that is not the solution's, that nobody asks them for anything. */
+function feetText(frame: Frame): string {
+  const mode = word(frame, "command.mode");
+  if (!WITHOUT_PLAN.includes(mode)) return LEGS.map((leg, k) => footText(frame, leg, k)).join("; ");
+  const touching = LEGS.map((_, k) => scalar(frame, LEG_CHANNELS.touching[k] as string));
+  const asked = `nothing is asked of them (${mode})`;
+  if (touching.some(Number.isNaN)) return asked;
+  if (!touching.some((one) => one > 0)) return `${asked}; all are in the air`;
+  return [asked, ...LEGS.map((leg, k) => `${leg} ${(touching[k] as number) > 0 ? `touches${sizeText(frame, k)}` : "is in the air"}`)].join("; ");
 }
 
 /** Velocity of the base in the plane. */
@@ -63,8 +78,8 @@ function pyramidUses(frame: Frame): string {
 }
 
 /** One or two levels with the rows that hold them back, of more with the levels: the panel of the hierarchy has the rest. */
-function hierarchyText({ cut, whole, more }: Account): string {
-  return more.length === 0 || more.length > 2 ? whole : [...(cut === undefined ? [] : [cut]), ...more].join(" ");
+function hierarchyText({ first, whole, more }: Account): string {
+  return more.length === 0 || more.length > 2 ? whole : [...new Set([...first, ...more])].join(" ");
 }
 
 /** Where a force in W goes, seen along the robot's heading. */
@@ -93,13 +108,13 @@ function pushText(frame: Frame): string {
   return forces.length === 0 ? "nothing" : `${forces.join("; ")} (truth: the controller is not told)`;
 }
 
-/** The state in sentences: what a picture shows to those who see it. */
-export function sentences(frame: Frame): [string, string][] {
-  const legs = LEGS.map((leg, k) => footText(frame, leg, k));
+/** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
+function allSentences(frame: Frame): [string, string][] {
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
-    ["Feet", legs.join("; ")],
+    ["Feet", feetText(frame)],
+    ["Lies on", lyingText(frame)],
     ["Pyramid used", pyramidUses(frame)],
     [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
@@ -108,8 +123,13 @@ export function sentences(frame: Frame): [string, string][] {
     ["Pushed by", pushText(frame)],
     ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
-    ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame)))],
-  ].filter((row): row is [string, string] => row[1] !== "");
+    ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }))],
+  ];
+}
+
+/** Those that say something. */
+export function sentences(frame: Frame): [string, string][] {
+  return allSentences(frame).filter(([, text]) => text !== "");
 }
 
 /** The state in words, and what the run is. */
@@ -141,10 +161,11 @@ export class StatePanel {
     this.list.replaceChildren();
   }
 
-  /** Rows that this frame has nothing for are hidden. */
+  /** Rows that this frame has nothing for are hidden, and have their place. */
   show(frame: Frame): void {
-    const told = new Map(sentences(frame));
-    for (const name of told.keys()) if (!this.rows.has(name)) this.add(name);
+    const all = allSentences(frame);
+    const told = new Map(all.filter(([, text]) => text !== ""));
+    for (const [name] of all) if (!this.rows.has(name)) this.add(name);
     for (const [row, { name, text }] of this.rows) {
       name.hidden = text.hidden = !told.has(row);
       say(text, told.get(row) ?? "");

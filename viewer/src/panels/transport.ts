@@ -52,9 +52,18 @@ export function pastText(newest: number, course: Course): string {
   return `past; ${COURSES[course]} ${newest.toFixed(1)} s`;
 }
 
-/** What the space bar and its button do; `mayCommand`: this page may change the run; `ended`: that has come to its end. */
-export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, ended = false): string {
-  if (ended && player.live && !player.past) return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
+/** The button that leads to the newest picture, and what it does. */
+export function newestText(past: boolean, course: Course): [text: string, title: string] {
+  if (course === "ended") return past ? ["To the end", "to the last picture of the run (l)"] : ["The end", "the last picture of the run (l)"];
+  if (course === "unheard") return past ? ["To newest", "to the newest picture that has come (l)"] : ["Newest", "the newest picture that has come (l)"];
+  return [past ? "To now" : "Live", "to the newest picture (l)"];
+}
+
+/** What the space bar and its button do; `mayCommand`: this page may change the run. */
+export function playText(player: Pick<Player, "live" | "past">, running: boolean, mayCommand = true, course: Course = "runs"): string {
+  const now = player.live && !player.past;
+  if (now && course === "ended") return mayCommand ? "the run has ended; ↺ begins it again" : "the run has ended";
+  if (now && course === "unheard") return "the program says nothing: the run can't be paused";
   if (player.past || (player.live && !mayCommand)) return running ? "stop here; the run is left alone (space)" : "play on from here; the run is left alone (space)";
   if (player.live) return running ? "pause the run (space)" : "let the run go on (space)";
   return running ? "pause (space)" : "play (space)";
@@ -158,19 +167,21 @@ export class Transport {
     const { player } = this;
     const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
-    const ended = status !== undefined && status.ended !== null;
-    const running = player.following ? !(status?.paused ?? false) && !ended : player.playing;
+    const course = courseOf(status, heard);
+    const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
     say(this.playButton, running ? "❚❚" : "▶");
-    name(this.playButton, playText(player, running, this.mayCommand, ended));
-    this.playButton.disabled = player.following && ended;
+    name(this.playButton, playText(player, running, this.mayCommand, course));
+    this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
     if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
-    say(this.liveButton, player.past ? "To now" : "Live");
+    const [newest, title] = newestText(player.past, course);
+    say(this.liveButton, newest);
+    name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
     this.forbid(this.speedSelect, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
-    say(this.past, player.past && !Number.isNaN(last) ? pastText(last, courseOf(status, heard)) : "");
+    say(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);

@@ -14,6 +14,8 @@ import { Terrain } from "./terrain.ts";
 
 /** An arrow as long as this stands for the robot's weight [m]. */
 const WEIGHT_LENGTH = 0.75;
+/** And no arrow is longer than this: twice the weight on one foot. */
+const LONGEST = 2 * WEIGHT_LENGTH;
 const SETTLING = 1;
 /** Trails are drawn anew this often [s]. */
 const TRAIL_PERIOD = 0.1;
@@ -109,6 +111,11 @@ export class World {
     this.robot.root.visible = this.ghost.root.visible = this.overlays.root.visible = visible;
   }
 
+  /** Whether the picture is as all that has changed it. */
+  get isDrawn(): boolean {
+    return !this.dirty;
+  }
+
   /** Something else than the time has changed what is seen. */
   invalidate(): void {
     this.dirty = true;
@@ -164,7 +171,7 @@ export class World {
     this.shown = frame.time;
     const { header } = this.session;
     const { labels, newton, held, centreOf } = this;
-    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, trails, held, centreOf, beliefToWorld: set.beliefToWorld });
+    for (const set of [this.overlays, ...this.copies]) set.update({ frame, source, header, labels, newton, longest: LONGEST, trails, held, centreOf, beliefToWorld: set.beliefToWorld });
   }
 
   /** Draws all overlays as often as for this many robots, side by side. */

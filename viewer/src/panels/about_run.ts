@@ -1,0 +1,24 @@
+import { againText, recordingText } from "../data/log_words.ts";
+import type { Session } from "../protocol/session.ts";
+
+/** What of a run becomes known only as it goes on. */
+export interface Progress {
+  /** The log of a live run; "": it is not recorded. */
+  recording: string;
+  hasEnded: boolean;
+  /** Why, in words. */
+  ended: string;
+  /** Something was changed from outside. */
+  isSteered: boolean;
+}
+
+/** What a run is, in names and texts; "": not known. */
+export function aboutRun({ header, version, source, cut }: Session, { recording, hasEnded, ended, isSteered }: Progress): [string, string][] {
+  const isLog = source !== "";
+  return [
+    ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
+    ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
+    ["Log", !isLog ? recordingText(recording, hasEnded) : cut === "" ? source : `${source} (${cut})`],
+    ["Ended", ended], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
+  ];
+}
