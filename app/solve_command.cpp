@@ -12,6 +12,7 @@
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/sweep.hpp"
 
@@ -136,13 +137,14 @@ class SolveCommand {
     const bool is_timed = arguments_.explain || std::isfinite(arguments_.budget_us);
     double (*clock)() = is_timed ? steady_seconds : nullptr;
     if (is_cascade()) {
-      return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
+      return solve_in_even_units<CascadeSolver>(hierarchy,
+                                                CascadeOptions{.rank = {}, .clock = clock});
     }
     LexicographicOptions options;
     options.budget.flops = arguments_.budget;
     options.budget.seconds = 1e-6 * arguments_.budget_us;
     options.clock = clock;
-    return LexicographicSolver(hierarchy, options).solve(hierarchy);
+    return solve_in_even_units<LexicographicSolver>(hierarchy, options);
   }
 
   static std::string waiting_for(const std::string& place, const Hierarchy& hierarchy) {

@@ -1,5 +1,6 @@
 #include "surefoot/solver/certificate.hpp"
 
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/optimality_conditions.hpp"
 
 #include <algorithm>
@@ -14,10 +15,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
 
-}  // namespace
-
-std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                                      const CertificateOptions& options) {
+/// In the units that x is in.
+std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                               const CertificateOptions& options) {
   std::vector<LevelCertificate> certificates;
   const std::size_t num_levels = std::min(hierarchy.num_levels(), options.levels);
   if (!x.allFinite()) {
@@ -38,6 +38,15 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
     touching.add(level.touching);
   }
   return certificates;
+}
+
+}  // namespace
+
+std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                      const CertificateOptions& options) {
+  const Eigen::VectorXd units = even_units(hierarchy);
+  if ((units.array() == 1.0).all()) return certify_as_given(hierarchy, x, options);
+  return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
 }
 
 double worst_stationarity(const std::vector<LevelCertificate>& levels) {
