@@ -1,5 +1,6 @@
 #include "surefoot/solver/certificate.hpp"
 
+#include "surefoot/solver/doubt.hpp"
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/optimality_conditions.hpp"
 
@@ -32,6 +33,7 @@ std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.rounding);
     certificates.push_back(
         {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
+    if (is_sound) certificates.back().doubt = doubt(hierarchy, k, x, options.tight, fixed, touching);
     fix_pushing(found, fixed, touching);
     fix_violated(hierarchy.level(k), x, fixed, options.rank, level);
     fixed.add(level.fixed);
@@ -47,6 +49,19 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
   const Eigen::VectorXd units = even_units(hierarchy);
   if ((units.array() == 1.0).all()) return certify_as_given(hierarchy, x, options);
   return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
+}
+
+Verdict verdict(const LevelCertificate& level) {
+  if (!(level.stationarity <= kProvenStationarity)) return Verdict::not_proven;
+  const bool is_judged = level.doubt.stationarity <= kProvenStationarity &&
+                         level.doubt.residual <= kSameResidual;
+  return is_judged ? Verdict::proven : Verdict::not_judged;
+}
+
+Verdict verdict(const std::vector<LevelCertificate>& levels) {
+  Verdict worst = Verdict::proven;
+  for (const LevelCertificate& level : levels) worst = std::max(worst, verdict(level));
+  return worst;
 }
 
 double worst_stationarity(const std::vector<LevelCertificate>& levels) {
