@@ -52,7 +52,9 @@ Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& s
   Json list = Json::array();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     list.push_back(level_json(levels, levels[k], solution.is_swept));
-    if (k < certificates.size()) list.back()["certificate"] = certificates[k].stationarity;
+    if (k >= certificates.size()) continue;
+    list.back()["certificate"] = certificates[k].stationarity;
+    list.back()["verdict"] = name(verdict(certificates[k]));
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};

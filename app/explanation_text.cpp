@@ -53,10 +53,15 @@ class Text {
     for (std::size_t k = 0; k < levels_.size(); ++k) {
       table.push_back(head(k));
       if (certificates_.empty()) continue;
-      table.back().push_back(k < certificates_.size() ? number(certificates_[k].stationarity)
-                                                      : "–");
+      table.back().push_back(k < certificates_.size() ? certificate(certificates_[k]) : "–");
     }
     return table;
+  }
+
+  static std::string certificate(const LevelCertificate& level) {
+    const Verdict said = verdict(level);
+    return number(level.stationarity) +
+           (said == Verdict::proven ? "" : ", " + std::string(name(said)));
   }
 
   [[nodiscard]] std::vector<std::string> head(std::size_t k) const {

@@ -192,6 +192,18 @@ std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
   return levels;
 }
 
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::proven:
+      return "proven";
+    case Verdict::not_judged:
+      return "not judged";
+    case Verdict::not_proven:
+      return "not proven";
+  }
+  return "unknown";
+}
+
 std::string_view name(SolveStatus status) {
   switch (status) {
     case SolveStatus::optimal:

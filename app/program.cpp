@@ -73,12 +73,17 @@ nearly dependent on others that hold it says little. With --json it is one objec
 solved for. For each cost the level is solved again: 111 unknowns and 160 costs take 0.4 s, twice as
 many of both more than ten times as long; after a while it says on stderr how far it is, as a long solve says that it goes on.
 
+--certify: each level has a "certificate", how far it is from its optimality conditions, and a
+"verdict": proven, not proven (above 1e-8), or not judged: as far as doubles can tell it is at its
+optimum, but by exact arithmetic something could be gained, because ranks are borderline, x is too
+large or rows of a level differ too much in length. stderr says which.
+
 A line whose search ended at its --budget or --budget-us has "status": "iteration_cap", the level
 where it ended "status": "cut off" and the residual so far, those below "status": "not reached" and no
 number.
 
-Exit codes: 0 all lines are solved, 1 an answer failed --certify or was cut off before there was one
-to certify, 2 a line is wrong (the others are still solved) or there is none.
+Exit codes: 0 all lines are solved, 1 an answer is not proven, or not judged, by --certify or was cut off
+before there was one to certify, 2 a line is wrong (the others are still solved) or there is none.
 
 Examples:
   surefoot solve hierarchies.jsonl

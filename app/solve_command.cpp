@@ -12,6 +12,7 @@
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/sweep.hpp"
 
@@ -76,7 +77,6 @@ double worst_ratio(const Hierarchy& hierarchy) {
 /// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
 /// level does so by 1 / ratio² of its length, which is no longer told from holding.
 constexpr double kLargestRatio = 1e4;
-constexpr double kProven = 1e-8;  // a certificate below it is rounding
 constexpr int kMostNotes = 10;    // on `err`
 
 /// Throws Error for a method that there isn't, and for a budget that it can't keep.
@@ -136,13 +136,14 @@ class SolveCommand {
     const bool is_timed = arguments_.explain || std::isfinite(arguments_.budget_us);
     double (*clock)() = is_timed ? steady_seconds : nullptr;
     if (is_cascade()) {
-      return CascadeSolver(hierarchy, {.rank = {}, .clock = clock}).solve(hierarchy);
+      return solve_in_even_units<CascadeSolver>(hierarchy,
+                                                CascadeOptions{.rank = {}, .clock = clock});
     }
     LexicographicOptions options;
     options.budget.flops = arguments_.budget;
     options.budget.seconds = 1e-6 * arguments_.budget_us;
     options.clock = clock;
-    return LexicographicSolver(hierarchy, options).solve(hierarchy);
+    return solve_in_even_units<LexicographicSolver>(hierarchy, options);
   }
 
   static std::string waiting_for(const std::string& place, const Hierarchy& hierarchy) {
@@ -173,8 +174,11 @@ class SolveCommand {
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
-    if (worst_stationarity(certificates) > kProven)
+    const Verdict said = verdict(certificates);
+    if (said == Verdict::not_proven)
       tell_unproven(place, question.hierarchy, solution.x, certificates);
+    if (said == Verdict::not_judged)
+      tell_not_judged(place, question.hierarchy, solution.x, certificates);
     if (arguments_.certify && finished < num_levels) tell_cut_off(place, finished, num_levels);
   }
 
@@ -238,7 +242,7 @@ class SolveCommand {
     err_ << place << ": not proven: level " << worst - levels.begin() + 1 << " is "
          << worst->stationarity
          << " from its optimality conditions, relative to its rows and 1 + ‖x‖ = " << 1.0 + x.norm()
-         << "; at most " << kProven << " is rounding";
+         << "; at most " << kProvenStationarity << " is rounding";
     const double ratio = worst_ratio(hierarchy);
     if (ratio > kLargestRatio) {
       err_ << ", which is promised where rows of one level differ in length by at most "
@@ -247,6 +251,31 @@ class SolveCommand {
       err_ << ". Either x is beside the optimum, or rows that hold it are so nearly dependent that "
               "it can't be told";
     }
+    err_ << '\n';
+    exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
+  }
+
+  /// Of the first level that isn't: what is said of those below hangs on it.
+  void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
+                       const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
+    constexpr double kBorderline = 1e-6, kRoundingOfX = 1e8;
+    const auto level = std::ranges::find(
+        levels, Verdict::not_judged, [](const LevelCertificate& of) { return verdict(of); });
+    err_ << place << ": not judged: level " << level - levels.begin() + 1
+         << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
+    if (level->doubt.residual > kSameResidual)
+      err_ << level->doubt.residual << " of its residual and bounds is in doubt";
+    else
+      err_ << "its rows are " << level->doubt.stationarity << " from them";
+    const double ratio = worst_ratio(hierarchy);
+    if (level->doubt.weakest >= kBorderline && x.norm() > kRoundingOfX)
+      err_ << ": ‖x‖ is " << x.norm() << ", so rounding of it is as much";
+    else if (level->doubt.weakest >= kBorderline && ratio > kLargestRatio)
+      err_ << ": rows of one level differ in length by " << ratio
+           << ", and rounding of the longest hides what the shortest ask for";
+    else
+      err_ << ": its ranks are borderline, of a row only " << level->doubt.weakest
+           << " of its length is left beside the others";
     err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
@@ -260,7 +289,10 @@ class SolveCommand {
       Json level = Json::object();
       if (k >= finished) level["status"] = k == finished ? kCutOff : kNotReached;
       if (k <= finished) level["residual"] = solution.levels[k].residual;
-      if (k < certificates.size()) level["certificate"] = certificates[k].stationarity;
+      if (k < certificates.size()) {
+        level["certificate"] = certificates[k].stationarity;
+        level["verdict"] = name(verdict(certificates[k]));
+      }
       levels.push_back(std::move(level));
     }
     const std::vector<double> x(solution.x.data(), solution.x.data() + solution.x.size());

@@ -27,7 +27,8 @@ struct SolveArguments {
 /// While a line takes long a line on stderr says which, and for how many seconds.
 ///
 /// With `certify` each level has its "certificate", the distance from its optimality conditions
-/// that `LevelCertificate` defines, computed without the solver. With `explain` a table has the
+/// that `LevelCertificate` defines, computed without the solver, and its "verdict": "proven", "not
+/// judged" or "not proven". With `explain` a table has the
 /// status of each level and, by the cascade, its iterations and time, the rows that it missed or
 /// holds at a bound, and the rows above that held it back, with multiplier and cost; with `json`
 /// too, the line has all of it.
@@ -40,8 +41,8 @@ struct SolveArguments {
 /// are still solved. A line that ended at the cap of iterations or at its budget has
 /// "status": "iteration_cap" in its result, the level where it did "status": "cut off" and the
 /// residual so far, the levels below "status": "not reached" and no number; neither has a
-/// certificate or an explanation. Returns the exit code: 0; 1 if a certificate is above 1e-8 or
-/// missing; 2 if the input is wrong. Throws FileError if the file can't be read or has no line.
+/// certificate or an explanation. Returns the exit code: 0; 1 if a level isn't proven or has no
+/// certificate; 2 if the input is wrong. Throws FileError if the file can't be read or has no line.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

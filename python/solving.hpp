@@ -5,6 +5,7 @@
 #include "python/level_outcome.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 
@@ -132,10 +133,11 @@ inline void check_method(const std::string& method, double budget) {
 
 inline Solution solve(const Hierarchy& hierarchy, const std::string& method, double budget) {
   const nb::gil_scoped_release others_may_run;
-  if (method == name(SolverMethod::cascade)) return CascadeSolver(hierarchy).solve(hierarchy);
+  if (method == name(SolverMethod::cascade))
+    return solve_in_even_units<CascadeSolver>(hierarchy, CascadeOptions{});
   LexicographicOptions options;
   options.budget.flops = budget;
-  return LexicographicSolver(hierarchy, options).solve(hierarchy);
+  return solve_in_even_units<LexicographicSolver>(hierarchy, options);
 }
 
 inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,

@@ -1,5 +1,7 @@
 #include "surefoot/solver/certificate.hpp"
 
+#include "surefoot/solver/doubt.hpp"
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/optimality_conditions.hpp"
 
 #include <algorithm>
@@ -14,10 +16,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
 
-}  // namespace
-
-std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                                      const CertificateOptions& options) {
+/// In the units that x is in.
+std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                               const CertificateOptions& options) {
   std::vector<LevelCertificate> certificates;
   const std::size_t num_levels = std::min(hierarchy.num_levels(), options.levels);
   if (!x.allFinite()) {
@@ -32,12 +33,35 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.rounding);
     certificates.push_back(
         {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
+    if (is_sound) certificates.back().doubt = doubt(hierarchy, k, x, options.tight, fixed, touching);
     fix_pushing(found, fixed, touching);
     fix_violated(hierarchy.level(k), x, fixed, options.rank, level);
     fixed.add(level.fixed);
     touching.add(level.touching);
   }
   return certificates;
+}
+
+}  // namespace
+
+std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                      const CertificateOptions& options) {
+  const Eigen::VectorXd units = even_units(hierarchy);
+  if ((units.array() == 1.0).all()) return certify_as_given(hierarchy, x, options);
+  return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
+}
+
+Verdict verdict(const LevelCertificate& level) {
+  if (!(level.stationarity <= kProvenStationarity)) return Verdict::not_proven;
+  const bool is_judged = level.doubt.stationarity <= kProvenStationarity &&
+                         level.doubt.residual <= kSameResidual;
+  return is_judged ? Verdict::proven : Verdict::not_judged;
+}
+
+Verdict verdict(const std::vector<LevelCertificate>& levels) {
+  Verdict worst = Verdict::proven;
+  for (const LevelCertificate& level : levels) worst = std::max(worst, verdict(level));
+  return worst;
 }
 
 double worst_stationarity(const std::vector<LevelCertificate>& levels) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/solver/doubt.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <Eigen/Core>
@@ -24,7 +25,23 @@ struct LevelCertificate {
   /// rows excuse nothing that only short ones see. w is 1e8 times the rounding of forces: the
   /// rows' and their unit's, μ and λ. ∞ where x or a number computed with it isn't finite.
   double stationarity = 0.0;
+  /// What doubles can't tell: where it is large the answer hangs on what counts as a rank or as
+  /// rounding, and stationarity says nothing.
+  Doubt doubt = {};
 };
+
+/// What is said of x. Not judged: x meets the conditions within what doubles can tell, but exact
+/// arithmetic could gain something that they excuse.
+enum class Verdict : int { proven = 0, not_judged = 1, not_proven = 2 };
+
+/// Stationarity at most that is rounding.
+inline constexpr double kProvenStationarity = 1e-8;
+/// Share of a level's residual at most that makes no difference.
+inline constexpr double kSameResidual = 1e-7;
+
+[[nodiscard]] Verdict verdict(const LevelCertificate& level);
+/// The worst of all levels; proven for a hierarchy without levels.
+[[nodiscard]] Verdict verdict(const std::vector<LevelCertificate>& levels);
 
 struct CertificateOptions {
   double tight = 1e-8;  ///< a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it

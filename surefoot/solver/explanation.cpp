@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
 #include <algorithm>
@@ -161,10 +162,9 @@ bool is_of(const DistinctBlocker& blocker, RowIndex at) {
   return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
 }
 
-}  // namespace
-
-std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd& x,
-                                      const ExplainOptions& options) {
+/// In the units that x is in.
+std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const VectorXd& x,
+                                               const ExplainOptions& options) {
   std::vector<LevelExplanation> explanations;
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
@@ -199,6 +199,15 @@ std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd
     touching.add(level.touching);
   }
   return explanations;
+}
+
+}  // namespace
+
+std::vector<LevelExplanation> explain(const Hierarchy& hierarchy, const VectorXd& x,
+                                      const ExplainOptions& options) {
+  const VectorXd units = even_units(hierarchy);
+  if ((units.array() == 1.0).all()) return explain_as_given(hierarchy, x, options);
+  return explain_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
 }
 
 }  // namespace surefoot

@@ -1,5 +1,7 @@
 #include "surefoot/solver/optimality_conditions.hpp"
 
+#include "surefoot/solver/non_negative_least_squares.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -128,35 +130,6 @@ class Measure {
 
   Eigen::ColPivHouseholderQR<MatrixXd> qr_;
 };
-
-/// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
-/// the first becomes zero, takes it out and returns false.
-bool move_to_minimum(const MatrixXd& A, const VectorXd& b, std::vector<Index>& passive,
-                     VectorXd& mu) {
-  MatrixXd columns(A.rows(), static_cast<Index>(passive.size()));
-  for (Index k = 0; k < columns.cols(); ++k)
-    columns.col(k) = A.col(passive[static_cast<std::size_t>(k)]);
-  const VectorXd target = columns.completeOrthogonalDecomposition().solve(b);
-  double length = 1.0;
-  auto first = passive.end();
-  for (auto j = passive.begin(); j != passive.end(); ++j) {
-    const double goal = target[j - passive.begin()];
-    const double here = mu[*j];
-    if (goal > 0.0) continue;
-    const double zero_at = here > 0.0 ? here / (here - goal) : 0.0;
-    if (zero_at >= length) continue;
-    length = zero_at;
-    first = j;
-  }
-  for (std::size_t k = 0; k < passive.size(); ++k) {
-    double& here = mu[passive[k]];
-    here = std::max(0.0, here + length * (target[static_cast<Index>(k)] - here));
-  }
-  if (first == passive.end()) return true;
-  mu[*first] = 0.0;
-  passive.erase(first);
-  return false;
-}
 
 }  // namespace
 
@@ -318,26 +291,8 @@ void fix_violated(const Level& rows, const VectorXd& x, const RowSet& fixed, dou
   level.touching = std::move(touching);
 }
 
-// With columns and b of length 1, so that neither their units nor each other's decide.
 VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b) {
-  constexpr double kTolerance = 2e-14;
-  VectorXd mu = VectorXd::Zero(A.cols());
-  if (A.cols() == 0 || b.norm() == 0.0) return mu;
-  const VectorXd lengths = A.colwise().norm();
-  const VectorXd per_length = (lengths.array() > 0.0).select(lengths.cwiseInverse(), 0.0);
-  const MatrixXd columns = A * per_length.asDiagonal();
-  const VectorXd target = b / b.norm();
-  std::vector<Index> passive;  // where mu may be positive
-  for (Index iteration = 0; iteration < 3 * A.cols() + 10; ++iteration) {
-    VectorXd ascent = columns.transpose() * (target - columns * mu);
-    for (const Index j : passive) ascent[j] = -1.0;
-    Index best = -1;
-    if (!(ascent.maxCoeff(&best) > kTolerance)) break;
-    passive.push_back(best);
-    while (!passive.empty() && !move_to_minimum(columns, target, passive, mu)) {
-    }
-  }
-  return b.norm() * mu.cwiseProduct(per_length);
+  return non_negative_least_squares<double>(A, b);
 }
 
 }  // namespace surefoot

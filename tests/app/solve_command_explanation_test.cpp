@@ -34,14 +34,33 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
 TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelByHowMuchAndOfWhatSize) {
   // By 5e-9 of its length the first level's second row is no copy: used by the solvers, too little
   // for the certificate to know of.
-  const CommandRun run(R"({"levels":[{"A":[[1,0],[1,5e-9]],"b":[0,1]},{"A":[[0,1]],"b":[0]}]})",
+  const CommandRun run(R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
                        {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(std::regex_search(
-      run.err.str(), std::regex(":1: not proven: level 2 is 1 from its optimality "
-                                "conditions, relative to .* 1 \\+ ‖x‖ = 2e\\+08; at most 1e-08")))
+      run.err.str(), std::regex(":1: not proven: level 2 is .* from its optimality "
+                                "conditions, relative to .* 1 \\+ ‖x‖ = 1.41421e\\+08; at most 1e-08")))
       << run.err.str();
   EXPECT_EQ(run.err.str().find("not optimal"), std::string::npos);
+}
+
+TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
+  // Rows that are parallel to within 1e-6, weak together: x is 1e7 instead of 1e19.
+  const std::string line = 
+      R"({"levels":[{"D":[[0,-1,1,9.5367431640625e-07]],"lower":[-5],"f":[-4]},)"
+      R"({"D":[[9.5367431640625e-07,-0.9999990463256836,-1,2],[0,-1,0.9999990463256836,9.5367431640625e-07]],"lower":[-5,4],"f":[-5,null]},)"
+      R"({"D":[[0,-1.0000009536743164,3,0],[9.5367431640625e-07,0.9999990463256836,0,2.0000009536743164]],"lower":[-4,-4],"f":[-1,-4]}]})";
+  const CommandRun run(line, {.file = "", .certify = true});
+  EXPECT_EQ(run.exit_code, 1);
+  std::vector<std::string> verdicts;
+  for (const Json& level : run.results[0]["levels"]) verdicts.push_back(level["verdict"]);
+  EXPECT_EQ(verdicts, (std::vector<std::string>{"proven", "proven", "not judged"}));
+  EXPECT_NE(run.err.str().find(":1: not judged: level 3 meets its optimality conditions as far as"),
+            std::string::npos)
+      << run.err.str();
+  EXPECT_NE(run.err.str().find("its ranks are borderline"), std::string::npos);
+  const CommandRun text(line, {.file = "", .certify = true, .explain = true});
+  EXPECT_NE(text.out.str().find(", not judged"), std::string::npos) << text.out.str();
 }
 
 TEST(SolveCommand, ALimitThatHoldsBackALongRowIsProvenAndNamed) {

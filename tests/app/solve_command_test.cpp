@@ -47,6 +47,20 @@ TEST(SolveCommand, TheResidualIsThatOfEqualitiesAndViolatedInequalitiesTogether)
   EXPECT_NEAR(run.results[0]["levels"][1]["residual"].get<double>(), std::sqrt(9.0 + 16.0), 1e-12);
 }
 
+TEST(SolveCommand, UnknownsMayHaveVeryDifferentUnits) {
+  const std::string line =
+      R"({"levels":[{"D":[[-0.00048828125,0,-0.00390625,-131072],[0.00048828125,0,0.00390625,131072]],)"
+      R"("lower":[null,4],"f":[6,4]},{"A":[[0.000244140625,-128,-0.005859375,-262144],)"
+      R"([0,384,0.001953125,-393216]],"b":[1,-2]},)"
+      R"({"A":[[-0.000244140625,-256,0.00390625,-131072]],"b":[1]}]})";
+  for (const char* method : {"lexicographic", "cascade"}) {
+    const CommandRun run(line, {.file = "", .certify = true, .method = method});
+    EXPECT_EQ(run.exit_code, 0) << run.err.str();
+    for (const Json& level : run.results[0]["levels"])
+      EXPECT_LE(level["residual"].get<double>(), 1e-9) << method;
+  }
+}
+
 TEST(SolveCommand, ABadLineIsNamedAndTheOthersAreSolved) {
   const CommandRun run(
       "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"

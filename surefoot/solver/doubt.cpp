@@ -1,0 +1,214 @@
+#include "surefoot/solver/doubt.hpp"
+
+#include "surefoot/solver/double_double.hpp"
+#include "surefoot/solver/non_negative_least_squares.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+using Index = Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Wide = DoubleDouble;
+using WideMatrix = MatrixOf<Wide>;
+using WideVector = VectorOf<Wide>;
+
+/// What is left of a row, relative to its length, that may be the rounding of its elements.
+constexpr double kDependent = 1e-14;
+/// Beyond all other rounding: what no row sees has so much of a length.
+constexpr double kUnseen = 1e-16;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// A power of two that a row can be divided by, so that nothing is rounded.
+double size_of(const VectorXd& row) { return std::ldexp(1.0, std::ilogb(row.norm())); }
+
+VectorXd row_of(const Hierarchy& hierarchy, RowIndex at) {
+  return hierarchy.level(at.level).A().row(at.row).transpose();
+}
+
+/// The rows of a set as they are given, but for powers of two; signed as in the set.
+WideMatrix exact_rows(const Hierarchy& hierarchy, const RowSet& set) {
+  WideMatrix rows(set.rows.rows(), set.rows.cols());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    const VectorXd row = row_of(hierarchy, set.origin[static_cast<std::size_t>(i)]);
+    const double sign = set.rows.row(i).dot(row) < 0.0 ? -1.0 : 1.0;
+    rows.row(i) = (sign / size_of(row) * row).transpose().cast<Wide>();
+  }
+  return rows;
+}
+
+/// What rows span and what they leave free.
+struct Space {
+  explicit Space(const WideMatrix& rows) : Q(WideMatrix::Identity(rows.cols(), rows.cols())) {
+    if (rows.rows() == 0) return;
+    qr.setThreshold(Wide(kDependent));
+    qr.compute(rows.transpose());
+    rank = qr.rank();
+    Q = qr.householderQ() * Q;
+  }
+  [[nodiscard]] WideMatrix spanned() const { return Q.leftCols(rank); }
+  [[nodiscard]] WideMatrix free() const { return Q.rightCols(Q.cols() - rank); }
+  [[nodiscard]] double weakest() const {
+    if (rank == 0) return 1.0;
+    return std::abs(static_cast<double>(qr.matrixR()(rank - 1, rank - 1)));
+  }
+
+  Eigen::ColPivHouseholderQR<WideMatrix> qr;
+  WideMatrix Q;
+  Index rank = 0;
+};
+
+/// Rows of a level that are equalities, violated or at a bound, in the unit of the longest of them.
+struct Counting {
+  std::vector<Index> rows;
+  std::vector<Wide> violations;  ///< signed
+  std::vector<double> outward;   ///< of a row without violation: 1 at its upper bound, −1; else 0
+  double unit = 1.0;             ///< a power of two
+  double residual = 0.0;
+  double scale = 0.0;     ///< residual, largest bound and longest row together
+  double rounding = 0.0;  ///< of the value of a row
+  double ratio = 1.0;     ///< of the lengths of the longest and the shortest
+
+  void add(const Level& level, Index i, const VectorXd& x, double tight);
+};
+
+void Counting::add(const Level& level, Index i, const VectorXd& x, double tight) {
+  const VectorXd row = level.A().row(i).transpose() / unit;
+  const double lower = level.lower()[i] / unit, upper = level.upper()[i] / unit;
+  Wide value = 0.0;
+  for (Index j = 0; j < x.size(); ++j) value += Wide(row[j]) * Wide(x[j]);
+  const Wide near = tight * row.norm() * (1.0 + x.norm());
+  const Wide above = upper == kInfinity ? Wide(-kInfinity) : value - Wide(upper);
+  const Wide below = lower == -kInfinity ? Wide(-kInfinity) : Wide(lower) - value;
+  const bool is_at_upper = above >= -near, is_at_lower = below >= -near;
+  if (!is_at_upper && !is_at_lower) return;
+  const bool is_met = above <= Wide(0.0) && below <= Wide(0.0);
+  rows.push_back(i);
+  violations.push_back(is_met ? Wide(0.0) : (above > Wide(0.0) ? above : -below));
+  outward.push_back(!is_met || (is_at_upper && is_at_lower) ? 0.0 : (is_at_upper ? 1.0 : -1.0));
+  residual = std::hypot(residual, static_cast<double>(violations.back()));
+  for (const double bound : {lower, upper})
+    if (std::isfinite(bound)) scale = std::max(scale, std::abs(bound));
+  rounding = std::max(rounding, kEpsilon * row.cwiseAbs().dot(x.cwiseAbs()));
+}
+
+Counting counting(const Level& level, const VectorXd& x, double tight) {
+  Counting result;
+  const VectorXd lengths = level.A().rowwise().norm();
+  if (lengths.size() == 0 || lengths.maxCoeff() == 0.0) return result;
+  result.unit = std::ldexp(1.0, std::ilogb(lengths.maxCoeff()));
+  double longest = 0.0, shortest = kInfinity;
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    if (lengths[i] > 0.0) result.add(level, i, x, tight);
+    if (result.rows.empty() || result.rows.back() != i) continue;
+    longest = std::max(longest, lengths[i]);
+    shortest = std::min(shortest, lengths[i]);
+  }
+  if (result.rows.empty()) return result;
+  result.scale += result.residual + longest / result.unit;
+  result.ratio = longest / shortest;
+  return result;
+}
+
+/// False where doubles tell for certain which rows are independent, and what is left to gain.
+bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const RowSet& fixed,
+               const RowSet& touching) {
+  constexpr double kLargeX = 1e6, kLargeRatio = 1e3, kClear = 1e-5;
+  if (x.norm() > kLargeX || own.ratio > kLargeRatio) return true;
+  const auto count = static_cast<Index>(own.rows.size());
+  MatrixXd rows(fixed.rows.rows() + touching.rows.rows() + count, x.size());
+  rows << fixed.rows, touching.rows, level.A()(own.rows, Eigen::all);
+  rows.bottomRows(count).rowwise().normalize();
+  const VectorXd left = rows.transpose().colPivHouseholderQr().matrixR().diagonal().cwiseAbs();
+  return std::ranges::any_of(left, [](double size) { return size > kDependent && size < kClear; });
+}
+
+/// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): what a step d takes
+/// from a residual with the gradient g. By its dual, over μ, ν ≥ 0: r = g + Tᵀ μ + Sᵀ ν,
+///
+///     min √(rᵀ (Mᵀ M + w² I)⁻¹ r + ‖ν‖²)
+double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const WideVector& g,
+            double w) {
+  const Index n = M.cols();
+  WideMatrix stacked(M.rows() + n, n);
+  stacked << M, WideMatrix::Identity(n, n) * Wide(w);
+  const Eigen::ColPivHouseholderQR<WideMatrix> qr(stacked);
+  WideMatrix columns(n, T.rows() + S.rows() + 1);
+  columns << T.transpose(), S.transpose(), -g;
+  columns = qr.colsPermutation().transpose() * columns;
+  qr.matrixR().topRows(n).triangularView<Eigen::Upper>().transpose().solveInPlace(columns);
+  WideMatrix A = WideMatrix::Zero(n + S.rows(), T.rows() + S.rows());
+  A.topRows(n) = columns.leftCols(A.cols());
+  A.bottomRightCorner(S.rows(), S.rows()).setIdentity();
+  WideVector b = WideVector::Zero(A.rows());
+  b.head(n) = columns.rightCols(1);
+  return static_cast<double>((A * non_negative_least_squares<Wide>(A, b) - b).norm());
+}
+
+/// A level's rows in what the levels above leave free, and what x makes of them.
+struct Question {
+  WideMatrix rows;      ///< those that count
+  WideVector gradient;  ///< Σ violation · row
+  WideMatrix touching;  ///< T
+};
+
+/// What a step can gain; `units`: of each row, by which its length is measured.
+double gain(const Question& question, const Counting& own, const VectorXd& units, double w) {
+  WideMatrix M = units.cast<Wide>().asDiagonal() * question.rows;
+  WideMatrix S = WideMatrix::Zero(M.rows(), M.cols());
+  for (Index i = 0; i < M.rows(); ++i) {
+    const double outward = own.outward[static_cast<std::size_t>(i)];
+    if (outward == 0.0) continue;
+    S.row(i) = M.row(i) * Wide(outward);
+    M.row(i).setZero();
+  }
+  return gain(M, S, question.touching, question.gradient, w);
+}
+
+}  // namespace
+
+Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
+            const RowSet& fixed, const RowSet& touching) {
+  Doubt result;
+  const Level& level = hierarchy.level(k);
+  const Counting own = counting(level, x, tight);
+  if (own.rows.empty() || !is_needed(level, own, x, fixed, touching)) return result;
+  const Space above(exact_rows(hierarchy, fixed));
+  const WideMatrix Z = above.free();
+  if (Z.cols() == 0) return result;
+  const MatrixXd A = level.A()(own.rows, Eigen::all) / own.unit;
+  const VectorXd lengths = A.rowwise().norm();
+  MatrixXd directions = A;
+  for (auto row : directions.rowwise()) row /= size_of(row.transpose());
+  const Space seen(directions.cast<Wide>() * Z);
+  WideMatrix all(fixed.rows.rows() + touching.rows.rows() + A.rows(), x.size());
+  all << exact_rows(hierarchy, fixed), exact_rows(hierarchy, touching), directions.cast<Wide>();
+  result.weakest = Space(all).weakest();
+  const WideMatrix P = seen.spanned();
+  Question question;
+  question.rows = A.cast<Wide>() * Z * P * P.transpose();
+  question.gradient =
+      question.rows.transpose() *
+      Eigen::Map<const WideVector>(own.violations.data(), static_cast<Index>(own.rows.size()));
+  question.touching = exact_rows(hierarchy, touching) * Z;
+  for (auto row : question.touching.rowwise()) {
+    if (row.norm() <= Wide(kDependent)) row.setZero();
+  }
+  const double gained =
+      gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * own.scale);
+  const double squared = own.residual * own.residual - gained * gained;
+  const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
+  result.residual = std::max(own.residual - least, own.rounding) / own.scale;
+  result.stationarity = gain(question, own, lengths * (1.0 + x.norm()),
+                             kUnseen * own.scale * own.scale);
+  return result;
+}
+
+}  // namespace surefoot
