@@ -111,6 +111,22 @@ TEST(SafetyOfSensors, WithoutEncodersOfOneLegTheOtherJointsSitDown) {
   EXPECT_EQ(stage.tick(health).mode, CommandMode::damping);
 }
 
+TEST(SafetyOfSensors, TheLastTorquesFadeSoonWhereASensorLied) {
+  Stage lied, stopped;
+  SensorHealth health = failing(&SensorHealth::imu, 0.03);
+  (void)stopped.tick();
+  (void)stopped.tick(health);
+  health.imu.fault = SampleFault::contradicts;
+  (void)lied.tick();
+  (void)lied.tick(health);
+  for (int i = 0; i < 220; ++i) {
+    (void)lied.tick();
+    (void)stopped.tick();
+  }
+  const JointVector more = stopped.tick().torque - lied.tick().torque;
+  EXPECT_GT(more.minCoeff(), 5.0) << "of 10 N·m, after 0.55 of 2 s";
+}
+
 TEST(SafetyOfSensors, AnEncoderThatIsFrozenCountsAsUnknownHoweverFiniteItsAngle) {
   Stage stage;
   (void)stage.tick();
