@@ -211,8 +211,13 @@ class Search {
   /// The truth of a tick comes behind the tick's own messages, and before the next one's.
   void take_truth(const McapMessage& message) {
     see_forces(message);
-    if (!(std::abs(1e-9 * static_cast<double>(message.log_time) - nearest_) <= 1e-9)) return;
-    logged::Decoder::decode(message.data, found_.truth.emplace());
+    const double time = 1e-9 * static_cast<double>(message.log_time);
+    if (!(time > time_ - kLyingWindow && time <= nearest_ + 1e-9)) return;
+    GroundTruth truth;
+    logged::Decoder::decode(message.data, truth);
+    if (!found_.touch) found_.touch.emplace();
+    found_.touch->see(truth);
+    if (std::abs(time - nearest_) <= 1e-9) found_.truth = truth;
   }
 
   void see_forces(const McapMessage& message) {

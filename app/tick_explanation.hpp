@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/commanded_force.hpp"
+#include "app/lying_text.hpp"
 #include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_header.hpp"
@@ -45,6 +46,7 @@ struct TickExplanation {
   std::optional<TickTiming> timing;   ///< of logs that have it
   std::vector<std::int16_t> order;    ///< numbers in the header of the tick's levels, highest first
   std::optional<GroundTruth> truth;   ///< of logs that have it
+  std::optional<GroundTouch> touch;   ///< up to the tick, the same
   std::vector<AppliedForce> applied;  ///< from outside, as the truth has it
   std::vector<std::string> bodies;    ///< names by their row of the truth's `xfrc_applied`
   std::optional<AlignedEstimate> estimate;                                 ///< the same

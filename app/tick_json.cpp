@@ -169,7 +169,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"plan", is_solved ? message(tick.plan) : Json()},
                {"model", is_solved ? message(logged::model_of(tick)) : Json()},
                {"command", message(tick.command)}};
-  if (explanation.truth) json["lies_on"] = lying_text(*explanation.truth);
+  if (explanation.touch) json["lies_on"] = lying_text(*explanation.touch);
   if (explanation.truth) json["pushed_by"] = applied_json(explanation);
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);

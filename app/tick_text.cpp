@@ -96,8 +96,9 @@ std::string facts(const TickExplanation& explanation) {
         {"is off by", formatted("%.1f cm, %.1f° in heading, counted from the first tick",
                                 100.0 * explanation.estimate->position_error,
                                 std::abs(explanation.estimate->heading_error) * kDegrees)});
-  const std::string lying = explanation.truth ? lying_text(*explanation.truth) : "";
-  if (!lying.empty()) table.push_back({"lies on", lying + " (truth)"});
+  const std::string lying = explanation.touch ? lying_text(*explanation.touch) : "";
+  if (!lying.empty())
+    table.push_back({"lies on", lying + formatted(" (truth, last %g s)", kLyingWindow)});
   for (const AppliedForce& force : explanation.applied)
     table.push_back({"pushed by", applied_force_text(force, explanation.bodies) +
                                       " (truth: the controller is not told)"});

@@ -134,8 +134,7 @@ TEST(LiveControl, an_explained_tick_between_two_orders_says_so_and_what_those_be
     const std::string text = gave_way_sentence(tick);
     EXPECT_TRUE(text.starts_with("Two hierarchies are blended until 0.5500 s (order: ")) << text;
     EXPECT_FALSE(test::holds(text, "not known")) << text;
-    const std::string before = gave_way_sentence(at(0.2475)),
-                      behind = gave_way_sentence(at(0.55));
+    const std::string before = gave_way_sentence(at(0.2475)), behind = gave_way_sentence(at(0.55));
     EXPECT_TRUE(
         text.ends_with(" Before it, at 0.2475 s: " + before + " Behind it, at 0.5500 s: " + behind))
         << text;

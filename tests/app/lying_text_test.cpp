@@ -18,8 +18,19 @@ TEST(LyingText, is_that_of_the_page) {
     truth.body_contact_force = one.at(2);
     const int feet = one.at(3);
     for (const Leg leg : kLegs) truth.feet[index(leg)].touching = ((feet >> index(leg)) & 1) != 0;
-    EXPECT_EQ(lying_text(truth), one.at(4).get<std::string>());
+    GroundTouch touch;
+    touch.see(truth);
+    EXPECT_EQ(lying_text(touch), one.at(4).get<std::string>());
   }
+}
+
+TEST(LyingText, a_part_that_has_just_left_the_ground_still_counts) {
+  GroundTruth down, up;
+  down.torso_contact = true;
+  down.body_contact_force = 115.0;
+  GroundTouch touch;
+  for (const GroundTruth& truth : {down, up}) touch.see(truth);
+  EXPECT_EQ(lying_text(touch), "its torso, up to 115 N on a part");
 }
 
 }  // namespace

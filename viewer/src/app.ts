@@ -377,7 +377,7 @@ export class App {
     this.transport.tell(frame);
     showTime(frame.time);
     this.hierarchy.show(frame);
-    this.state.show(frame);
+    this.state.show(frame, this.player.source);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
     this.tell(frame);
   }

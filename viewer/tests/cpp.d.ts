@@ -3,3 +3,8 @@ declare module "*.cpp" {
   const text: string;
   export default text;
 }
+
+declare module "*.hpp" {
+  const text: string;
+  export default text;
+}

@@ -3,13 +3,15 @@ import { test } from "node:test";
 import * as THREE from "three";
 import type { Frame } from "../src/data/frame.ts";
 import { LEGS } from "../src/data/schema.ts";
-import type { ForceMark, Mark } from "../src/data/source.ts";
+import { LYING_WINDOW, lyingText, touchOf } from "../src/data/lying.ts";
+import type { ForceMark, FrameSource, Mark } from "../src/data/source.ts";
 import { GroundForces, OutsideForce } from "../src/overlays/forces.ts";
 import type { Picture } from "../src/overlays/overlay.ts";
 import { commandText, faultsText, stopText } from "../src/data/stop.ts";
 import { FORCE_SLACK, SHARE_SLACK } from "../src/data/wished_forces.ts";
 import { FrameTable } from "../src/data/table.ts";
 import { sentences } from "../src/panels/state_panel.ts";
+import lyingHeader from "../../app/lying_text.hpp";
 import lyingWords from "../../tests/support/lying_words.json";
 import tickExplanation from "../../app/tick_explanation.cpp";
 import stopWords from "../../tests/support/stop_words.json";
@@ -55,8 +57,12 @@ test("what of the robot lies on the ground is said in the program's words", () =
   const schema = schemaOf({ "truth.torso_contact": 1, "truth.shank_contacts": 1, "truth.body_contact_force": 1, ...Object.fromEntries(LEGS.map((leg) => [`truth.feet.${leg}.touching`, 1])) });
   const of = (values: number[]): string | undefined => new Map(sentences({ schema, tick: 0, time: 0, values: Float32Array.from(values), active: [], blocking: [] })).get("Lies on");
   for (const [torso, legs, most, feet, text] of lyingWords as [number, number, number, number, string][])
-    assert.equal(of([torso, legs, most, ...LEGS.map((_, k) => (feet >> k) & 1)]) ?? "", text);
+    assert.equal(of([torso, legs, most, ...LEGS.map((_, k) => (feet >> k) & 1)]) ?? "", text === "" ? "" : `${text} (last 0.05 s)`);
   assert.equal(of([NaN, NaN, NaN, NaN, NaN, NaN, NaN]), undefined, "where nobody knows");
+  const frame = (...values: number[]): Frame => ({ schema, tick: 0, time: 1, values: Float32Array.from([...values, 0, 0, 0, 0]), active: [], blocking: [] });
+  const source = { sample: (from: number, _to: number, _count: number, see: (one: Frame) => void) => from > 0.94 && see(frame(1, 0, 115)) } as unknown as FrameSource;
+  assert.equal(lyingText(touchOf(frame(0, 0, 0), source)), "its torso, up to 115 N on a part", "that has just left the ground");
+  assert.ok(/kLyingWindow = ([\d.]+);/.exec(lyingHeader)?.[1] === String(LYING_WINDOW));
 });
 
 test("of velocities it is told whose they are", () => {

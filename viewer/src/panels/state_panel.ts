@@ -2,7 +2,8 @@ import { read, scalar, word, type Frame } from "../data/frame.ts";
 import { accountOf, blendShare, levelStates, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { TOLD } from "../data/change_words.ts";
-import { lyingText } from "../data/lying.ts";
+import { LYING_WINDOW, lyingText, touchOf, type GroundTouch } from "../data/lying.ts";
+import type { FrameSource } from "../data/source.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
@@ -109,12 +110,13 @@ function pushText(frame: Frame): string {
 }
 
 /** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
-function allSentences(frame: Frame): [string, string][] {
+function allSentences(frame: Frame, touch: GroundTouch): [string, string][] {
+  const lying = lyingText(touch);
   const truth = whereabouts(frame, "truth");
   return [
     ["Time", `${secondsText(frame.time)}, tick ${frame.tick}`],
     ["Feet", feetText(frame)],
-    ["Lies on", lyingText(frame)],
+    ["Lies on", lying === "" ? "" : `${lying} (last ${LYING_WINDOW} s)`],
     ["Pyramid used", pyramidUses(frame)],
     [truth === "" ? "Base, believed" : "Base, true", truth || whereabouts(frame, "state")],
     ["Estimate drifted by", estimateError(frame)],
@@ -128,8 +130,8 @@ function allSentences(frame: Frame): [string, string][] {
 }
 
 /** Those that say something. */
-export function sentences(frame: Frame): [string, string][] {
-  return allSentences(frame).filter(([, text]) => text !== "");
+export function sentences(frame: Frame, touch = touchOf(frame)): [string, string][] {
+  return allSentences(frame, touch).filter(([, text]) => text !== "");
 }
 
 /** The state in words, and what the run is. */
@@ -162,8 +164,8 @@ export class StatePanel {
   }
 
   /** Rows that this frame has nothing for are hidden, and have their place. */
-  show(frame: Frame): void {
-    const all = allSentences(frame);
+  show(frame: Frame, source: FrameSource): void {
+    const all = allSentences(frame, touchOf(frame, source));
     const told = new Map(all.filter(([, text]) => text !== ""));
     for (const [name] of all) if (!this.rows.has(name)) this.add(name);
     for (const [row, { name, text }] of this.rows) {
