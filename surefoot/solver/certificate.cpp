@@ -51,6 +51,18 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
   return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
 }
 
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::proven:
+      return "proven";
+    case Verdict::not_judged:
+      return "not judged";
+    case Verdict::not_proven:
+      return "not proven";
+  }
+  return "unknown";
+}
+
 Verdict verdict(const LevelCertificate& level) {
   if (!(level.stationarity <= kProvenStationarity)) return Verdict::not_proven;
   const bool is_judged = level.doubt.stationarity <= kProvenStationarity &&
