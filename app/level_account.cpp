@@ -12,7 +12,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kRounding = 1e-9;        // relative
+constexpr double kRounding = 1e-9;  // relative
 constexpr double kRoundingOfX = 100.0 * std::numeric_limits<double>::epsilon();
 
 std::string_view words(RowState state) {

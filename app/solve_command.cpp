@@ -71,7 +71,8 @@ NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
       result.row_names.emplace_back();
       result.units.push_back(k < first ? question.units[k] : "");
     }
-    for (const std::string& row : question.row_names[k]) result.row_names.back().push_back(of + row);
+    for (const std::string& row : question.row_names[k])
+      result.row_names.back().push_back(of + row);
   }
   return result;
 }
@@ -106,7 +107,7 @@ double worst_ratio(const Hierarchy& hierarchy) {
 /// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
 /// level does so by 1 / ratio² of its length, which is no longer told from holding.
 constexpr double kLargestRatio = 1e4;
-constexpr int kMostNotes = 10;    // on `err`
+constexpr int kMostNotes = 10;  // on `err`
 
 /// Throws Error for a method that there isn't, and for a budget that it can't keep.
 void check_method(const SolveArguments& arguments) {
@@ -238,8 +239,7 @@ class SolveCommand {
 
   [[nodiscard]] Json with_strict_residuals(Json line, const Hierarchy& strict,
                                            const Solution& solution) const {
-    if (arguments_.weighted_from > 0)
-      line["strict_residuals"] = residuals_at(strict, solution.x);
+    if (arguments_.weighted_from > 0) line["strict_residuals"] = residuals_at(strict, solution.x);
     return line;
   }
 
@@ -322,8 +322,8 @@ class SolveCommand {
   void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
                        const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
     constexpr double kBorderline = 1e-6, kRoundingOfX = 1e8;
-    const auto level = std::ranges::find(
-        levels, Verdict::not_judged, [](const LevelCertificate& of) { return verdict(of); });
+    const auto level = std::ranges::find(levels, Verdict::not_judged,
+                                         [](const LevelCertificate& of) { return verdict(of); });
     err_ << place << ": not judged: level " << level - levels.begin() + 1
          << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
     if (level->doubt.residual > kSameResidual)

@@ -37,9 +37,10 @@ struct SolveArguments {
 /// holds at a bound, and the rows above that held it back, with multiplier and cost; with `json`
 /// too, the line has all of it.
 ///
-/// With `weighted_from` the levels from there on are one (`WeightedLevels`), called "weighted", whose
-/// rows have their level's name before theirs; "strict_residuals" has what is left at x of every
-/// level of the line as it was, without weights, to be compared with those of the strict order.
+/// With `weighted_from` the levels from there on are one (`WeightedLevels`), called "weighted",
+/// whose rows have their level's name before theirs; "strict_residuals" has what is left at x of
+/// every level of the line as it was, without weights, to be compared with those of the strict
+/// order.
 ///
 /// A level without rows asks for nothing: the line is solved, a message on `err` names line and
 /// level, and the result has it under "notes".

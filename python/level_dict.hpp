@@ -34,8 +34,7 @@ Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, co
   try {
     if (nb::cast<bool>(numpy.attr("iscomplexobj")(numpy.attr("asarray")(given))))
       fail(name + " is complex; expected real numbers of shape " + expected);
-    numbers = numpy.attr("array")(given, nb::arg("dtype") = "float64",
-                                                          nb::arg("order") = "C");
+    numbers = numpy.attr("array")(given, nb::arg("dtype") = "float64", nb::arg("order") = "C");
   } catch (const nb::python_error& error) {
     fail(name + ": " + text(error.value()) + "; expected numbers of shape " + expected);
   }

@@ -161,8 +161,8 @@ inline void tell_end(const Solution& solution, NamedSolution& result) {
 
 /// Of the levels that are finished.
 inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result) {
-  const std::size_t finished = result.failed_level ? static_cast<std::size_t>(*result.failed_level)
-                                                   : hierarchy.num_levels();
+  const std::size_t finished =
+      result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
   const std::vector<LevelCertificate> certificates =
       certify(hierarchy, result.x, {.levels = finished});
   for (std::size_t k = 0; k < certificates.size(); ++k) {
@@ -206,9 +206,10 @@ inline void bind_solving(nb::module_& module) {
       .def_ro(
           "status", &NamedSolution::status,
           "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished")
-      .def_ro("failed_level", &NamedSolution::failed_level,
-              "index of the level in which the search ended early: those before it are optimal, of\n"
-              "those after it nothing is known; None where all are optimal")
+      .def_ro(
+          "failed_level", &NamedSolution::failed_level,
+          "index of the level in which the search ended early: those before it are optimal, of\n"
+          "those after it nothing is known; None where all are optimal")
       .def_ro("verdict", &NamedSolution::verdict,
               "the worst of all levels, with certify=True: proven, not judged or not proven; a\n"
               "search that ended early is not proven");
@@ -218,7 +219,8 @@ inline void bind_solving(nb::module_& module) {
       nb::arg("method") = std::string(name(SolverMethod::lexicographic)),
       nb::arg("budget") = std::numeric_limits<double>::infinity(), nb::arg("certify") = false,
       nb::sig("def solve(levels: list[dict], *, x_ref: list[float] | None = None, "
-              "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) -> Solution"),
+              "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) "
+              "-> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"

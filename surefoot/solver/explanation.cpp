@@ -249,8 +249,7 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
     };
     find(false);
     // it is not said that nothing above holds it back before that is tried
-    const bool may_be_held = k > 0 && result.blocked_by.empty() &&
-                             is_missed(hierarchy.level(k), x);
+    const bool may_be_held = k > 0 && result.blocked_by.empty() && is_missed(hierarchy.level(k), x);
     if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
                      [](const Blocker& a, const Blocker& b) {

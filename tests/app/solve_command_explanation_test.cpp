@@ -34,19 +34,21 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
 TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelByHowMuchAndOfWhatSize) {
   // By 5e-9 of its length the first level's second row is no copy: used by the solvers, too little
   // for the certificate to know of.
-  const CommandRun run(R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
-                       {.file = "", .certify = true});
+  const CommandRun run(
+      R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
+      {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(std::regex_search(
-      run.err.str(), std::regex(":1: not proven: level 2 is .* from its optimality "
-                                "conditions, relative to .* 1 \\+ ‖x‖ = 1.41421e\\+08; at most 1e-08")))
+      run.err.str(),
+      std::regex(":1: not proven: level 2 is .* from its optimality "
+                 "conditions, relative to .* 1 \\+ ‖x‖ = 1.41421e\\+08; at most 1e-08")))
       << run.err.str();
   EXPECT_EQ(run.err.str().find("not optimal"), std::string::npos);
 }
 
 TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
   // Rows that are parallel to within 1e-6, weak together: x is 1e7 instead of 1e19.
-  const std::string line = 
+  const std::string line =
       R"({"levels":[{"D":[[0,-1,1,9.5367431640625e-07]],"lower":[-5],"f":[-4]},)"
       R"({"D":[[9.5367431640625e-07,-0.9999990463256836,-1,2],[0,-1,0.9999990463256836,9.5367431640625e-07]],"lower":[-5,4],"f":[-5,null]},)"
       R"({"D":[[0,-1.0000009536743164,3,0],[9.5367431640625e-07,0.9999990463256836,0,2.0000009536743164]],"lower":[-4,-4],"f":[-1,-4]}]})";
@@ -154,9 +156,8 @@ TEST(SolveCommand, LevelsThatAreSolvedTogetherHaveNoTimeOfTheirOwn) {
 TEST(SolveCommand, WhatHoldsAShortRowBackBesideALongOneIsNamed) {
   for (const std::string limit : {"1", "1e6"}) {
     for (const std::string power : {"3", "4", "5", "6"}) {
-      const std::string line = R"({"levels":[{"D":[[)" + limit +
-                               R"(,0]],"f":[0]},{"A":[[1e-)" + power + R"(,0],[0,1e)" + power +
-                               R"(]],"b":[1,1]}]})";
+      const std::string line = R"({"levels":[{"D":[[)" + limit + R"(,0]],"f":[0]},{"A":[[1e-)" +
+                               power + R"(,0],[0,1e)" + power + R"(]],"b":[1,1]}]})";
       const CommandRun run(line, {.file = "", .explain = true});
       EXPECT_NE(run.out.str().find("held back by level 1, which costs 1:"), std::string::npos)
           << run.out.str();
@@ -274,7 +275,8 @@ TEST(SolveCommand, ExplainsTheSameAsJson) {
 }
 
 TEST(SolveCommand, OfNearlyDependentRowsItSaysThatMultipliersSayLittle) {
-  const std::string line = R"({"levels":[{"A":[[1,1],[1,1.000000002]],"b":[0,0]},{"A":[[1,-1]],"b":[1]}]})";
+  const std::string line =
+      R"({"levels":[{"A":[[1,1],[1,1.000000002]],"b":[0,0]},{"A":[[1,-1]],"b":[1]}]})";
   const CommandRun run(line, {.file = "", .explain = true});
   EXPECT_NE(run.out.str().find("nearly dependent on others that hold, only 1e-09 of its length"),
             std::string::npos)

@@ -65,10 +65,8 @@ TEST(SolveCommand, LevelsFromOneOnCanBeSolvedAsOneWeightedLevel) {
   const std::string line =
       R"({"levels":[{"D":[[1]],"f":[5]},{"name":"near","A":[[1]],"b":[0]},{"A":[[1]],"b":[4]}]})";
   const auto x = [&](int from, const std::vector<double>& weights) {
-    const CommandRun run(line, {.file = "",
-                                .certify = true,
-                                .weighted_from = from,
-                                .weights = weights});
+    const CommandRun run(line,
+                         {.file = "", .certify = true, .weighted_from = from, .weights = weights});
     EXPECT_EQ(run.exit_code, 0) << run.err.str();
     EXPECT_EQ(run.results[0]["levels"].size(), static_cast<std::size_t>(from));
     const Json& strict = run.results[0]["strict_residuals"];
