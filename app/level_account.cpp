@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace surefoot {
@@ -12,6 +13,7 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double kRounding = 1e-9;  // relative
+constexpr double kRoundingOfX = 100.0 * std::numeric_limits<double>::epsilon();
 
 std::string_view words(RowState state) {
   switch (state) {
@@ -34,7 +36,7 @@ std::string_view words(RowState state) {
 class Accountant {
  public:
   Accountant(const NamedHierarchy& question, const Solution& solution)
-      : question_(question), solution_(solution) {}
+      : question_(question), solution_(solution), reach_(reach()) {}
 
   /// `explanation`: null where x is not the optimum of the level.
   [[nodiscard]] LevelAccount level(std::size_t k, const LevelExplanation* explanation) const {
@@ -67,14 +69,31 @@ class Accountant {
     return solution_.levels[k].num_rows == 0 ? kNoRows : kMet;
   }
 
-  /// Signed: positive above the upper bound.
+  /// How far x would go for a single row that is at or beyond a bound: what others make of it, down
+  /// to zero, has the rounding of that.
+  [[nodiscard]] double reach() const {
+    double farthest = solution_.x.norm();
+    for (std::size_t k = 0; k < question_.hierarchy.num_levels(); ++k) {
+      const Level& level = question_.hierarchy.level(k);
+      for (Index i = 0; i < level.num_rows(); ++i) {
+        const double length = level.A().row(i).norm();
+        if (length == 0.0 || state({k, i}) == RowState::inactive) continue;
+        for (const double bound : {level.lower()[i], level.upper()[i]})
+          if (std::isfinite(bound)) farthest = std::max(farthest, std::abs(bound) / length);
+      }
+    }
+    return farthest;
+  }
+
+  /// Signed: positive above the upper bound; 0 where it may be rounding of x.
   [[nodiscard]] double violation(std::size_t k, Index i) const {
     const Level& level = question_.hierarchy.level(k);
     const double value = level.A().row(i).dot(solution_.x);
     const double lower = level.lower()[i], upper = level.upper()[i];
     const double by = std::max(0.0, value - upper) - std::max(0.0, lower - value);
-    const double size = level.A().row(i).norm() * solution_.x.norm();
-    return std::abs(by) > kRounding * size ? by : 0.0;
+    const double length = level.A().row(i).norm();
+    const double rounding = std::max(kRounding * solution_.x.norm(), kRoundingOfX * reach_);
+    return std::abs(by) > rounding * length ? by : 0.0;
   }
 
   [[nodiscard]] std::vector<MissedRow> missed(std::size_t k) const {
@@ -155,6 +174,7 @@ class Accountant {
 
   const NamedHierarchy& question_;
   const Solution& solution_;
+  double reach_;
 };
 
 }  // namespace
@@ -190,18 +210,6 @@ std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy) {
     if (hierarchy.level(k).num_rows() == 0) levels.push_back(k);
   }
   return levels;
-}
-
-std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::proven:
-      return "proven";
-    case Verdict::not_judged:
-      return "not judged";
-    case Verdict::not_proven:
-      return "not proven";
-  }
-  return "unknown";
 }
 
 std::string_view name(SolveStatus status) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "surefoot/config/hierarchy_json.hpp"
-#include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <cstddef>
@@ -80,9 +79,6 @@ struct LevelAccount {
 
 /// Indices of the levels that have no row: they ask for nothing.
 [[nodiscard]] std::vector<std::size_t> levels_without_rows(const Hierarchy& hierarchy);
-
-/// "proven", "not judged" or "not proven".
-[[nodiscard]] std::string_view name(Verdict verdict);
 
 /// "optimal", "iteration_cap" or "invalid_input".
 [[nodiscard]] std::string_view name(SolveStatus status);

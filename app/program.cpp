@@ -78,6 +78,10 @@ many of both more than ten times as long; after a while it says on stderr how fa
 optimum, but by exact arithmetic something could be gained, because ranks are borderline, x is too
 large or rows of a level differ too much in length. stderr says which.
 
+--weighted 3 --weights 10,1: levels 1 and 2 stay strict, 3 and all below become one, "weighted", with
+residuals and proofs of the weighted rows. "strict_residuals" has for comparison what is left of each
+level of the line, without weights.
+
 A line whose search ended at its --budget or --budget-us has "status": "iteration_cap", the level
 where it ended "status": "cut off" and the residual so far, those below "status": "not reached" and no
 number.
@@ -223,6 +227,13 @@ void add_solve(CLI::App& app, Command& chosen) {
       "that are finished then are optimal");
   solve->add_option("--budget-us", arguments->budget_us,
                     "The same in microseconds of this machine, so no two runs need end alike");
+  solve->add_option("--weighted", arguments->weighted_from,
+                    "The levels from this one on, counted from 1, as one weighted level instead of "
+                    "in strict order");
+  solve
+      ->add_option("--weights", arguments->weights,
+                   "Of these levels, with commas: each row counts so many times; 1 without")
+      ->delimiter(',');
   solve->callback([&chosen, arguments] {
     chosen = [arguments] { return run_solve(*arguments, std::cout, std::cerr); };
   });

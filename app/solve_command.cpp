@@ -15,6 +15,7 @@
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/sweep.hpp"
+#include "surefoot/solver/weighted_levels.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -59,6 +60,35 @@ void check_size(const Hierarchy& hierarchy, const std::string& place) {
   }
 }
 
+/// The question with its levels from `first` on, counted from 0, as one.
+NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
+                        const std::vector<double>& weights) {
+  WeightedLevels levels(question.hierarchy, first, weights);
+  NamedHierarchy result{levels.update(question.hierarchy), {}, {}};
+  for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
+    const std::string of = k < first ? "" : question.hierarchy.level(k).name() + ", ";
+    if (k <= first) {
+      result.row_names.emplace_back();
+      result.units.push_back(k < first ? question.units[k] : "");
+    }
+    for (const std::string& row : question.row_names[k])
+      result.row_names.back().push_back(of + row);
+  }
+  return result;
+}
+
+/// √Σ violation² of each level at x.
+std::vector<double> residuals_at(const Hierarchy& hierarchy, const Eigen::VectorXd& x) {
+  std::vector<double> residuals;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    const Level& level = hierarchy.level(k);
+    const Eigen::ArrayXd value = (level.A() * x).array();
+    const Eigen::ArrayXd by = (value - level.upper().array()).max(level.lower().array() - value);
+    residuals.push_back(by.size() > 0 ? by.max(0.0).matrix().norm() : 0.0);
+  }
+  return residuals;
+}
+
 /// Longest row of a level over its shortest, without zero rows; of the worst level.
 double worst_ratio(const Hierarchy& hierarchy) {
   double worst = 1.0;
@@ -77,7 +107,7 @@ double worst_ratio(const Hierarchy& hierarchy) {
 /// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
 /// level does so by 1 / ratio² of its length, which is no longer told from holding.
 constexpr double kLargestRatio = 1e4;
-constexpr int kMostNotes = 10;    // on `err`
+constexpr int kMostNotes = 10;  // on `err`
 
 /// Throws Error for a method that there isn't, and for a budget that it can't keep.
 void check_method(const SolveArguments& arguments) {
@@ -88,6 +118,11 @@ void check_method(const SolveArguments& arguments) {
   if (!(arguments.budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
   if (!(arguments.budget_us >= 0.0))
     throw Error("a budget is a number of microseconds, at least 0");
+  if (arguments.weighted_from < 0)
+    throw Error("--weighted is the number of a level, counted from 1");
+  if (!arguments.weights.empty() && arguments.weighted_from == 0)
+    throw Error("--weights go with --weighted, the level from which on they are");
+  for (const double weight : arguments.weights) check_weight(weight, "the weight of a level");
   if (is_cascade && (std::isfinite(arguments.budget) || std::isfinite(arguments.budget_us))) {
     throw Error(
         "the cascade has no budget; --budget and --budget-us go with the lexicographic method");
@@ -152,8 +187,9 @@ class SolveCommand {
   }
 
   void solve_line(const std::string& line, const std::string& place) {
-    const NamedHierarchy question = parse_hierarchy(line, place);
-    check_size(question.hierarchy, place);
+    const NamedHierarchy strict = parse_hierarchy(line, place);
+    check_size(strict.hierarchy, place);
+    const NamedHierarchy question = as_asked(strict, place);
     std::optional<Waiting> waiting(std::in_place, waiting_for(place, question.hierarchy));
     const Solution solution = solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
@@ -168,9 +204,10 @@ class SolveCommand {
       certificates = certify(question.hierarchy, solution.x, {.levels = finished});
     waiting.reset();
     if (arguments_.explain) {
-      explain_line(place, question, solution, certificates);
+      explain_line(place, question, solution, certificates, strict.hierarchy);
     } else {
-      const Json answer = with_place(json_line(question, solution, certificates));
+      const Json answer = with_strict_residuals(
+          with_place(json_line(question, solution, certificates)), strict.hierarchy, solution);
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
@@ -182,11 +219,37 @@ class SolveCommand {
     if (arguments_.certify && finished < num_levels) tell_cut_off(place, finished, num_levels);
   }
 
+  [[nodiscard]] NamedHierarchy as_asked(const NamedHierarchy& strict,
+                                        const std::string& place) const {
+    if (arguments_.weighted_from == 0) return strict;
+    const std::size_t num_levels = strict.hierarchy.num_levels();
+    const auto from = static_cast<std::size_t>(arguments_.weighted_from);
+    const std::string given = "--weighted is " + std::to_string(from);
+    if (from > num_levels) {
+      throw FileError(place + ": " + given + "; expected 1 to " + std::to_string(num_levels) +
+                      ", the line's number of levels");
+    }
+    if (arguments_.weights.size() > num_levels - from + 1) {
+      throw FileError(place + ": " + given + " with " + std::to_string(arguments_.weights.size()) +
+                      " weights; expected at most " + std::to_string(num_levels - from + 1) +
+                      ", one for each level from there on");
+    }
+    return weighted(strict, from - 1, arguments_.weights);
+  }
+
+  [[nodiscard]] Json with_strict_residuals(Json line, const Hierarchy& strict,
+                                           const Solution& solution) const {
+    if (arguments_.weighted_from > 0) line["strict_residuals"] = residuals_at(strict, solution.x);
+    return line;
+  }
+
   void explain_line(const std::string& place, const NamedHierarchy& question,
-                    const Solution& solution, const std::vector<LevelCertificate>& certificates) {
+                    const Solution& solution, const std::vector<LevelCertificate>& certificates,
+                    const Hierarchy& strict) {
     const std::vector<LevelAccount> levels = account(place, question, solution);
     if (arguments_.json) {
-      const Json line = with_place(explanation_json(levels, solution, certificates));
+      const Json line = with_strict_residuals(
+          with_place(explanation_json(levels, solution, certificates)), strict, solution);
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
@@ -259,8 +322,8 @@ class SolveCommand {
   void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
                        const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
     constexpr double kBorderline = 1e-6, kRoundingOfX = 1e8;
-    const auto level = std::ranges::find(
-        levels, Verdict::not_judged, [](const LevelCertificate& of) { return verdict(of); });
+    const auto level = std::ranges::find(levels, Verdict::not_judged,
+                                         [](const LevelCertificate& of) { return verdict(of); });
     err_ << place << ": not judged: level " << level - levels.begin() + 1
          << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
     if (level->doubt.residual > kSameResidual)

@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -16,6 +17,9 @@ struct SolveArguments {
   double budget = std::numeric_limits<double>::infinity();
   /// The same in microseconds.
   double budget_us = std::numeric_limits<double>::infinity();
+  /// The levels from this one on, counted from 1, are solved as one weighted level; 0: none.
+  int weighted_from = 0;
+  std::vector<double> weights = {};  ///< of these levels; 1 where there is none
 };
 
 /// `surefoot solve FILE.jsonl`: solves the hierarchy on each line of the file, by the controller's
@@ -32,6 +36,11 @@ struct SolveArguments {
 /// status of each level and, by the cascade, its iterations and time, the rows that it missed or
 /// holds at a bound, and the rows above that held it back, with multiplier and cost; with `json`
 /// too, the line has all of it.
+///
+/// With `weighted_from` the levels from there on are one (`WeightedLevels`), called "weighted",
+/// whose rows have their level's name before theirs; "strict_residuals" has what is left at x of
+/// every level of the line as it was, without weights, to be compared with those of the strict
+/// order.
 ///
 /// A level without rows asks for nothing: the line is solved, a message on `err` names line and
 /// level, and the result has it under "notes".

@@ -30,22 +30,6 @@ using Histogram = std::map<int, long>;
 
 constexpr double kExact = 1e-9;
 
-HierarchyData degenerate(RandomMatrices& random, Eigen::Index unknowns) {
-  HierarchyData levels = test::random_levels(random, {.unknowns = unknowns,
-                                                      .levels = random.integer(2, 5),
-                                                      .max_rows = random.integer(2, 12),
-                                                      .inequality_share = random.uniform(0.5, 1.0),
-                                                      .two_sided_share = 0.2,
-                                                      .duplicate_share = 0.2,
-                                                      .dependent_share = 0.1,
-                                                      .zero_share = 0.03,
-                                                      .tight_share = random.uniform(0.5, 1.0),
-                                                      .integer_share = random.uniform(0.5, 1.0)});
-  levels.push_back(test::equalities(Eigen::MatrixXd::Identity(unknowns, unknowns),
-                                    3.0 * random.vector(unknowns)));
-  return levels;
-}
-
 int iterations(const Solution& solution) {
   int sum = 0;
   for (const LevelResult& level : solution.levels) sum += level.iterations;
@@ -57,7 +41,7 @@ class Trial {
   void run(std::uint64_t seed) {
     RandomMatrices random(seed);
     const Eigen::Index unknowns = random.integer(2, 8);
-    const HierarchyData levels = degenerate(random, unknowns);
+    const HierarchyData levels = test::degenerate_levels(random, unknowns);
     const Hierarchy hierarchy = test::make_hierarchy(unknowns, levels);
     CascadeSolver cascade(hierarchy);
     LexicographicSolver solver(hierarchy);

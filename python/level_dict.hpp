@@ -30,9 +30,11 @@ template <typename Fail>
 Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, const Fail& fail) {
   const std::string expected = axes == 2 ? "(rows, unknowns)" : "(rows,)";
   nb::object numbers;
+  const nb::module_ numpy = nb::module_::import_("numpy");
   try {
-    numbers = nb::module_::import_("numpy").attr("array")(given, nb::arg("dtype") = "float64",
-                                                          nb::arg("order") = "C");
+    if (nb::cast<bool>(numpy.attr("iscomplexobj")(numpy.attr("asarray")(given))))
+      fail(name + " is complex; expected real numbers of shape " + expected);
+    numbers = numpy.attr("array")(given, nb::arg("dtype") = "float64", nb::arg("order") = "C");
   } catch (const nb::python_error& error) {
     fail(name + ": " + text(error.value()) + "; expected numbers of shape " + expected);
   }

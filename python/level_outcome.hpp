@@ -5,10 +5,12 @@
 #include "surefoot/solver/solution.hpp"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +24,8 @@ struct LevelOutcome {
   std::string name;
   LevelReport report;
   std::vector<std::pair<std::string, std::string>> active;  ///< row, state
+  std::optional<double> certificate;                        ///< none: not asked for
+  std::optional<std::string> verdict;
 };
 
 inline std::string state_name(RowState state) {
@@ -47,7 +51,11 @@ inline std::vector<LevelOutcome> outcomes(const Controller& controller) {
   const std::vector<std::string> names = controller.level_names();
   std::vector<LevelOutcome> levels;
   for (std::size_t k = 0; k < static_cast<std::size_t>(report.num_levels); ++k) {
-    levels.push_back({names[k], report.levels[k], {}});
+    levels.push_back({.name = names[k],
+                      .report = report.levels[k],
+                      .active = {},
+                      .certificate = {},
+                      .verdict = {}});
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_active); ++i) {
     const ActiveRow& row = report.active[i];
@@ -60,7 +68,7 @@ inline std::vector<LevelOutcome> outcomes(const Controller& controller) {
 /// A level that was solved by itself; `row_names` by row.
 inline LevelOutcome outcome(const std::string& name, const LevelResult& result,
                             const std::vector<std::string>& row_names) {
-  LevelOutcome level{.name = name, .report = {}, .active = {}};
+  LevelOutcome level{.name = name, .report = {}, .active = {}, .certificate = {}, .verdict = {}};
   level.report.residual = result.residual;
   level.report.degrees_of_freedom_left = static_cast<int>(result.degrees_of_freedom_left);
   level.report.iterations = result.iterations;
@@ -79,10 +87,16 @@ inline void bind_level(nb::module_& module) {
       .def_ro("name", &Self::name)
       .def_prop_ro(
           "residual", [](const Self& self) { return self.report.residual; },
-          "√Σ violation² over its rows, in their unit")
+          "√Σ violation² over its rows, in their unit; so far, where the search ended in this "
+          "level,\n"
+          "and NaN below it")
       .def_ro("active", &Self::active,
               "(row, state) of each inequality row at or beyond a bound; a state is one of\n"
               "at lower, at upper, below lower, above upper")
+      .def_ro(
+          "certificate", &Self::certificate,
+          "how far it is from its optimality conditions, if asked for: at most 1e-8 is rounding")
+      .def_ro("verdict", &Self::verdict, "proven, not judged or not proven, if asked for")
       .def_prop_ro("num_rows", [](const Self& self) { return self.report.num_rows; })
       .def_prop_ro(
           "degrees_of_freedom_left",

@@ -5,6 +5,7 @@
 #include "python/level_outcome.hpp"
 #include "surefoot/control/solver_options.hpp"
 #include "surefoot/solver/cascade_solver.hpp"
+#include "surefoot/solver/certificate.hpp"
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
@@ -22,6 +23,8 @@ struct NamedSolution {
   std::string status;
   Eigen::VectorXd x;
   std::vector<LevelOutcome> levels;
+  std::optional<int> failed_level;  ///< counted from 0
+  std::optional<std::string> verdict;
 };
 
 /// A hierarchy with the names of its rows, by level.
@@ -140,8 +143,38 @@ inline Solution solve(const Hierarchy& hierarchy, const std::string& method, dou
   return solve_in_even_units<LexicographicSolver>(hierarchy, options);
 }
 
+/// Where the search ended early: levels below were not reached, so nothing is known of them.
+inline void tell_end(const Solution& solution, NamedSolution& result) {
+  const auto num_levels = static_cast<int>(result.levels.size());
+  if (solution.status == SolveStatus::optimal || solution.failed_level < 0 ||
+      solution.failed_level >= num_levels)
+    return;
+  result.failed_level = solution.failed_level;
+  for (int k = solution.failed_level + 1; k < num_levels; ++k) {
+    LevelOutcome& level = result.levels[static_cast<std::size_t>(k)];
+    level.report.residual = std::numeric_limits<double>::quiet_NaN();
+    level.report.degrees_of_freedom_left = 0;
+    level.report.num_active = 0;
+    level.active.clear();
+  }
+}
+
+/// Of the levels that are finished.
+inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result) {
+  const std::size_t finished =
+      result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
+  const std::vector<LevelCertificate> certificates =
+      certify(hierarchy, result.x, {.levels = finished});
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    result.levels[k].certificate = certificates[k].stationarity;
+    result.levels[k].verdict = std::string(name(verdict(certificates[k])));
+  }
+  const Verdict worst = result.failed_level ? Verdict::not_proven : verdict(certificates);
+  result.verdict = std::string(name(worst));
+}
+
 inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_ref,
-                                  const std::string& method, double budget) {
+                                  const std::string& method, double budget, bool is_certified) {
   check_method(method, budget);
   const auto [hierarchy, row_names] = read_hierarchy(levels, x_ref);
   const Solution solution = solve(hierarchy, method, budget);
@@ -155,6 +188,8 @@ inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_re
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     result.levels.push_back(outcome(hierarchy.level(k).name(), solution.levels[k], row_names[k]));
   }
+  tell_end(solution, result);
+  if (is_certified) tell_certificates(hierarchy, result);
   return result;
 }
 
@@ -170,14 +205,22 @@ inline void bind_solving(nb::module_& module) {
       .def_ro("levels", &NamedSolution::levels, "how each level came out, highest priority first")
       .def_ro(
           "status", &NamedSolution::status,
-          "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished");
+          "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished")
+      .def_ro(
+          "failed_level", &NamedSolution::failed_level,
+          "index of the level in which the search ended early: those before it are optimal, of\n"
+          "those after it nothing is known; None where all are optimal")
+      .def_ro("verdict", &NamedSolution::verdict,
+              "the worst of all levels, with certify=True: proven, not judged or not proven; a\n"
+              "search that ended early is not proven");
 
   module.def(
       "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
       nb::arg("method") = std::string(name(SolverMethod::lexicographic)),
-      nb::arg("budget") = std::numeric_limits<double>::infinity(),
+      nb::arg("budget") = std::numeric_limits<double>::infinity(), nb::arg("certify") = false,
       nb::sig("def solve(levels: list[dict], *, x_ref: list[float] | None = None, "
-              "method: str = 'lexicographic', budget: float = float('inf')) -> Solution"),
+              "method: str = 'lexicographic', budget: float = float('inf'), certify: bool = False) "
+              "-> Solution"),
       "Solves a strict hierarchy exactly, highest priority first (Eqs. 8–13).\n\n"
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
@@ -194,7 +237,10 @@ inline void bind_solving(nb::module_& module) {
       "x_ref, an array or list, closest to that: it is a last level of this name.\n\n"
       "method is lexicographic, the controller's solver, or cascade, the reference. budget ends\n"
       "the search of the former after so many additions and multiplications: then the status is\n"
-      "iteration_cap, and the levels that are finished are optimal.");
+      "iteration_cap, and the levels that are finished are optimal.\n\n"
+      "certify=True checks each level against its optimality conditions, without the solver: not\n"
+      "judged is what meets them as far as doubles can tell, but by exact arithmetic something\n"
+      "could be gained.");
 }
 
 }  // namespace surefoot::python

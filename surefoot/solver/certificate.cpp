@@ -33,7 +33,8 @@ std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.rounding);
     certificates.push_back(
         {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
-    if (is_sound) certificates.back().doubt = doubt(hierarchy, k, x, options.tight, fixed, touching);
+    if (is_sound)
+      certificates.back().doubt = doubt(hierarchy, k, x, options.tight, fixed, touching);
     fix_pushing(found, fixed, touching);
     fix_violated(hierarchy.level(k), x, fixed, options.rank, level);
     fixed.add(level.fixed);
@@ -51,10 +52,22 @@ std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::V
   return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
 }
 
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::proven:
+      return "proven";
+    case Verdict::not_judged:
+      return "not judged";
+    case Verdict::not_proven:
+      return "not proven";
+  }
+  return "unknown";
+}
+
 Verdict verdict(const LevelCertificate& level) {
   if (!(level.stationarity <= kProvenStationarity)) return Verdict::not_proven;
-  const bool is_judged = level.doubt.stationarity <= kProvenStationarity &&
-                         level.doubt.residual <= kSameResidual;
+  const bool is_judged =
+      level.doubt.stationarity <= kProvenStationarity && level.doubt.residual <= kSameResidual;
   return is_judged ? Verdict::proven : Verdict::not_judged;
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace surefoot {
@@ -38,6 +39,9 @@ enum class Verdict : int { proven = 0, not_judged = 1, not_proven = 2 };
 inline constexpr double kProvenStationarity = 1e-8;
 /// Share of a level's residual at most that makes no difference.
 inline constexpr double kSameResidual = 1e-7;
+
+/// "proven", "not judged" or "not proven".
+[[nodiscard]] std::string_view name(Verdict verdict);
 
 [[nodiscard]] Verdict verdict(const LevelCertificate& level);
 /// The worst of all levels; proven for a hierarchy without levels.

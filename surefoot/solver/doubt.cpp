@@ -201,13 +201,12 @@ Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double
   for (auto row : question.touching.rowwise()) {
     if (row.norm() <= Wide(kDependent)) row.setZero();
   }
-  const double gained =
-      gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * own.scale);
+  const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * own.scale);
   const double squared = own.residual * own.residual - gained * gained;
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
   result.residual = std::max(own.residual - least, own.rounding) / own.scale;
-  result.stationarity = gain(question, own, lengths * (1.0 + x.norm()),
-                             kUnseen * own.scale * own.scale);
+  result.stationarity =
+      gain(question, own, lengths * (1.0 + x.norm()), kUnseen * own.scale * own.scale);
   return result;
 }
 

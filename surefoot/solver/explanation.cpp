@@ -5,6 +5,8 @@
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,6 +21,9 @@ using Eigen::VectorXd;
 constexpr CertificateOptions kTolerances;
 /// Relative to what rounding makes of a level's gradient: a smaller multiplier is none.
 constexpr double kSmall = 5e4;
+/// Of a residual: what costs less, costs nothing.
+constexpr double kCosts = 1e-9;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Directions that differ by less, of length 1, are the same but for rounding.
 constexpr double kSame = 1e-12;
 
@@ -134,21 +139,60 @@ VectorXd independences(const RowSet& fixed, const RowSet& touching, const Vector
   return result;
 }
 
-/// Rows above with a multiplier; those of length 1 become rows of their own length again.
-std::vector<DistinctBlocker> blockers(const Hierarchy& hierarchy, const LevelConditions& level,
-                                      const Distinct& fixed, const Distinct& touching) {
-  std::vector<DistinctBlocker> result;
+/// What rounding of a level's gradient may make of each multiplier, element by element: of E, then
+/// of T, 0 where a row of T doesn't push. Long rows of the level have no part in directions that
+/// they don't know.
+VectorXd noise(const Level& level, const VectorXd& x, const RowSet& fixed, const RowSet& touching,
+               const VectorXd& mu) {
+  VectorXd of_gradient = VectorXd::Zero(x.size());
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double value = level.A().row(i).dot(x);
+    const double size = level.A().row(i).norm() * (1.0 + x.norm());
+    const double lower = value - level.lower()[i], upper = value - level.upper()[i];
+    const double near = kTolerances.tight * size;
+    if (level.lower()[i] != level.upper()[i] && lower > near && upper < -near) continue;
+    const double by = std::max({0.0, upper, -lower});
+    of_gradient += 100.0 * kEpsilon * (by + size) * level.A().row(i).transpose().cwiseAbs();
+  }
+  const Index num_fixed = fixed.rows.rows();
+  const std::vector<Index> held = pushing(mu);
+  Eigen::MatrixXd rows(num_fixed + static_cast<Index>(held.size()), x.size());
+  rows << fixed.rows, touching.rows(held, Eigen::all);
+  VectorXd result = VectorXd::Zero(num_fixed + mu.size());
+  if (rows.rows() == 0) return result;
+  const VectorXd of_rows =
+      rows.transpose().completeOrthogonalDecomposition().pseudoInverse().cwiseAbs() * of_gradient;
+  result.head(num_fixed) = of_rows.head(num_fixed);
+  result.tail(mu.size())(held) = of_rows.tail(of_rows.size() - num_fixed);
+  return result;
+}
+
+struct Candidate {
+  DistinctBlocker blocker;
+  bool is_certain = false;  ///< its multiplier is; of others only a cost is
+};
+
+/// Rows above with a multiplier; those of length 1 become rows of their own length again. `all`:
+/// however small.
+std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
+                                  const LevelConditions& level, const Distinct& fixed,
+                                  const Distinct& touching, bool all) {
+  std::vector<Candidate> result;
   const Multipliers found = multipliers(level, fixed.rows, touching.rows, kTolerances.rank);
   const VectorXd independence = independences(fixed.rows, touching.rows, found.touching);
+  const VectorXd least = noise(hierarchy.level(k), x, fixed.rows, touching.rows, found.touching);
   const auto add = [&](const Distinct& of, const VectorXd& strength, Index first) {
     for (Index i = 0; i < strength.size(); ++i) {
-      if (std::abs(strength[i]) <= kSmall * level.rounding) continue;
+      const bool is_certain = std::abs(strength[i]) > kSmall * level.rounding;
+      const double enough = all ? 0.0 : kSmall * least[first + i];
+      if (!is_certain && std::abs(strength[i]) <= enough) continue;
       const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
-      result.push_back({{.at = at,
-                         .multiplier = std::abs(strength[i]) / size,
-                         .independence = independence[first + i]},
-                        of.same[static_cast<std::size_t>(i)]});
+      result.push_back({{{.at = at,
+                          .multiplier = std::abs(strength[i]) / size,
+                          .independence = independence[first + i]},
+                         of.same[static_cast<std::size_t>(i)]},
+                        is_certain});
     }
   };
   // limits first: of equal cost they are what one can change
@@ -162,6 +206,16 @@ bool is_of(const DistinctBlocker& blocker, RowIndex at) {
   return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
 }
 
+/// Whether more than rounding is missing.
+bool is_missed(const Level& level, const VectorXd& x) {
+  for (Index i = 0; i < level.num_rows(); ++i) {
+    const double value = level.A().row(i).dot(x);
+    const double by = std::max(value - level.upper()[i], level.lower()[i] - value);
+    if (by > kCosts * level.A().row(i).norm() * x.norm()) return true;
+  }
+  return false;
+}
+
 /// In the units that x is in.
 std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const VectorXd& x,
                                                const ExplainOptions& options) {
@@ -171,25 +225,32 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
   for (std::size_t k = 0; k < std::min(hierarchy.num_levels(), options.levels); ++k) {
     const LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
     LevelExplanation result{
-        .residual = level.residual,
-        .blocked_by = blockers(hierarchy, level, distinct_fixed(fixed, hierarchy, x),
-                               distinct_touching(touching)),
-        .cost_of_level = std::vector<double>(k, 0.0)};
+        .residual = level.residual, .blocked_by = {}, .cost_of_level = std::vector<double>(k, 0.0)};
     const auto cost = [&](const auto& is_without) {
       const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
       return fall < 0.0 ? 0.0 : fall;
     };
-    double done = 0.0;
-    for (DistinctBlocker& blocker : result.blocked_by) {
-      if (options.progress) {
-        options.progress(static_cast<double>(k) +
-                         done++ / static_cast<double>(result.blocked_by.size()));
+    const auto find = [&](bool all) {
+      const std::vector<Candidate> list =
+          candidates(hierarchy, k, x, level, distinct_fixed(fixed, hierarchy, x),
+                     distinct_touching(touching), all);
+      double done = 0.0;
+      for (const auto& [candidate, is_certain] : list) {
+        if (options.progress)
+          options.progress(static_cast<double>(k) + done++ / static_cast<double>(list.size()));
+        DistinctBlocker blocker = candidate;
+        blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
+        if (!is_certain && !(blocker.cost > kCosts * level.residual)) continue;
+        double& of_level = result.cost_of_level[blocker.at.level];
+        if (of_level == 0.0)
+          of_level = cost([&](RowIndex at) { return at.level == blocker.at.level; });
+        result.blocked_by.push_back(std::move(blocker));
       }
-      blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
-      double& of_level = result.cost_of_level[blocker.at.level];
-      if (of_level == 0.0)
-        of_level = cost([&](RowIndex at) { return at.level == blocker.at.level; });
-    }
+    };
+    find(false);
+    // it is not said that nothing above holds it back before that is tried
+    const bool may_be_held = k > 0 && result.blocked_by.empty() && is_missed(hierarchy.level(k), x);
+    if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
                      [](const Blocker& a, const Blocker& b) {
                        return a.cost > b.cost || (std::isnan(b.cost) && !std::isnan(a.cost));

@@ -34,19 +34,21 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenRowsOfTooDifferentLengthsAreTold) {
 TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelByHowMuchAndOfWhatSize) {
   // By 5e-9 of its length the first level's second row is no copy: used by the solvers, too little
   // for the certificate to know of.
-  const CommandRun run(R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
-                       {.file = "", .certify = true});
+  const CommandRun run(
+      R"({"levels":[{"A":[[1,1],[1,1.00000001]],"b":[0,1]},{"A":[[1,-1]],"b":[0]}]})",
+      {.file = "", .certify = true});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(std::regex_search(
-      run.err.str(), std::regex(":1: not proven: level 2 is .* from its optimality "
-                                "conditions, relative to .* 1 \\+ ‖x‖ = 1.41421e\\+08; at most 1e-08")))
+      run.err.str(),
+      std::regex(":1: not proven: level 2 is .* from its optimality "
+                 "conditions, relative to .* 1 \\+ ‖x‖ = 1.41421e\\+08; at most 1e-08")))
       << run.err.str();
   EXPECT_EQ(run.err.str().find("not optimal"), std::string::npos);
 }
 
 TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
   // Rows that are parallel to within 1e-6, weak together: x is 1e7 instead of 1e19.
-  const std::string line = 
+  const std::string line =
       R"({"levels":[{"D":[[0,-1,1,9.5367431640625e-07]],"lower":[-5],"f":[-4]},)"
       R"({"D":[[9.5367431640625e-07,-0.9999990463256836,-1,2],[0,-1,0.9999990463256836,9.5367431640625e-07]],"lower":[-5,4],"f":[-5,null]},)"
       R"({"D":[[0,-1.0000009536743164,3,0],[9.5367431640625e-07,0.9999990463256836,0,2.0000009536743164]],"lower":[-4,-4],"f":[-1,-4]}]})";
@@ -151,6 +153,33 @@ TEST(SolveCommand, LevelsThatAreSolvedTogetherHaveNoTimeOfTheirOwn) {
   EXPECT_TRUE(std::regex_search(text, std::regex("\nlevel 1 +met +[^\n]* – +–\n"))) << text;
 }
 
+TEST(SolveCommand, WhatHoldsAShortRowBackBesideALongOneIsNamed) {
+  for (const std::string limit : {"1", "1e6"}) {
+    for (const std::string power : {"3", "4", "5", "6"}) {
+      const std::string line = R"({"levels":[{"D":[[)" + limit + R"(,0]],"f":[0]},{"A":[[1e-)" +
+                               power + R"(,0],[0,1e)" + power + R"(]],"b":[1,1]}]})";
+      const CommandRun run(line, {.file = "", .explain = true});
+      EXPECT_NE(run.out.str().find("held back by level 1, which costs 1:"), std::string::npos)
+          << run.out.str();
+    }
+  }
+}
+
+TEST(SolveCommand, ALevelThatIsMetButForTheRoundingOfAnXOfZeroIsMet) {
+  // x is 0 because two rows of level 2 pull at it both ways, and not to the last bit.
+  const CommandRun run(
+      R"({"levels":[{"D":[[-2]],"lower":[-6],"f":[null]},)"
+      R"({"D":[[2],[-2]],"lower":[2,2],"f":[6,6]},{"D":[[0]],"lower":[5],"f":[5]},)"
+      R"({"D":[[-3]],"lower":[0],"f":[0]}]})",
+      {.file = "", .explain = true, .json = true});
+  EXPECT_EQ(run.results[0]["levels"][3]["status"], "met");
+  EXPECT_EQ(run.results[0]["levels"][3]["residual"], 0.0);
+  EXPECT_EQ(run.results[0]["levels"][1]["status"], "missed");
+  const CommandRun small(R"({"levels":[{"D":[[1]],"f":[0]},{"A":[[1]],"b":[1e-12]}]})",
+                         {.file = "", .explain = true, .json = true});
+  EXPECT_EQ(small.results[0]["levels"][1]["status"], "missed") << "small numbers are no rounding";
+}
+
 TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
   const CommandRun alone(R"({"levels":[{"A":[[1],[1]],"b":[1,3]}]})",
                          {.file = "", .explain = true});
@@ -246,7 +275,8 @@ TEST(SolveCommand, ExplainsTheSameAsJson) {
 }
 
 TEST(SolveCommand, OfNearlyDependentRowsItSaysThatMultipliersSayLittle) {
-  const std::string line = R"({"levels":[{"A":[[1,0],[1,1e-9]],"b":[0,0]},{"A":[[0,1]],"b":[1]}]})";
+  const std::string line =
+      R"({"levels":[{"A":[[1,1],[1,1.000000002]],"b":[0,0]},{"A":[[1,-1]],"b":[1]}]})";
   const CommandRun run(line, {.file = "", .explain = true});
   EXPECT_NE(run.out.str().find("nearly dependent on others that hold, only 1e-09 of its length"),
             std::string::npos)

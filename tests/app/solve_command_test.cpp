@@ -61,6 +61,42 @@ TEST(SolveCommand, UnknownsMayHaveVeryDifferentUnits) {
   }
 }
 
+TEST(SolveCommand, LevelsFromOneOnCanBeSolvedAsOneWeightedLevel) {
+  const std::string line =
+      R"({"levels":[{"D":[[1]],"f":[5]},{"name":"near","A":[[1]],"b":[0]},{"A":[[1]],"b":[4]}]})";
+  const auto x = [&](int from, const std::vector<double>& weights) {
+    const CommandRun run(line,
+                         {.file = "", .certify = true, .weighted_from = from, .weights = weights});
+    EXPECT_EQ(run.exit_code, 0) << run.err.str();
+    EXPECT_EQ(run.results[0]["levels"].size(), static_cast<std::size_t>(from));
+    const Json& strict = run.results[0]["strict_residuals"];
+    const double at = run.results[0]["x"][0];
+    EXPECT_NEAR(strict[1].get<double>(), std::abs(at), 1e-12);
+    EXPECT_NEAR(strict[2].get<double>(), std::abs(at - 4.0), 1e-12);
+    return at;
+  };
+  EXPECT_NEAR(x(3, {}), 0.0, 1e-12) << "the last alone: strict";
+  EXPECT_NEAR(x(2, {}), 2.0, 1e-12);
+  EXPECT_NEAR(x(2, {1.0, 3.0}), 3.6, 1e-12);
+  EXPECT_FALSE(CommandRun(line).results[0].contains("strict_residuals"));
+  const CommandRun text(line, {.file = "", .explain = true, .weighted_from = 2});
+  EXPECT_NE(text.out.str().find("near, A 1 is 2 too high"), std::string::npos) << text.out.str();
+}
+
+TEST(SolveCommand, WeightedFromALevelThatIsNotThereIsWrongInput) {
+  const std::string line = R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})";
+  const CommandRun run(line, {.file = "", .weighted_from = 3});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.str().find(":1: --weighted is 3; expected 1 to 2"), std::string::npos)
+      << run.err.str();
+  const CommandRun more(line, {.file = "", .weighted_from = 2, .weights = {1.0, 2.0}});
+  EXPECT_NE(more.err.str().find("--weighted is 2 with 2 weights; expected at most 1"),
+            std::string::npos)
+      << more.err.str();
+  EXPECT_THROW(CommandRun(line, {.file = "", .weights = {1.0}}), Error);
+  EXPECT_THROW(CommandRun(line, {.file = "", .weighted_from = 1, .weights = {0.0}}), Error);
+}
+
 TEST(SolveCommand, ABadLineIsNamedAndTheOthersAreSolved) {
   const CommandRun run(
       "{\"levels\":[{\"A\":[[1]],\"b\":[1]}]}\n"

@@ -156,6 +156,8 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
         (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref=[np.nan]), surefoot.Error, r"x_ref\[0\] is nan; expected a finite"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref=[1e120]), surefoot.Error, r"x_ref\[0\] is 1e[+]120, too large"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1]}], x_ref="near"), surefoot.Error, "x_ref: .*near"),
+        (lambda: surefoot.solve([{"A": np.eye(1) * 1j, "b": [1]}]), surefoot.Error, "level 1: A is complex; expected real"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1 + 2j]}]), surefoot.Error, "level 1: b is complex; expected real"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1], "lowr": [0]}]), surefoot.Error, "unknown key \"lowr\"; did you mean \"lower\""),
     ],
 )
@@ -316,6 +318,25 @@ def test_empty_blocks_and_levels_are_allowed():
     solution = surefoot.solve([{"A": [], "b": [], "D": [], "f": []}, {}, {"A": [[2.0]], "b": [4], "D": [], "f": []}])
     assert solution.x == [2.0]
     assert [level.num_rows for level in solution.levels] == [0, 0, 1]
+
+
+def test_of_a_search_that_ended_early_levels_that_were_not_reached_say_nothing():
+    levels = [{"A": [[1, 1]], "b": [2]}, {"D": [[1, 0], [0, 1]], "f": [0.5, 0.3]},
+              {"A": [[1, 0]], "b": [9]}, {"A": [[0, 1]], "b": [1]}]
+    solution = surefoot.solve(levels, budget=0, certify=True)
+    assert (solution.status, solution.failed_level, solution.verdict) == ("iteration_cap", 1, "not proven")
+    assert [math.isnan(level.residual) for level in solution.levels] == [False, False, True, True]
+    assert [level.verdict for level in solution.levels] == ["proven", None, None, None]
+    assert all(not level.active and level.certificate is None for level in solution.levels[2:])
+    whole = surefoot.solve(levels)
+    assert (whole.status, whole.failed_level, whole.verdict, whole.levels[0].certificate) == ("optimal", None, None, None)
+
+
+def test_an_answer_is_certified_where_that_is_asked_for():
+    proven = surefoot.solve([{"A": [[1, 1]], "b": [2]}], certify=True)
+    assert proven.verdict == "proven" and proven.levels[0].certificate <= 1e-12
+    far = surefoot.solve([{"A": [[1, 1], [1, 1 + 1e-9]], "b": [0.1, 3.3]}], certify=True)  # x is 3e9
+    assert far.verdict == far.levels[0].verdict == "not judged"
 
 
 def test_weights_damping_and_a_reference_are_those_of_the_level():

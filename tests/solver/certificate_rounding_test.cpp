@@ -214,17 +214,7 @@ TEST(CertificateRounding, AnswersWhoseRowsAreMetButForRoundingAreProven) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(seed);
     const Index unknowns = random.integer(2, 8);
-    HierarchyData levels = random_levels(random, {.unknowns = unknowns,
-                                                  .levels = random.integer(2, 5),
-                                                  .max_rows = random.integer(2, 12),
-                                                  .inequality_share = random.uniform(0.5, 1.0),
-                                                  .two_sided_share = 0.2,
-                                                  .duplicate_share = 0.2,
-                                                  .dependent_share = 0.1,
-                                                  .zero_share = 0.03,
-                                                  .tight_share = random.uniform(0.5, 1.0),
-                                                  .integer_share = random.uniform(0.5, 1.0)});
-    levels.push_back(close_to(3.0 * random.vector(unknowns)));
+    const HierarchyData levels = degenerate_levels(random, unknowns);
     EXPECT_LE(optimality_error(unknowns, levels, solve<LexicographicSolver>(unknowns, levels).x),
               kProven);
   }

@@ -168,6 +168,22 @@ HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggressi
   return levels;
 }
 
+HierarchyData degenerate_levels(RandomMatrices& random, Index unknowns) {
+  HierarchyData levels = random_levels(random, {.unknowns = unknowns,
+                                                .levels = random.integer(2, 5),
+                                                .max_rows = random.integer(2, 12),
+                                                .inequality_share = random.uniform(0.5, 1.0),
+                                                .two_sided_share = 0.2,
+                                                .duplicate_share = 0.2,
+                                                .dependent_share = 0.1,
+                                                .zero_share = 0.03,
+                                                .tight_share = random.uniform(0.5, 1.0),
+                                                .integer_share = random.uniform(0.5, 1.0)});
+  levels.push_back(
+      equalities(MatrixXd::Identity(unknowns, unknowns), 3.0 * random.vector(unknowns)));
+  return levels;
+}
+
 HierarchyData least_squares_under_limits(RandomMatrices& random, Index unknowns) {
   const VectorXd inside = random.vector(unknowns);
   const MatrixXd equal = random.matrix(unknowns / 5, unknowns);

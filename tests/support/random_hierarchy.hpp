@@ -63,6 +63,10 @@ struct RandomOptions {
 
 HierarchyData random_levels(RandomMatrices& random, const RandomOptions& options);
 
+/// What active-set methods cycle on: small integer rows, duplicates, dependent rows and limits
+/// through one point, then a last level that makes x unique.
+HierarchyData degenerate_levels(RandomMatrices& random, Eigen::Index unknowns);
+
 /// The shape of Table I of the paper with `feet` down: 30 unknowns, 11 levels. With `aggression` 0
 /// few limits are active, with 1 many at several levels.
 HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggression);
