@@ -321,7 +321,7 @@ class SolveCommand {
   /// Of the first level that isn't: what is said of those below hangs on it.
   void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
                        const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
-    constexpr double kBorderline = 1e-6, kRoundingOfX = 1e8;
+    constexpr double kBorderline = 1e-5, kRoundingOfX = 1e6;  // as doubt() has them
     const auto level = std::ranges::find(levels, Verdict::not_judged,
                                          [](const LevelCertificate& of) { return verdict(of); });
     err_ << place << ": not judged: level " << level - levels.begin() + 1
@@ -330,15 +330,17 @@ class SolveCommand {
       err_ << level->doubt.residual << " of its residual and bounds is in doubt";
     else
       err_ << "its rows are " << level->doubt.stationarity << " from them";
-    const double ratio = worst_ratio(hierarchy);
-    if (level->doubt.weakest >= kBorderline && x.norm() > kRoundingOfX)
-      err_ << ": ‖x‖ is " << x.norm() << ", so rounding of it is as much";
-    else if (level->doubt.weakest >= kBorderline && ratio > kLargestRatio)
-      err_ << ": rows of one level differ in length by " << ratio
-           << ", and rounding of the longest hides what the shortest ask for";
-    else
+    // In the units that it was judged in.
+    const Eigen::VectorXd units = even_units(hierarchy);
+    const double length = x.cwiseQuotient(units).norm();
+    if (level->doubt.weakest < kBorderline)
       err_ << ": its ranks are borderline, of a row only " << level->doubt.weakest
            << " of its length is left beside the others";
+    else if (length > kRoundingOfX)
+      err_ << ": ‖x‖ is " << length << ", so rounding of it is as much";
+    else
+      err_ << ": rows of one level differ in length by " << worst_ratio(in_units(hierarchy, units))
+           << ", and rounding of the longest hides what the shortest ask for";
     err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }

@@ -4,14 +4,15 @@ namespace surefoot {
 namespace {
 
 void read_imu_check(Section& section, ImuCheckOptions& options) {
-  section.number("window", options.window, kPositive);
+  const NumberRange span{.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"};
+  section.number("window", options.window, span);
   section.number("position_margin", options.position_margin, kPositive);
   section.number("velocity_margin", options.velocity_margin, kPositive);
   section.number("turn_margin", options.turn_margin, kPositive);
   section.number("rate_margin", options.rate_margin, kPositive);
   section.number("doubt", options.doubt, kNotNegative);
   section.number("force", options.force, kNotNegative);
-  section.number("settle", options.settle, kNotNegative);
+  section.number("settle", options.settle, span);
 }
 
 void read_frozen_joints(Section& section, FrozenJointOptions& options) {

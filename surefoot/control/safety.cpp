@@ -146,9 +146,9 @@ bool Safety::can_sit(const RobotState& state) const {
 // A sensor that is there from the start has been lost before; one that never came is missed here.
 void Safety::stop_after_failures(const RobotState& state, const SensorHealth& health) {
   const StopCause cause = missing_sensor(state, health);
-  const bool can_sit = is_sensor(cause) && is_posture(state.q);
+  const bool sits = is_sensor(cause) && is_posture(state.q);
   stopped_q_ = is_posture(good_q_) ? good_q_ : state.q;  // what is held
-  stop(can_sit ? CommandMode::sit : CommandMode::damping, cause, health);
+  stop(sits ? CommandMode::sit : CommandMode::damping, cause, health);
 }
 
 void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health) {

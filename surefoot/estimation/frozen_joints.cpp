@@ -7,6 +7,11 @@
 namespace surefoot {
 namespace {
 
+/// A base velocity that is believed of a robot at rest adds up to a motion, too; so what was asked
+/// longer ago than this says less [s].
+constexpr double kForget = 2.0;
+constexpr double kBesideAnother = 0.25;  // of the motion, where another joint is found frozen
+
 /// Of a leg's joints, that its foot stands or goes where it should [rad/s].
 Vec3 asked_velocity(const Dynamics& dynamics, const MotionPlan& plan, Leg leg) {
   const std::size_t k = index(leg);
@@ -31,21 +36,33 @@ void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics
 void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVector& motion) {
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
-  encoder_ = -1;
+  const double kept = 1.0 - period_ / kForget;
   for (int i = 0; i < kNumJoints; ++i) {
     int& same = same_angle_[static_cast<std::size_t>(i)];
     const bool moves = reading.q[i] != q_[i] || !std::isfinite(motion[i]);
     same = moves ? 0 : same + 1;
-    unseen_[i] = moves ? 0.0 : unseen_[i] + motion[i];
-    if (is_new && same > 1 && std::abs(unseen_[i]) > options_.motion) encoder_ = i;
+    unseen_[i] = moves ? 0.0 : kept * unseen_[i] + motion[i];
   }
   q_ = reading.q;
+  encoders_ = {};
+  const bool finds = is_new && unseen_.cwiseAbs().maxCoeff() > options_.motion;
+  for (int i = 0; i < kNumJoints && finds; ++i) {
+    const int same = same_angle_[static_cast<std::size_t>(i)];
+    if (same > 1 && std::abs(unseen_[i]) > kBesideAnother * options_.motion)
+      add(encoders_, i, same);
+  }
+}
+
+void FrozenJoints::add(Frozen& frozen, int joint, int same_ticks) const {
+  frozen.joint = frozen.count == 0 ? joint : -1;
+  ++frozen.count;
+  frozen.age = std::fmax(frozen.age, period_ * same_ticks);
 }
 
 void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVector& command) {
   const bool is_new = reading.torque_time > torque_time_;
   torque_time_ = reading.torque_time;
-  torque_ = -1;
+  torques_ = {};
   for (int i = 0; i < kNumJoints; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool moves = reading.torque[i] != measured_[i];
@@ -53,7 +70,7 @@ void FrozenJoints::look_at_torques(const SensorReading& reading, const JointVect
     if (moves) command_[i] = command[i];
     const bool is_off = std::abs(command[i] - command_[i]) > options_.torque;
     off_[k] = !moves && is_off ? off_[k] + 1 : 0;
-    if (is_new && period_ * off_[k] > options_.duration) torque_ = i;
+    if (is_new && period_ * off_[k] > options_.duration) add(torques_, i, same_torque_[k]);
   }
   measured_ = reading.torque;
 }

@@ -17,6 +17,12 @@ namespace surefoot {
 /// one that turned by `motion` can't. Does not allocate.
 class FrozenJoints {
  public:
+  struct Frozen {
+    int count = 0;
+    int joint = -1;    ///< the only one; −1: none, or several
+    double age = 0.0;  ///< since the first of them gave another number [s]
+  };
+
   FrozenJoints(const FrozenJointOptions& options, double period)
       : options_(options), period_(period) {}
 
@@ -24,19 +30,15 @@ class FrozenJoints {
   void update(const SensorReading& reading, const Dynamics& dynamics, const MotionPlan& plan,
               const JointVector& command) noexcept;
 
-  /// Of an encoder that is frozen; −1: none.
-  [[nodiscard]] int encoder() const { return encoder_; }
-  [[nodiscard]] int torque() const { return torque_; }
-  /// Since these gave another number [s].
-  [[nodiscard]] double encoder_age() const { return age(encoder_, same_angle_); }
-  [[nodiscard]] double torque_age() const { return age(torque_, same_torque_); }
+  /// Which are frozen, and since when. Beside an encoder that is found, others that have stood
+  /// still though a quarter of that was asked of them count, too.
+  [[nodiscard]] const Frozen& encoders() const { return encoders_; }
+  [[nodiscard]] const Frozen& torques() const { return torques_; }
   /// What the joints should have moved by since their encoders gave another number [rad].
   [[nodiscard]] const JointVector& unseen_motion() const { return unseen_; }
 
  private:
-  [[nodiscard]] double age(int joint, const std::array<int, kNumJoints>& ticks) const {
-    return joint < 0 ? 0.0 : period_ * ticks[static_cast<std::size_t>(joint)];
-  }
+  void add(Frozen& frozen, int joint, int same_ticks) const;
   void look_at_angles(const SensorReading& reading, const JointVector& motion);
   void look_at_torques(const SensorReading& reading, const JointVector& command);
 
@@ -46,7 +48,7 @@ class FrozenJoints {
   JointVector measured_ = JointVector::Constant(kNaN), command_ = JointVector::Zero();
   std::array<int, kNumJoints> same_angle_{}, same_torque_{}, off_{};  // [ticks]
   double encoder_time_ = kNaN, torque_time_ = kNaN;
-  int encoder_ = -1, torque_ = -1;
+  Frozen encoders_, torques_;
 };
 
 }  // namespace surefoot

@@ -41,7 +41,7 @@ class ImuCheck {
   ImuCheck(const ImuCheckOptions& options, double period);
 
   /// One tick, with the dynamics at the state. `stands` says which feet the plan lets carry,
-  /// `normal` how much each does [N].
+  /// `normal_W` is the terrain's.
   void update(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics,
               const PerLeg<bool>& stands, const Vec3& normal_W) noexcept;
   /// The legs are known to be other than they were believed to be.

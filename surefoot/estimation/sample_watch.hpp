@@ -7,8 +7,8 @@ namespace surefoot {
 /// Watches when a sensor's samples come: which are new, and which are overdue.
 ///
 /// How old a sample gets before the next replaces it is learnt, so that slow sensors and constant
-/// delays are no fault; but where new samples are older than `max_delay` is told. At first anything
-/// up to `patience` is usual.
+/// delays are not taken for missing samples; but that new ones are older than `max_delay` is told.
+/// At first anything up to `patience` is usual.
 class SampleWatch {
  public:
   /// All [s].

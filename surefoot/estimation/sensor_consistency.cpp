@@ -9,6 +9,14 @@ void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
 
+/// A sample time that is NaN, or lies ahead, is taken for the tick's, as by `SampleWatch`.
+SensorReading timed(const SensorReading& given) {
+  SensorReading reading = given;
+  for (double* sample : {&reading.encoder_time, &reading.torque_time, &reading.imu_time})
+    *sample = *sample <= reading.time ? *sample : reading.time;
+  return reading;
+}
+
 }  // namespace
 
 void SensorConsistency::forget() noexcept {
@@ -16,24 +24,31 @@ void SensorConsistency::forget() noexcept {
   torques_.forget();
 }
 
-void SensorConsistency::update(const SensorReading& reading, const ConsistencyInputs& known,
+void SensorConsistency::update(const SensorReading& given, const ConsistencyInputs& known,
                                SensorHealth& health) noexcept {
   if (!enabled_) return;
+  const SensorReading reading = timed(given);
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
-  if (health.encoders.fault != SampleFault::none || health.imu.fault != SampleFault::none ||
-      health.joint_torques.fault != SampleFault::none) {
-    forget();  // what is filled in says nothing
-    return;
+  // What is filled in says nothing.
+  const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
+  const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques);
+  if (moves_well && is_well(health.imu)) {
+    imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
+  } else {
+    imu_.forget();
   }
-  imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
-  frozen_.update(reading, known.dynamics, known.plan, known.command);
-  torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
+  if (moves_well) frozen_.update(reading, known.dynamics, known.plan, known.command);
+  if (moves_well && loads_well) {
+    torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
+  } else {
+    torques_.forget();
+  }
   if (imu_.wrong_for() > 0.0) blame(health.imu, SampleFault::contradicts, imu_.wrong_for());
-  if (frozen_.encoder() >= 0)
-    blame(health.encoders, SampleFault::repeats, frozen_.encoder_age(), frozen_.encoder());
-  if (frozen_.torque() >= 0)
-    blame(health.joint_torques, SampleFault::repeats, frozen_.torque_age(), frozen_.torque());
+  const FrozenJoints::Frozen &angles = frozen_.encoders(), &torques = frozen_.torques();
+  if (angles.count > 0) blame(health.encoders, SampleFault::repeats, angles.age, angles.joint);
+  if (torques.count > 0)
+    blame(health.joint_torques, SampleFault::repeats, torques.age, torques.joint);
   if (torques_.wrong_for() > 0.0)
     blame(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());
 }

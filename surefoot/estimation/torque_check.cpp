@@ -19,6 +19,7 @@ TorqueCheck::TorqueCheck(const TorqueCheckOptions& options, double period)
 void TorqueCheck::forget() noexcept {
   error_.setZero();
   off_for_.setZero();
+  claims_for_ = 0.0;
 }
 
 void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
@@ -34,15 +35,15 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
   exact_for_ = moves_exactly ? exact_for_ + period_ : 0.0;
   RobotState claimed = state;
   claim_.update(dynamics, stands, claimed);
+  const bool claims =
+      claim_.force().norm() > options_.max_force || claim_.moment().norm() > options_.max_moment;
+  claims_for_ = claims && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
 }
 
 double TorqueCheck::wrong_for() const {
   const double longest = off_for_.maxCoeff();
   if (longest > options_.duration) return longest;
-  if (exact_for_ < options_.time_constant) return 0.0;
-  const bool claims =
-      claim_.force().norm() > options_.max_force || claim_.moment().norm() > options_.max_moment;
-  return claims ? options_.time_constant : 0.0;
+  return claims_for_ > 0.0 ? options_.time_constant + claims_for_ : 0.0;
 }
 
 int TorqueCheck::joint() const {

@@ -34,7 +34,7 @@ class TorqueCheck {
   double period_, gain_;
   JointVector error_ = JointVector::Zero(), off_for_ = JointVector::Zero();  // [N·m], [s]
   ExternalForceEstimator claim_;
-  double exact_for_ = 0.0;  // [s]
+  double exact_for_ = 0.0, claims_for_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot

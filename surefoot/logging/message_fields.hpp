@@ -105,7 +105,10 @@ void fields(Archive& field, T& reading) {
 template <typename Archive, Is<GroupHealth> T>
 void fields(Archive& field, T& group) {
   field("fault", group.fault, "what is wrong with this tick's sample");
-  field("age", group.age, "since the last good sample [s]; null before the first");
+  field("age", group.age,
+        "since the last good sample, or for how long it has been late, frozen or in contradiction "
+        "[s]; "
+        "null before the first");
   field("joint", group.joint, "0 to 11, the only one at fault; -1: none, or several");
 }
 

@@ -36,7 +36,8 @@ class Planner {
   /// unless it is above 0.
   void set_friction(double friction);
 
-  /// Unit normal of the terrain as believed, in W; it never jumps.
+  /// Unit normal of the terrain as believed, in W, through the filter of the friction frame: it
+  /// lags, and jumps only where a calibration begins the plan anew.
   [[nodiscard]] const Vec3& terrain_normal() const { return friction_frame_.normal(); }
   [[nodiscard]] int steps_taken() const { return steps_taken_; }
   /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,

@@ -19,7 +19,8 @@ enum class SampleFault : int {
 /// How one group of sensors is at a tick.
 struct GroupHealth {
   SampleFault fault = SampleFault::none;
-  /// Since the last good sample of each of its values, by sample times [s]; NaN before the first.
+  /// Since the last good sample of each of its values, by sample times, or for how long it has been
+  /// late, frozen or in contradiction [s]; NaN before the first.
   double age = kNaN;
   int joint = -1;  ///< the only one that is at fault, as in a JointVector; −1: none, or several
 };

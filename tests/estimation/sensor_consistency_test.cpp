@@ -30,7 +30,8 @@ struct Standing {
   }
   void tick() {
     state.time = reading.time = kPeriod * ++ticks;
-    reading.encoder_time = reading.torque_time = reading.imu_time = reading.time;
+    const double sampled = has_times ? reading.time : kNaN;
+    reading.encoder_time = reading.torque_time = reading.imu_time = sampled;
     reading.q = state.q;
     for (double& torque : reading.torque) torque = 10.0 + random.uniform(-0.2, 0.2);
     reading.torque += torque_error;
@@ -67,7 +68,7 @@ struct Standing {
   PerLeg<bool> stands{true, true, true, true};
   Vec3 accelerometer_error = Vec3::Zero();
   JointVector torque_error = JointVector::Zero();
-  bool is_imu_late = false;
+  bool is_imu_late = false, has_times = true;
   int ticks = 0;
 };
 
@@ -87,6 +88,16 @@ TEST(SensorConsistency, AnAccelerometerThatDoesNotFitTheFeetIsALostImu) {
   EXPECT_EQ(robot.health.imu.fault, SampleFault::contradicts);
   EXPECT_GT(robot.health.imu.age, 0.02) << "beyond what is bridged";
   EXPECT_EQ(robot.health.imu.joint, -1);
+}
+
+TEST(SensorConsistency, WithoutSampleTimesEachTickHasItsSamples) {
+  Standing robot;
+  robot.has_times = false;
+  robot.run(0.5);
+  EXPECT_TRUE(robot.is_well());
+  robot.accelerometer_error = {0.0, 3.0, 0.0};
+  robot.run(0.2);
+  EXPECT_EQ(robot.health.imu.fault, SampleFault::contradicts);
 }
 
 TEST(SensorConsistency, TorquesThatWereNotCommandedAreFoundAndTheOnlyJointIsNamed) {
@@ -130,6 +141,10 @@ TEST(SensorConsistency, FeetThatCarryMoreThanAnythingCanLoadAreAFaultOfTheTorque
     robot.run(1.0);
     const bool is_found = robot.health.joint_torques.fault == SampleFault::contradicts;
     EXPECT_EQ(is_found, share > 2.0) << share;
+    if (!is_found) continue;
+    const double age = robot.health.joint_torques.age;
+    robot.run(0.2);
+    EXPECT_NEAR(robot.health.joint_torques.age, age + 0.2, 0.01) << "it goes on";
   }
 }
 

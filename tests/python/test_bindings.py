@@ -260,7 +260,7 @@ def test_readings_that_are_spoilt_are_bridged_for_20_ms_then_the_command_is_a_sa
         assert np.isfinite(command.torque).all()
         modes.append(command.mode)
         plant.write(command)
-    assert modes == ["optimal"] * 8 + ["damping"] * 4
+    assert modes == ["optimal"] * 8 + ["sit"] * 4
 
 
 def test_user_commands_hold_what_they_were_made_from(scenario):

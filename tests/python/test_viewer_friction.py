@@ -16,7 +16,7 @@ LEGS = ("LF", "RF", "LH", "RH")
 def slippery(tmp_path_factory):
     """A log of a controller that believes in so little friction that its pyramids hold its forces."""
     path = tmp_path_factory.mktemp("log") / "slippery.mcap"
-    return record(path, "--set", "planner.force.friction=0.1", "--set", "stack=terrain_adaptation", duration=4)
+    return record(path, "--set", "planner.force.friction=0.1", "--set", "stack=terrain_adaptation", duration=3)
 
 
 def legs_at_a_face(hierarchy):
