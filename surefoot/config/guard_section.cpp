@@ -4,7 +4,8 @@ namespace surefoot {
 namespace {
 
 void read_imu_check(Section& section, ImuCheckOptions& options) {
-  const NumberRange span{.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"};
+  const NumberRange span{
+      .min = 0.0, .max = 1.0, .min_included = false, .words = "above 0 and at most 1 s"};
   section.number("window", options.window, span);
   section.number("position_margin", options.position_margin, kPositive);
   section.number("velocity_margin", options.velocity_margin, kPositive);
@@ -12,7 +13,7 @@ void read_imu_check(Section& section, ImuCheckOptions& options) {
   section.number("rate_margin", options.rate_margin, kPositive);
   section.number("doubt", options.doubt, kNotNegative);
   section.number("force", options.force, kNotNegative);
-  section.number("settle", options.settle, span);
+  section.number("settle", options.settle, {.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"});
 }
 
 void read_frozen_joints(Section& section, FrozenJointOptions& options) {

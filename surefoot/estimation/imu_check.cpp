@@ -104,24 +104,41 @@ Vec3 ImuCheck::second_way_of_imu(int half) const {
   return 0.5 * period_ * way;
 }
 
+double ImuCheck::displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const {
+  const auto feet = static_cast<double>(std::ranges::count(firm, true));
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    if (!firm[k]) continue;
+    second_way += (before(0).x[k] - 2.0 * before(ticks / 2).x[k] + before(ticks).x[k]) / feet;
+  }
+  return second_way.norm();
+}
+
+double ImuCheck::swing(const PerLeg<bool>& firm, int from, int to) const {
+  double result = 0.0;
+  for (std::size_t i = 0; i < kNumLegs; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!firm[i] || !firm[k]) continue;
+      const Vec3 now = before(to).x[i] - before(to).x[k],
+                 then = before(from).x[i] - before(from).x[k];
+      result = std::max(result, (now - then).norm() / (arm_[i] - arm_[k]).norm());
+    }
+  }
+  return result;
+}
+
 ImuDisagreement ImuCheck::compare(int ticks) const {
   ImuDisagreement result;
   const int settled = static_cast<int>(std::lround(options_.settle / period_));
   const int half = ticks / 2;
   PerLeg<bool> firm{};
-  Vec3 second_way = second_way_of_imu(half);
+  const Vec3 second_way = second_way_of_imu(half);
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     firm[k] = firm_ticks_[k] > ticks + settled;
     result.feet += firm[k] ? 1 : 0;
   }
   if (result.feet < kLeastFeet) return result;
-  for (const Leg leg : kLegs) {
-    const std::size_t k = index(leg);
-    if (!firm[k]) continue;
-    second_way += (before(0).x[k] - 2.0 * before(half).x[k] + before(ticks).x[k]) / result.feet;
-  }
-  result.displacement = second_way.norm();
+  result.displacement = displacement(second_way, firm, ticks);
   const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
   result.spread = first.spread + second.spread;
   if (result.feet < kLeastFeetForTurn) return result;
@@ -130,6 +147,16 @@ ImuDisagreement ImuCheck::compare(int ticks) const {
   };
   const bool goes_on = first.angle.dot(second.angle) > 0.0;
   result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
+  // A foot that slides off an edge looks like a turn about the others: these must have seen it,
+  // too.
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    if (!firm[k]) continue;
+    PerLeg<bool> others = firm;
+    others[k] = false;
+    result.displacement = std::min(result.displacement, displacement(second_way, others, ticks));
+    result.turn =
+        std::min(result.turn, 2.0 * std::min(swing(others, ticks, half), swing(others, half, 0)));
+  }
   return result;
 }
 

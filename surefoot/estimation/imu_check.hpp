@@ -77,6 +77,10 @@ class ImuCheck {
   void move(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics);
   void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
   [[nodiscard]] Vec3 second_way_of_imu(int half) const;
+  /// Between the IMU's way and the mean of these feet's [m].
+  [[nodiscard]] double displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const;
+  /// By how much a line between two of these feet has turned, at most [rad].
+  [[nodiscard]] double swing(const PerLeg<bool>& firm, int from, int to) const;
   [[nodiscard]] ImuDisagreement compare(int ticks) const;
   [[nodiscard]] Turn turn(const PerLeg<bool>& firm, int from, int to) const;
   void judge();

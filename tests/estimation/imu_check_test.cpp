@@ -146,6 +146,22 @@ TEST(ImuCheck, AFootThatSlidesIsNoFaultOfTheImu) {
   }
 }
 
+TEST(ImuCheck, AFootOfThreeThatDropsOffAnEdgeIsNoFaultOfTheImu) {
+  for (const Leg leg : {Leg::LF, Leg::RF, Leg::LH}) {
+    Swaying robot;
+    robot.stands[index(Leg::RH)] = false;
+    robot.run(0.5);
+    for (const double speed : {-0.1, -0.3, -0.6}) {
+      robot.slip[index(leg)] = speed * kUp;
+      for (int i = 0; i < 30; ++i) {
+        robot.tick();
+        ASSERT_EQ(robot.check.wrong_for(), 0.0)
+            << kLegNames[index(leg)] << " " << speed << " " << i;
+      }
+    }
+  }
+}
+
 TEST(ImuCheck, FeetThatDoNotStandOrHardlyCarrySayNothing) {
   Swaying robot;
   robot.run(0.5);
