@@ -219,9 +219,10 @@ bool Descent::is_dependent(int row) const {
 }
 
 bool Descent::is_negligible() const {
+  const double rounding = rows_.rounding_of_step();
   for (Eigen::Index i = 0; i < rows_.num_counting(); ++i) {
     const Eigen::Index row = rows_.counting(i);
-    if (std::abs(sweep_->motion[row]) > row_values().noise(row)) return false;
+    if (std::abs(sweep_->motion[row]) > row_values().noise(row) + rounding) return false;
   }
   return true;
 }

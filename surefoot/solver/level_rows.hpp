@@ -58,6 +58,12 @@ class LevelRows {
   }
   [[nodiscard]] auto counting_residuals() const { return counting_residual_.head(num_counting_); }
 
+  /// What the step to the minimum of the present piece moves a row by in rounding alone: residuals
+  /// that contradict each other cancel in it, and what is left of them is that of the largest.
+  [[nodiscard]] double rounding_of_step() const {
+    return tolerance::kRounding * counting_residuals().norm();
+  }
+
   [[nodiscard]] bool has_inequalities() const { return has_inequalities_; }
 
   /// Residuals of all rows of the level; zero where a row does not count.

@@ -131,9 +131,10 @@ void LevelSolver::factorize(const Tableau& tableau, Index first, Index num_rows)
 }
 
 bool LevelSolver::is_negligible(const Tableau& tableau) const {
+  const double rounding = rows_.rounding_of_step();
   for (Index i = 0; i < rows_.num_counting(); ++i) {
     const Index row = rows_.counting(i);
-    if (std::abs(tableau.motion[row]) > tableau.noise(row)) return false;
+    if (std::abs(tableau.motion[row]) > tableau.noise(row) + rounding) return false;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -186,6 +187,46 @@ TEST(AntiCycling, GuessesOfOtherDegenerateHierarchiesGiveTheSameX) {
     ASSERT_LE((warm.solution().x - expected).norm(), 1e-9 * (1.0 + expected.norm()));
     ASSERT_EQ(again.solve(hierarchy).x, warm.solution().x) << "the same calls, the same bits";
   }
+}
+
+/// Three equalities in one unknown whose least-squares optimum is 0, the limit a x ≤ 0 in the same
+/// level, and a wish for 5 below: of all small integers, how many are not answered by 0.
+template <typename Solver>
+int unanswered_on_a_limit() {
+  int unanswered = 0;
+  Hierarchy hierarchy(1);
+  hierarchy.add_level("limit", 4);
+  hierarchy.add_level("wish", 1);
+  Solver solver(hierarchy);
+  for (int code = 0; code < 7 * 7 * 7 * 7 * 7 * 7; ++code) {
+    std::array<int, 6> digits{};  // coefficients and values, −3 … 3
+    for (int rest = code; int& digit : digits) {
+      digit = rest % 7 - 3;
+      rest /= 7;
+    }
+    const auto [a, b, c, value_a, value_b, value_c] = digits;
+    const bool is_one = a != 0 && a <= b && b <= c && b != 0 && c != 0;
+    if (!is_one || a * value_a + b * value_b + c * value_c != 0) continue;
+    hierarchy.level(0).clear();
+    hierarchy.level(1).clear();
+    Rows rows = hierarchy.level(0).add(4, 0);
+    rows.A << a, b, c, 1.0;
+    rows.lower << value_a, value_b, value_c, -kInfinity;
+    rows.upper << value_a, value_b, value_c, 0.0;
+    Rows wish = hierarchy.level(1).add(1, 0);
+    wish.A(0, 0) = 1.0;
+    wish.set_equal(0, 5.0);
+    const Solution& solution = solver.solve(hierarchy);
+    const bool is_answered =
+        solution.status == SolveStatus::optimal && std::abs(solution.x[0]) < 1e-12;
+    unanswered += is_answered ? 0 : 1;
+  }
+  return unanswered;
+}
+
+TEST(AntiCycling, AnOptimumOfContradictionsOnALimitOfTheirOwnLevelIsNoCycle) {
+  EXPECT_EQ(unanswered_on_a_limit<LexicographicSolver>(), 0);
+  EXPECT_EQ(unanswered_on_a_limit<CascadeSolver>(), 0);
 }
 
 }  // namespace
