@@ -73,6 +73,8 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   newest_ = (newest_ + 1) % static_cast<int>(moments_.size());
   Moment& now = moments_[static_cast<std::size_t>(newest_)];
   now.v_imu = v;
+  now.jump = (reading.accelerometer - accelerometer_before_).norm();
+  accelerometer_before_ = reading.accelerometer;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const Mat3 R_IS = R_IW * dynamics.shank[k].R;
@@ -102,6 +104,12 @@ Vec3 ImuCheck::second_way_of_imu(int half) const {
         before(i).v_imu + before(i + 1).v_imu - before(half + i).v_imu - before(half + i + 1).v_imu;
   }
   return 0.5 * period_ * way;
+}
+
+double ImuCheck::unseen_way(int ticks) const {
+  double jump = 0.0;
+  for (int i = 0; i < ticks; ++i) jump = std::max(jump, before(i).jump);
+  return jump * period_ * (0.5 * period_ * ticks);
 }
 
 double ImuCheck::displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const {
@@ -139,6 +147,7 @@ ImuDisagreement ImuCheck::compare(int ticks) const {
   }
   if (result.feet < kLeastFeet) return result;
   result.displacement = displacement(second_way, firm, ticks);
+  result.unseen = unseen_way(ticks);
   const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
   result.spread = first.spread + second.spread;
   if (result.feet < kLeastFeetForTurn) return result;
@@ -202,7 +211,8 @@ void ImuCheck::judge() {
     const double span = period_ * ticks_[i];
     const double way = options_.position_margin + options_.velocity_margin * span;
     const double angle = options_.turn_margin + options_.rate_margin * span;
-    shares_[i] = std::max(0.0, (found.displacement - options_.doubt * found.spread) / way);
+    const double doubtful = options_.doubt * (found.spread + found.unseen);
+    shares_[i] = std::max(0.0, (found.displacement - doubtful) / way);
     if (found.feet >= kLeastFeetForTurn) {
       shares_[i] = std::max(shares_[i], found.turn / angle);
     }

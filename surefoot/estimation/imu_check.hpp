@@ -15,6 +15,7 @@ struct ImuDisagreement {
   int feet = 0;  ///< that stood all the time; one says nothing, two nothing of the turn
   double displacement = 0.0;  ///< of the base, beyond a steady velocity [m]
   double spread = 0.0;        ///< of what the feet say of it [m]
+  double unseen = 0.0;        ///< of it, that a blow may have done between two samples [m]
   double turn = 0.0;  ///< twice the lesser of both halves, less what feet that slid explain [rad]
 };
 
@@ -31,7 +32,9 @@ struct ImuDisagreement {
 ///
 ///     e = ΔΔp − ΔΔ ∫∫ (R_IB a + g_I) dt²,    ΔΔy = y(t) − 2 y(t − T/2) + y(t − T)
 ///
-/// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. Encoders
+/// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. A foot
+/// that strikes the ground does so between two samples, which differ by Δa then: of the velocity Δa
+/// times the period is not known, at most, for half of the span. Encoders
 /// or an IMU without a new sample at every tick are too coarse for this: nothing is said of them.
 /// Does not allocate after construction.
 class ImuCheck {
@@ -63,6 +66,7 @@ class ImuCheck {
   struct Moment {
     PerLeg<Vec3> x;             // of the feet, less how far they rolled [m]
     Vec3 v_imu = Vec3::Zero();  // ∫ (R a + g) dt [m/s]
+    double jump = 0.0;          // of the accelerometer since the tick before [m/s²]
   };
 
   /// Of the feet about their mean, between two ticks.
@@ -77,6 +81,7 @@ class ImuCheck {
   void move(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics);
   void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
   [[nodiscard]] Vec3 second_way_of_imu(int half) const;
+  [[nodiscard]] double unseen_way(int ticks) const;
   /// Between the IMU's way and the mean of these feet's [m].
   [[nodiscard]] double displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const;
   /// By how much a line between two of these feet has turned, at most [rad].
@@ -91,7 +96,7 @@ class ImuCheck {
   std::vector<Moment> moments_;  // a ring
   int newest_ = 0;
   double time_ = kNaN, encoder_time_ = kNaN, imu_time_ = kNaN;  // of the last tick [s]
-  Vec3 gyro_before_ = Vec3::Zero();
+  Vec3 gyro_before_ = Vec3::Zero(), accelerometer_before_ = Vec3::Zero();
   Mat3 R_IB_ = Mat3::Identity();
   PerLeg<Mat3> R_IS_;    // shanks
   PerLeg<Vec3> arm_;     // of the feet from the base in I [m]

@@ -6,8 +6,8 @@ namespace surefoot {
 ///
 ///     position_margin + velocity_margin T,   turn_margin + rate_margin T
 ///
-/// and more by `doubt` times what the feet disagree by among themselves. No honest walk that was
-/// measured, with everything wrong that `mismatch` draws, comes nearer than half of it.
+/// and more by `doubt` times what the feet disagree by among themselves and what a blow may have
+/// done between two samples.
 struct ImuCheckOptions {
   double window = 0.2;            ///< longest span [s]
   double position_margin = 1e-3;  ///< what encoders, rolling and samples out of step cause [m]

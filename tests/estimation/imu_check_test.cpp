@@ -162,6 +162,17 @@ TEST(ImuCheck, AFootOfThreeThatDropsOffAnEdgeIsNoFaultOfTheImu) {
   }
 }
 
+TEST(ImuCheck, ABlowThatASampleCatchesOnlyAPartOfIsNoFaultOfTheImu) {
+  for (const double missed : {-60.0, -20.0, 20.0, 60.0}) {  // m/s²
+    Swaying robot;
+    robot.run(0.5);
+    robot.accelerometer_error = missed * kUp;
+    robot.tick();
+    robot.accelerometer_error.setZero();
+    EXPECT_GT(robot.time_until_found(), 0.99) << missed;
+  }
+}
+
 TEST(ImuCheck, FeetThatDoNotStandOrHardlyCarrySayNothing) {
   Swaying robot;
   robot.run(0.5);
