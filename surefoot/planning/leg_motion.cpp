@@ -20,11 +20,17 @@ constexpr double kOffGround = 0.005;   // … higher than this over where it cam
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
-constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
-constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
-constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
-constexpr double kLag = 0.04;    // weak or delayed drives let a foot be as late as this [s]
-constexpr double kBrake = 0.04;  // a foot follows a reference that brakes at once within this [s]
+constexpr double kSlips = 0.3;         // a foot that carries nothing and goes faster [m/s] …
+constexpr double kGone = 0.01;         // … so far from where it came down stands no more [m]
+constexpr double kFelt = 0.01;         // smoothing of the force that a standing foot feels [s]
+constexpr double kCarries = 2.0;       // times what a foot gets that is not felt to carry
+constexpr double kRounding = 1e-9;
+constexpr double kMoves = 0.15;   // a foot that stands is slower [m/s]
+constexpr double kUsual = 0.05;   // memory of the force on a foot in the air [s]
+constexpr double kAstray = 0.04;  // beside its reference by more, a foot could not follow [m]
+constexpr double kGoes = 0.05;    // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;     // weak or delayed drives let a foot be as late as this [s]
+constexpr double kBrake = 0.04;   // a foot follows a reference that brakes at once within this [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -39,6 +45,8 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   lift_off_time_ = std::numeric_limits<double>::infinity();
   foothold_ = landed_ = p_WF;
   light_for_ = 0.0;
+  felt_ = std::max(0.0, normal_force_);
+  doubt_of_ground_ = loaded ? 0.0 : 1.0;
 }
 
 void LegMotion::unload(double lift_off_time) {
@@ -48,9 +56,12 @@ void LegMotion::unload(double lift_off_time) {
 
 // The ramp up goes on from where the ramp down has come to: f_max does not jump.
 void LegMotion::reload(double time) {
-  const double share = force_max(time) / force_.max;
+  const double share = ramped_force_max(force_, since(time), lift_off_time_ - time) / force_.max;
   const double along_ramp = 0.5 - std::sin(std::asin(1.0 - 2.0 * share) / 3.0);  // of smoothstep
+  const double felt = felt_, doubt = doubt_of_ground_;
   plant(time - along_ramp * force_.ramp_up, foothold_);
+  felt_ = felt;
+  doubt_of_ground_ = doubt;
 }
 
 void LegMotion::lift(double time, const SwingTarget& target) {
@@ -75,15 +86,28 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   normal_force_ = seen.normal.dot(seen.force);
   force_per_torque_ = seen.force_per_torque;
   if (!down()) return observe_swing(time, seen);
+  feel(seen);
   foothold_ = seen.foot.p;  // the sphere rolls with its shank: the foothold wanders by a centimetre
   return observe_stance(time, seen);
 }
 
-// After a hard landing the estimated force lags and says little; the foot's way says more. (A foot
-// that comes down in its own time and then moves has slid off an edge, and its force says enough.)
+// A foot that came down is doubted until it is felt to carry, and again when it goes anywhere
+// without.
+void LegMotion::feel(const LegObservation& seen) {
+  felt_ += period_ / kFelt * (std::max(0.0, normal_force_) - felt_);
+  const bool carries = felt_ > kCarries * force_.unfelt;
+  if (carries) doubt_of_ground_ -= period_ / kFelt;
+  if (!carries && seen.foot.v.norm() > kMoves) doubt_of_ground_ += period_ / kFelt;
+  doubt_of_ground_ = std::clamp(doubt_of_ground_, 0.0, 1.0);
+}
+
+// A leg that is told to press on a ground that is not there drives its foot away. After a hard
+// landing the estimated force lags and says little; the foot's way says more.
 bool LegMotion::flies(double time, const LegObservation& seen) const {
-  if (!curve_.target().straight || since(time) > kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
+  const bool goes = seen.foot.v.norm() > kSlips && moved.norm() > kGone;
+  if (phase_ == LegPhase::stance && goes && unloaded()) return true;
+  if (!curve_.target().straight || since(time) > kFliesWithin) return false;
   const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
   return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);
 }
@@ -202,8 +226,14 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }
 
+// A foot that is asked for much more than the ground gives it is driven away: what it is asked for
+// grows with what it is felt to carry.
 double LegMotion::force_max(double time) const {
-  return down() ? ramped_force_max(force_, since(time), lift_off_time_ - time) : 0.0;
+  if (!down()) return 0.0;
+  const double ramped = ramped_force_max(force_, since(time), lift_off_time_ - time);
+  if (!force_.ramps) return ramped;
+  const double known = force_.unfelt + force_.felt * felt_;
+  return std::min(ramped, known / std::max(doubt_of_ground_, kRounding));
 }
 
 FootPlan LegMotion::plan(double time) const {

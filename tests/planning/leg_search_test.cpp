@@ -195,5 +195,20 @@ TEST(LegMotion, OnlyAFootThatWasPutDownAtOnceAndShortlyAgoFlies) {
   EXPECT_EQ(moves(bench, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
 }
 
+TEST(LegMotion, AStandingFootThatGoesAwayWithoutCarryingIsLost) {
+  const double light = 0.9 * TouchdownOptions{}.lift_off_force;
+  const auto goes = [](Bench& bench, double speed, double way, double force) {
+    bench.leg.plant(bench.time - 2.0, bench.p);
+    bench.foot_velocity = Vec3(speed, 0.0, 0.0);
+    bench.p.x() += way;
+    return bench.rest(3.0 * kPeriod, force);
+  };
+  Bench bench;
+  EXPECT_EQ(goes(bench, 0.31, 0.011, light), LegEvent::lost);
+  EXPECT_EQ(goes(bench, 0.31, 0.009, light), LegEvent::none) << "it came down here";
+  EXPECT_EQ(goes(bench, 0.29, 0.011, light), LegEvent::none) << "it slides slowly";
+  EXPECT_EQ(goes(bench, 0.31, 0.011, 1.3 * light), LegEvent::none) << "it slides, and carries";
+}
+
 }  // namespace
 }  // namespace surefoot
