@@ -6,6 +6,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kSmoothing = 0.02;  // of a joint's error [s]
+constexpr double kSure = 0.01;       // an IMU that lies lets torques claim much for a moment [s]
 
 }  // namespace
 
@@ -43,7 +44,7 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
 double TorqueCheck::wrong_for() const {
   const double longest = off_for_.maxCoeff();
   if (longest > options_.duration) return longest;
-  return claims_for_ > 0.0 ? options_.time_constant + claims_for_ : 0.0;
+  return claims_for_ > kSure ? options_.time_constant + claims_for_ : 0.0;
 }
 
 int TorqueCheck::joint() const {

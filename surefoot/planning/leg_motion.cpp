@@ -21,7 +21,8 @@ constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fas
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
 constexpr double kSlips = 0.3;         // a foot that carries nothing and goes faster [m/s] …
-constexpr double kGone = 0.01;         // … so far from where it came down stands no more [m]
+constexpr double kGone = 0.01;         // … so far from where it came down [m] …
+constexpr double kGoneFor = 0.01;      // … for so long stands no more [s]
 constexpr double kFelt = 0.01;         // smoothing of the force that a standing foot feels [s]
 constexpr double kCarries = 2.0;       // times what a foot gets that is not felt to carry
 constexpr double kRounding = 1e-9;
@@ -44,7 +45,7 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   begin_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = std::numeric_limits<double>::infinity();
   foothold_ = landed_ = p_WF;
-  light_for_ = 0.0;
+  light_for_ = gone_for_ = 0.0;
   felt_ = std::max(0.0, normal_force_);
   doubt_of_ground_ = loaded ? 0.0 : 1.0;
 }
@@ -99,14 +100,15 @@ void LegMotion::feel(const LegObservation& seen) {
   if (carries) doubt_of_ground_ -= period_ / kFelt;
   if (!carries && seen.foot.v.norm() > kMoves) doubt_of_ground_ += period_ / kFelt;
   doubt_of_ground_ = std::clamp(doubt_of_ground_, 0.0, 1.0);
+  const bool goes = seen.foot.v.norm() > kSlips && (seen.foot.p - landed_).norm() > kGone;
+  gone_for_ = goes && unloaded() && phase_ == LegPhase::stance ? gone_for_ + period_ : 0.0;
 }
 
 // A leg that is told to press on a ground that is not there drives its foot away. After a hard
 // landing the estimated force lags and says little; the foot's way says more.
 bool LegMotion::flies(double time, const LegObservation& seen) const {
   const Vec3 moved = seen.foot.p - landed_;
-  const bool goes = seen.foot.v.norm() > kSlips && moved.norm() > kGone;
-  if (phase_ == LegPhase::stance && goes && unloaded()) return true;
+  if (gone_for_ > kGoneFor) return true;
   if (!curve_.target().straight || since(time) > kFliesWithin) return false;
   const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
   return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);

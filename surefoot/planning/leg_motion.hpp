@@ -93,6 +93,7 @@ class LegMotion {
   double doubt_of_ground_ = 0.0;  // 1: nothing tells that the foot stands on something
   double force_per_torque_ = 0.0;
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
+  double gone_for_ = 0.0;     // how long one has gone somewhere with hardly a load [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
   /// Of a swinging foot's velocity behind its reference, at the last ticks [m/s].

@@ -201,7 +201,7 @@ TEST(LegMotion, AStandingFootThatGoesAwayWithoutCarryingIsLost) {
     bench.leg.plant(bench.time - 2.0, bench.p);
     bench.foot_velocity = Vec3(speed, 0.0, 0.0);
     bench.p.x() += way;
-    return bench.rest(3.0 * kPeriod, force);
+    return bench.rest(6.0 * kPeriod, force);
   };
   Bench bench;
   EXPECT_EQ(goes(bench, 0.31, 0.011, light), LegEvent::lost);
