@@ -95,12 +95,24 @@ class KeyWatch {
     std::set<std::string> keys = {};
   };
 
+  static bool is_plural(const std::string& key) { return key.size() > 1 && key.back() == 's'; }
+
+  /// "level 2" of levels.
+  static std::string element(const std::string& array, std::size_t number) {
+    const std::string what =
+        is_plural(array) ? array.substr(0, array.size() - 1) : std::string("element");
+    return what + " " + std::to_string(number);
+  }
+
   void see_key(const std::string& key) {
     open_.back().key = key;
     if (open_.back().keys.insert(key).second || !found_.empty()) return;
-    for (const Open& outer : std::span(open_).first(open_.size() - 1))
-      found_ += outer.is_array ? "element " + std::to_string(outer.num_elements) + ": "
-                               : outer.key + ": ";
+    std::string array;  // the key of the one that is next
+    for (const Open& outer : std::span(open_).first(open_.size() - 1)) {
+      if (outer.is_array) found_ += element(array, outer.num_elements) + ": ";
+      if (!outer.is_array && !is_plural(outer.key)) found_ += outer.key + ": ";
+      array = outer.is_array ? "" : outer.key;
+    }
     found_ += "the key \"" + key + "\" is given twice";
   }
 

@@ -21,8 +21,9 @@ using WideVector = VectorOf<Wide>;
 
 /// What is left of a row, relative to its length, that may be the rounding of its elements.
 constexpr double kDependent = 1e-14;
-/// Beyond all other rounding: what no row sees has so much of a length.
-constexpr double kUnseen = 1e-16;
+/// Beyond all other rounding: what no row sees has so much of a length; in the stationarity, which
+/// squares lengths, less: a row that is 1e-12 as long as another is to be seen beside it.
+constexpr double kUnseen = 1e-16, kUnseenSquared = 1e-28;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
@@ -174,8 +175,8 @@ double gain(const Question& question, const Counting& own, const VectorXd& units
 
 }  // namespace
 
-Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
-            const RowSet& fixed, const RowSet& touching) {
+Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
+                        const RowSet& fixed, const RowSet& touching) {
   Doubt result;
   const Level& level = hierarchy.level(k);
   const Counting own = counting(level, x, tight);
@@ -194,6 +195,10 @@ Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double
   const WideMatrix P = seen.spanned();
   Question question;
   question.rows = A.cast<Wide>() * Z * P * P.transpose();
+  for (Index i = 0; i < lengths.size(); ++i) {  // of a dependent row rounding of its numbers
+    if (question.rows.row(i).norm() <= Wide(kDependent * lengths[i]))
+      question.rows.row(i).setZero();
+  }
   question.gradient =
       question.rows.transpose() *
       Eigen::Map<const WideVector>(own.violations.data(), static_cast<Index>(own.rows.size()));
@@ -206,7 +211,7 @@ Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
   result.residual = std::max(own.residual - least, own.rounding) / own.scale;
   result.stationarity =
-      gain(question, own, lengths * (1.0 + x.norm()), kUnseen * own.scale * own.scale);
+      gain(question, own, lengths * (1.0 + x.norm()), kUnseenSquared * own.scale * own.scale);
   return result;
 }
 

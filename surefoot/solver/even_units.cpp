@@ -1,5 +1,7 @@
 #include "surefoot/solver/even_units.hpp"
 
+#include "surefoot/solver/quiet_overflow.hpp"
+
 #include <cmath>
 
 namespace surefoot {
@@ -93,6 +95,11 @@ VectorXd even_units(const Hierarchy& hierarchy) {
                           columns.abs().maxCoeff() <= kMost && after <= kHelps * before;
   if (!are_needed) return ones;
   return columns.unaryExpr([](double power) { return std::ldexp(1.0, static_cast<int>(power)); });
+}
+
+bool is_within_range(const VectorXd& x) {
+  const QuietOverflow quiet;
+  return std::isfinite(x.squaredNorm());
 }
 
 Hierarchy in_units(const Hierarchy& hierarchy, const VectorXd& units) {
