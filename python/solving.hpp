@@ -171,6 +171,7 @@ inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result)
   for (std::size_t k = 0; k < certificates.size(); ++k) {
     result.levels[k].certificate = certificates[k].stationarity;
     result.levels[k].verdict = std::string(name(verdict(certificates[k])));
+    if (certificates[k].rests_on >= 0) result.levels[k].rests_on = certificates[k].rests_on;
   }
   const Verdict worst = result.failed_level ? Verdict::not_proven : verdict(certificates);
   result.verdict = std::string(name(worst));

@@ -361,7 +361,9 @@ def test_an_answer_is_certified_where_that_is_asked_for():
     proven = surefoot.solve([{"A": [[1, 1]], "b": [2]}], certify=True)
     assert proven.verdict == "proven" and proven.levels[0].certificate <= 1e-12
     far = surefoot.solve([{"A": [[1, 1], [1, 1 + 1e-9]], "b": [0.1, 3.3]}], certify=True)  # x is 3e9
-    assert far.verdict == far.levels[0].verdict == "not judged"
+    assert far.verdict == far.levels[0].verdict == "not judged" and far.levels[0].rests_on is None
+    below = surefoot.solve([{"A": [[1, 1], [1, 1 + 1e-9]], "b": [0.1, 3.3]}, {"A": [[1, 0]], "b": [0]}], certify=True)
+    assert (below.levels[1].verdict, below.levels[1].rests_on) == ("not judged", 0)
 
 
 def test_weights_damping_and_a_reference_are_those_of_the_level():
