@@ -20,8 +20,9 @@ TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
   EXPECT_EQ(whole.exit_code, 0) << whole.err.str();
   const CommandRun run(line, {.file = "", .certify = true, .budget = 1.0});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.str().find(":1: not proven, cut off in level 1 of 1 at its budget; only levels"),
-            std::string::npos)
+  EXPECT_NE(
+      run.err.str().find(":1: not proven, cut off in level 1 of 1 at its budget; only levels"),
+      std::string::npos)
       << run.err.str();
   EXPECT_EQ(run.err.str().find("in length"), std::string::npos) << run.err.str();
 }

@@ -62,7 +62,8 @@ TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
   EXPECT_FALSE(run.results[0]["levels"][2].contains("rests_on"));
   const std::string below = line.substr(0, line.size() - 2) + R"(,{"A":[[0,0,1,0]],"b":[0]}]})";
   for (const bool explain : {false, true}) {
-    const CommandRun more(below, {.file = "", .certify = true, .explain = explain, .json = explain});
+    const CommandRun more(below,
+                          {.file = "", .certify = true, .explain = explain, .json = explain});
     EXPECT_EQ(more.results[0]["levels"][3]["verdict"], "not judged");
     EXPECT_EQ(more.results[0]["levels"][3]["rests_on"], 3);
     EXPECT_NE(more.err.str().find(":1: not judged: level 3 "), std::string::npos);

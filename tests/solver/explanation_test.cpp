@@ -123,8 +123,8 @@ TEST(Explanation, OfLimitsThatContradictEachOtherTheOneThatStopsTheWishHasTheCos
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double weight : {1.0, 100.0, 1e3, 7e3, 1e4}) {
     SCOPED_TRACE("weight " + std::to_string(weight));
-    const LevelData limits =
-        between(Vector2d(weight, 1.0), Vector2d(-infinity, 501.0), Vector2d(weight * 500, infinity));
+    const LevelData limits = between(Vector2d(weight, 1.0), Vector2d(-infinity, 501.0),
+                                     Vector2d(weight * 500, infinity));
     for (const double wish : {600.0, 0.0}) {
       const LevelExplanation explained =
           explanation(1, {limits, equalities(MatrixXd::Ones(1, 1), number(wish))})[1];
