@@ -116,8 +116,18 @@ TEST(Doubt, AShortRowIsSeenBesideOneThatIsManyTimesAsLong) {
   }
 }
 
+TEST(Doubt, ALimitThatIsViolatedByRoundingKeepsNothingFromMovingInwards) {
+  // At the lower bound of a long row but for rounding, which a short one asks to leave.
+  MatrixXd rows(2, 1);
+  rows << 1048576.0, 1.0 / 1024.0;
+  const HierarchyData levels{between(rows, Vector2d(1048576.0 * (1.0 + 1e-15), 3.0 / 1024.0),
+                                     Vector2d(4.0 * 1048576.0, 3.0 / 1024.0))};
+  EXPECT_NE(verdict_of(1, levels, number(1.0)), Verdict::proven);
+  EXPECT_EQ(verdict_of(1, levels, number(3.0)), Verdict::proven);
+}
+
 TEST(Certificate, ALevelBelowOneThatIsNotProvenIsNotProvenEither) {
-  HierarchyData levels = nearly_parallel(1e-12);
+  HierarchyData levels = nearly_parallel(1e-13);  // the direction is left to the level below
   levels.push_back(equalities(Eigen::RowVector3d(0.0, 0.0, 1.0), number(1.0)));
   const auto certificates = certify(make_hierarchy(3, levels), solve(3, levels).x);
   EXPECT_EQ(verdict(certificates[0]), Verdict::proven);
