@@ -230,18 +230,20 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   for (auto row : question.touching.rowwise()) {
     if (row.norm() <= Wide(kDependent)) row.setZero();
   }
-  const double scale = own.scale, size = 1.0 + x.norm();
-  double gained = 0.0;
-  for (const Counting& of : {own, at_bounds(own, level, x)}) {
+  const double scale = own.scale;
+  const auto set_gradient = [&](const Counting& of) {
     const auto count = static_cast<Index>(of.violations.size());
     question.gradient =
         question.rows.transpose() * Eigen::Map<const WideVector>(of.violations.data(), count);
-    const VectorXd ones = VectorXd::Ones(count);
-    gained = std::max(gained, gain(question, of, ones, kUnseen * scale, 0.0));
-    const double moved =
-        gain(question, of, lengths * size, kSeen * scale * scale, kUnseen * scale * scale);
-    result.stationarity = std::max(result.stationarity, moved);
-  }
+  };
+  const auto stationarity = [&](const Counting& of) {
+    set_gradient(of);
+    return gain(question, of, lengths * (1.0 + x.norm()), kSeen * scale * scale,
+                kUnseen * scale * scale);
+  };
+  result.stationarity = std::max(stationarity(own), stationarity(at_bounds(own, level, x)));
+  set_gradient(own);
+  const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * scale, 0.0);
   const double squared = own.residual * own.residual - gained * gained;
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
   result.residual = std::max(own.residual - least, own.rounding) / own.scale;
