@@ -1,7 +1,5 @@
 #include "surefoot/solver/even_units.hpp"
 
-#include "surefoot/solver/quiet_overflow.hpp"
-
 #include <cmath>
 
 namespace surefoot {
@@ -95,11 +93,6 @@ VectorXd even_units(const Hierarchy& hierarchy) {
                           columns.abs().maxCoeff() <= kMost && after <= kHelps * before;
   if (!are_needed) return ones;
   return columns.unaryExpr([](double power) { return std::ldexp(1.0, static_cast<int>(power)); });
-}
-
-bool is_within_range(const VectorXd& x) {
-  const QuietOverflow quiet;
-  return std::isfinite(x.squaredNorm());
 }
 
 Hierarchy in_units(const Hierarchy& hierarchy, const VectorXd& units) {

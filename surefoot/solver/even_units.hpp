@@ -28,9 +28,6 @@ namespace surefoot {
 [[nodiscard]] Hierarchy with_shortest_in_units(const Hierarchy& hierarchy,
                                                const Eigen::VectorXd& units);
 
-/// Whether a double holds ‖x‖²: of a y in range, x = d ∘ y may not be.
-[[nodiscard]] bool is_within_range(const Eigen::VectorXd& x);
-
 /// The answer of a solver that is made for this one problem, in units that are even: what
 /// `surefoot solve` does. Where `even_units` are 1 the solver's own, to the bit. Allocates.
 template <typename Solver, typename Options>
@@ -41,11 +38,6 @@ template <typename Solver, typename Options>
   Solution solution = Solver(question, options).solve(question);
   solution.x = solution.x.cwiseProduct(units).eval();
   solution.levels.pop_back();
-  if (!is_within_range(solution.x)) {
-    solution.status = SolveStatus::invalid_input;
-    solution.failed_level = -1;
-    solution.x.setZero();
-  }
   solution.failed_level = std::min(solution.failed_level, static_cast<int>(hierarchy.num_levels()));
   return solution;
 }

@@ -143,7 +143,7 @@ TEST(EvenUnits, OfASearchThatWasCutOffTheLevelIsOneThatThereIs) {
 
 TEST(EvenUnits, AnXThatIsBeyondTheRangeOfDoublesOnlyInTheUnitsGivenIsInvalidInput) {
   MatrixXd rows(2, 2);
-  rows << 1e-55, 1.0, 1e-55, -1.0;
+  rows << 1e-57, 1e-50, 1e-57, -1e-50;  // x is 1e157, and what is solved for 2e153
   const Hierarchy hierarchy = make_hierarchy(2, {equalities(rows, Vector2d(1e100, 1e100))});
   ASSERT_NE(even_units(hierarchy), VectorXd::Ones(2));
   for (const Solution& solution :
