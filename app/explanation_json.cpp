@@ -5,6 +5,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json rows_and_levels(const std::vector<NamedRow>& rows) {
+  Json list = Json::array();
+  for (const NamedRow& row : rows) list.push_back({{"level", row.level + 1}, {"row", row.name}});
+  return list;
+}
+
 Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount& level) {
   Json list = Json::array();
   for (const BlockingLevelAccount& by : level.blocked_by) {
@@ -15,7 +21,8 @@ Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount
                       {"cost", row.cost},
                       {"multiplier", row.multiplier},
                       {"independence", row.independence}});
-      if (!row.same.empty()) rows.back()["same"] = row.same;
+      if (row.would_gain) rows.back()["would_gain"] = true;
+      if (!row.same.empty()) rows.back()["same"] = rows_and_levels(row.same);
     }
     list.push_back({{"level", by.level + 1},
                     {"name", levels[by.level].name},
@@ -36,8 +43,10 @@ Json level_json(const std::vector<LevelAccount>& levels, const LevelAccount& lev
   if (!is_swept) json["iterations"] = level.iterations;
   if (level.time > 0.0) json["time_s"] = level.time;
   json["missed"] = Json::array();
-  for (const MissedRow& row : level.missed)
+  for (const MissedRow& row : level.missed) {
     json["missed"].push_back({{"row", row.name}, {"by", row.by}});
+    if (row.weight != 1.0) json["missed"].back()["weight"] = row.weight;
+  }
   json["at_bound"] = Json::array();
   for (const HeldRow& row : level.held)
     json["at_bound"].push_back({{"row", row.name}, {"bound", row.at_upper ? "upper" : "lower"}});
@@ -55,6 +64,7 @@ Json explanation_json(const std::vector<LevelAccount>& levels, const Solution& s
     if (k >= certificates.size()) continue;
     list.back()["certificate"] = certificates[k].stationarity;
     list.back()["verdict"] = name(verdict(certificates[k]));
+    if (certificates[k].rests_on >= 0) list.back()["rests_on"] = certificates[k].rests_on + 1;
   }
   Json json = {{"x", std::vector<double>(solution.x.begin(), solution.x.end())},
                {"status", name(solution.status)}};

@@ -31,8 +31,8 @@ std::string microseconds(double seconds) {
 class Text {
  public:
   Text(const std::vector<LevelAccount>& levels, const std::vector<LevelCertificate>& certificates,
-       bool is_swept)
-      : levels_(levels), certificates_(certificates), is_swept_(is_swept) {}
+       bool is_swept, std::string_view ended_by)
+      : levels_(levels), certificates_(certificates), is_swept_(is_swept), ended_by_(ended_by) {}
 
   [[nodiscard]] std::string whole() const {
     const std::vector<std::string> lines = split(aligned(heads()));
@@ -100,12 +100,17 @@ class Text {
     return number(value) + (level.unit.empty() ? "" : " " + level.unit);
   }
 
+  static std::string weight(const MissedRow& row) {
+    if (row.weight == 1.0) return "";
+    return ", weighted " + number(row.weight) + " times: " + number(row.weight * std::abs(row.by));
+  }
+
   static std::string missed(const LevelAccount& level) {
     std::string text;
     for (std::size_t i = 0; i < std::min(level.missed.size(), kMostRows); ++i) {
       const MissedRow& row = level.missed[i];
       text += "      " + row.name + " is " + amount(level, std::abs(row.by)) +
-              (row.by > 0.0 ? " too high\n" : " too low\n");
+              (row.by > 0.0 ? " too high" : " too low") + weight(row) + "\n";
     }
     return text + more(level.missed.size(), "      and ", "\n");
   }
@@ -122,7 +127,8 @@ class Text {
 
   [[nodiscard]] std::string held_back(const LevelAccount& level) const {
     if (level.status == kCutOff)
-      return "   so far: the search ended in this level, so what holds it back is not known\n";
+      return "   so far: the search ended in this level, " + std::string(ended_by_) +
+             ", so what holds it back is not known\n";
     if (level.status == "missed" && level.blocked_by.empty())
       return "   held back by nothing above: its own rows can't all be had\n";
     std::string text;
@@ -151,13 +157,14 @@ class Text {
   }
 
   /// Rows that say the same have a cost only together.
-  static std::string costs(const BlockingRowAccount& row) {
+  static std::string costs(const BlockingRowAccount& row, std::size_t level) {
     if (row.same.empty()) return ", alone costs ";
     std::string names;
     const std::size_t shown = std::min(row.same.size(), kMostRows);
     for (std::size_t i = 0; i < shown; ++i) {
       const bool is_last = i + 1 == row.same.size();
-      names += (i == 0 ? " " : (is_last ? " and " : ", ")) + row.same[i];
+      names += (i == 0 ? " " : (is_last ? " and " : ", ")) + row.same[i].name;
+      if (row.same[i].level != level) names += " of level " + std::to_string(row.same[i].level + 1);
     }
     return ", with" + names + more(row.same.size(), " and ", "") +
            (row.same.size() == 1 ? ", which says" : ", which say") + " the same, costs ";
@@ -167,7 +174,12 @@ class Text {
     std::string text;
     for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
-      text += "      " + row.name + ", " + std::string(row.state) + costs(row) +
+      if (row.would_gain && row.cost == 0.0) {
+        text += "      " + row.name + ", " + std::string(row.state) +
+                ", stops nothing: it wants the same, and others contradict it\n";
+        continue;
+      }
+      text += "      " + row.name + ", " + std::string(row.state) + costs(row, by.level) +
               (std::isnan(row.cost) ? "what is not known" : amount(level, row.cost)) +
               " (multiplier " + number(row.multiplier) + dependence(row) + ")\n";
     }
@@ -181,12 +193,14 @@ class Text {
   const std::vector<LevelAccount>& levels_;
   const std::vector<LevelCertificate>& certificates_;
   bool is_swept_;
+  std::string_view ended_by_;
 };
 
-std::string headline(const Solution& solution, std::size_t num_levels) {
+std::string headline(const Solution& solution, std::size_t num_levels, std::string_view ended_by) {
   const std::string unit = solution.is_swept ? " sweep" : " iteration";
   const int iterations = num_iterations(solution);
   std::string text = "status: " + std::string(name(solution.status));
+  if (solution.status == SolveStatus::iteration_cap) text += ", " + std::string(ended_by);
   const bool are_all_finished = solution.failed_level == static_cast<int>(num_levels);
   if (are_all_finished)
     text += "; all levels are optimal, x is not yet the shortest that they allow";
@@ -207,7 +221,7 @@ std::vector<LevelAccount> with_printable_names(std::vector<LevelAccount> levels)
     for (BlockingLevelAccount& by : level.blocked_by) {
       for (BlockingRowAccount& row : by.rows) {
         row.name = printable(row.name);
-        for (std::string& name : row.same) name = printable(name);
+        for (NamedRow& same : row.same) same.name = printable(same.name);
       }
     }
   }
@@ -217,9 +231,11 @@ std::vector<LevelAccount> with_printable_names(std::vector<LevelAccount> levels)
 }  // namespace
 
 std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
-                             const std::vector<LevelCertificate>& certificates) {
+                             const std::vector<LevelCertificate>& certificates, bool has_budget) {
   const std::vector<LevelAccount> named = with_printable_names(levels);
-  return headline(solution, levels.size()) + Text(named, certificates, solution.is_swept).whole();
+  const std::string_view ended_by = what_ended(has_budget);
+  return headline(solution, levels.size(), ended_by) +
+         Text(named, certificates, solution.is_swept, ended_by).whole();
 }
 
 }  // namespace surefoot

@@ -100,10 +100,10 @@ class Accountant {
     std::vector<MissedRow> rows;
     for (Index i = 0; i < solution_.levels[k].num_rows; ++i) {
       const double by = violation(k, i);
-      if (by != 0.0) rows.push_back({name({k, i}), by});
+      if (by != 0.0) rows.push_back({name({k, i}), by / weight({k, i}), weight({k, i})});
     }
     std::ranges::stable_sort(rows, std::ranges::greater{},
-                             [](const MissedRow& row) { return std::abs(row.by); });
+                             [](const MissedRow& row) { return row.weight * std::abs(row.by); });
     return rows;
   }
 
@@ -150,18 +150,20 @@ class Accountant {
       if (blocker.at.level != level) continue;
       const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
       rows.push_back({name(blocker.at), words(state(blocker.at)), names_of_same(blocker),
-                      is_rounding ? 0.0 : blocker.cost, blocker.multiplier, blocker.independence});
+                      blocker.would_gain, is_rounding ? 0.0 : blocker.cost, blocker.multiplier,
+                      blocker.independence});
     }
     return rows;
   }
 
-  [[nodiscard]] std::vector<std::string> names_of_same(const DistinctBlocker& blocker) const {
-    std::vector<std::string> names;
-    for (const RowIndex at : blocker.same) {
-      const bool is_elsewhere = at.level != blocker.at.level;
-      names.push_back(name(at) + (is_elsewhere ? " of level " + std::to_string(at.level + 1) : ""));
-    }
+  [[nodiscard]] std::vector<NamedRow> names_of_same(const DistinctBlocker& blocker) const {
+    std::vector<NamedRow> names;
+    for (const RowIndex at : blocker.same) names.push_back({at.level, name(at)});
     return names;
+  }
+
+  [[nodiscard]] double weight(RowIndex at) const {
+    return question_.weights[at.level][static_cast<std::size_t>(at.row)];
   }
 
   [[nodiscard]] const std::string& name(RowIndex at) const {

@@ -14,7 +14,9 @@ namespace surefoot {
 /// A row that its level could not reach.
 struct MissedRow {
   std::string name;
-  double by = 0.0;  ///< in the level's unit; positive above the bound, negative below it
+  /// In the level's unit, of the row as it was given; positive above the bound, negative below it.
+  double by = 0.0;
+  double weight = 1.0;  ///< in the residual it counts so many times
 };
 
 /// An inequality row that is held at its bound.
@@ -23,13 +25,18 @@ struct HeldRow {
   bool at_upper = true;
 };
 
+/// A row and its level.
+struct NamedRow {
+  std::size_t level = 0;
+  std::string name;
+};
+
 /// A row above that costs a level something.
 struct BlockingRowAccount {
   std::string name;
-  std::string_view state;  ///< in words: "at its upper bound"
-  /// Other rows that say the same, those of other levels with it, "D 1 of level 2"; the numbers are
-  /// of all together.
-  std::vector<std::string> same;
+  std::string_view state;      ///< in words: "at its upper bound"
+  std::vector<NamedRow> same;  ///< others that say the same: the numbers are of all together
+  bool would_gain = false;     ///< see `DistinctBlocker`
   double cost = 0.0;  ///< what the level's residual falls by without this row alone; NaN: not known
   double multiplier = 0.0;    ///< see `Blocker`
   double independence = 1.0;  ///< see `Blocker`
@@ -47,6 +54,11 @@ struct BlockingLevelAccount {
 /// How a level came out; cut off: at the cap of iterations or the budget, not reached: after that.
 constexpr std::string_view kMet = "met", kMissed = "missed", kNoRows = "no rows",
                            kCutOff = "cut off", kNotReached = "not reached";
+
+/// What ended a search that was cut off: "at its budget" where it has one.
+[[nodiscard]] constexpr std::string_view what_ended(bool has_budget) {
+  return has_budget ? "at its budget" : "at the solver's own cap of iterations";
+}
 
 /// Why a level came out as it did.
 struct LevelAccount {

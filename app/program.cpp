@@ -53,10 +53,11 @@ The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖
 "instructions" is the set that the solver's kernels use on this processor; the cascade has none.
 "line" is the number of the line in the file: one that is wrong has no answer, only its error.
 Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows,
-and D a "lower" beside f: lower ≤ D x ≤ f, where null is no bound; "A_ids" and "D_ids" are the numbers
-by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its bounds, and
-all that is told of it, proofs too, is of the weighted row. A level's "damping" d adds the rows
-d E (x - x_ref) = 0, E an orthonormal basis of its rows' span. "x_ref" beside "levels" (0 without) is
+and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound; "A_ids" and "D_ids" are the
+numbers by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its
+bounds: residuals, costs and proofs are of the weighted row, and of what it misses --explain tells the
+weight. A level's "damping" d adds the rows d E (x - x_ref) = 0, E an orthonormal basis of its rows'
+span, of limits that are met too: levels below can't move what any of its rows has. "x_ref" beside "levels" (0 without) is
 what x is to be close to where the levels leave it open: a last level, told as such.
   {"levels":[{"A":[[1,1]],"b":[2],"A_weights":[10],"damping":0.01}],"x_ref":[3,0]}
 Other members are an error.
@@ -65,9 +66,10 @@ has an element of at least 1e-100, either way.
 A level without rows asks for nothing: it is named, and the line is solved.
 
 --explain: a cost is what the level's residual would fall by without that row alone, or without all
-rows of that level, while everything else above keeps what it has. Rows that say the same (one limit
-given twice) are told once, with --json as "same", and the numbers are of all of them together. A
-multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is
+rows of that level, while everything else above keeps what it has and no limit is violated more. Of
+limits that contradict each other one stops the level, and one that wants the same stops nothing (with
+--json "would_gain"). Rows that say the same (one limit given twice) are told once, with --json as
+"same", by level and row, and the numbers are of all of them together. A multiplier is how fast half the squared residual falls as the row's bound gives way; of a row that is
 nearly dependent on others that hold it says little. With --json it is one object a line, where
 "independence" is what of the row's length no other of them has, and null a cost that could not be
 solved for. For each cost the level is solved again: 111 unknowns and 160 costs take 0.4 s, twice as
@@ -76,18 +78,20 @@ many of both more than ten times as long; after a while it says on stderr how fa
 --certify: each level has a "certificate", how far it is from its optimality conditions, and a
 "verdict": proven, not proven (above 1e-8), or not judged: as far as doubles can tell it is at its
 optimum, but by exact arithmetic something could be gained, because ranks are borderline, x is too
-large or rows of a level differ too much in length. stderr says which.
+large or rows of a level differ too much in length. stderr says which. A level below one that is not
+proven is not proven either: "rests_on" is that level's number.
 
 --weighted 3 --weights 10,1: levels 1 and 2 stay strict, 3 and all below become one, "weighted", with
 residuals and proofs of the weighted rows. "strict_residuals" has for comparison what is left of each
 level of the line, without weights.
 
-A line whose search ended at its --budget or --budget-us has "status": "iteration_cap", the level
-where it ended "status": "cut off" and the residual so far, those below "status": "not reached" and no
-number.
+A line whose search ended at its --budget or --budget-us, or at the solver's own cap of iterations,
+which is very rare, has "status": "iteration_cap" and "cut_off_by": "budget" or, where it has none, "cap",
+the level where it ended "status": "cut off" and the residual so far, those below "status": "not reached"
+and no number.
 
-Exit codes: 0 all lines are solved, 1 an answer is not proven, or not judged, by --certify or was cut off
-before there was one to certify, 2 a line is wrong (the others are still solved) or there is none.
+Exit codes: 0 all lines are solved, as far as their budget goes, 1 an answer was cut off by the solver's
+own cap, or with --certify one is not proven, not judged or was cut off before there was one, 2 a line is wrong (the others are still solved) or there is none.
 
 Examples:
   surefoot solve hierarchies.jsonl

@@ -65,14 +65,20 @@ NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
                         const std::vector<double>& weights) {
   WeightedLevels levels(question.hierarchy, first, weights);
   NamedHierarchy result{levels.update(question.hierarchy), {}, {}};
+  const auto weight_of = [&](std::size_t k) {
+    return k < first || k - first >= weights.size() ? 1.0 : weights[k - first];
+  };
   for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
     const std::string of = k < first ? "" : question.hierarchy.level(k).name() + ", ";
     if (k <= first) {
       result.row_names.emplace_back();
+      result.weights.emplace_back();
       result.units.push_back(k < first ? question.units[k] : "");
     }
     for (const std::string& row : question.row_names[k])
       result.row_names.back().push_back(of + row);
+    for (const double weight : question.weights[k])
+      result.weights.back().push_back(weight_of(k) * weight);
   }
   return result;
 }
@@ -118,9 +124,10 @@ void check_method(const SolveArguments& arguments) {
   if (!(arguments.budget >= 0.0)) throw Error("a budget is a number of flops, at least 0");
   if (!(arguments.budget_us >= 0.0))
     throw Error("a budget is a number of microseconds, at least 0");
-  if (arguments.weighted_from < 0)
-    throw Error("--weighted is the number of a level, counted from 1");
-  if (!arguments.weights.empty() && arguments.weighted_from == 0)
+  if (arguments.weighted_from && *arguments.weighted_from < 1)
+    throw Error("--weighted is " + std::to_string(*arguments.weighted_from) +
+                "; expected the number of a level, counted from 1");
+  if (!arguments.weights.empty() && !arguments.weighted_from)
     throw Error("--weights go with --weighted, the level from which on they are");
   for (const double weight : arguments.weights) check_weight(weight, "the weight of a level");
   if (is_cascade && (std::isfinite(arguments.budget) || std::isfinite(arguments.budget_us))) {
@@ -155,6 +162,10 @@ class SolveCommand {
   }
 
  private:
+  [[nodiscard]] bool has_budget() const {
+    return std::isfinite(arguments_.budget) || std::isfinite(arguments_.budget_us);
+  }
+
   [[nodiscard]] bool is_cascade() const { return arguments_.method == name(SolverMethod::cascade); }
 
   /// The set that the kernels of the lexicographic solver use.
@@ -164,6 +175,8 @@ class SolveCommand {
   [[nodiscard]] Json with_place(Json line) const {
     line["line"] = line_;
     if (!is_cascade()) line["instructions"] = instructions();
+    if (line.value("status", "") == name(SolveStatus::iteration_cap))
+      line["cut_off_by"] = has_budget() ? "budget" : "cap";
     return line;
   }
 
@@ -216,14 +229,16 @@ class SolveCommand {
       tell_unproven(place, question.hierarchy, solution.x, certificates);
     if (said == Verdict::not_judged)
       tell_not_judged(place, question.hierarchy, solution.x, certificates);
-    if (arguments_.certify && finished < num_levels) tell_cut_off(place, finished, num_levels);
+    const bool is_capped = solution.status == SolveStatus::iteration_cap && !has_budget();
+    if (is_capped || (arguments_.certify && finished < num_levels))
+      tell_cut_off(place, finished, num_levels);
   }
 
   [[nodiscard]] NamedHierarchy as_asked(const NamedHierarchy& strict,
                                         const std::string& place) const {
-    if (arguments_.weighted_from == 0) return strict;
+    if (!arguments_.weighted_from) return strict;
     const std::size_t num_levels = strict.hierarchy.num_levels();
-    const auto from = static_cast<std::size_t>(arguments_.weighted_from);
+    const auto from = static_cast<std::size_t>(*arguments_.weighted_from);
     const std::string given = "--weighted is " + std::to_string(from);
     if (from > num_levels) {
       throw FileError(place + ": " + given + "; expected 1 to " + std::to_string(num_levels) +
@@ -239,7 +254,7 @@ class SolveCommand {
 
   [[nodiscard]] Json with_strict_residuals(Json line, const Hierarchy& strict,
                                            const Solution& solution) const {
-    if (arguments_.weighted_from > 0) line["strict_residuals"] = residuals_at(strict, solution.x);
+    if (arguments_.weighted_from) line["strict_residuals"] = residuals_at(strict, solution.x);
     return line;
   }
 
@@ -253,7 +268,7 @@ class SolveCommand {
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
-           << explanation_text(levels, solution, certificates) << std::endl;
+           << explanation_text(levels, solution, certificates, has_budget()) << std::endl;
     }
   }
 
@@ -293,8 +308,15 @@ class SolveCommand {
   }
 
   void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels) {
-    err_ << place << ": not proven, cut off in level " << finished + 1 << " of " << num_levels
-         << "; only levels before it have certificates\n";
+    const std::string what = arguments_.certify ? ": not proven, cut off" : ": cut off";
+    err_ << place << what;
+    if (finished < num_levels) err_ << " in level " << finished + 1 << " of " << num_levels;
+    err_ << " " << what_ended(has_budget()) << "; ";
+    if (finished == num_levels)
+      err_ << "all levels are optimal, x is not yet the shortest\n";
+    else
+      err_ << "only levels before it "
+           << (arguments_.certify ? "have certificates\n" : "are optimal\n");
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 
@@ -357,6 +379,7 @@ class SolveCommand {
       if (k < certificates.size()) {
         level["certificate"] = certificates[k].stationarity;
         level["verdict"] = name(verdict(certificates[k]));
+        if (certificates[k].rests_on >= 0) level["rests_on"] = certificates[k].rests_on + 1;
       }
       levels.push_back(std::move(level));
     }

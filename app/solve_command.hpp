@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct SolveArguments {
   double budget = std::numeric_limits<double>::infinity();
   /// The same in microseconds.
   double budget_us = std::numeric_limits<double>::infinity();
-  /// The levels from this one on, counted from 1, are solved as one weighted level; 0: none.
-  int weighted_from = 0;
+  /// The levels from this one on, counted from 1, are solved as one weighted level; none: in
+  /// strict order, all of them.
+  std::optional<int> weighted_from = std::nullopt;
   std::vector<double> weights = {};  ///< of these levels; 1 where there is none
 };
 
@@ -47,11 +49,12 @@ struct SolveArguments {
 ///
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
-/// are still solved. A line that ended at the cap of iterations or at its budget has
-/// "status": "iteration_cap" in its result, the level where it did "status": "cut off" and the
-/// residual so far, the levels below "status": "not reached" and no number; neither has a
-/// certificate or an explanation. Returns the exit code: 0; 1 if a level isn't proven or has no
-/// certificate; 2 if the input is wrong. Throws FileError if the file can't be read or has no line.
+/// are still solved. A line that ended at its budget or, without one, at the solver's own cap of
+/// iterations has "status": "iteration_cap" and "cut_off_by": "budget" or "cap" in its result, the
+/// level where it did "status": "cut off" and the residual so far, the levels below "status": "not
+/// reached" and no number; neither has a certificate or an explanation. Returns the exit code: 0; 1
+/// if a level isn't proven or has no certificate, or a line ended at the cap; 2 if the input is
+/// wrong. Throws FileError if the file can't be read or has no line.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

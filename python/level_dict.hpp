@@ -8,6 +8,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,9 +46,11 @@ Array numbers_of(nb::handle given, const std::string& name, std::size_t axes, co
   return result;
 }
 
-/// Rows lower ≤ A x ≤ upper, their weights, and the name of the matrix that they were given in.
+/// Rows lower ≤ A x ≤ upper, their weights, the name of the matrix that they were given in, and
+/// what they are called.
 struct Block {
   std::string key;
+  std::vector<std::string> names;
   Rows::RowMajor A;
   Eigen::VectorXd lower, upper, weights;
 };
@@ -80,20 +83,24 @@ class LevelDict {
 
   /// In the order A, D.
   [[nodiscard]] std::vector<Block> blocks() const {
-    const bool is_bounded = has("lower") || has("upper");
+    // A that has no b takes lower, else it is D's.
+    const bool is_lower_of_D = has("lower") && has("D") && (has("b") || !has("A"));
+    const bool is_bounded = (has("lower") && !is_lower_of_D) || has("upper");
     if (has("A") && has("b") == is_bounded) {
       fail("A goes with b (A x = b) or with lower, upper or both (lower ≤ A x ≤ upper)" + given());
     }
     if (!has("A") && (has("b") || is_bounded)) fail("b, lower and upper go with A" + given());
-    if (has("D") != has("f")) fail("D goes with f (D x ≤ f)" + given());
+    if (has("D") ? !has("f") && !is_lower_of_D : has("f"))
+      fail("D goes with f, lower or both (lower ≤ D x ≤ f)" + given());
     for (const std::string matrix : {"A", "D"}) {
-      const std::string weights = matrix + "_weights";
-      if (has(weights) && !has(matrix)) fail(weights + " goes with " + matrix + given());
+      for (const std::string more : {"_weights", "_names", "_ids"})
+        if (has(matrix + more) && !has(matrix))
+          fail(matrix + more + " goes with " + matrix + given());
     }
     std::vector<Block> blocks;
     if (has("b")) blocks.push_back(block("A", "b", "b"));
     if (is_bounded) blocks.push_back(block("A", "lower", "upper"));
-    if (has("D")) blocks.push_back(block("D", "", "f"));
+    if (has("D")) blocks.push_back(block("D", is_lower_of_D ? "lower" : "", "f"));
     return blocks;
   }
 
@@ -107,8 +114,9 @@ class LevelDict {
   [[nodiscard]] bool has(const std::string& key) const { return dict_.contains(key.c_str()); }
 
   void check_keys() const {
-    const std::vector<std::string> valid{"A",     "b",    "D",         "f",         "lower",
-                                         "upper", "name", "A_weights", "D_weights", "damping"};
+    const std::vector<std::string> valid{"A",     "b",       "D",         "f",         "lower",
+                                         "upper", "name",    "A_weights", "D_weights", "damping",
+                                         "unit",  "A_names", "D_names",   "A_ids",     "D_ids"};
     for (const nb::handle key : dict_.keys()) {
       if (std::ranges::find(valid, text(key)) != valid.end()) continue;
       fail("unknown key \"" + text(key) + "\"; " + valid_names(text(key), valid));
@@ -149,11 +157,23 @@ class LevelDict {
     return result;
   }
 
-  /// `missing` where there is no such key.
+  /// With numbers in place of None.
+  [[nodiscard]] Array array_without_none(const std::string& key, double missing) const {
+    const nb::object given = dict_[key.c_str()];
+    if (!nb::isinstance<nb::list>(given) && !nb::isinstance<nb::tuple>(given)) return array(key, 1);
+    nb::list numbers;
+    for (const nb::handle element : given)
+      numbers.append(element.is_none() ? nb::object(nb::float_(missing))
+                                       : nb::borrow<nb::object>(element));
+    return numbers_of(numbers, key, 1, [this](const std::string& message) { fail(message); });
+  }
+
+  /// `missing` where there is no such key, and for None unless it is finite.
   [[nodiscard]] Eigen::VectorXd vector(const std::string& key, const Block& block,
                                        double missing) const {
     if (!has(key)) return Eigen::VectorXd::Constant(block.A.rows(), missing);
-    const Array numbers = array(key, 1);
+    const Array numbers =
+        std::isfinite(missing) || key == "b" ? array(key, 1) : array_without_none(key, missing);
     Eigen::VectorXd result = Eigen::Map<const Eigen::VectorXd>(
         numbers.data(), static_cast<Eigen::Index>(numbers.size()));
     if (result.size() != block.A.rows()) {
@@ -171,12 +191,31 @@ class LevelDict {
 
   [[nodiscard]] Block block(const std::string& key, const std::string& lower,
                             const std::string& upper) const {
-    Block result{.key = key, .A = matrix(key), .lower = {}, .upper = {}, .weights = {}};
+    Block result{
+        .key = key, .names = {}, .A = matrix(key), .lower = {}, .upper = {}, .weights = {}};
+    result.names = names(result);
     result.lower = vector(lower, result, -kInfinity);
     result.upper = vector(upper, result, kInfinity);
     for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_bounds(result, i);
     result.weights = vector(key + "_weights", result, 1.0);
     for (Eigen::Index i = 0; i < result.A.rows(); ++i) check_weight(result, i);
+    return result;
+  }
+
+  /// "A[0]", "A[1]", … where none are given.
+  [[nodiscard]] std::vector<std::string> names(const Block& block) const {
+    const std::string key = block.key + "_names";
+    std::vector<std::string> result;
+    if (has(key) && !nb::try_cast(dict_[key.c_str()], result))
+      fail(key + " is " + text(nb::repr(dict_[key.c_str()])) + "; expected a list of texts");
+    const auto rows = static_cast<std::size_t>(block.A.rows());
+    if (has(key) && result.size() != rows) {
+      fail(key + " has " + count(static_cast<Eigen::Index>(result.size()), "element") + ", " +
+           block.key + " has " + count(block.A.rows(), "row") +
+           "; expected one element for each row");
+    }
+    for (std::size_t i = result.size(); i < rows; ++i)
+      result.push_back(block.key + "[" + std::to_string(i) + "]");
     return result;
   }
 
@@ -199,6 +238,8 @@ class LevelDict {
   void check_bounds(const Block& block, Eigen::Index row) const {
     const double lower = block.lower[row];
     const double upper = block.upper[row];
+    if (lower == -kInfinity && upper == kInfinity)
+      fail(block.key + "[" + std::to_string(row) + "] has no bound; expected a finite one");
     if (lower <= upper && lower < kInfinity && upper > -kInfinity) return;
     fail(block.key + "[" + std::to_string(row) + "] has the bounds " + text(lower) + " and " +
          text(upper) +

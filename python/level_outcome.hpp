@@ -26,6 +26,7 @@ struct LevelOutcome {
   std::vector<std::pair<std::string, std::string>> active;  ///< row, state
   std::optional<double> certificate;                        ///< none: not asked for
   std::optional<std::string> verdict;
+  std::optional<int> rests_on = std::nullopt;  ///< `LevelCertificate::rests_on`
 };
 
 inline std::string state_name(RowState state) {
@@ -97,6 +98,9 @@ inline void bind_level(nb::module_& module) {
           "certificate", &Self::certificate,
           "how far it is from its optimality conditions, if asked for: at most 1e-8 is rounding")
       .def_ro("verdict", &Self::verdict, "proven, not judged or not proven, if asked for")
+      .def_ro("rests_on", &Self::rests_on,
+              "index of the first level above that is not proven, so that this one isn't either;\n"
+              "None where there is none")
       .def_prop_ro("num_rows", [](const Self& self) { return self.report.num_rows; })
       .def_prop_ro(
           "degrees_of_freedom_left",

@@ -40,7 +40,7 @@ inline void append(const Block& block, Level& level, std::vector<std::string>& r
   rows.upper = block.upper;
   for (Eigen::Index i = 0; i < block.A.rows(); ++i) {
     rows.weigh(i, block.weights[i]);
-    row_names.push_back(block.key + "[" + std::to_string(i) + "]");
+    row_names.push_back(block.names[static_cast<std::size_t>(i)]);
   }
 }
 
@@ -163,11 +163,15 @@ inline void tell_end(const Solution& solution, NamedSolution& result) {
 inline void tell_certificates(const Hierarchy& hierarchy, NamedSolution& result) {
   const std::size_t finished =
       result.failed_level ? static_cast<std::size_t>(*result.failed_level) : hierarchy.num_levels();
-  const std::vector<LevelCertificate> certificates =
-      certify(hierarchy, result.x, {.levels = finished});
+  std::vector<LevelCertificate> certificates;
+  {
+    const nb::gil_scoped_release others_may_run;
+    certificates = certify(hierarchy, result.x, {.levels = finished});
+  }
   for (std::size_t k = 0; k < certificates.size(); ++k) {
     result.levels[k].certificate = certificates[k].stationarity;
     result.levels[k].verdict = std::string(name(verdict(certificates[k])));
+    if (certificates[k].rests_on >= 0) result.levels[k].rests_on = certificates[k].rests_on;
   }
   const Verdict worst = result.failed_level ? Verdict::not_proven : verdict(certificates);
   result.verdict = std::string(name(worst));
@@ -212,7 +216,11 @@ inline void bind_solving(nb::module_& module) {
           "those after it nothing is known; None where all are optimal")
       .def_ro("verdict", &NamedSolution::verdict,
               "the worst of all levels, with certify=True: proven, not judged or not proven; a\n"
-              "search that ended early is not proven");
+              "search that ended early is not proven")
+      .def("__repr__", [](nb::handle_t<NamedSolution> self) {
+        return nb::str("Solution({!r}, x={}, levels={})")
+            .format(self.attr("status"), self.attr("x"), self.attr("levels"));
+      });
 
   module.def(
       "solve", &solve_levels, nb::arg("levels"), nb::kw_only(), nb::arg("x_ref") = nb::none(),
@@ -225,7 +233,11 @@ inline void bind_solving(nb::module_& module) {
       "A level is a dict of arrays or nested lists:\n"
       "  A, b          A x = b, shapes (rows, unknowns) and (rows,)\n"
       "  A, lower, upper   lower ≤ A x ≤ upper; one of the bounds may be missing or infinite\n"
-      "  D, f          D x ≤ f\n"
+      "  D, f, lower   lower ≤ D x ≤ f; one of the bounds may be missing, and None or infinite is\n"
+      "                no bound; lower is A's where A has no b\n"
+      "  A_names, D_names   what rows are called in the result; A_ids, D_ids and unit, which "
+      "lines\n"
+      "                of `surefoot dump` have, change nothing\n"
       "  A_weights, D_weights   by which each row and its bounds are multiplied, above 0: "
       "residuals\n"
       "                are those of the weighted rows\n"

@@ -221,7 +221,9 @@ Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& p
   const bool has_lower = level.contains("lower");
   if (has_lower) result.lower = read_bounds(level, "lower", result, "D", -kInfinity, place);
   check_upper(level, place);
-  result.upper = read_bounds(level, "f", result, "D", kInfinity, place);
+  result.upper.assign(result.rows.size(), kInfinity);
+  if (!has_lower || level.contains("f"))
+    result.upper = read_bounds(level, "f", result, "D", kInfinity, place);
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
     const std::string row = "row " + std::to_string(i + 1) + " of D ";
     if (result.lower[i] == -kInfinity && result.upper[i] == kInfinity)

@@ -115,6 +115,9 @@ void append_level(const LevelBlocks& level, const Eigen::VectorXd& x_ref, NamedH
   result.row_names.push_back(level.equal.names);
   std::vector<std::string>& names = result.row_names.back();
   names.insert(names.end(), level.between.names.begin(), level.between.names.end());
+  std::vector<double>& weights = result.weights.emplace_back(level.equal.weights);
+  weights.insert(weights.end(), level.between.weights.begin(), level.between.weights.end());
+  weights.resize(static_cast<std::size_t>(level.damping > 0.0 ? 2 * rows : rows), 1.0);
   if (level.damping == 0.0) return;
   add_damping(result.hierarchy.level(k), level.damping, x_ref, level.first_damping_id);
   append_names("damping", result.hierarchy.level(k).num_rows() - rows, names);
@@ -160,6 +163,7 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   const std::size_t last = result.hierarchy.add_level("x_ref", reference.size());
   add_reference(result.hierarchy.level(last), reference, 0);
   result.units.emplace_back();
+  result.weights.emplace_back(x_ref.size(), 1.0);
   append_names("x", reference.size(), result.row_names.emplace_back());
   return result;
 }

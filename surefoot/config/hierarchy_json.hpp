@@ -14,6 +14,7 @@ struct NamedHierarchy {
   Hierarchy hierarchy;
   std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
   std::vector<std::string> units;                   ///< of each level's rows; empty: not given
+  std::vector<std::vector<double>> weights = {};  ///< of each level, by which each row was weighed
 };
 
 /// A hierarchy from one line of a .jsonl file:
@@ -22,11 +23,12 @@ struct NamedHierarchy {
 ///     8)
 ///
 /// An empty or missing block has no rows. With "lower" beside f, lower ≤ D x ≤ f; null, in one of
-/// them, is no bound. A level may have a "name", its blocks "A_names" and "D_names", a text for
-/// each row; without them rows are called "A 1", "D 3"; "A_ids" and "D_ids", by which rows are
-/// known from line to line (Level::id) and none of which a level has twice, else they are counted;
-/// and its rows a "unit"; "A_weights" and "D_weights", by which each row and its bounds are
-/// multiplied (`Rows::weigh`: all that is told of a row is of the weighted one); and a "damping"
+/// them, is no bound, and "lower" alone is the same as f of nulls. A level may have a "name", its
+/// blocks "A_names" and "D_names", a text for each row; without them rows are called "A 1", "D 3";
+/// "A_ids" and "D_ids", by which rows are known from line to line (Level::id) and none of which a
+/// level has twice, else they are counted; and its rows a "unit"; "A_weights" and "D_weights", by
+/// which each row and its bounds are multiplied (`Rows::weigh`: all that is told of a row is of the
+/// weighted one); and a "damping"
 /// (`add_damping`, its rows are called "damping 1", …). Beside the levels "x_ref" is what x is to
 /// be close to: a last level of this name, with the rows "x 1", … (`add_reference`), and what
 /// damping pulls to instead of 0. The number of unknowns is the length of the rows. `place`

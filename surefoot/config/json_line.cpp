@@ -95,12 +95,25 @@ class KeyWatch {
     std::set<std::string> keys = {};
   };
 
+  static std::string inside(const std::string& key) { return key.empty() ? "" : key + ": "; }
+
+  /// "level 2: " of levels.
+  static std::string element(const std::string& array, std::size_t number) {
+    const bool is_plural = array.size() > 1 && array.back() == 's';
+    const std::string what =
+        is_plural ? array.substr(0, array.size() - 1) : inside(array) + "element";
+    return what + " " + std::to_string(number) + ": ";
+  }
+
   void see_key(const std::string& key) {
     open_.back().key = key;
     if (open_.back().keys.insert(key).second || !found_.empty()) return;
-    for (const Open& outer : std::span(open_).first(open_.size() - 1))
-      found_ += outer.is_array ? "element " + std::to_string(outer.num_elements) + ": "
-                               : outer.key + ": ";
+    std::string above;  // the key of what is next
+    for (const Open& outer : std::span(open_).first(open_.size() - 1)) {
+      found_ += outer.is_array ? element(above, outer.num_elements) : inside(above);
+      above = outer.is_array ? "" : outer.key;
+    }
+    found_ += inside(above);
     found_ += "the key \"" + key + "\" is given twice";
   }
 

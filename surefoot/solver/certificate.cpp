@@ -27,14 +27,19 @@ std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const
   }
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
+  int unproven = -1;  // the first level that is
   for (std::size_t k = 0; k < num_levels; ++k) {
     LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
     const Multipliers found = multipliers(level, fixed, touching, options.rank);
     const bool is_sound = std::isfinite(level.residual) && std::isfinite(level.rounding);
     certificates.push_back(
         {level.residual, is_sound ? finite_or_infinity(found.stationarity) : kInfinity});
+    certificates.back().rests_on = unproven;
     if (is_sound)
-      certificates.back().doubt = doubt(hierarchy, k, x, options.tight, fixed, touching);
+      certificates.back().doubt =
+          what_doubles_hide(hierarchy, k, x, options.tight, fixed, touching);
+    if (unproven < 0 && verdict(certificates.back()) != Verdict::proven)
+      unproven = static_cast<int>(k);
     fix_pushing(found, fixed, touching);
     fix_violated(hierarchy.level(k), x, fixed, options.rank, level);
     fixed.add(level.fixed);
@@ -66,8 +71,8 @@ std::string_view name(Verdict verdict) {
 
 Verdict verdict(const LevelCertificate& level) {
   if (!(level.stationarity <= kProvenStationarity)) return Verdict::not_proven;
-  const bool is_judged =
-      level.doubt.stationarity <= kProvenStationarity && level.doubt.residual <= kSameResidual;
+  const bool is_judged = level.rests_on < 0 && level.doubt.stationarity <= kProvenStationarity &&
+                         level.doubt.residual <= kSameResidual;
   return is_judged ? Verdict::proven : Verdict::not_judged;
 }
 

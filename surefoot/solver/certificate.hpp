@@ -1,6 +1,5 @@
 #pragma once
 
-#include "surefoot/solver/doubt.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 
 #include <Eigen/Core>
@@ -10,6 +9,19 @@
 #include <vector>
 
 namespace surefoot {
+
+/// What exact arithmetic could still gain where doubles see nothing: in directions that rows see so
+/// weakly that a rank is a matter of tolerance, or beside forces so large that their rounding hides
+/// it.
+struct Doubt {
+  /// Of the level's residual the share that could be gained, or that the rounding of x is, relative
+  /// to residual, largest bound and longest row together.
+  double residual = 0.0;
+  double stationarity = 0.0;  ///< as `LevelCertificate` measures it, but excusing nothing
+  /// Of a row what the others leave of it at least, relative to its length (to within a factor of
+  /// 2), of those where more is left than the rounding of its elements, 1e-14.
+  double weakest = 1.0;
+};
 
 /// How far a level is from its lexicographic optimum.
 struct LevelCertificate {
@@ -29,10 +41,14 @@ struct LevelCertificate {
   /// What doubles can't tell: where it is large the answer hangs on what counts as a rank or as
   /// rounding, and stationarity says nothing.
   Doubt doubt = {};
+  /// Index of the first level above that is not proven, −1: none. What this level may do hangs on
+  /// where those above are optimal, so it is not proven either, however well it meets its
+  /// conditions with their rows as x has them.
+  int rests_on = -1;
 };
 
 /// What is said of x. Not judged: x meets the conditions within what doubles can tell, but exact
-/// arithmetic could gain something that they excuse.
+/// arithmetic could gain something that they excuse, in this level or in one above.
 enum class Verdict : int { proven = 0, not_judged = 1, not_proven = 2 };
 
 /// Stationarity at most that is rounding.

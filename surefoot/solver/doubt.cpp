@@ -23,6 +23,11 @@ using WideVector = VectorOf<Wide>;
 constexpr double kDependent = 1e-14;
 /// Beyond all other rounding: what no row sees has so much of a length.
 constexpr double kUnseen = 1e-16;
+/// The same where a row sees something, of a length squared: one that is 1e-11 times as long as
+/// another of its level is still seen beside it.
+constexpr double kSeen = 1e-22;
+/// A limit that is violated by less, relative to ‖a‖ (1 + ‖x‖), may be at its bound.
+constexpr double kAtBound = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
@@ -117,6 +122,21 @@ Counting counting(const Level& level, const VectorXd& x, double tight) {
   return result;
 }
 
+/// The same, with limits that may be violated by rounding alone at their bounds: they hold
+/// outwards, and where others pull inwards nothing keeps these from it.
+Counting at_bounds(Counting own, const Level& level, const VectorXd& x) {
+  for (std::size_t k = 0; k < own.rows.size(); ++k) {
+    const Index i = own.rows[k];
+    const double by = static_cast<double>(own.violations[k]);
+    const double length = level.A().row(i).norm() / own.unit;
+    if (level.lower()[i] == level.upper()[i] || by == 0.0) continue;
+    if (std::abs(by) > kAtBound * length * (1.0 + x.norm())) continue;
+    own.violations[k] = 0.0;
+    own.outward[k] = by > 0.0 ? 1.0 : -1.0;
+  }
+  return own;
+}
+
 /// False where doubles tell for certain which rows are independent, and what is left to gain.
 bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const RowSet& fixed,
                const RowSet& touching) {
@@ -133,12 +153,14 @@ bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const
 /// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): what a step d takes
 /// from a residual with the gradient g. By its dual, over μ, ν ≥ 0: r = g + Tᵀ μ + Sᵀ ν,
 ///
-///     min √(rᵀ (Mᵀ M + w² I)⁻¹ r + ‖ν‖²)
+///     min √(rᵀ (Mᵀ M + Wᵀ W)⁻¹ r + ‖ν‖²)
+///
+/// with W beyond all rounding, so that there is an inverse.
 double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const WideVector& g,
-            double w) {
+            const WideMatrix& W) {
   const Index n = M.cols();
-  WideMatrix stacked(M.rows() + n, n);
-  stacked << M, WideMatrix::Identity(n, n) * Wide(w);
+  WideMatrix stacked(M.rows() + W.rows(), n);
+  stacked << M, W;
   const Eigen::ColPivHouseholderQR<WideMatrix> qr(stacked);
   WideMatrix columns(n, T.rows() + S.rows() + 1);
   columns << T.transpose(), S.transpose(), -g;
@@ -157,10 +179,13 @@ struct Question {
   WideMatrix rows;      ///< those that count
   WideVector gradient;  ///< Σ violation · row
   WideMatrix touching;  ///< T
+  WideMatrix unseen;    ///< projects onto the directions that none of them sees
 };
 
-/// What a step can gain; `units`: of each row, by which its length is measured.
-double gain(const Question& question, const Counting& own, const VectorXd& units, double w) {
+/// What a step can gain; `units`: of each row, by which its length is measured; `w`: of directions
+/// that rows see, `w_unseen` of others.
+double gain(const Question& question, const Counting& own, const VectorXd& units, double w,
+            double w_unseen) {
   WideMatrix M = units.cast<Wide>().asDiagonal() * question.rows;
   WideMatrix S = WideMatrix::Zero(M.rows(), M.cols());
   for (Index i = 0; i < M.rows(); ++i) {
@@ -169,13 +194,15 @@ double gain(const Question& question, const Counting& own, const VectorXd& units
     S.row(i) = M.row(i) * Wide(outward);
     M.row(i).setZero();
   }
-  return gain(M, S, question.touching, question.gradient, w);
+  const WideMatrix W =
+      WideMatrix::Identity(M.cols(), M.cols()) * Wide(w) + question.unseen * Wide(w_unseen);
+  return gain(M, S, question.touching, question.gradient, W);
 }
 
 }  // namespace
 
-Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
-            const RowSet& fixed, const RowSet& touching) {
+Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
+                        const RowSet& fixed, const RowSet& touching) {
   Doubt result;
   const Level& level = hierarchy.level(k);
   const Counting own = counting(level, x, tight);
@@ -194,19 +221,32 @@ Doubt doubt(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double
   const WideMatrix P = seen.spanned();
   Question question;
   question.rows = A.cast<Wide>() * Z * P * P.transpose();
-  question.gradient =
-      question.rows.transpose() *
-      Eigen::Map<const WideVector>(own.violations.data(), static_cast<Index>(own.rows.size()));
+  for (Index i = 0; i < lengths.size(); ++i) {  // of a dependent row rounding of its numbers
+    if (question.rows.row(i).norm() <= Wide(kDependent * lengths[i]))
+      question.rows.row(i).setZero();
+  }
+  question.unseen = WideMatrix::Identity(Z.cols(), Z.cols()) - P * P.transpose();
   question.touching = exact_rows(hierarchy, touching) * Z;
   for (auto row : question.touching.rowwise()) {
     if (row.norm() <= Wide(kDependent)) row.setZero();
   }
-  const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * own.scale);
+  const double scale = own.scale;
+  const auto set_gradient = [&](const Counting& of) {
+    const auto count = static_cast<Index>(of.violations.size());
+    question.gradient =
+        question.rows.transpose() * Eigen::Map<const WideVector>(of.violations.data(), count);
+  };
+  const auto stationarity = [&](const Counting& of) {
+    set_gradient(of);
+    return gain(question, of, lengths * (1.0 + x.norm()), kSeen * scale * scale,
+                kUnseen * scale * scale);
+  };
+  result.stationarity = std::max(stationarity(own), stationarity(at_bounds(own, level, x)));
+  set_gradient(own);
+  const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * scale, 0.0);
   const double squared = own.residual * own.residual - gained * gained;
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
   result.residual = std::max(own.residual - least, own.rounding) / own.scale;
-  result.stationarity =
-      gain(question, own, lengths * (1.0 + x.norm()), kUnseen * own.scale * own.scale);
   return result;
 }
 

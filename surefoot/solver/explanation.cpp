@@ -40,15 +40,15 @@ void copy(const Level& from, Index i, double lower, double upper, Level& to) {
   row.upper[0] = upper;
 }
 
-/// Copies a row as it stands at x: what is missed stays as it is, what is met stays met. A limit
-/// that is missed by no more than rounding is met.
+/// Copies a row as it stands at x: an equality stays as it is, a limit that is met stays met, and
+/// one that is missed may come nearer to its bound. While all rows of its level are there it can't:
+/// what contradicts it would be missed by more.
 void copy_pinned(const Level& from, Index i, const VectorXd& x, Level& to) {
   const double value = from.A().row(i).dot(x);
-  const double lower = from.lower()[i] - value;
-  const double upper = from.upper()[i] - value;
-  const double near = kTolerances.tight * from.A().row(i).norm() * (1.0 + x.norm());
-  const bool is_fixed = from.lower()[i] == from.upper()[i] || lower > near || upper < -near;
-  copy(from, i, is_fixed ? 0.0 : std::min(lower, 0.0), is_fixed ? 0.0 : std::max(upper, 0.0), to);
+  const bool is_equality = from.lower()[i] == from.upper()[i];
+  const double lower = is_equality ? 0.0 : std::min(from.lower()[i] - value, 0.0);
+  const double upper = is_equality ? 0.0 : std::max(from.upper()[i] - value, 0.0);
+  copy(from, i, lower, upper, to);
 }
 
 /// NaN unless the search comes to an end. Residual of `level` when the levels before it hold what
@@ -103,20 +103,35 @@ Distinct distinct(const RowSet& all, const std::function<bool(Index, Index)>& ar
   return result;
 }
 
+/// By how much a row of a set is beyond its bounds, along the set's row of length 1.
+double missed(const RowSet& set, Index i, const Hierarchy& hierarchy, const VectorXd& x) {
+  const RowIndex at = set.origin[static_cast<std::size_t>(i)];
+  const Level& level = hierarchy.level(at.level);
+  const double value = level.A().row(at.row).dot(x);
+  const double by = value - std::clamp(value, level.lower()[at.row], level.upper()[at.row]);
+  const double along = level.A().row(at.row).dot(set.rows.row(i)) < 0.0 ? -1.0 : 1.0;
+  return along * by / level.A().row(at.row).norm();
+}
+
 /// Of E: rows of the same direction, either way, that are missed alike, if at all.
 Distinct distinct_fixed(const RowSet& fixed, const Hierarchy& hierarchy, const VectorXd& x) {
-  const auto missed = [&](Index i) {  // per length
-    const RowIndex at = fixed.origin[static_cast<std::size_t>(i)];
-    const Level& level = hierarchy.level(at.level);
-    const double value = level.A().row(at.row).dot(x);
-    const double by = value - std::clamp(value, level.lower()[at.row], level.upper()[at.row]);
-    return by / level.A().row(at.row).norm();
-  };
   return distinct(fixed, [&](Index i, Index j) {
     const double along = fixed.rows.row(i).dot(fixed.rows.row(j)) < 0.0 ? -1.0 : 1.0;
+    const double apart = missed(fixed, i, hierarchy, x) - along * missed(fixed, j, hierarchy, x);
     return (fixed.rows.row(i) - along * fixed.rows.row(j)).norm() <= kSame &&
-           std::abs(missed(i) - along * missed(j)) <= kTolerances.tight * (1.0 + x.norm());
+           std::abs(apart) <= kTolerances.tight * (1.0 + x.norm());
   });
+}
+
+/// Whether a row of E is missed for certain and would be less along its force on the level.
+bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hierarchy,
+                const VectorXd& x) {
+  const RowIndex at = fixed.origin[static_cast<std::size_t>(i)];
+  const Level& level = hierarchy.level(at.level);
+  const bool is_equality = level.lower()[at.row] == level.upper()[at.row];
+  const double by = missed(fixed, i, hierarchy, x);
+  const double rounding = is_equality ? kTolerances.tight * (1.0 + x.norm()) : 0.0;
+  return by * force < 0.0 && std::abs(by) > rounding;
 }
 
 /// Of T: all are at their bound.
@@ -181,23 +196,25 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
   const Multipliers found = multipliers(level, fixed.rows, touching.rows, kTolerances.rank);
   const VectorXd independence = independences(fixed.rows, touching.rows, found.touching);
   const VectorXd least = noise(hierarchy.level(k), x, fixed.rows, touching.rows, found.touching);
-  const auto add = [&](const Distinct& of, const VectorXd& strength, Index first) {
+  const auto add = [&](const Distinct& of, const VectorXd& strength, Index first, bool is_fixed) {
     for (Index i = 0; i < strength.size(); ++i) {
       const bool is_certain = std::abs(strength[i]) > kSmall * level.rounding;
       const double enough = all ? 0.0 : kSmall * least[first + i];
       if (!is_certain && std::abs(strength[i]) <= enough) continue;
       const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
+      const bool gains = is_fixed && would_gain(of.rows, i, strength[i], hierarchy, x);
       result.push_back({{{.at = at,
                           .multiplier = std::abs(strength[i]) / size,
                           .independence = independence[first + i]},
-                         of.same[static_cast<std::size_t>(i)]},
+                         of.same[static_cast<std::size_t>(i)],
+                         gains},
                         is_certain});
     }
   };
   // limits first: of equal cost they are what one can change
-  add(touching, found.touching, fixed.rows.rows.rows());
-  add(fixed, found.fixed, 0);
+  add(touching, found.touching, fixed.rows.rows.rows(), false);
+  add(fixed, found.fixed, 0, true);
   return result;
 }
 
@@ -222,8 +239,11 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
   std::vector<LevelExplanation> explanations;
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
+  // The same as `certify` has them, with rows in E that push: what a level is free to move in.
+  RowSet settled(hierarchy.unknowns());
+  RowSet open(hierarchy.unknowns());
   for (std::size_t k = 0; k < std::min(hierarchy.num_levels(), options.levels); ++k) {
-    const LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
+    LevelConditions level = optimality_conditions(hierarchy, k, x, kTolerances.tight);
     LevelExplanation result{
         .residual = level.residual, .blocked_by = {}, .cost_of_level = std::vector<double>(k, 0.0)};
     const auto cost = [&](const auto& is_without) {
@@ -256,6 +276,10 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
                        return a.cost > b.cost || (std::isnan(b.cost) && !std::isnan(a.cost));
                      });
     explanations.push_back(std::move(result));
+    fix_pushing(multipliers(level, settled, open, kTolerances.rank), settled, open);
+    fix_violated(hierarchy.level(k), x, settled, kTolerances.rank, level);
+    settled.add(level.fixed);
+    open.add(level.touching);
     fixed.add(level.fixed);
     touching.add(level.touching);
   }

@@ -27,6 +27,9 @@ struct Blocker {
 /// same value or held at the same bound. They are told once; the numbers are of all together.
 struct DistinctBlocker : Blocker {
   std::vector<RowIndex> same;  ///< the others
+  /// It is missed, and would be less if the blocked level had its way: it wants the same, and not
+  /// it holds the level but what contradicts it.
+  bool would_gain = false;
 };
 
 /// How a level came out, and because of what.
@@ -49,10 +52,11 @@ struct ExplainOptions {
 /// Says for every level which rows above it cost it how much, at the optimum x of the hierarchy.
 ///
 /// The cost of a row is exact, not first order: the level is solved again without that row, while
-/// every other row above keeps what it has (equality and violated rows their value, satisfied rows
-/// their bounds). So it is never negative, and the levels between do not answer for it. Rows that
-/// say the same are taken away together; of others that hold alone none has a cost by itself, their
-/// level has. Allocates and solves; for the program, tests and reports, not for the loop.
+/// every other row above keeps what it has (equality rows their value, satisfied rows their bounds,
+/// and what is violated is not violated more). So it is never negative, and the levels between do
+/// not answer for it. Rows that say the same are taken away together; of others that hold alone
+/// none has a cost by itself, their level has. Allocates and solves; for the program, tests and
+/// reports, not for the loop.
 [[nodiscard]] std::vector<LevelExplanation> explain(const Hierarchy& hierarchy,
                                                     const Eigen::VectorXd& x,
                                                     const ExplainOptions& options = {});

@@ -20,8 +20,9 @@ TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
   EXPECT_EQ(whole.exit_code, 0) << whole.err.str();
   const CommandRun run(line, {.file = "", .certify = true, .budget = 1.0});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.str().find(":1: not proven, cut off in level 1 of 1; only levels before it"),
-            std::string::npos)
+  EXPECT_NE(
+      run.err.str().find(":1: not proven, cut off in level 1 of 1 at its budget; only levels"),
+      std::string::npos)
       << run.err.str();
   EXPECT_EQ(run.err.str().find("in length"), std::string::npos) << run.err.str();
 }
@@ -33,6 +34,7 @@ TEST(SolveCommand, EndsALineAtItsBudgetWithTheLevelsThatAreFinished) {
   const CommandRun none(line, {.file = "", .budget = 0.0});
   EXPECT_EQ(none.exit_code, 0);
   EXPECT_EQ(none.results.at(0).at("status"), "iteration_cap");
+  EXPECT_EQ(none.results.at(0).at("cut_off_by"), "budget");
   EXPECT_NEAR(none.results.at(0)["levels"][0]["residual"].get<double>(), 0.0, 1e-12);
   EXPECT_GT(none.results.at(0)["levels"][1]["residual"].get<double>(), 1.0);
 }
@@ -54,6 +56,7 @@ TEST(SolveCommand, OfLevelsThatWereNotFinishedOnlyWhatIsKnownIsTold) {
   EXPECT_GT(levels[1].at("residual").get<double>(), 1.0);
   EXPECT_FALSE(levels[1].contains("certificate"));
   EXPECT_EQ(levels[2], Json({{"status", "not reached"}}));
+  EXPECT_FALSE(CommandRun(kCutInTheMiddle).results.at(0).contains("cut_off_by"));
 }
 
 TEST(SolveCommand, ExplainsNothingOfLevelsThatWereNotFinished) {
@@ -62,7 +65,9 @@ TEST(SolveCommand, ExplainsNothingOfLevelsThatWereNotFinished) {
   json.json = true;
   const CommandRun table(kCutInTheMiddle, text), line(kCutInTheMiddle, json);
   const std::string out = table.out.str();
-  EXPECT_NE(out.find("so far: the search ended in this level"), std::string::npos) << out;
+  EXPECT_NE(out.find("status: iteration_cap, at its budget in level 2"), std::string::npos) << out;
+  EXPECT_NE(out.find("so far: the search ended in this level, at its budget"), std::string::npos)
+      << out;
   EXPECT_EQ(out.find("held back"), std::string::npos) << out;
   EXPECT_TRUE(std::regex_search(out, std::regex("\n2 limit +cut off +4 ?[^\n]*–\n"))) << out;
   EXPECT_TRUE(std::regex_search(out, std::regex("\n3 wish +not reached +– +1 +– +– +– +– +– +–\n")))

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace surefoot::test {
 namespace {
@@ -57,6 +59,15 @@ TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
   std::vector<std::string> verdicts;
   for (const Json& level : run.results[0]["levels"]) verdicts.push_back(level["verdict"]);
   EXPECT_EQ(verdicts, (std::vector<std::string>{"proven", "proven", "not judged"}));
+  EXPECT_FALSE(run.results[0]["levels"][2].contains("rests_on"));
+  const std::string below = line.substr(0, line.size() - 2) + R"(,{"A":[[0,0,0,0]],"b":[0]}]})";
+  for (const bool explain : {false, true}) {
+    const CommandRun more(below,
+                          {.file = "", .certify = true, .explain = explain, .json = explain});
+    EXPECT_EQ(more.results[0]["levels"][3]["verdict"], "not judged");
+    EXPECT_EQ(more.results[0]["levels"][3]["rests_on"], 3);
+    EXPECT_NE(more.err.str().find(":1: not judged: level 3 "), std::string::npos);
+  }
   EXPECT_NE(run.err.str().find(":1: not judged: level 3 meets its optimality conditions as far as"),
             std::string::npos)
       << run.err.str();
@@ -204,11 +215,49 @@ TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {
   EXPECT_EQ(text.find("alone costs"), std::string::npos) << text;
   const CommandRun json(line, {.file = "", .explain = true, .json = true});
   const Json& row = json.results.at(0)["levels"][2]["blocked_by"][0]["rows"][0];
-  EXPECT_EQ(row.at("same"), Json({"D 2", "D 1 of level 2"}));
+  EXPECT_EQ(row.at("same"), Json::parse(R"([{"level":1,"row":"D 2"},{"level":2,"row":"D 1"}])"));
   EXPECT_NEAR(row.at("cost").get<double>(), 2.0, 1e-12);
   EXPECT_FALSE(CommandRun(kLimitedWish, {.file = "", .explain = true, .json = true})
                    .results.at(0)["levels"][1]["blocked_by"][0]["rows"][0]
                    .contains("same"));
+}
+
+const std::string kContradiction =
+    R"({"levels":[{"name":"limits","unit":"N","D":[[1],[1]],"f":[500,null],"lower":[null,501],)"
+    R"("D_weights":[1000,1],"D_names":["at most 500","at least 501"]},)"
+    R"({"name":"wish","A":[[1]],"b":[600]}]})";
+
+TEST(SolveCommand, OfLimitsThatContradictEachOtherItSaysWhichOneStopsTheWish) {
+  const std::string text = CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
+  for (const char* part :
+       {"at most 500, above its upper bound, alone costs 100 (",
+        "at least 501, below its lower bound, stops nothing: it wants the same, and others"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  const CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
+  const Json& rows = json.results.at(0)["levels"][1]["blocked_by"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_FALSE(rows[0].contains("would_gain"));
+  EXPECT_EQ(rows[1].at("would_gain"), true);
+}
+
+TEST(SolveCommand, WhatAWeightedRowMissesIsToldInItsUnitAndHowOftenItCounts) {
+  const std::string text = CommandRun(kContradiction, {.file = "", .explain = true}).out.str();
+  for (const char* part : {"at least 501 is 1 N too low\n",
+                           "at most 500 is 1e-06 N too high, weighted 1000 times: 0.001\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  const CommandRun json(kContradiction, {.file = "", .explain = true, .json = true});
+  const Json& missed = json.results.at(0)["levels"][0]["missed"];
+  EXPECT_NEAR(missed[1].at("by").get<double>(), 1e-6, 1e-10);
+  EXPECT_EQ(missed[1].at("weight"), 1000.0);
+  EXPECT_FALSE(missed[0].contains("weight"));
+  const CommandRun weighted(
+      R"({"levels":[{"A":[[1]],"b":[0],"A_weights":[2]},{"A":[[1]],"b":[4]}],"x_ref":[0]})",
+      {.file = "", .explain = true, .json = true, .weighted_from = 1, .weights = {1.0, 3.0}});
+  std::vector<double> weights;
+  for (const Json& row : weighted.results.at(0)["levels"][0]["missed"])
+    weights.push_back(row.value("weight", 1.0));
+  std::ranges::sort(weights);
+  EXPECT_EQ(weights, (std::vector<double>{1.0, 2.0, 3.0}));
 }
 
 TEST(SolveCommand, ALimitThatTwoLevelsSetIsToldBesideOthersThatCostLess) {

@@ -94,6 +94,8 @@ TEST(SolveCommand, WeightedFromALevelThatIsNotThereIsWrongInput) {
             std::string::npos)
       << more.err.str();
   EXPECT_THROW(CommandRun(line, {.file = "", .weights = {1.0}}), Error);
+  for (const int none : {0, -1})
+    EXPECT_THROW(CommandRun(line, {.file = "", .weighted_from = none}), Error);
   EXPECT_THROW(CommandRun(line, {.file = "", .weighted_from = 1, .weights = {0.0}}), Error);
 }
 

@@ -116,6 +116,14 @@ TEST(HierarchyJson, ARowMayHaveALowerBoundAnUpperBoundOrBoth) {
   EXPECT_EQ(level.id(2), -3);
 }
 
+TEST(HierarchyJson, LowerBoundsNeedNoUpperOnes) {
+  const Level level = parse(R"({"levels":[{"D":[[1],[2]],"lower":[-1,3]}]})").level(0);
+  EXPECT_EQ(level.lower(), Eigen::Vector2d(-1.0, 3.0));
+  EXPECT_EQ(level.upper(), Eigen::Vector2d(kInfinity, kInfinity));
+  expect_error(R"({"levels":[{"D":[[1],[2]],"lower":[0,null]}]})",
+               "level 1: row 2 of D has no bound");
+}
+
 TEST(HierarchyJson, ARowWithoutABoundOrWithBoundsThatCrossIsNamed) {
   expect_error(R"({"levels":[{"D":[[1],[2]],"lower":[0,null],"f":[1,null]}]})",
                "level 1: row 2 of D has no bound");
@@ -131,7 +139,6 @@ TEST(HierarchyJson, ARowWithoutABoundOrWithBoundsThatCrossIsNamed) {
 TEST(HierarchyJson, BoundsThatAreMissingOrHaveNoRowsAreNamed) {
   expect_error(R"({"levels":[{"D":[[1],[2]]}]})",
                "level 1: D has 2 rows and no f; expected f with one element for each row");
-  expect_error(R"({"levels":[{"D":[[1]],"lower":[2]}]})", "D has 1 row and no f");
   expect_error(R"({"levels":[{"A":[[1]]}]})", "level 1: A has 1 row and no b");
   expect_error(R"({"levels":[{"b":[1,2]}]})",
                "level 1: b has 2 elements and there is no A; expected A with a row for each");
@@ -152,7 +159,7 @@ TEST(HierarchyJson, AKeyThatThereIsNotIsNamedWithTheOneThatWasMeant) {
 
 TEST(HierarchyJson, AKeyThatIsGivenTwiceIsNamed) {
   expect_error(R"({"levels":[{},{"A":[[1]],"b":[1],"b":[2]}]})",
-               "levels: element 2: the key \"b\" is given twice; expected once");
+               "stack.jsonl:3: level 2: the key \"b\" is given twice; expected once");
   expect_error(R"({"levels":[],"levels":[{"A":[[1]],"b":[1]}]})",
                "stack.jsonl:3: the key \"levels\" is given twice");
   EXPECT_EQ(parse(R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[1]}]})").num_levels(), 2u);

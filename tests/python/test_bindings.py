@@ -112,7 +112,7 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
          "level 1: A goes with .* given are: A, b, upper$"),
         (lambda: surefoot.solve([{"lower": [1]}]), surefoot.Error,
          "level 1: b, lower and upper go with A; given are: lower$"),
-        (lambda: surefoot.solve([{"D": [[1]]}]), surefoot.Error, "level 1: D goes with f .* given are: D$"),
+        (lambda: surefoot.solve([{"D": [[1]]}]), surefoot.Error, "level 1: D goes with f, lower or both .* given are: D$"),
         (lambda: surefoot.solve([{"A": [1, 2], "b": [1]}]), surefoot.Error,
          r"level 1: A has the shape \(2,\); expected \(rows, unknowns\)$"),
         (lambda: surefoot.solve([{"A": [[1]], "b": 1}]), surefoot.Error, r"b has the shape \(\); expected \(rows,\)$"),
@@ -127,6 +127,14 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
         (lambda: surefoot.solve([{"A": [[1]], "lower": [2], "upper": [1e-9]}]), surefoot.Error,
          r"level 1: A\[0\] has the bounds 2.0 and 1e-09, which nothing can meet; expected lower ≤ upper"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [np.inf]}]), surefoot.Error, r"A\[0\] has the bounds inf and inf"),
+        (lambda: surefoot.solve([{"A": [[1], [1]], "lower": [1, -np.inf]}]), surefoot.Error, r"level 1: A\[1\] has no bound"),
+        (lambda: surefoot.solve([{"D": [[1]], "f": [None]}]), surefoot.Error, r"level 1: D\[0\] has no bound"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [None]}]), surefoot.Error, r"level 1: b\[0\] is nan; expected a number"),
+        (lambda: surefoot.solve([{"D": [[1]], "f": [1], "D_names": ["a", "b"]}]), surefoot.Error,
+         "level 1: D_names has 2 elements, D has 1 row"),
+        (lambda: surefoot.solve([{"D": [[1]], "f": [1], "D_names": [3]}]), surefoot.Error,
+         r"level 1: D_names is \[3\]; expected a list of texts"),
+        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "D_ids": [1]}]), surefoot.Error, "level 1: D_ids goes with D; given"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [1]}, {"D": [[1, 2]], "f": [1]}]), surefoot.Error,
          "level 2: D has 2 columns; the rows before it have 1"),
         (lambda: surefoot.solve([{}, {"A": [[-1e200]], "b": [1]}]), surefoot.Error,
@@ -314,6 +322,23 @@ def test_a_hierarchy_is_solved_in_every_form_of_its_rows():
     assert [level.name for level in inequality.levels] == ["level 1", "level 2"]
 
 
+def test_a_level_of_a_problem_file_is_one_of_python_too(tmp_path):
+    level = {"name": "limits", "unit": "N", "D": [[1], [2], [1]], "f": [500, None, 9000], "lower": [None, 100, 3],
+             "D_names": ["most", "least", "range"], "D_ids": [4, 7, 1], "A": [[1]], "b": [600], "A_names": ["wish"]}
+    file = tmp_path / "hierarchy.jsonl"
+    file.write_text(json.dumps({"levels": [level]}) + "\n")
+    done = subprocess.run([os.environ["SUREFOOT_PROGRAM"], "solve", file], capture_output=True, text=True, check=True)
+    ours = surefoot.solve([level])
+    assert ours.x.tolist() == json.loads(done.stdout)["x"] == [pytest.approx(550)]
+    assert ours.levels[0].active == [("most", "above upper")]
+    assert surefoot.solve([{"D": [[1]], "lower": [2]}]).x == [2]
+
+
+def test_a_solution_prints_what_it_is():
+    text = repr(surefoot.solve([{"D": [[1]], "f": [1]}, {"A": [[1]], "b": [3]}]))
+    assert text.startswith("Solution('optimal', x=[1.], levels=[Level('level 1', residual=0, active=[('D[0]', 'at upper')])")
+
+
 def test_empty_blocks_and_levels_are_allowed():
     solution = surefoot.solve([{"A": [], "b": [], "D": [], "f": []}, {}, {"A": [[2.0]], "b": [4], "D": [], "f": []}])
     assert solution.x == [2.0]
@@ -336,7 +361,9 @@ def test_an_answer_is_certified_where_that_is_asked_for():
     proven = surefoot.solve([{"A": [[1, 1]], "b": [2]}], certify=True)
     assert proven.verdict == "proven" and proven.levels[0].certificate <= 1e-12
     far = surefoot.solve([{"A": [[1, 1], [1, 1 + 1e-9]], "b": [0.1, 3.3]}], certify=True)  # x is 3e9
-    assert far.verdict == far.levels[0].verdict == "not judged"
+    assert far.verdict == far.levels[0].verdict == "not judged" and far.levels[0].rests_on is None
+    below = surefoot.solve([{"A": [[1, 1], [1, 1 + 1e-9]], "b": [0.1, 3.3]}, {"A": [[1, 0]], "b": [0]}], certify=True)
+    assert (below.levels[1].verdict, below.levels[1].rests_on) == ("not judged", 0)
 
 
 def test_weights_damping_and_a_reference_are_those_of_the_level():

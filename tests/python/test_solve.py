@@ -25,7 +25,7 @@ GOOD = '{"levels":[{"A":[[1]],"b":[3]}]}'
         ('{"levels":[{"D":[[1]],"f":[-Infinity]}]}', 'level 1: f: element 1 is "-Infinity"'),
         ('{"levels":[{"A":[[1e999]],"b":[1]}]}', 'level 1: A: row 1: element 1 is 1e999, too large'),
         ('{"levels":[{"D":[[1]],"lowr":[0],"f":[1]}]}', 'level 1: unknown key "lowr"; did you mean "lower"? valid are: '),
-        ('{"levels":[{"A":[[1]],"b":[1],"b":[2]}]}', 'levels: element 1: the key "b" is given twice'),
+        ('{"levels":[{"A":[[1]],"b":[1],"b":[2]}]}', 'level 1: the key "b" is given twice'),
         ('{"levels":[{"A":[[1e-300]],"b":[1]}]}', "level 1: A: row 1: has nothing larger than 1e-300"),
         ('{"levels":[{"A":[[1e200]],"b":[1]}]}', "level 1: A: row 1: element 1 is 1e+200, too large"),
         (json.dumps({"levels": [{"A": [[1] * 501], "b": [1]}]}), "has 501 unknowns; expected at most 500"),

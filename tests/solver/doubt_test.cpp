@@ -104,6 +104,44 @@ TEST(Doubt, ALongLimitThatIsOnlyTouchedDoesNotHoldInward) {
   EXPECT_EQ(verdict_of(1, levels, number(0.5)), Verdict::proven);
 }
 
+TEST(Doubt, AShortRowIsSeenBesideOneThatIsManyTimesAsLong) {
+  // What the long row asks for is fixed at 0 above; the short one could be met.
+  for (const double length : {1e3, 1e4, 1e6}) {
+    MatrixXd rows(2, 2);
+    rows << length, length, 0.0, 1.0 / length;
+    const HierarchyData levels{equalities(RowVector2d(1.0, 1.0), number(0.0)),
+                               equalities(rows, Vector2d(length, 1.0 / length))};
+    EXPECT_NE(verdict_of(2, levels, Vector2d(0.0, 0.0)), Verdict::proven) << length;
+    EXPECT_EQ(verdict_of(2, levels, Vector2d(-1.0, 1.0)), Verdict::proven) << length;
+  }
+}
+
+TEST(Doubt, ALimitThatIsViolatedByRoundingKeepsNothingFromMovingInwards) {
+  // At the lower bound of a long row but for rounding, which a short one asks to leave.
+  MatrixXd rows(2, 1);
+  rows << 1048576.0, 1.0 / 1024.0;
+  const HierarchyData levels{between(rows, Vector2d(1048576.0 * (1.0 + 1e-15), 3.0 / 1024.0),
+                                     Vector2d(4.0 * 1048576.0, 3.0 / 1024.0))};
+  EXPECT_NE(verdict_of(1, levels, number(1.0)), Verdict::proven);
+  EXPECT_EQ(verdict_of(1, levels, number(3.0)), Verdict::proven);
+}
+
+TEST(Certificate, ALevelBelowOneThatIsNotProvenIsNotProvenEither) {
+  HierarchyData levels = nearly_parallel(1e-13);  // the direction is left to the level below
+  levels.push_back(equalities(Eigen::RowVector3d(0.0, 0.0, 1.0), number(1.0)));
+  const auto certificates = certify(make_hierarchy(3, levels), solve(3, levels).x);
+  EXPECT_EQ(verdict(certificates[0]), Verdict::proven);
+  EXPECT_EQ(verdict(certificates[1]), Verdict::not_judged);
+  EXPECT_EQ(verdict(certificates[2]), Verdict::not_judged);
+  EXPECT_EQ(certificates[1].rests_on, -1);
+  EXPECT_EQ(certificates[2].rests_on, 1);
+  const HierarchyData two{equalities(RowVector2d(1.0, 0.0), number(1.0)),
+                          equalities(RowVector2d(0.0, 1.0), number(1.0))};
+  const auto wrong = certify(make_hierarchy(2, two), Vector2d(0.0, 1.0));
+  EXPECT_EQ(verdict(wrong[0]), Verdict::not_proven);
+  EXPECT_EQ(verdict(wrong[1]), Verdict::not_judged);
+}
+
 TEST(Doubt, OfAnXSoLargeThatItsRoundingIsMoreThanWhatIsAskedForNothingIsProven) {
   for (const double weak : {1e-2, 1e-9}) {
     MatrixXd rows(2, 2);

@@ -141,7 +141,22 @@ TEST(EvenUnits, OfASearchThatWasCutOffTheLevelIsOneThatThereIs) {
   }
 }
 
+TEST(EvenUnits, AnXThatIsBeyondTheRangeOfDoublesOnlyInTheUnitsGivenIsInvalidInput) {
+  MatrixXd rows(2, 2);
+  rows << 1e-57, 1e-50, 1e-57, -1e-50;  // x is 1e157, and what is solved for 2e153
+  const Hierarchy hierarchy = make_hierarchy(2, {equalities(rows, Vector2d(1e100, 1e100))});
+  ASSERT_NE(even_units(hierarchy), VectorXd::Ones(2));
+  for (const Solution& solution :
+       {solve_in_even_units<LexicographicSolver>(hierarchy, LexicographicOptions{}),
+        solve_in_even_units<CascadeSolver>(hierarchy, CascadeOptions{})}) {
+    EXPECT_EQ(solution.status, SolveStatus::invalid_input);
+    EXPECT_EQ(solution.failed_level, -1);
+    EXPECT_EQ(solution.x, VectorXd::Zero(2));
+  }
+}
+
 TEST(Certificate, SeesWhatIsLeftToGainAmongUnknownsOfVeryDifferentUnits) {
+  int num_wrong = 0;
   // In the units given 1e-8 of the longest row's length times that of x is more than all of it.
   for (int seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -151,8 +166,10 @@ TEST(Certificate, SeesWhatIsLeftToGainAmongUnknownsOfVeryDifferentUnits) {
     const HierarchyData given = over(levels, random_units(random, 4, 20));
     const Solution as_given = solve<LexicographicSolver>(4, given);
     if (difference(residuals(as_given), expected) <= 1e-6) continue;
+    ++num_wrong;
     ASSERT_GE(optimality_error(4, given, as_given.x), 1e-7);
   }
+  EXPECT_GE(num_wrong, 3) << "units matter";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,27 @@ TEST(Explanation, RowsOfOneDirectionThatWantOtherValuesOrHaveOtherBoundsDoNotSay
     const auto levels = explanation(1, {level, wish});
     for (const DistinctBlocker& blocker : levels[1].blocked_by) EXPECT_TRUE(blocker.same.empty());
     EXPECT_FALSE(levels[1].blocked_by.empty());
+  }
+}
+
+TEST(Explanation, OfLimitsThatContradictEachOtherTheOneThatStopsTheWishHasTheCost) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double weight : {1.0, 100.0, 1e3, 7e3, 1e4}) {
+    SCOPED_TRACE("weight " + std::to_string(weight));
+    const LevelData limits = between(Vector2d(weight, 1.0), Vector2d(-infinity, 501.0),
+                                     Vector2d(weight * 500, infinity));
+    for (const double wish : {600.0, 0.0}) {
+      const LevelExplanation explained =
+          explanation(1, {limits, equalities(MatrixXd::Ones(1, 1), number(wish))})[1];
+      const Index stops = wish == 600.0 ? 0 : 1;
+      ASSERT_EQ(explained.blocked_by.size(), 2u);
+      EXPECT_EQ(explained.blocked_by[0].at.row, stops);
+      EXPECT_NEAR(explained.blocked_by[0].cost, explained.residual, 1e-6);
+      EXPECT_FALSE(explained.blocked_by[0].would_gain);
+      EXPECT_EQ(explained.blocked_by[1].at.row, 1 - stops);
+      EXPECT_NEAR(explained.blocked_by[1].cost, 0.0, 1e-9);
+      EXPECT_TRUE(explained.blocked_by[1].would_gain);
+    }
   }
 }
 
