@@ -98,6 +98,7 @@ class ClosedLoop {
                     .controller = controller_,
                     .header = log_header(scenario_, controller_, plant_, model_),
                     .log_change = [this](const logged::Change& change) {
+                      ++changes_;
                       if (change_log_) change_log_->record(change, controller_);
                     }});
   }
@@ -195,7 +196,10 @@ class ClosedLoop {
     result.events = events_.counts();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(controller_, plant_);
-    if (options_.steering != nullptr) options_.steering->end(plant_.time());
+    if (options_.steering != nullptr) {
+      options_.steering->end(plant_.time());
+      result.changes = changes_;
+    }
     if (recorder_) close_log(result);
     return result;
   }
@@ -224,6 +228,7 @@ class ClosedLoop {
   double stopped_at_ = kNaN;  // time of the safety stop [s]
   double damped_at_ = kNaN;   // … and of the first tick of damping
   std::string why_stopped_;
+  int changes_ = 0;             // from outside
   double next_progress_ = 0.0;  // [s]
 };
 

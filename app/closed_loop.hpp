@@ -7,6 +7,7 @@
 #include "surefoot/evaluation/metrics.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct RunResult {
   std::vector<EventCount> events;  ///< notable ones of the walk
   std::vector<RandomDraw> drawn;
   std::vector<std::string> notes;  ///< of model, plant and controller
+  std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
 };
 
 /// Runs a scenario: plant and controller against each other, judged on the truth and logged, until

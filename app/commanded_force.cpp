@@ -40,7 +40,7 @@ std::optional<FrictionCone> friction_cone_of(const LogHeader& header) {
 
 CommandedForces commanded_forces(const std::optional<FrictionCone>& cone, const TickRecord& tick) {
   CommandedForces result;
-  if (!was_solved(tick.hierarchy)) return result;
+  if (!was_used(tick)) return result;
   for (const Leg leg : kLegs) {
     if (!tick.plan.contact(leg)) continue;
     const std::size_t k = index(leg);

@@ -27,8 +27,8 @@ struct CommandedForces {
 /// The same of the stack that a log has attached. Its choices can't be changed in a run.
 [[nodiscard]] std::optional<FrictionCone> friction_cone_of(const LogHeader& header);
 
-/// Of a tick that solved nothing all are NaN. Where the cone is not known, forces are those along
-/// the terrain's normal, and friction is NaN.
+/// Of a tick whose command is no solution all are NaN. Where the cone is not known, forces are
+/// those along the terrain's normal, and friction is NaN.
 [[nodiscard]] CommandedForces commanded_forces(const std::optional<FrictionCone>& cone,
                                                const TickRecord& tick);
 

@@ -133,13 +133,16 @@ std::string nothing_gave_way(const std::string& every,
 std::string without_solution(const TickRecord& tick) {
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
-  return "No hierarchy was solved at this tick: the command is that of the mode " + mode +
-         ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
+  return std::string(was_solved(tick.hierarchy)
+                         ? "The controller stopped at this tick, and what was solved was not used"
+                         : "No hierarchy was solved at this tick") +
+         ": the command is that of the mode " + mode + ", because " +
+         (why.empty() ? "there was no state to believe" : why) + ".";
 }
 
 /// The level in which a solve was cut off; empty: it came to its end.
 std::string cut_off_level(const TickExplanation& explanation) {
-  const std::size_t solved = solved_levels(explanation.tick.hierarchy, explanation.order).size();
+  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
   return solved < explanation.order.size()
              ? explanation.header.level_name(explanation.order[solved])
              : "";
@@ -181,7 +184,7 @@ std::string blended(const TickExplanation& explanation) {
 std::string outcome(const TickExplanation& explanation) {
   const std::string cut_off = cut_off_level(explanation);
   if (cut_off.empty()) return account(explanation, cut_off);
-  const bool is_any_solved = !solved_levels(explanation.tick.hierarchy, explanation.order).empty();
+  const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
   return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
          cut_off + ": of it and the levels below it nothing is known.";
 }
@@ -191,7 +194,7 @@ std::string outcome(const TickExplanation& explanation) {
 std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   std::vector<LevelThatGaveWay> levels;
   const HierarchyReport& report = explanation.tick.hierarchy;
-  for (const std::int16_t k : solved_levels(report, explanation.order)) {
+  for (const std::int16_t k : solved_levels(explanation.tick, explanation.order)) {
     const auto level = static_cast<std::size_t>(k);
     const double residual = report.levels[level].residual;
     const std::string name = explanation.header.level_name(k);
@@ -210,7 +213,7 @@ std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
 
 std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  const auto solved = solved_levels(report, explanation.order);
+  const auto solved = solved_levels(explanation.tick, explanation.order);
   std::vector<ActiveRow> rows;
   std::copy_if(
       report.active.begin(), report.active.begin() + report.num_active, std::back_inserter(rows),
@@ -219,7 +222,7 @@ std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
 }
 
 std::string gave_way_sentence(const TickExplanation& explanation) {
-  if (!was_solved(explanation.tick.hierarchy)) return without_solution(explanation.tick);
+  if (!was_used(explanation.tick)) return without_solution(explanation.tick);
   if (!explanation.blend) return outcome(explanation);
   return blended(explanation) + outcome(explanation) +
          neighbour(explanation, explanation.blend->before, " Before") +

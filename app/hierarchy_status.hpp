@@ -16,11 +16,19 @@ namespace surefoot {
   return report.status != static_cast<std::int32_t>(SolveStatus::invalid_input);
 }
 
+/// False also where the controller stopped for safety at that very tick, behind the solver: what
+/// was solved and planned commands nothing then.
+[[nodiscard]] inline bool was_used(const TickRecord& tick) {
+  const CommandMode mode = tick.command.mode;
+  return was_solved(tick.hierarchy) && mode != CommandMode::sit && mode != CommandMode::damping;
+}
+
 /// Of a tick's levels, highest first by their numbers in the header, those that are at their
 /// optimum: of a solve that was cut off the numbers of the others say nothing.
 [[nodiscard]] inline std::span<const std::int16_t> solved_levels(
-    const HierarchyReport& report, std::span<const std::int16_t> order) {
-  if (!was_solved(report)) return {};
+    const TickRecord& tick, std::span<const std::int16_t> order) {
+  const HierarchyReport& report = tick.hierarchy;
+  if (!was_used(tick)) return {};
   if (report.status != static_cast<std::int32_t>(SolveStatus::iteration_cap)) return order;
   const auto failed = std::ranges::find(order, static_cast<std::int16_t>(report.failed_level));
   return order.first(static_cast<std::size_t>(failed - order.begin()));

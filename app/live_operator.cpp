@@ -27,8 +27,8 @@ std::string text(const Parts&... parts) {
 
 void check(const char* what, double value, double min, double max, const char* unit) {
   if (value >= min && value <= max) return;
-  throw Error(
-      text(what, " is ", value, "; valid is ", min, " to ", max, *unit == '\0' ? "" : " ", unit));
+  const std::string in = *unit == '\0' ? "" : " " + std::string(unit);
+  throw Error(text(what, " is ", value, in, "; valid is ", min, " to ", max, in));
 }
 
 LevelSpec& find_level(StackOptions& stack, const std::string& name) {
@@ -151,7 +151,7 @@ void LiveOperator::push(const ViewCommand& command) {
   check("duration", command.duration, 0.001, limits_.push_duration, "s");
   const double size = command.impulse.norm();
   if (!(size > 0.0 && size <= limits_.push_impulse)) {
-    throw Error(text("the impulse's size is ", size, "; valid is more than 0, up to ",
+    throw Error(text("the impulse's size is ", size, " N·s; valid is more than 0, up to ",
                      limits_.push_impulse, " N·s"));
   }
   const Vec3 force = command.impulse / command.duration;
@@ -193,7 +193,8 @@ void LiveOperator::walk(const ViewCommand& command) {
 
 void LiveOperator::gain(const ViewCommand& command) {
   WantedControl control = wishes_.control;
-  TaskSpec& task = find_task(find_level(control.stack, command.level), command.task);
+  LevelSpec& level = find_level(control.stack, command.level);
+  TaskSpec& task = find_task(level, command.task);
   const auto number = task.numbers.find(command.name);
   if (number == task.numbers.end()) {
     std::vector<std::string> names;
@@ -202,8 +203,8 @@ void LiveOperator::gain(const ViewCommand& command) {
                 valid_names(command.name, names));
   }
   const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
-  check((command.task + " " + command.name).c_str(), command.value, range.min, range.max,
-        range.unit.c_str());
+  check((task_title(level, task) + " " + command.name).c_str(), command.value, range.min, range.max,
+        range.unit == "–" ? "" : range.unit.c_str());
   number->second = command.value;
   (void)make_task(task.task, {task.numbers, task.choices});
   want(std::move(control), command.level + "/" + command.task + "/" + command.name);

@@ -60,7 +60,7 @@ class TickTable {
     for (std::size_t k = 0; k < header.level_names.size(); ++k)
       residual(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));
     for (std::size_t k = 0; k < other_levels.size(); ++k)
-      residual(computed_residual(other.hierarchy, k));
+      residual(was_used(other) ? computed_residual(other.hierarchy, k) : std::nan(""));
     file_ << '\n';
   }
 
@@ -88,8 +88,7 @@ class TickTable {
   }
 
   static bool is_of(const TickRecord& tick, std::size_t level) {
-    return was_solved(tick.hierarchy) &&
-           static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
+    return was_used(tick) && static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
   }
 
   /// NaN is an empty cell.

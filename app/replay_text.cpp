@@ -102,8 +102,9 @@ Json run_json(const std::string& path, const LogHeader& header) {
           {"stack", header.stack}, {"version", header.version},   {"commit", header.commit}};
 }
 
-Json residual_json(double rms, double largest, double time) {
-  return {{"rms", rms}, {"largest", largest}, {"time", time}};
+/// The time is that of the largest; null where there is none.
+Json difference_json(double rms, double largest, double time) {
+  return {{"rms", rms}, {"largest", largest}, {"time", largest == 0.0 ? Json() : Json(time)}};
 }
 
 /// From 100 on all digits before the point.
@@ -112,15 +113,19 @@ std::string residual(double value, const std::string& unit) {
   return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
 }
 
+constexpr const char* kMark = " *";
+
 /// Of a largest difference; marked where the run said nothing of its walk any more.
 std::string largest_at(const StackComparison& result, double time) {
   const bool is_behind = result.walk_end && time >= result.walk_end->time - 1e-9;
-  return seconds(time) + (is_behind ? " *" : "");
+  return seconds(time) + (is_behind ? kMark : "");
 }
 
-std::string walk_end(const StackComparison& result) {
+/// Below `tables`, of which it explains the marks.
+std::string walk_end(const StackComparison& result, const std::string& tables) {
   if (!result.walk_end) return "";
-  return "* From " + seconds(result.walk_end->time) +
+  return (tables.find(kMark) == std::string::npos ? "From " : "* From ") +
+         seconds(result.walk_end->time) +
          " on the run says nothing of its walk: " + result.walk_end->why + ".\n\n";
 }
 
@@ -216,11 +221,12 @@ Json verification_json(const std::string& path, const Verification& result) {
 }
 
 std::string comparison_text(const std::string& path, const StackComparison& result) {
+  const std::string tables = joint_table(result) + "\n" + level_table(result);
   return headline(path, result.header) + "Asked at each tick on the same states: stack " +
          result.other + ". None of its torques moved the robot.\n" +
-         span(result.ticks, result.first_time, result.last_time) + "\n\n" + joint_table(result) +
-         "\n" + level_table(result) + "\n" + walk_end(result) + optimality(result) +
-         behind_gap(result.gap, "asked") + not_whole(result.problem);
+         span(result.ticks, result.first_time, result.last_time) + "\n\n" + tables + "\n" +
+         walk_end(result, tables) + optimality(result) + behind_gap(result.gap, "asked") +
+         not_whole(result.problem);
 }
 
 Json comparison_json(const std::string& path, const StackComparison& result) {
@@ -231,16 +237,16 @@ Json comparison_json(const std::string& path, const StackComparison& result) {
   json["last_time"] = result.last_time;
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     const JointComparison& joint = result.joints[i];
-    json["torque_difference"][result.header.robot.joint_names[i]] = {
-        {"rms", joint.rms}, {"largest", joint.largest}, {"time", joint.time}};
+    json["torque_difference"][result.header.robot.joint_names[i]] =
+        difference_json(joint.rms, joint.largest, joint.time);
   }
   json["levels"] = Json::array();
   for (const LevelComparison& level : result.levels) {
     Json one = {{"name", level.name}, {"unit", level.unit}};
     if (level.in_log)
-      one["logged"] = residual_json(level.logged_rms, level.logged_max, level.logged_time);
+      one["logged"] = difference_json(level.logged_rms, level.logged_max, level.logged_time);
     if (level.in_other)
-      one["other"] = residual_json(level.other_rms, level.other_max, level.other_time);
+      one["other"] = difference_json(level.other_rms, level.other_max, level.other_time);
     json["levels"].push_back(std::move(one));
   }
   json["not_optimal"] = {{"logged", result.logged_not_optimal},

@@ -161,6 +161,7 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   Json json = heading(scenario);
   json.update(Json::parse(to_json(result.metrics)));
   json["safety_stop"] = result.safety_stop;
+  if (result.changes) json["changes_by_hand"] = *result.changes;
   json["criteria"] = criteria_json(result.criteria);
   json["events"] = events_json(result.events);
   json["drawn"] = Json::object();

@@ -98,6 +98,15 @@ std::string verdict(const Json& run) {
          run.at("reason").get<std::string>() + missed + "\n";
 }
 
+/// What a verdict on a run that was steered is worth.
+std::string steered(const Json& run) {
+  const int changes = run.value("changes_by_hand", 0);
+  if (changes == 0) return "";
+  return "steered by hand: " + std::to_string(changes) +
+         (changes == 1 ? " change or push" : " changes and pushes") +
+         " while it ran, so this is no verdict on the scenario alone\n";
+}
+
 std::string rate_text(const Json& rate) {
   const Json& interval = rate.at("interval");
   return std::to_string(rate.at("successes").get<int>()) + " of " +
@@ -209,7 +218,8 @@ std::string run_table(const Scenario& scenario, const Json& run) {
                      paper_of(scenario, metric), remark(metric)});
   }
   return title(scenario, run) + "seed " + std::to_string(run.at("seed").get<std::uint64_t>()) +
-         drawn_values(run) + "\n" + verdict(run) + "\n" + aligned(table) + events_of_run(run);
+         drawn_values(run) + "\n" + verdict(run) + steered(run) + "\n" + aligned(table) +
+         events_of_run(run);
 }
 
 std::string seeds_line(const Scenario& scenario, const Json& seeds) {

@@ -58,7 +58,7 @@ class Comparison {
     if (result_.ticks++ == 0) result_.first_time = logged.reading.time;
     result_.last_time = logged.reading.time;
     add_torques(logged, other);
-    if (was_solved(logged.hierarchy) && was_solved(other.hierarchy)) add_residuals(logged, other);
+    if (was_used(logged) && was_used(other)) add_residuals(logged, other);
     add_modes(logged, other);
     result_.same_plan = result_.same_plan && plan_text(logged.plan) == plan_text(other.plan);
     if (logged.hierarchy.level_switch.begins) ++result_.logged_switches;

@@ -2,6 +2,7 @@
 
 #include "app/operator_text.hpp"
 #include "app/scenario_forces.hpp"
+#include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
@@ -11,6 +12,7 @@
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/view/outcome.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +35,9 @@ void fields(Decoder& field, OutsideTruth& truth) {
 
 namespace {
 
-constexpr double kLoaded = 1.0;                // [N]
-constexpr double kSlack = 0.01;                // of a share that may be rounding
-constexpr double kHalfOfLastDigit = 0.005001;  // of a duration, as it is told [s]
+constexpr double kLoaded = 1.0;     // [N]
+constexpr double kSlack = 0.01;     // of a share that may be rounding
+constexpr double kRounding = 1e-6;  // of a time [s]
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
 std::optional<StartAlignment> read_start(const std::string& path) {
@@ -53,6 +55,11 @@ std::optional<StartAlignment> read_start(const std::string& path) {
 
 std::uint64_t nanoseconds(double time) {
   return static_cast<std::uint64_t>(std::llround(1e9 * time));
+}
+
+/// The end of a log's duration, also rounded as it is told: 12.35 s for 12.3475 s.
+bool is_end(double time, double end) {
+  return time <= end + kRounding || std::abs(time - 0.01 * std::round(100.0 * end)) <= kRounding;
 }
 
 /// The timing at a time; it stands behind all ticks, so that the last chunks come first.
@@ -115,28 +122,44 @@ class BlendWatch {
   std::optional<NeighbourTick> last_;  // that is in no blend
 };
 
-/// Reads a log up to a little behind a time.
+/// Another mode of the command, in the words of the page; empty: it is the same.
+std::string mode_text(CommandMode before, const TickRecord& tick) {
+  if (tick.command.mode == before) return "";
+  const std::string why = text_of_stop(tick);
+  return "command mode: " +
+         std::string(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]) +
+         (why.empty() ? "" : ", as " + why);
+}
+
+/// How a run ended, by the summary of its log; empty: not known.
+std::string end_text(const std::string& summary, const std::string& options) {
+  const report::Outcome outcome = report::read_outcome(summary, options);
+  if (!outcome.known) return "";
+  return (outcome.interrupted ? "the run was " : "the run ended: ") + outcome.reason;
+}
+
+/// Reads a log from `back` before a time up to a little behind it.
 class Search {
  public:
-  Search(const std::string& path, double time)
-      : path_(path), time_(time), log_(path, [this](const McapMessage& message) {
+  Search(const std::string& path, double time, double back)
+      : path_(path), time_(time), back_(back), log_(path, [this](const McapMessage& message) {
           if (message.channel->topic == "/truth") take_truth(message);
           if (message.channel->topic == "/changes") take_change(message);
         }) {}
 
   TickExplanation run() {
     scenario_.emplace(body_names(log_.header()));
-    log_.skip_until(time_ - kEventWindow);
-    LegsAtTick before;
-    bool has_before = false;
+    log_.skip_until(time_ - back_);
+    std::optional<Before> before;
     bool has_ended = false;
     while (!(has_ended = !log_.next(tick_)) &&
            (tick_.reading.time <= time_ + kEventWindow || is_in_blend_)) {
       see_blend();
       if (tick_.reading.time > time_ + kEventWindow) continue;
-      if (has_before && log_.follows()) add_event(before);
-      before = legs_of(tick_.plan, tick_.state);
-      has_before = true;
+      if (before && log_.follows() && is_near(tick_.reading.time)) add_events(*before);
+      before = {.legs = legs_of(tick_.plan, tick_.state), .mode = tick_.command.mode};
+      if (std::isnan(first_)) first_ = tick_.reading.time;
+      last_ = tick_.reading.time;
       yaw_ = roll_pitch_yaw(tick_.state.q_WB.toRotationMatrix()).z();
       if (!is_nearest()) continue;
       found_.tick = tick_;
@@ -147,8 +170,8 @@ class Search {
     found_.header = log_.header();
     const double period = found_.header.control_period;
     found_.asked = time_;
-    found_.is_behind_end = has_ended && time_ > nearest_ + 0.5001 * period &&
-                           time_ <= nearest_ + period + kHalfOfLastDigit;
+    found_.is_behind_end =
+        has_ended && time_ > nearest_ + 0.5001 * period && is_end(time_, nearest_ + period);
     if (!found_.is_behind_end && !(std::abs(nearest_ - time_) <= 0.5001 * period)) refuse();
     found_.forces = commanded_forces(friction_cone_of(found_.header), found_.tick);
     found_.bodies = body_names(found_.header);
@@ -160,12 +183,24 @@ class Search {
     if (found_.truth)
       found_.applied = applied_forces(nearest_, found_.truth->xfrc_applied, found_.truth->q_WB);
     add_forces();
+    if (has_ended) add_end();
     const auto start = found_.truth ? read_start(path_) : std::nullopt;
     if (start) found_.estimate = aligned(*start, *found_.truth, found_.tick.state);
     return std::move(found_);
   }
 
+  /// No tick of the log was passed over, or those that were can't be read.
+  [[nodiscard]] bool saw_the_start() const {
+    return first_ > time_ - back_ + 1.5 * log_.header().control_period;
+  }
+
  private:
+  /// What is known of the tick before.
+  struct Before {
+    LegsAtTick legs;
+    CommandMode mode;
+  };
+
   [[nodiscard]] bool is_nearest() const {
     return std::isnan(nearest_) ||
            std::abs(tick_.reading.time - time_) <= std::abs(nearest_ - time_);
@@ -187,7 +222,19 @@ class Search {
     is_in_blend_ = is_in_blend_ && goes_on;
   }
 
-  void add_event(const LegsAtTick& before) {
+  void add_events(const Before& before) {
+    add_plan_event(before.legs);
+    const std::string mode = mode_text(before.mode, tick_);
+    if (!mode.empty()) found_.events.push_back({tick_.reading.time, mode, "", "controller"});
+  }
+
+  /// Behind the last tick.
+  void add_end() {
+    const std::string text = end_text(log_.summary(), found_.header.options);
+    if (!text.empty() && is_near(last_)) insert({last_, text, "", "run"});
+  }
+
+  void add_plan_event(const LegsAtTick& before) {
     const auto event = static_cast<std::size_t>(tick_.plan.event);
     const auto& names = log_.header().event_names;
     if (event == 0) return;
@@ -231,11 +278,15 @@ class Search {
     ended_.insert(ended_.end(), changes.ended.begin(), changes.ended.end());
   }
 
+  void insert(const NearbyEvent& event) {
+    const auto later = std::ranges::upper_bound(found_.events, event.time, {}, &NearbyEvent::time);
+    found_.events.insert(later, event);
+  }
+
   /// Those of the operator are told by what the operator did.
   void add_forces() {
     const auto add = [this](double time, const std::string& text) {
-      const auto later = std::ranges::upper_bound(found_.events, time, {}, &NearbyEvent::time);
-      found_.events.insert(later, {time, text, "", "outside"});
+      insert({time, text, "", "outside"});
     };
     for (const AppliedForce& force : begun_)
       add(force.from, "pushed by " + applied_force_text(force, found_.bodies));
@@ -262,8 +313,9 @@ class Search {
   }
 
   std::string path_;
-  double time_, nearest_ = kNaN;
-  double yaw_ = kNaN;  // believed at the last tick
+  double time_, back_, nearest_ = kNaN;
+  double first_ = kNaN, last_ = kNaN;  // of the ticks that were looked at [s]
+  double yaw_ = kNaN;                  // believed at the last tick
   ToldChanges told_;
   BlendWatch blends_;
   bool is_in_blend_ = false;  // the tick that is told, and none behind it was out of it yet
@@ -282,7 +334,14 @@ double level_time(const TickExplanation& explanation, std::size_t level) {
   return is_known ? static_cast<double>(explanation.timing->levels[level]) : kNaN;
 }
 
-TickExplanation read_tick(const std::string& path, double time) { return Search(path, time).run(); }
+// A blend may have begun long before: it is looked for further and further back.
+TickExplanation read_tick(const std::string& path, double time) {
+  for (double back = kEventWindow;; back *= 4.0) {
+    Search search(path, time, back);
+    TickExplanation found = search.run();
+    if (!found.blend || found.blend->before || search.saw_the_start()) return found;
+  }
+}
 
 bool is_beyond_limits(const TickExplanation& explanation, Leg leg) {
   const double normal = explanation.forces.normal[index(leg)];

@@ -15,13 +15,13 @@
 
 namespace surefoot {
 
-/// Something that the planner did, or the operator of a run that was steered, or a force from
-/// outside that began or ended.
+/// Something that the planner did, or the operator of a run that was steered; a force from outside
+/// that began or ended; another mode of the command, as of a safety stop; the end of the run.
 struct NearbyEvent {
   double time = 0.0;  ///< [s]
   std::string text;
   std::string leg;             ///< that it happened to: "RF"; empty: none
-  std::string by = "planner";  ///< "operator", "outside"
+  std::string by = "planner";  ///< "operator", "outside", "controller", "run"
 };
 
 /// A tick beside another.

@@ -44,7 +44,7 @@ Json gave_way_json(const TickExplanation& explanation) {
 
 Json feet_json(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const bool is_solved = was_solved(tick.hierarchy);
+  const bool is_solved = was_used(tick);
   Json feet = Json::object();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
@@ -68,8 +68,8 @@ Json feet_json(const TickExplanation& explanation) {
 Json levels_json(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   Json list = Json::array();
-  if (!was_solved(report)) return list;
-  const std::size_t solved = solved_levels(report, explanation.order).size();
+  if (!was_used(explanation.tick)) return list;
+  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
   for (const std::int16_t number_of_level : explanation.order) {
     const auto k = static_cast<std::size_t>(number_of_level);
     const LevelReport& level = report.levels[k];
@@ -90,9 +90,8 @@ Json levels_json(const TickExplanation& explanation) {
 
 /// Of the levels that were solved; null where none was.
 Json limits_json(const TickExplanation& explanation) {
-  const HierarchyReport& report = explanation.tick.hierarchy;
-  const bool is_any_solved = !solved_levels(report, explanation.order).empty();
-  if (!was_solved(report) || (!is_any_solved && !explanation.order.empty())) return {};
+  const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
+  if (!was_used(explanation.tick) || (!is_any_solved && !explanation.order.empty())) return {};
   Json list = Json::array();
   for (const ActiveRow& row : rows_at_bounds(explanation)) {
     const auto found = explanation.row_names.find({row.level, row.id});
@@ -143,7 +142,7 @@ Json applied_json(const TickExplanation& explanation) {
 
 Json tick_json(const std::string& path, const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
-  const bool is_solved = was_solved(tick.hierarchy);
+  const bool is_solved = was_used(tick);
   const Mat3 R_WB = tick.state.q_WB.toRotationMatrix();
   Json json = {{"log", path},
                {"scenario", explanation.header.scenario},

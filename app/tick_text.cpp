@@ -71,8 +71,7 @@ std::string faults(const SensorHealth& health) {
 }
 
 bool has_wishes(const TickExplanation& explanation) {
-  return explanation.tick.command.mode == CommandMode::optimal &&
-         was_solved(explanation.tick.hierarchy) &&
+  return explanation.tick.command.mode == CommandMode::optimal && was_used(explanation.tick) &&
          std::ranges::any_of(kLegs, [&](Leg leg) { return is_beyond_limits(explanation, leg); });
 }
 
@@ -115,7 +114,7 @@ std::string true_force(const TrueContact& contact) {
   return formatted("%.1f N", rounded(contact.normal.dot(contact.force), 0.1));
 }
 
-/// Of a tick that solved nothing: plan and commanded forces are not of it.
+/// Of a tick whose command is no solution: plan and commanded forces are not of it.
 std::string true_feet_table(const GroundTruth& truth) {
   Table table{{"foot", "in truth", "friction used"}};
   for (const Leg leg : kLegs) {
@@ -164,7 +163,7 @@ std::string residual(const TickExplanation& explanation, std::int16_t level) {
 
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
-  const std::size_t solved = solved_levels(report, explanation.order).size();
+  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
   Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
     const std::int16_t number = explanation.order[place];
@@ -186,7 +185,7 @@ std::string level_table(const TickExplanation& explanation) {
 
 std::string at_bounds(const TickExplanation& explanation) {
   const std::vector<ActiveRow> rows = rows_at_bounds(explanation);
-  const std::size_t solved = solved_levels(explanation.tick.hierarchy, explanation.order).size();
+  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
   const bool is_all = solved == explanation.order.size();
   if (rows.empty() && !is_all)
     return solved == 0 ? "" : "In the levels that were solved no limit acts.\n";
@@ -224,7 +223,7 @@ std::string tick_text(const std::string& path, const TickExplanation& explanatio
   if (explanation.is_behind_end)
     out += formatted("The log ends before %.6g s: this is its last tick.\n\n", explanation.asked);
   out += gave_way_sentence(explanation) + "\n\n" + facts(explanation) + "\n";
-  if (was_solved(explanation.tick.hierarchy)) {
+  if (was_used(explanation.tick)) {
     out += feet_table(explanation) + "\n";
     if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
     out += at_bounds(explanation);

@@ -78,11 +78,11 @@ bool has_same_order(const StackOptions& a, const StackOptions& b) {
   return std::ranges::equal(a.levels, b.levels, {}, &LevelSpec::name, &LevelSpec::name);
 }
 
-std::string title(const LevelSpec& level, const TaskSpec& task) {
+}  // namespace
+
+std::string task_title(const LevelSpec& level, const TaskSpec& task) {
   return level.name == task.task ? level.name : level.name + ", " + task.task;
 }
-
-}  // namespace
 
 ViewNumber view_number(const std::string& task, const std::string& name, double value,
                        const StackReach& reach) {
@@ -139,7 +139,7 @@ std::string change_text(const StackOptions& before, const StackOptions& after, b
       for (const auto& [name, value] : level.tasks[i].numbers) {
         const auto was = old->tasks[i].numbers.find(name);
         if (was == old->tasks[i].numbers.end() || was->second == value) continue;
-        add(title(level, level.tasks[i]) + " " + name + " " + change_text(was->second, value));
+        add(task_title(level, level.tasks[i]) + " " + name + " " + change_text(was->second, value));
       }
     }
   }

@@ -19,6 +19,9 @@ namespace surefoot {
                                                const std::vector<std::string>& level_names,
                                                const StackReach& reach = {});
 
+/// A task as changes and refusals call it: "motion, com_xy"; where its level has its name, by that.
+[[nodiscard]] std::string task_title(const LevelSpec& level, const TaskSpec& task);
+
 /// What is another in the second stack, which has the levels and tasks of the first:
 /// "com_xy kp 100 → 150; order: torso_yaw from 8 to 5". Empty where nothing is. Of an undo the
 /// levels are told whose move is taken back: of two neighbours that change places either may be.

@@ -140,6 +140,13 @@ std::string cut_warning(const RunData& run, const Outcome& outcome) {
                              end_time(run) + ".");
 }
 
+std::string steered(const RunData& run) {
+  if (run.num_changes == 0) return "";
+  return warning("The run was steered by hand: " + std::to_string(run.num_changes) +
+                 (run.num_changes == 1 ? " change or push" : " changes and pushes") +
+                 " while it ran, so this is no verdict on the scenario alone.");
+}
+
 // By the command alone another run is had.
 std::string left_out(const RunData& run, const Outcome& outcome) {
   std::string out;
@@ -168,7 +175,7 @@ std::string title(const LogHeader& header) {
 std::string verdict(const RunData& run, const Outcome& outcome) {
   std::string out = cut_warning(run, outcome);
   if (outcome.known && !outcome.interrupted)
-    out += criteria_badge(outcome) + goal_badge(outcome) + ending(run, outcome);
+    out += criteria_badge(outcome) + goal_badge(outcome) + ending(run, outcome) + steered(run);
   out += push_list(run) + trouble_list(run);
   for (const std::string& note : run.header.notes)
     out += "<p class=\"soft\">" + escape(note) + "</p>\n";

@@ -1,5 +1,6 @@
 #include "app/live_operator.hpp"
 
+#include "app/view_tasks.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/config/messages.hpp"
 
@@ -79,6 +80,15 @@ TEST_F(LiveOperatorTest, what_is_wrong_with_a_command_is_told_with_what_would_be
   EXPECT_TRUE(test::holds(
       operator_.command({.type = Type::walk, .walk = true, .velocity = Vec2(3, 0)}), "m/s"));
   EXPECT_TRUE(test::holds(operator_.command({.type = Type::undo}), "nothing to undo"));
+}
+
+TEST_F(LiveOperatorTest, a_refusal_names_the_level_and_gives_every_number_its_unit) {
+  EXPECT_TRUE(test::holds(gain("com_xy", "kp", 1e6), "com_xy kp is 1e+06 1/s²; valid is 0 to "));
+  EXPECT_TRUE(test::holds(push("base", Vec3(200, 0, 0), 0.2),
+                          "the impulse's size is 200 N·s; valid is more than 0, up to 60 N·s"));
+  LevelSpec merged = scenario_.controller.stack.levels.back();
+  merged.name = "motion";
+  EXPECT_EQ(task_title(merged, merged.tasks.at(0)), "motion, " + merged.tasks.at(0).task);
 }
 
 TEST_F(LiveOperatorTest, a_bound_beyond_the_robots_reach_is_refused_as_a_scenario_with_it_is) {

@@ -88,6 +88,31 @@ TEST(RunJson, holds_every_metric_the_criteria_and_what_was_drawn) {
   EXPECT_TRUE(json.at("solve_us").contains("p99"));
 }
 
+/// A run in which a foot found no ground.
+RunResult with_event(std::uint64_t seed, int count) {
+  RunResult result;
+  result.metrics.seed = seed;
+  result.metrics.tick_us = {.median = 100.0 * double(seed), .p99 = 300.0, .max = 400.0};
+  result.events = {{PlanEvent::no_ground, Leg::LF, count, 5.25}};
+  return result;
+}
+
+TEST(RunTable, beside_the_verdict_stands_how_often_the_run_was_changed_by_hand) {
+  RunResult result = with_event(1, 3);
+  const auto table = [&] { return run_table(Scenario{}, run_json(Scenario{}, result)); };
+  EXPECT_FALSE(run_json(Scenario{}, result).contains("changes_by_hand"));
+  EXPECT_EQ(table().find("by hand"), std::string::npos);
+  result.changes = 0;
+  EXPECT_EQ(run_json(Scenario{}, result).at("changes_by_hand"), 0);
+  EXPECT_EQ(table().find("by hand"), std::string::npos);
+  result.changes = 46;
+  EXPECT_EQ(run_json(Scenario{}, result).at("changes_by_hand"), 46);
+  EXPECT_NE(table().find("\nsteered by hand: 46 changes and pushes while it ran, so this is no "
+                         "verdict on the scenario alone\n\n"),
+            std::string::npos)
+      << table();
+}
+
 TEST(Pretty, says_units_after_the_metrics_name) {
   EXPECT_EQ(pretty("com_error_max_m", 0.00012), "0.12 mm");
   EXPECT_EQ(pretty("distance_m", 1.85), "1.85 m");
@@ -104,15 +129,6 @@ TEST(Pretty, says_a_metric_in_one_unit_whatever_its_value) {
   EXPECT_EQ(pretty("com_lateral_sway_m", 0.0317), "31.7 mm");
   EXPECT_EQ(pretty("distance_m", 0.0317), "0.0317 m");
   EXPECT_EQ(pretty("base_height_end_m", 0.468), "0.468 m");
-}
-
-/// A run in which a foot found no ground.
-RunResult with_event(std::uint64_t seed, int count) {
-  RunResult result;
-  result.metrics.seed = seed;
-  result.metrics.tick_us = {.median = 100.0 * double(seed), .p99 = 300.0, .max = 400.0};
-  result.events = {{PlanEvent::no_ground, Leg::LF, count, 5.25}};
-  return result;
 }
 
 TEST(RunJson, tells_the_events_in_words_with_leg_count_and_first_time) {

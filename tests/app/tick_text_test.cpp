@@ -135,6 +135,33 @@ TEST(TickText, TheJsonOfATickThatSolvedNothingHasNoNumbersOfAnother) {
   EXPECT_TRUE(json.at("feet").at("RH").at("phase").is_null());
 }
 
+TEST(TickText, AtTheFirstTickOfAStopWhatWasSolvedIsNotToldAsWhatCommands) {
+  for (const CommandMode mode : {CommandMode::sit, CommandMode::damping}) {
+    TickExplanation explanation = pushed_over();
+    TickRecord& tick = explanation.tick;
+    tick.model.force.fill(Vec3(0.0, 0.0, -17522.0));
+    tick.hierarchy.active[0] = {0, 3, 1};
+    tick.hierarchy.num_active = 1;
+    tick.command.mode = mode;
+    tick.command.cause = StopCause::imu;
+    tick.command.fault = SampleFault::silent;
+    explanation.forces = commanded_forces(std::nullopt, tick);
+    const std::string text = tick_text("run.mcap", explanation);
+    EXPECT_NE(text.find("The controller stopped at this tick, and what was solved was not used: "
+                        "the command is that of the mode "),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find(", because IMU stopped."), std::string::npos) << text;
+    for (const char* absent : {"17522", "com_xy", "gave way", "Limits that act", "stance"})
+      EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
+    const auto json = tick_json("run.mcap", explanation);
+    EXPECT_EQ(json.at("solved"), false);
+    EXPECT_TRUE(json.at("levels").empty() && json.at("gave_way").empty());
+    EXPECT_TRUE(json.at("limits").is_null() && json.at("plan").is_null());
+    EXPECT_TRUE(json.at("feet").at("RH").at("normal_force").is_null());
+  }
+}
+
 TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
   TickExplanation explanation = unsolved();
   explanation.truth.emplace();

@@ -49,6 +49,7 @@ def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
         assert why.startswith("the controller stopped for safety at ")
         show(browser, replay.link)
         browser.wait(f"{FACTS}.textContent.includes('ended: {why}') && {ENDED} === '{why}'")
+        assert browser.run(f"[...{FACTS}.querySelectorAll('strong')].map(one => [one.textContent, one.dataset.weight])") == [[f"ended: {why}", "grave"]]
         browser.wait("document.querySelector('#plots-progress').textContent === ''", 60)
         point_at_the_end(browser)
         browser.wait(f"({HINT}).includes('ended: {why}')")

@@ -107,6 +107,16 @@ TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
   EXPECT_NE(steered.find(kByHand), std::string::npos);
 }
 
+TEST(Verdict, ThatARunWasSteeredByHandStandsBesideItsVerdict) {
+  constexpr const char* kSteered =
+      "class=\"warning\">The run was steered by hand: 1 change or push ";
+  const std::string steered = report_of_end("the whole duration", kNoFall, true);
+  EXPECT_LT(steered.find(kSteered), steered.find("<h2>"));
+  for (const std::string& page :
+       {report_of_end("the whole duration"), report_of_end("interrupted", kNoFall, true)})
+    EXPECT_EQ(page.find(kSteered), std::string::npos) << "where nothing is judged";
+}
+
 TEST(Verdict, OfALogThatIsDamagedWithinItIsSaidWhatMayBeMissing) {
   constexpr const char *kNotWhole = "class=\"warning\">The log is not whole: ",
                        *kByHand = "may be missing here: the log is damaged",

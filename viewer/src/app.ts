@@ -357,7 +357,8 @@ export class App {
   private tellHead(heard: boolean): void {
     const quality = this.world?.stage.quality;
     const rate = heard || !this.player.live ? quality?.rate : "";
-    showFacts([this.session.source, endFact(this.ending), ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""]);
+    const end = endFact(this.ending);
+    showFacts([this.session.source, end, ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""], end);
     if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard));
   }
 

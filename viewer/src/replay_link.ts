@@ -111,6 +111,7 @@ export class ReplayLink {
       this.summarised = summarised;
       this.source.summarise(summarised);
       this.schema.orders = orders;
+      this.session.damage = damage;
       if (damage.length > 0) app.notes.keep("damage", damageText(damage), "error");
       try {
         const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
-import { accountOf, blendShare, levelStates, type LevelState } from "../src/data/hierarchy.ts";
+import { accountOf, blendShare, detailsOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
 import { blockOf, schemaOf } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
@@ -115,6 +115,7 @@ test("of a solve that was cut off nothing is said of the level that it was in an
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
   const cut = "The solver was cut off in second: of it and the levels below nothing is known.";
+  assert.deepEqual(detailsOf({ kind: "bad", line: cut, first: [cut], whole: cut, more: ["first gives way."] }), ["first gives way."], "what the line says is said");
   assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, first: [cut], whole: cut, more: [] });
   assert.equal(accountOf(statesOf(2, -1), "hold").line, "No level is solved: hold.", "whatever an older program left in its record");
   assert.equal(accountOf(statesOf(1, 0), "hold").line, "No level is solved: hold.");
@@ -130,9 +131,30 @@ test("between two hierarchies no level is said to have its optimum", () => {
   const blended = "Two hierarchies are blended; this tick is 35 % of the way, at the optimum of neither.";
   const states = levelStates(frameOf([0, 0.5]));
   assert.deepEqual(accountOf(states, "", { share: 0.35 }), {
-    kind: "bad", line: "Between two hierarchies: second gives way.", first: [blended], whole: `${blended} second gives way.`, more: [blended, "second gives way, 0.500 m/s² short."],
+    kind: "bad", line: "Between two hierarchies: second gives way.", first: [blended], whole: `${blended} second gives way.`, more: ["second gives way, 0.500 m/s² short."],
   });
+  assert.deepEqual(detailsOf(accountOf(states, "", { share: 0.35 })), [blended, "second gives way, 0.500 m/s² short."]);
   assert.equal(accountOf(levelStates(frameOf([0, 0])), "", { share: 0 }).line, "Between two hierarchies: all tasks are met.");
   assert.deepEqual(accountOf(states, "", { share: 1 }), accountOf(states, ""));
   assert.equal(blendShare(frameOf([0, 0])), 1, "of a log that has none");
+});
+
+test("in a blend two levels that give way keep their sentences", () => {
+  const states = levelStates(frameOf([1, 0.5], { active: [[0, 1, 1]] }));
+  const { more } = accountOf(states, "", { share: 0.35 });
+  assert.deepEqual(more, accountOf(states, "").more);
+  assert.equal(more.length, 2);
+});
+
+test("at the first tick of a stop the levels that were solved say nothing of the command", () => {
+  const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
+  const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "command.mode": 1 });
+  Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "degraded", "hold", "sit", "damping"] });
+  const statusAt = (mode: number): string[] => {
+    const table = new FrameTable(schema, 1);
+    readBlock(blockOf([{ tick: 0, time: 0, values: [3000, 2, 6, 1, 0.5, 2, 0, 2, 0, mode], active: [[0, 1, 1]] }]), schema.frameFloats, (...frame) => table.append(...frame));
+    return levelStates(table.frame(0)).map(({ status, residual, active }) => `${status} ${residual} ${active.length}`);
+  };
+  assert.deepEqual(statusAt(0), ["gives way 3000 1", "gives way 0.5 0"]);
+  for (const stopped of [3, 4]) assert.deepEqual(statusAt(stopped), ["not solved NaN 0", "not solved NaN 0"]);
 });

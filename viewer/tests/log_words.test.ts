@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { againText, damageText, readText, recordingText, unreadableText } from "../src/data/log_words.ts";
+import { againText, damageText, logText, readText, recordingText, unreadableText } from "../src/data/log_words.ts";
 
 const hole = "12.40 s to 12.61 s can't be read: the checksum of a chunk is wrong";
 const unknown = "2 pieces of the log can't be read, nor from when they are";
@@ -28,10 +28,18 @@ test("a run that was steered is not had again by its command", () => {
   const command = "surefoot run walk_flat";
   assert.equal(againText(command, "", true, false), command);
   assert.equal(againText("", "a.mcap", true, true), "");
-  assert.equal(againText(command, "a.mcap", true, true), `${command}, without what was changed and pushed by hand: surefoot replay a.mcap --verify repeats it`);
+  assert.equal(againText(command, "a.mcap", true, true), `${command} (without what was changed and pushed by hand: bin/surefoot replay a.mcap --verify repeats it)`);
+  assert.equal(againText(command, "a.mcap", false, true).split(" (")[0], command, "it can be copied");
   assert.equal(againText(command, "a.mcap", false, false), `${command} (it goes on where this log ends)`);
   assert.ok(againText(command, "", true, true).includes("--record"));
-  assert.ok(againText(command, "a.mcap", true, true, false).endsWith(": when the run has ended, surefoot replay a.mcap --verify repeats it"));
+  assert.ok(againText(command, "a.mcap", true, true, false).endsWith(": when the run has ended, bin/surefoot replay a.mcap --verify repeats it)"));
+});
+
+test("a log that is cut off or damaged is marked beside its name", () => {
+  assert.equal(logText("a.mcap", "", []), "a.mcap");
+  assert.equal(logText("a.mcap", "never closed", []), "a.mcap (never closed)");
+  assert.equal(logText("a.mcap", "", [hole]), "a.mcap (damaged: 1 piece of it can't be read)");
+  assert.equal(logText("a.mcap", "never closed", [hole, unknown]), "a.mcap (never closed; damaged: 2 pieces of it can't be read)");
 });
 
 test("of a live run it is told whether and where it is recorded", () => {

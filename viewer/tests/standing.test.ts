@@ -3,9 +3,12 @@ import { test } from "node:test";
 import * as THREE from "three";
 import { LEG_CHANNELS, LEGS } from "../src/data/schema.ts";
 import { FrameTable } from "../src/data/table.ts";
-import { standing, ZeroMomentPoint } from "../src/overlays/ground_marks.ts";
-import { SwingCurves } from "../src/overlays/feet.ts";
-import type { Picture } from "../src/overlays/overlay.ts";
+import type { Frame } from "../src/data/frame.ts";
+import { CentreOfMass } from "../src/overlays/com.ts";
+import { Footholds, SwingCurves } from "../src/overlays/feet.ts";
+import { WantedForces } from "../src/overlays/forces.ts";
+import { standing, SupportPolygon, TerrainPlane, ZeroMomentPoint } from "../src/overlays/ground_marks.ts";
+import type { Overlay, Picture } from "../src/overlays/overlay.ts";
 import { schemaOf } from "./make.ts";
 
 test("a foot carries that is to carry and, where the truth is known, touches the ground", () => {
@@ -22,15 +25,81 @@ test("a foot carries that is to carry and, where the truth is known, touches the
   assert.deepEqual(feetAt([NaN, NaN, NaN, NaN]), [0, 1, 2], "as planned");
 });
 
-test("where nothing was solved nothing is drawn as planned", () => {
-  const schema = schemaOf({ "hierarchy.status": 1, "plan.com.zmp": 2, "plan.R_WC": 9, "plan.terrain_point": 3, ...Object.fromEntries(LEGS.flatMap((_, k) => [[LEG_CHANNELS.phase[k], 1], [LEG_CHANNELS.plannedFoot[k], 3]])) });
-  const drawn = [0, 1, 2].map((status) => {
-    const values = [status, 0.1, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, ...LEGS.flatMap(() => [2, 1, 1, 0])];
-    const picture = { frame: { schema, tick: 0, time: 0, values: Float32Array.from(values), active: [], blocking: [] }, header: { robot: { foot_radius: 0.03 } }, trails: false } as unknown as Picture;
-    const [zmp, swings] = [new ZeroMomentPoint(), new SwingCurves()];
-    for (const overlay of [zmp, swings]) overlay.update(picture);
-    const targets = swings.root.children.filter((one) => one instanceof THREE.InstancedMesh).reduce((sum, { count }) => sum + count, 0);
-    return [zmp.root.children[0]?.visible, targets];
+/** A tick with a plan and what is believed, of a solve with this status and a command of this mode (0: the solution's, 3: sit, 4: damping). */
+function plannedFrame(status: number, mode: number, time = 0): Frame {
+  const schema = schemaOf({
+    "hierarchy.status": 1, "command.mode": 1, "plan.com.zmp": 2, "plan.com.p": 2, "plan.R_WC": 9, "plan.terrain_point": 3, "model.p_WCom": 3,
+    ...Object.fromEntries(LEGS.flatMap((_, k) => [[LEG_CHANNELS.phase[k], 1], [LEG_CHANNELS.plannedFoot[k], 3], [LEG_CHANNELS.foot[k], 3], [LEG_CHANNELS.force[k], 3]])),
   });
-  assert.deepEqual(drawn, [[true, 4], [true, 4], [false, 0]]);
+  Object.assign(schema.channel("command.mode") as object, { values: ["optimal", "degraded", "hold", "sit", "damping"] });
+  const ground = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
+  const legs = LEGS.flatMap((_, k) => [k < 2 ? 2 : 0, k + time, 1, 0.03, k, 1, 0.03, 0, 0, 100]);
+  return { schema, tick: 0, time, values: Float32Array.from([status, mode, 0.1, 0.2, 0.1 + time, 0.2, ...ground, 0.1, 0.2, 0.4, ...legs]), active: [], blocking: [] };
+}
+
+function pictureOf(frame: Frame, samples: Frame[]): Picture {
+  const source = { sample: (_from: number, _to: number, _most: number, take: (one: Frame) => void) => samples.forEach((one) => take(one)) };
+  const labels = { put: () => {}, spare: () => {} };
+  return { frame, source, labels, header: { robot: { foot_radius: 0.03 } }, trails: true, newton: 0.001, longest: 1, beliefToWorld: new THREE.Matrix4() } as unknown as Picture;
+}
+
+/** How many lines, points and surfaces of an overlay are seen. */
+function seen(root: THREE.Object3D): number {
+  if (!root.visible) return 0;
+  const { geometry, count } = root as THREE.InstancedMesh;
+  const range = geometry === undefined ? 0 : Math.min(1, geometry.drawRange.count) * (root instanceof THREE.InstancedMesh ? count : 1);
+  return root.children.reduce((sum, child) => sum + seen(child), range);
+}
+
+const PLANNED: [string, () => Overlay][] = [
+  ["zero-moment point", () => new ZeroMomentPoint()], ["swing curves", () => new SwingCurves()], ["footholds", () => new Footholds()],
+  ["support polygon", () => new SupportPolygon()], ["terrain plane", () => new TerrainPlane()], ["forces of the solution", () => new WantedForces()],
+];
+
+/** All of an overlay at a tick, after those before it; the feet's real ways aside, which are no plan. */
+function seenOf(make: () => Overlay, frame: Frame, samples: Frame[]): number {
+  const overlay = make();
+  overlay.update(pictureOf(frame, samples));
+  const real = overlay instanceof SwingCurves ? (overlay.root.children.at(-1) as THREE.Object3D) : undefined;
+  return seen(overlay.root) - (real === undefined ? 0 : seen(real));
+}
+
+for (const [name, make] of PLANNED) {
+  test(`of a plan that commands no more nothing is drawn: ${name}`, () => {
+    const before = [0, 0.5, 1].map((time) => plannedFrame(0, 0, time));
+    const at = (status: number, mode: number): number => seenOf(make, plannedFrame(status, mode, 1.5), before);
+    assert.ok(at(0, 0) > 0 && at(1, 1) > 0, "while it does");
+    assert.deepEqual([at(2, 2), at(2, 3), at(2, 4)], [0, 0, 0], "nothing was solved");
+    assert.deepEqual([at(0, 3), at(0, 4)], [0, 0], "at the first tick of a stop, behind the solver");
+  });
+}
+
+test("of the centre of mass the plan goes with a stop, and the mass stays while it is known", () => {
+  const planOf = (frame: Frame): [boolean, boolean] => {
+    const overlay = new CentreOfMass();
+    overlay.update(pictureOf(frame, [0, 0.5, 1].map((time) => plannedFrame(0, 0, time))));
+    const plan = overlay.root.children.find((one) => one instanceof THREE.Group) as THREE.Group;
+    return [overlay.root.visible, seen(plan) > 0];
+  };
+  assert.deepEqual(planOf(plannedFrame(0, 0, 1.5)), [true, true]);
+  assert.deepEqual(planOf(plannedFrame(0, 3, 1.5)), [true, false]);
+});
+
+test("before a stop nothing is drawn of what a dead plan says behind it", () => {
+  const frame = plannedFrame(0, 0, 1);
+  const alive = [plannedFrame(0, 0, 0), plannedFrame(0, 0, 1)], dead = [plannedFrame(2, 4, 5), plannedFrame(2, 4, 6)];
+  for (const make of [() => new SwingCurves(), () => new Footholds(), () => new CentreOfMass()]) {
+    const rangesOf = (samples: Frame[]): number[] => {
+      const overlay = make();
+      overlay.update(pictureOf(frame, samples));
+      const found: number[] = [];
+      overlay.root.traverse((one) => {
+        if (one instanceof THREE.LineSegments) found.push(one.geometry.drawRange.count);
+        if (one instanceof THREE.InstancedMesh) found.push(one.count);
+      });
+      return found;
+    };
+    assert.deepEqual(rangesOf([...alive, ...dead]), rangesOf(alive));
+    assert.notDeepEqual(rangesOf(alive), rangesOf([]));
+  }
 });

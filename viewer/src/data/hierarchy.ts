@@ -1,6 +1,6 @@
 import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
-import { scalar, type Frame } from "./frame.ts";
+import { scalar, word, type Frame } from "./frame.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
 
@@ -66,13 +66,17 @@ export function levelStates(frame: Frame): LevelState[] {
   });
 }
 
-/** False where no hierarchy was solved: what is planned is then of the last tick at which one was. */
-export const wasSolved = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT;
+/** Modes of a command that follows no plan any more. */
+const STOPPED = ["sit", "damping"];
+
+/** False where no hierarchy was solved: what is planned is then of the last tick at which one was. False also where the controller has stopped for
+ * safety, be it at this very tick, behind the solver: what was planned and solved commands nothing then. */
+export const isFollowed = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT && !STOPPED.includes(word(frame, "command.mode"));
 
 /** How many of the highest levels are at their optimum: of a solve that was cut off the numbers of others say nothing. */
 function solvedLevels(frame: Frame): number {
   const status = scalar(frame, "hierarchy.status"), failed = scalar(frame, "hierarchy.failed_level");
-  if (status === INVALID_INPUT) return 0;
+  if (!isFollowed(frame)) return 0;
   return status === ITERATION_CAP && failed >= 0 ? failed : Infinity;
 }
 
@@ -91,7 +95,13 @@ export interface Account {
   first: string[];
   /** That, and each level that gives way, and to which, or what is held back without that. */
   whole: string;
+  /** A sentence for each of these levels, with its rows. */
   more: string[];
+}
+
+/** What is to be had beside the line, where there are sentences on levels. */
+export function detailsOf({ line, first, more }: Account): string[] {
+  return more.length === 0 ? [] : [...first.filter((one) => one !== line), ...more];
 }
 
 /** How far the torques are on the way from one hierarchy to another; 1: on none. */
@@ -116,7 +126,7 @@ export function accountOf(states: LevelState[], command: string, { share = 1, st
   const { line, whole } = account.kind === "good" ? same("All tasks are met.") : account; // who holds back what is minimised is not known on the way
   return {
     ...account, line: `Between two hierarchies: ${line.replace(/^All/, "all")}`, whole: `${blended} ${whole}`,
-    first: [blended, ...account.first], more: account.more.length === 0 ? [] : [blended, ...account.more],
+    first: [blended, ...account.first],
   };
 }
 

@@ -1,4 +1,11 @@
-import { secondsText } from "./numbers.ts";
+import { counted, secondsText } from "./numbers.ts";
+
+/** A log's name, and what is not as it ought to be with it: the program says where it was cut off; `damage`: what can't be read. */
+export function logText(source: string, cut: string, damage: string[]): string {
+  const pieces = damage.length === 0 ? "" : `damaged: ${counted(damage.length, "piece")} of it can't be read`;
+  const faults = [cut, pieces].filter((one) => one !== "");
+  return faults.length === 0 ? source : `${source} (${faults.join("; ")})`;
+}
 
 /** Words of the program as a sentence of the page. */
 export const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
@@ -36,8 +43,8 @@ export function recordingText(path: string, hasEnded: boolean): string {
  * that log can be read by its name. */
 export function againText(command: string, log: string, isWhole: boolean, isSteered: boolean, hasEnded = true): string {
   if (command === "") return "";
-  const whole = isWhole ? "" : " (it goes on where this log ends)";
-  if (!isSteered) return command + whole;
-  const steered = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `${hasEnded ? "" : "when the run has ended, "}surefoot replay ${log} --verify repeats it`;
-  return `${command}${whole}, without what was changed and pushed by hand: ${steered}`;
+  const repeat = log === "" ? "its log (--record) has that, and replay --verify repeats it" : `${hasEnded ? "" : "when the run has ended, "}bin/surefoot replay ${log} --verify repeats it`;
+  const steered = `without what was changed and pushed by hand: ${repeat}`;
+  const remarks = [isWhole ? "" : "it goes on where this log ends", isSteered ? steered : ""].filter((one) => one !== "");
+  return remarks.length === 0 ? command : `${command} (${remarks.join("; ")})`; // so that it can be copied
 }

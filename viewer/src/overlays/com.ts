@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { read } from "../data/frame.ts";
+import { isFollowed } from "../data/hierarchy.ts";
 import type { Palette } from "../scene/palette.ts";
 import { ON_GROUND_ORDER, paint, paintOnGround } from "./arrow.ts";
 import { convexHull, distanceOutside } from "../math/geometry.ts";
@@ -28,6 +29,8 @@ export class CentreOfMass implements Overlay {
   private readonly ring = new THREE.Mesh(new THREE.RingGeometry(0.016, 0.022, 32), this.planMaterial);
   private readonly colour = new THREE.Color();
   private readonly planColour = new THREE.Color();
+  /** The plan, seen while somebody follows it. */
+  private readonly planned = new THREE.Group();
   private readonly planTrail = new Trails(1, 255, true);
   private readonly pastTrail = new Trails(0.7, 255, true);
   private readonly planPen = new Pen(this.planTrail, this.planColour);
@@ -41,7 +44,8 @@ export class CentreOfMass implements Overlay {
     this.material.depthTest = false; // seen through the torso
     for (const mesh of [this.ball, this.plumb, this.inside, this.outside]) mesh.renderOrder = 2;
     this.ring.renderOrder = ON_GROUND_ORDER;
-    this.root.add(this.ball, this.plumb, this.inside, this.outside, this.ring, this.planTrail.lines, this.pastTrail.lines);
+    this.planned.add(this.ring, this.planTrail.lines);
+    this.root.add(this.ball, this.plumb, this.inside, this.outside, this.planned, this.pastTrail.lines);
   }
 
   wear(palette: Palette): void {
@@ -59,6 +63,7 @@ export class CentreOfMass implements Overlay {
     const ground = this.plane.height(x, y);
     this.ball.position.copy(this.com);
     this.drop(picture, ground);
+    this.planned.visible = isFollowed(picture.frame);
     this.ring.visible = read(picture.frame, "plan.com.p", this.plan);
     const [px, py] = this.plan as [number, number];
     if (this.ring.visible) this.ring.position.set(px, py, this.plane.height(px, py));
@@ -84,7 +89,8 @@ export class CentreOfMass implements Overlay {
     this.planPen.lift();
     this.pastPen.lift();
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
-      if (read(one, "plan.com.p", this.plan)) {
+      if (!isFollowed(one)) this.planPen.lift();
+      else if (read(one, "plan.com.p", this.plan)) {
         const [x, y] = this.plan as [number, number];
         this.planPen.to(this.point.set(x, y, this.plane.height(x, y)));
       }

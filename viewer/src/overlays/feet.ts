@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { scalar, type Frame } from "../data/frame.ts";
-import { wasSolved } from "../data/hierarchy.ts";
+import { isFollowed } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import type { Palette } from "../scene/palette.ts";
 import { paint } from "./arrow.ts";
@@ -16,6 +16,8 @@ export class SwingCurves implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly planned = new Trails(0.55, 1020);
+  /** Seen while somebody follows it. */
+  private readonly plan = new THREE.Group();
   private readonly real = new Trails(1, 1020);
   private readonly colours = LEGS.map(() => new THREE.Color());
   private readonly plannedPens = this.colours.map((colour) => new Pen(this.planned, colour));
@@ -25,7 +27,8 @@ export class SwingCurves implements Overlay {
   private readonly place = new THREE.Matrix4();
 
   constructor() {
-    this.root.add(this.planned.lines, this.real.lines, this.targets.mesh);
+    this.plan.add(this.planned.lines, this.targets.mesh);
+    this.root.add(this.plan, this.real.lines);
   }
 
   wear(palette: Palette): void {
@@ -34,8 +37,9 @@ export class SwingCurves implements Overlay {
 
   update(picture: Picture): void {
     const { frame } = picture;
+    this.plan.visible = isFollowed(frame);
     this.targets.begin();
-    if (wasSolved(frame)) LEGS.forEach((_, k) => {
+    if (this.plan.visible) LEGS.forEach((_, k) => {
       if (scalar(frame, LEG_CHANNELS.phase[k] as string) >= 2 && vector(frame, LEG_CHANNELS.plannedFoot[k] as string, this.foot))
         this.targets.add(this.place.setPosition(this.foot), this.colours[k] as THREE.Color);
     });
@@ -48,8 +52,10 @@ export class SwingCurves implements Overlay {
     this.real.begin();
     for (const pen of [...this.plannedPens, ...this.realPens]) pen.lift();
     source.sample(frame.time - TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 240, (one) => {
+      const isPlanned = isFollowed(one);
       for (let k = 0; k < LEGS.length; ++k) {
-        if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) (this.plannedPens[k] as Pen).to(this.foot);
+        if (!isPlanned) (this.plannedPens[k] as Pen).lift();
+        else if (vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) (this.plannedPens[k] as Pen).to(this.foot);
         if (one.time <= frame.time && vector(one, LEG_CHANNELS.foot[k] as string, this.foot)) (this.realPens[k] as Pen).to(this.foot);
       }
     });
@@ -58,7 +64,7 @@ export class SwingCurves implements Overlay {
   }
 }
 
-/** Prints where feet stand, stood, and (where the future is known) will stand. */
+/** Prints where feet stand, stood, and (where the future is known) will stand, as planned. */
 export class Footholds implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
@@ -81,6 +87,7 @@ export class Footholds implements Overlay {
   }
 
   update(picture: Picture): void {
+    this.root.visible = isFollowed(picture.frame);
     if (!picture.trails) return;
     this.collect(picture);
     this.discs.begin();
@@ -93,6 +100,7 @@ export class Footholds implements Overlay {
   private collect({ frame, source, header }: Picture): void {
     this.counts.fill(0);
     source.sample(frame.time - 4 * TRAIL_SECONDS, frame.time + TRAIL_SECONDS, 120, (one) => {
+      if (!isFollowed(one)) return;
       for (let k = 0; k < LEGS.length; ++k) {
         if (!(scalar(one, LEG_CHANNELS.phase[k] as string) <= 1) || !vector(one, LEG_CHANNELS.plannedFoot[k] as string, this.foot)) continue;
         const count = this.counts[k] as number;

@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { scalar } from "../data/frame.ts";
+import { isFollowed } from "../data/hierarchy.ts";
 import { digits } from "../data/numbers.ts";
 import { leverOf, pushesOf, type Push } from "../data/pushes.ts";
 import { forceText, toldForces, type ToldForces } from "../data/told_forces.ts";
@@ -58,7 +59,7 @@ export class WantedForces implements Overlay {
 
   update({ frame, header, newton, longest }: Picture): void {
     this.arrows.begin();
-    LEGS.forEach((_, k) => {
+    if (isFollowed(frame)) LEGS.forEach((_, k) => {
       if (!vector(frame, LEG_CHANNELS.force[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.foot[k] as string, this.point)) return;
       this.point.z -= header.robot.foot_radius;

@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { read, scalar } from "../data/frame.ts";
-import { wasSolved } from "../data/hierarchy.ts";
+import { isFollowed } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { centreOfPressure, convexHull, planeHeight, type Point3 } from "../math/geometry.ts";
 import type { Palette } from "../scene/palette.ts";
@@ -33,6 +33,7 @@ export class BelievedPlane {
 /** Where the feet stand that are to carry and, where the truth is known, touch the ground; at the ground under them. */
 export function standing({ frame, header }: Picture): Point3[] {
   const points: Point3[] = [];
+  if (!isFollowed(frame)) return points;
   for (let k = 0; k < LEGS.length; ++k) {
     const foot: Point3 = [0, 0, 0];
     if (!(scalar(frame, LEG_CHANNELS.phase[k] as string) <= 1) || scalar(frame, LEG_CHANNELS.touching[k] as string) === 0 || !read(frame, LEG_CHANNELS.foot[k] as string, foot)) continue;
@@ -96,7 +97,7 @@ export class ZeroMomentPoint implements Overlay {
   }
 
   update(picture: Picture): void {
-    const known = wasSolved(picture.frame) && this.plane.read(picture) && read(picture.frame, "plan.com.zmp", this.zmp);
+    const known = isFollowed(picture.frame) && this.plane.read(picture) && read(picture.frame, "plan.com.zmp", this.zmp);
     this.planned.visible = known;
     const [x, y] = this.zmp as [number, number];
     if (known) this.planned.position.set(x, y, this.plane.height(x, y) + 0.002);
@@ -147,7 +148,7 @@ export class TerrainPlane implements Overlay {
   }
 
   update({ frame, header }: Picture): void {
-    const known = read(frame, "plan.R_WC", this.R) && vector(frame, "plan.terrain_point", this.point);
+    const known = isFollowed(frame) && read(frame, "plan.R_WC", this.R) && vector(frame, "plan.terrain_point", this.point);
     this.root.visible = known;
     if (!known) return;
     const [a, b, c, d, e, f, g, h, i] = this.R as [number, number, number, number, number, number, number, number, number];

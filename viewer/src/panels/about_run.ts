@@ -1,4 +1,4 @@
-import { againText, recordingText } from "../data/log_words.ts";
+import { againText, logText, recordingText } from "../data/log_words.ts";
 import type { Session } from "../protocol/session.ts";
 
 /** What of a run becomes known only as it goes on. */
@@ -13,12 +13,12 @@ export interface Progress {
 }
 
 /** What a run is, in names and texts; "": not known. */
-export function aboutRun({ header, version, source, cut }: Session, { recording, hasEnded, ended, isSteered }: Progress): [string, string][] {
+export function aboutRun({ header, version, source, cut, damage }: Session, { recording, hasEnded, ended, isSteered }: Progress): [string, string][] {
   const isLog = source !== "";
   return [
     ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
     ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
-    ["Log", !isLog ? recordingText(recording, hasEnded) : cut === "" ? source : `${source} (${cut})`],
+    ["Log", !isLog ? recordingText(recording, hasEnded) : logText(source, cut, damage)],
     ["Ended", ended], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
   ];
 }

@@ -1,4 +1,4 @@
-import type { Account } from "../data/hierarchy.ts";
+import { detailsOf, type Account } from "../data/hierarchy.ts";
 import { h, say } from "./dom.ts";
 
 /** One line on what the hierarchy came to, and the rest when asked for. */
@@ -12,9 +12,10 @@ export class AccountView {
     this.root = h("div", { class: "account", id: "account" }, this.button, this.line, this.list);
   }
 
-  show({ kind, line, more }: Account): void {
-    this.root.dataset["kind"] = kind;
-    say(this.line, line);
+  show(account: Account): void {
+    const more = detailsOf(account);
+    this.root.dataset["kind"] = account.kind;
+    say(this.line, account.line);
     this.button.hidden = more.length === 0;
     this.list.hidden = this.button.hidden || this.button.getAttribute("aria-expanded") !== "true";
     while (this.list.children.length > more.length) this.list.lastElementChild?.remove();

@@ -1,6 +1,6 @@
-import { endingText } from "../data/mark_columns.ts";
+import { endingText, weightOf } from "../data/mark_columns.ts";
 import type { Player } from "../data/player.ts";
-import { part, say } from "./dom.ts";
+import { h, part, say } from "./dom.ts";
 import type { Course } from "./transport.ts";
 
 const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
@@ -20,10 +20,13 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
 /** Why a run has ended; "": it has not, or nobody knows. */
 export const endFact = (why: string): string => (why === "" ? "" : endingText(why));
 
-/** What is to be known beside it; where there is no room for all, it is told to a pointer. */
-export function showFacts(facts: string[]): void {
-  const text = facts.filter((one) => one !== "").join(" · ");
+/** What is to be known beside it; where there is no room for all, it is told to a pointer. `end`: the one of how a run ended, which is to be seen. */
+export function showFacts(facts: string[], end: string): void {
+  const told = facts.filter((one) => one !== "");
+  const text = told.join(" · ");
   const line = part("head-facts");
-  say(line, text);
-  if (line.title !== text) line.title = text;
+  if (line.textContent === text) return;
+  const weight = weightOf({ kind: "end", text: end });
+  line.replaceChildren(...told.flatMap((one, k) => [...(k === 0 ? [] : [" · "]), one === end ? h("strong", { "data-weight": weight }, one) : one]));
+  line.title = text;
 }

@@ -1,6 +1,7 @@
 import type { Commands } from "../protocol/commands.ts";
 import { orderOf, type Session, type TaskInfo, type TaskNumber } from "../protocol/session.ts";
 import { LEGS } from "../data/schema.ts";
+import { changeText } from "../data/change_words.ts";
 import { Wish } from "../data/wish.ts";
 import type { Status } from "../protocol/connection.ts";
 import { ChangeList } from "./change_list.ts";
@@ -53,7 +54,7 @@ export class TunePanel {
 
   private askFriction(): void {
     const value = takeNumber(this.friction, this.frictionNow);
-    if (value === undefined) return;
+    if (value === undefined) return this.report(`No change: the friction was no number. It is ${this.frictionNow} again.`, "error");
     this.frictionWish.ask(value);
     this.send("friction", { value }, () => this.frictionWish.drop());
   }
@@ -67,7 +68,7 @@ export class TunePanel {
 
   private send(type: string, fields: object, failed: () => void = () => {}): void {
     this.commands.send(type, fields).catch((error: Error) => {
-      this.report(error.message, "error");
+      this.report(changeText(error.message), "error");
       failed();
     });
   }
@@ -104,7 +105,7 @@ export class TunePanel {
   private table(task: TaskInfo, place: number): TaskTable {
     const key = `${task.level_name}.${task.task}`;
     const known = this.tasks.get(key);
-    const table = known ?? new TaskTable(task, (gain, failed) => this.send("gain", gain, failed));
+    const table = known ?? new TaskTable(task, (gain, failed) => this.send("gain", gain, failed), (text) => this.report(text, "error"));
     this.tasks.set(key, table);
     table.show(task, place);
     return table;
@@ -112,6 +113,7 @@ export class TunePanel {
 }
 
 type SendGain = (gain: object, failed: () => void) => void;
+type Tell = (text: string) => void;
 
 /** The numbers of a task. */
 class TaskTable {
@@ -120,9 +122,9 @@ class TaskTable {
   private readonly title = h("span", {});
   private readonly gains: GainField[];
 
-  constructor(task: TaskInfo, send: SendGain) {
+  constructor(task: TaskInfo, send: SendGain, tell: Tell) {
     const detail = task.task === task.level_name ? undefined : h("span", { class: "soft" }, ` ${plain(task.task)}`);
-    this.gains = task.numbers.map((number) => new GainField(task, number, send));
+    this.gains = task.numbers.map((number) => new GainField(task, number, send, tell));
     this.root = h("section", { class: "task" }, h("h3", {}, this.title, detail), ...this.gains.map(({ root }) => root));
   }
 
@@ -138,6 +140,9 @@ class TaskTable {
   }
 }
 
+/** A task as the program calls it in what it says of changes. */
+const taskTitle = ({ level_name: level, task }: TaskInfo): string => (level === task ? plain(level) : `${plain(level)}, ${plain(task)}`);
+
 /** Of a ratio the catalogue says "–", which reads like a number that is not known. */
 function unitText(unit: string): string {
   return unit === "–" ? "(ratio)" : unit;
@@ -152,7 +157,7 @@ class GainField {
   /** What the field said before somebody typed. */
   private said = "";
 
-  constructor(task: TaskInfo, number: TaskNumber, send: SendGain) {
+  constructor(task: TaskInfo, number: TaskNumber, send: SendGain, tell: Tell) {
     this.now = number.value;
     const range = `from ${number.min} to ${number.max} ${number.unit === "–" ? "" : number.unit}`.trimEnd();
     const hint = [number.about, range].filter((text) => text !== "").join("; ");
@@ -163,7 +168,7 @@ class GainField {
       onchange: () => {
         const value = takeNumber(this.input, this.now);
         this.said = this.input.value;
-        if (value === undefined) return;
+        if (value === undefined) return tell(`No change: ${taskTitle(task)} ${plain(number.name)} was no number. It is ${this.said}${number.unit === "–" ? "" : ` ${number.unit}`} again.`);
         this.wish.ask(value);
         send({ level: task.level_name, task: task.task, name: number.name, value }, () => this.refuse());
       },
