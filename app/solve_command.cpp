@@ -343,7 +343,7 @@ class SolveCommand {
   /// Of the first level that isn't: what is said of those below hangs on it.
   void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
                        const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
-    constexpr double kBorderline = 1e-5, kRoundingOfX = 1e6;  // as doubt() has them
+    constexpr double kBorderline = 1e-5, kRoundingOfX = 1e6;  // as what_doubles_hide() has them
     const auto level = std::ranges::find(levels, Verdict::not_judged,
                                          [](const LevelCertificate& of) { return verdict(of); });
     err_ << place << ": not judged: level " << level - levels.begin() + 1
