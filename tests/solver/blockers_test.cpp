@@ -168,7 +168,7 @@ TEST(Blockers, CostWhatIsGainedWithoutTheRowWhenAllElseStaysWhatItIs) {
   EXPECT_GT(compared, 300);
 }
 
-TEST(Blockers, MostlyCostWhatExplainFinds) {
+TEST(Blockers, OftenCostWhatExplainFinds) {
   int all = 0, same = 0, more = 0, less = 0;
   for (int seed = 0; seed < 500; ++seed) {
     const Solved solved(6, random_case(seed));
@@ -187,7 +187,8 @@ TEST(Blockers, MostlyCostWhatExplainFinds) {
       }
     }
   }
-  EXPECT_GT(same, all / 2) << more << " of " << all << " dearer than exact, " << less << " cheaper";
+  EXPECT_GT(same, 2 * all / 5) << same << " alike, " << more << " of " << all
+                               << " dearer than exact, " << less << " cheaper";
   EXPECT_GT(more, 0) << "where the row meets an inactive one";
   EXPECT_GT(less, 0) << "where other rows let go";
 }
