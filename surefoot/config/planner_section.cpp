@@ -53,8 +53,6 @@ void read_force(Section& section, ForceOptions& force) {
   section.number("ramp_up", force.ramp_up, kNotNegative);
   section.number("ramp_down", force.ramp_down, kNotNegative);
   section.flag("ramps", force.ramps);
-  section.number("unfelt", force.unfelt, kPositive);
-  section.number("felt", force.felt, kNotNegative);
   if (force.max < force.min) section.fail("max", "must not be below min");
 }
 

@@ -20,18 +20,13 @@ constexpr double kOffGround = 0.005;   // … higher than this over where it cam
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
-constexpr double kSlips = 0.3;         // a foot that carries nothing and goes faster [m/s] …
-constexpr double kGone = 0.01;         // … so far from where it came down [m] …
-constexpr double kGoneFor = 0.01;      // … for so long stands no more [s]
-constexpr double kFelt = 0.01;         // smoothing of the force that a standing foot feels [s]
-constexpr double kCarries = 2.0;       // times what a foot gets that is not felt to carry
-constexpr double kRounding = 1e-9;
-constexpr double kMoves = 0.15;   // a foot that stands is slower [m/s]
-constexpr double kUsual = 0.05;   // memory of the force on a foot in the air [s]
-constexpr double kAstray = 0.04;  // beside its reference by more, a foot could not follow [m]
-constexpr double kGoes = 0.05;    // a foot that is asked to go faster than this can be caught [m/s]
-constexpr double kLag = 0.04;     // weak or delayed drives let a foot be as late as this [s]
-constexpr double kBrake = 0.04;   // a foot follows a reference that brakes at once within this [s]
+constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
+constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
+constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;    // weak or delayed drives let a foot be as late as this [s]
+constexpr double kBrake = 0.04;  // a foot follows a reference that brakes at once within this [s]
+constexpr double kSearchBrake = 30.0;    // of a foot that begins to search [m/s²], which takes …
+constexpr double kSearchTurn = 0.04;     // … as long as this at least [s]
 constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
 constexpr double kSlowZone =
     0.03;                         // the search slows down this far before the end of its reach [m]
@@ -45,9 +40,7 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   begin_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = std::numeric_limits<double>::infinity();
   foothold_ = landed_ = p_WF;
-  light_for_ = gone_for_ = 0.0;
-  felt_ = std::max(0.0, normal_force_);
-  doubt_of_ground_ = loaded ? 0.0 : 1.0;
+  light_for_ = 0.0;
 }
 
 void LegMotion::unload(double lift_off_time) {
@@ -57,12 +50,9 @@ void LegMotion::unload(double lift_off_time) {
 
 // The ramp up goes on from where the ramp down has come to: f_max does not jump.
 void LegMotion::reload(double time) {
-  const double share = ramped_force_max(force_, since(time), lift_off_time_ - time) / force_.max;
+  const double share = force_max(time) / force_.max;
   const double along_ramp = 0.5 - std::sin(std::asin(1.0 - 2.0 * share) / 3.0);  // of smoothstep
-  const double felt = felt_, doubt = doubt_of_ground_;
   plant(time - along_ramp * force_.ramp_up, foothold_);
-  felt_ = felt;
-  doubt_of_ground_ = doubt;
 }
 
 void LegMotion::lift(double time, const SwingTarget& target) {
@@ -77,8 +67,17 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   stuck_for_ = 0.0;
 }
 
-void LegMotion::search(double time, const Vec3& p_WF, const Vec3& normal) {
-  lift(time, {p_WF, p_WF, normal, period_, 0.0});
+// From the velocity it has to that of the search, evenly: the largest acceleration of such a spline
+// is 3/2 of its mean.
+void LegMotion::search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal) {
+  const Vec3 down = -swing_.touchdown_speed * normal;
+  const double duration = std::max(kSearchTurn, 1.5 * (v_WF - down).norm() / kSearchBrake);
+  lift(time, {.start = p_WF,
+              .goal = p_WF + 0.5 * duration * (v_WF + down),
+              .normal = normal,
+              .duration = duration,
+              .straight = true,
+              .velocity = v_WF});
   phase_ = LegPhase::search;
 }
 
@@ -87,29 +86,15 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   normal_force_ = seen.normal.dot(seen.force);
   force_per_torque_ = seen.force_per_torque;
   if (!down()) return observe_swing(time, seen);
-  feel(seen);
   foothold_ = seen.foot.p;  // the sphere rolls with its shank: the foothold wanders by a centimetre
   return observe_stance(time, seen);
 }
 
-// A foot that came down is doubted until it is felt to carry, and again when it goes anywhere
-// without.
-void LegMotion::feel(const LegObservation& seen) {
-  felt_ += period_ / kFelt * (std::max(0.0, normal_force_) - felt_);
-  const bool carries = felt_ > kCarries * force_.unfelt;
-  if (carries) doubt_of_ground_ -= period_ / kFelt;
-  if (!carries && seen.foot.v.norm() > kMoves) doubt_of_ground_ += period_ / kFelt;
-  doubt_of_ground_ = std::clamp(doubt_of_ground_, 0.0, 1.0);
-  const bool goes = seen.foot.v.norm() > kSlips && (seen.foot.p - landed_).norm() > kGone;
-  gone_for_ = goes && unloaded() && phase_ == LegPhase::stance ? gone_for_ + period_ : 0.0;
-}
-
-// A leg that is told to press on a ground that is not there drives its foot away. After a hard
-// landing the estimated force lags and says little; the foot's way says more.
+// After a hard landing the estimated force lags and says little; the foot's way says more. (A foot
+// that comes down in its own time and then moves has slid off an edge, and its force says enough.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
-  const Vec3 moved = seen.foot.p - landed_;
-  if (gone_for_ > kGoneFor) return true;
   if (!curve_.target().straight || since(time) > kFliesWithin) return false;
+  const Vec3 moved = seen.foot.p - landed_;
   const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
   return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);
 }
@@ -127,11 +112,12 @@ LegEvent LegMotion::observe_swing(double time, const LegObservation& seen) {
   const SwingTarget& target = curve_.target();
   if (t > target.duration && phase_ == LegPhase::swing) {
     // The way down from the goal is of no use to a foot that is not there.
-    if (beside(time, seen.foot.p) > kAstray) search(time, seen.foot.p, target.normal);
+    if (beside(time, seen.foot.p) > kAstray) search(time, seen.foot.p, seen.foot.v, target.normal);
     phase_ = LegPhase::search;
   }
   if (is_caught(time, seen)) return LegEvent::caught;
-  if (t < swing_.armed_after * target.duration) return LegEvent::none;
+  const bool rises = t < swing_.armed_after * target.duration;
+  if (rises && phase_ == LegPhase::swing) return LegEvent::none;
   if (touches(time, seen)) return LegEvent::touchdown;
   return phase_ == LegPhase::search ? observe_search(time, seen.foot.p) : LegEvent::none;
 }
@@ -173,7 +159,8 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const Motion<Vec3> asked = reference(time);
   const Vec3& normal = curve_.target().normal;
   const double force = normal_force_ / doubt();
-  const bool arrives = since(time) > kArrivesFrom * curve_.target().duration;
+  const bool near = since(time) > kArrivesFrom * curve_.target().duration;
+  const bool arrives = near || phase_ == LegPhase::search;
   const bool behind = normal.dot(foot.p - asked.p) > touchdown_.stall_error;
   const bool stalled = arrives && behind && force > touchdown_.stall_force;
   const double descent = -normal.dot(asked.v);
@@ -228,14 +215,8 @@ LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }
 
-// A foot that is asked for much more than the ground gives it is driven away: what it is asked for
-// grows with what it is felt to carry.
 double LegMotion::force_max(double time) const {
-  if (!down()) return 0.0;
-  const double ramped = ramped_force_max(force_, since(time), lift_off_time_ - time);
-  if (!force_.ramps) return ramped;
-  const double known = force_.unfelt + force_.felt * felt_;
-  return std::min(ramped, known / std::max(doubt_of_ground_, kRounding));
+  return down() ? ramped_force_max(force_, since(time), lift_off_time_ - time) : 0.0;
 }
 
 FootPlan LegMotion::plan(double time) const {
@@ -259,6 +240,7 @@ FootPlan LegMotion::plan(double time) const {
 Motion<Vec3> LegMotion::reference(double time) const {
   Motion<Vec3> result = curve_.at(since(time));
   result.v *= search_pace_;
+  result.a *= search_pace_;
   const Vec3 r = result.p - hip_.p;
   const double length = r.norm(), reach = swing_.reach_max;
   if (length <= reach) return result;

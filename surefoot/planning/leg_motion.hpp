@@ -35,8 +35,9 @@ class LegMotion {
   void reload(double time);
   /// Leaves the ground.
   void lift(double time, const SwingTarget& target);
-  /// Goes straight down from p along −normal: a lost stance foot, or a swing to be ended at once.
-  void search(double time, const Vec3& p_WF, const Vec3& normal);
+  /// Goes straight down along −normal, from p and v on: a lost stance foot, or a swing to be ended
+  /// at once.
+  void search(double time, const Vec3& p_WF, const Vec3& v_WF, const Vec3& normal);
 
   /// Looks at the leg as it is.
   [[nodiscard]] LegEvent observe(double time, const LegObservation& seen);
@@ -53,10 +54,8 @@ class LegMotion {
   [[nodiscard]] bool unloaded() const { return normal_force_ < touchdown_.lift_off_force; }
 
  private:
-  void feel(const LegObservation& seen);
   [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
-  /// Is a standing foot in the air: it bounced, slid off, or there was no ground where it was put
-  /// down at once?
+  /// Is a foot that was put down at once in the air again: it rebounded, or there was no ground?
   [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
   [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
   /// How little the torques say of a force, by the leg's posture: a factor from 1 on.
@@ -89,11 +88,8 @@ class LegMotion {
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
-  double felt_ = 0.0;             // of it, low-passed while standing [N]
-  double doubt_of_ground_ = 0.0;  // 1: nothing tells that the foot stands on something
   double force_per_torque_ = 0.0;
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
-  double gone_for_ = 0.0;     // how long one has gone somewhere with hardly a load [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
   /// Of a swinging foot's velocity behind its reference, at the last ticks [m/s].

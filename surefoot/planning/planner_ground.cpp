@@ -168,11 +168,14 @@ bool Planner::lets_another_leg_go_first(const UserCommand& user, const Dynamics&
 
 void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::lost_contact;
-  leg(k).search(time_, dynamics.foot[index(k)].p, plane_.normal);
+  const auto searches = [&](Leg one) {
+    const PointKinematics& foot = dynamics.foot[index(one)];
+    leg(one).search(time_, foot.p, foot.v, plane_.normal);
+  };
+  searches(k);
   if (mode_ == Mode::swing) {
-    const Leg swinging = next_leg();
     probing_ = false;
-    leg(swinging).search(time_, dynamics.foot[index(swinging)].p, plane_.normal);
+    searches(next_leg());
   } else if (mode_ == Mode::support && leg(next_leg()).phase() == LegPhase::unloading) {
     leg(next_leg()).reload(time_);
   }

@@ -37,8 +37,6 @@ struct ForceOptions {
   double ramp_up = 0.10;    ///< f_max from 0 to max after a touchdown [s]
   double ramp_down = 0.15;  ///< f_max from max to 0 before a lift-off [s]
   bool ramps = true;        ///< false: no modulation, for comparison
-  double unfelt = 30.0;     ///< f_max of a foot that is not known to carry [N] …
-  double felt = 2.0;        ///< … and so many times what it is felt to carry on top
 };
 
 /// What is done about feet that slide.
