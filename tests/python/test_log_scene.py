@@ -5,11 +5,13 @@ import math
 
 import numpy as np
 import pytest
-from damaged_logs import steered
+from conftest import record
+from damaged_logs import rewritten, steered
 from foxglove_fields import FIELDS, bare, differences, schema_of
-from log_file import OPERATOR, OPERATOR_TOLD, messages
+from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from log_tools import TICKS, exported
 from mcap.reader import NonSeekingReader, make_reader
+from program import of_json
 
 
 def in_file_order(path):
@@ -55,12 +57,53 @@ def test_messages_and_schemas_have_the_fields_of_the_published_schemas(scene_fil
     assert seen == set(FIELDS)
 
 
+def events_of(log, folder):
+    """Of the scene of a log: time, message, who did it, and the level."""
+    file = folder / f"scene_of_{log.name}"
+    exported(log, "--foxglove", file, "--topics", "user", "--every", 20)
+    found = [(message.log_time, json.loads(message.data)) for _, channel, message in in_file_order(file) if channel.topic == "/events"]
+    assert all(event["timestamp"] == dict(zip(("sec", "nsec"), divmod(time, 10**9))) for time, event in found)
+    return [(round(1e-9 * time, 6), event["message"], event["name"], event["level"]) for time, event in found]
+
+
 def test_events_tell_what_the_operator_did(log, tmp_path):
-    exported(steered(log, tmp_path, OPERATOR), "--foxglove", tmp_path / "scene.mcap", "--topics", "user", "--every", 20)
-    events = [message for message in in_file_order(tmp_path / "scene.mcap") if message[1].topic == "/events"]
-    told = {round(1e-9 * message.log_time, 6): json.loads(message.data) for *_, message in events}
-    assert {time: event["message"] for time, event in told.items() if event["name"] == "operator"} == OPERATOR_TOLD
-    assert "planner" in {event["name"] for event in told.values()}
+    told = events_of(steered(log, tmp_path, OPERATOR), tmp_path)
+    assert {time: text for time, text, by, _ in told if by == "operator"} == OPERATOR_TOLD
+    assert "planner" in {by for *_, by, _ in told}
+
+
+def test_events_of_the_planner_stand_at_their_ticks(log, tmp_path):
+    names = json.loads(attachment(log, "header.json"))["event_names"]
+    happened = [(plan["time"], names[plan["event"]]) for plan in messages(log, "/plan") if plan["event"]]
+    assert [(time, text) for time, text, by, _ in events_of(log, tmp_path) if by == "planner"] == happened
+
+
+WARNING, ERROR = 3, 4
+# So hard that the controller takes its sensors for faulty.
+HIT = ["--set", "disturbances.pushes.lateral.time=0.5", "--set", "disturbances.pushes.lateral.force.y=400"]
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory):
+    return record(tmp_path_factory.mktemp("log") / "stopped.mcap", *HIT, scenario="push", duration=6)
+
+
+def test_events_tell_stops_and_the_runs_end_as_explain_does(stopped, tmp_path):
+    told = [event for event in events_of(stopped, tmp_path) if event[2] in ("controller", "run")]
+    assert [by for *_, by, _ in told] == ["controller", "run"], told
+    for time, text, by, _ in told:
+        around = of_json("explain", stopped, "--at", time)["events"]
+        assert [(event["time"], event["text"]) for event in around if event["by"] == by] == [(pytest.approx(time), text)]
+    assert told[0][1].startswith("command mode: ") and ", as " in told[0][1] and told[0][3] == WARNING
+
+
+@pytest.mark.parametrize("summary, told", [
+    ({"metrics": {"reason": "fell at 1.9975 s: tilted by more than 60°", "fell": True}}, [("the run ended: fell at 1.9975 s: tilted by more than 60°", ERROR)]),
+    ({"metrics": {"reason": "interrupted", "fell": False}}, [("the run was interrupted", 2)]),
+    ({"metrics": {"reason": None}}, []), ({"metrics": []}, []), ([], [])], ids=str)  # fmt: skip
+def test_how_a_run_ended_is_told_as_its_summary_has_it(log, tmp_path, summary, told):
+    file = rewritten(log, tmp_path / "ended.mcap", attachments={"summary.json": json.dumps(summary).encode()})
+    assert [(text, level) for _, text, by, level in events_of(file, tmp_path) if by == "run"] == told
 
 
 def test_time_never_goes_back_in_the_scenes_file(scene_file):
