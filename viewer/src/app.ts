@@ -116,7 +116,10 @@ export class App {
     }
     const { drive } = this;
     drive.onAct = () => this.showNow();
-    this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
+    this.gamepad = new GamepadInput(drive.most, {
+      walk: (walk) => drive.ask({ ...drive.walk, ...walk }), stand: () => drive.stand(), giveBack: () => drive.giveBack(),
+      tell: (text) => notes.say(text, "plain", "gamepad"),
+    });
     document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
     link.wire(this);
@@ -287,6 +290,7 @@ export class App {
   /** The run begins again: nothing of it is known yet. */
   restart(): void {
     this.player.restart();
+    this.gamepad.restart();
     this.frame = undefined;
     this.world?.clear();
     this.hierarchy.clear();
@@ -312,7 +316,7 @@ export class App {
     player.advance(dt, this.link?.rate ?? 0);
     player.source.expect(player.time, player.playing ? player.speed : 0);
     const frame = player.source.at(player.time);
-    this.gamepad.update(dt);
+    this.gamepad.update(dt, this.canAct);
     const drawn = this.draw(begin, frame);
     if (drawn && frame !== undefined) {
       this.frame = frame;
