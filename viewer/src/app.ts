@@ -2,8 +2,7 @@ import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { accountOf, blendShare, levelStates } from "./data/hierarchy.ts";
-import { commandText } from "./data/stop.ts";
+import { accountAt } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
@@ -389,7 +388,7 @@ export class App {
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const text = accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }).line;
+    const text = accountAt(frame).line;
     if (text === this.toldLevels) return;
     this.toldLevels = text;
     say(part("events"), text);

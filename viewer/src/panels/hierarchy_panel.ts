@@ -1,7 +1,6 @@
 import { scalar, type Frame } from "../data/frame.ts";
-import { accountOf, blendShare, levelStates, type LevelState } from "../data/hierarchy.ts";
+import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
-import { commandText, stopText } from "../data/stop.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
 import { AccountView } from "./account_view.ts";
@@ -60,7 +59,7 @@ export class HierarchyPanel {
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountOf(states, commandText(frame), { share: blendShare(frame), stopped: stopText(frame) !== "" }));
+    this.account.show(accountAt(frame, states));
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 
