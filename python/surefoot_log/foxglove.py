@@ -15,8 +15,9 @@ from surefoot_log.frames import LOADED, FrameMaker, nothing_to_show
 from surefoot_log.offscreen import mujoco
 from surefoot_log.log_file import SUMMARY
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull, push_arrow
-from surefoot_log.table import check_topics, written_whole
+from surefoot_log.table import check_topics
 from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
+from surefoot_log.whole_file import written_whole
 
 WORLD = "world"
 DETAIL = 0.008  # m

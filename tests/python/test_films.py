@@ -2,6 +2,7 @@
 
 import io
 import os
+import resource
 import subprocess
 import sys
 
@@ -73,6 +74,17 @@ def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
     assert "holds no tick" in complaint_of("video", without_ticks(log, tmp_path), "--out", out)
     assert "--out" in complaint_of("video", log)
     assert not out.exists() and not list(tmp_path.glob("*.partial"))
+
+
+@pytest.mark.parametrize("room", [0, 3000])
+def test_a_film_that_finds_no_room_is_told_in_a_line_and_the_one_before_stays(log, tmp_path, room):
+    file = tmp_path / "a.mp4"
+    file.write_bytes(b"the film before")
+    command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", file, "--size", "96x64", "--from", "1"]
+    environment = {**os.environ, "PYTHONPATH": f"{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room)))
+    assert done.returncode == 2 and done.stderr.splitlines()[-1] == f"surefoot: {file}: can't be written: File too large"
+    assert file.read_bytes() == b"the film before" and list(tmp_path.iterdir()) == [file]
 
 
 def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path):
