@@ -45,7 +45,7 @@ def positive(text):
     except ValueError:
         value = 0.0
     if not 0.0 < value < 1e3:
-        raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0')
+        raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0 and below 1000')
     return int(value) if value == int(value) else value
 
 

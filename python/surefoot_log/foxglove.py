@@ -119,7 +119,7 @@ def robot_entities(model, urdf, packages, cache):
     """A part a body, fixed to its frame; and notes on meshes that are not there."""
     names = {model.body(body).name: body for body in range(1, model.nbody)}
     carriers = links_below_bodies(urdf, names)
-    parts, notes = {}, []
+    parts, missing = {}, []
     for visual in visuals_of(urdf):
         if visual.link not in carriers:
             continue
@@ -128,14 +128,14 @@ def robot_entities(model, urdf, packages, cache):
             X_BV = X_BL @ visual.X_LV
             shown = {"triangles": mesh_triangles(visual, X_BV, packages, cache)} if visual.mesh else shape_of(visual, X_BV)
         except (OSError, ValueError) as error:
-            notes.append(f"{visual.link} is shown as the physics has it: {visual.mesh}: {error}")
+            missing.append((visual.link, visual.mesh, error))
             shown = physics_shapes(model, names[body])
         for kind, primitives in shown.items():
             parts.setdefault(body, {}).setdefault(kind, []).extend(primitives)
     for name, body in names.items():
         if not parts:
             parts[name] = physics_shapes(model, body)
-    return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], notes
+    return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], meshes.missing_notes(missing, packages)
 
 
 def scene_entities(frame, foot_radius, places):

@@ -28,7 +28,7 @@ def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tm
     assert list(tmp_path.iterdir()) == [file]
 
 
-@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"]])
+@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"], ["--speed", "2000"]])
 def test_a_time_or_a_rate_that_is_none_is_refused_before_the_work(log, tmp_path, wrong):
     assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", tmp_path / "x.mp4", *wrong)
 
