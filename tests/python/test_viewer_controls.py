@@ -221,6 +221,16 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     wait_for(lambda: page.run(names) == order, "the order that was", 60)
 
 
+def test_a_level_that_is_moved_down_is_named_by_the_note_and_by_that_of_its_undo(page):
+    order = page.run("surefoot.levels().map(one => one.name)")
+    moving, name, places = order[-2], order[-2].replace("_", " "), len(order)
+    page.run(f"document.querySelectorAll('.level[data-level={moving}] .movers button')[1].click()")
+    told = "[...document.querySelectorAll('.changes li')].some(one => one.textContent.includes('{}'))"
+    page.wait(told.format(f" order: {name} from {places - 1} to {places}"), 60)
+    page.press("u")
+    page.wait(told.format(f"undo: order: {name} from {places} to {places - 1}"), 60)
+
+
 def test_levels_stand_still_while_one_of_them_is_dragged(page):
     seen = "document.querySelector('#panel-hierarchy').innerText"
     drag = "document.querySelector('[data-level=swing_foot]').dispatchEvent(new DragEvent('%s', { bubbles: true, dataTransfer: new DataTransfer() }))"

@@ -105,7 +105,7 @@ export class App {
     });
     this.letCommand(live);
     this.hierarchy.fix(session.tasks.filter((task) => task.keeps_physics).map((task) => task.level_name));
-    this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
+    this.hierarchy.onOrder = (levels, level) => this.command("order", { levels, level }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {

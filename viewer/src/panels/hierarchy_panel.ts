@@ -9,7 +9,8 @@ import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
-  onOrder: (levels: string[]) => void = () => {};
+  /** `level`: the one that is moved. */
+  onOrder: (levels: string[], level: string) => void = () => {};
   private readonly account = new AccountView();
   private readonly facts = h("p", { class: "facts" });
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
@@ -83,7 +84,7 @@ export class HierarchyPanel {
     const levels = moved(this.order, name, steps);
     if (levels === undefined) return;
     this.wish.ask(levels);
-    this.onOrder(levels);
+    this.onOrder(levels, name);
   }
 
   private moveTo(name: string, place: string): void {
