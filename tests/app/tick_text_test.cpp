@@ -52,6 +52,9 @@ TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
   const std::string text = tick_text("run.mcap", unsolved());
   EXPECT_NE(text.find("No hierarchy was solved at this tick"), std::string::npos) << text;
   EXPECT_NE(text.find("because the torso tilted too far"), std::string::npos) << text;
+  EXPECT_NE(text.find("command   damping, as the torso tilted too far; largest torque"),
+            std::string::npos)
+      << text;
   for (const char* absent : {"17522", "com_xy", "No limit acts", "stance", "nan"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
 }
