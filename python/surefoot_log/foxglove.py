@@ -135,7 +135,8 @@ def robot_entities(model, urdf, packages, cache):
     for name, body in names.items():
         if not parts:
             parts[name] = physics_shapes(model, body)
-    return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], meshes.missing_notes(missing, packages)
+    entities = [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()]
+    return entities, meshes.missing_notes(missing, packages)
 
 
 def scene_entities(frame, foot_radius, places):

@@ -66,6 +66,7 @@ class Events:
         self._tell(f"command mode: {self._mode}{why and f', as {why}'}", "controller", WARNING if why else INFO)
 
     def _tell(self, text, name, level=INFO):
-        if text:
-            message = {"timestamp": shapes.moment(self._time), "level": level, "message": text, "name": name, "file": "", "line": 0}
-            self._file.write("/events", "foxglove.Log", schemas.LOG, self._time, message)
+        if not text:
+            return
+        message = {"timestamp": shapes.moment(self._time), "level": level, "message": text, "name": name, "file": "", "line": 0}
+        self._file.write("/events", "foxglove.Log", schemas.LOG, self._time, message)

@@ -203,10 +203,9 @@ def parts_in(arrays):
 
 
 def missing_notes(missing, packages):
-    """What is said of links without their meshes, `missing` by link, mesh and error: of a few a line each, of more, as where none is there,
-    one."""
+    """What is said of links without their meshes, `missing` by link, mesh and error: of a few a line each, of more one."""
     reasons = [f"{mesh}: {error.strerror if isinstance(error, OSError) else error}" for _, mesh, error in missing]
     if len(missing) <= MOST_NOTES:
         return [f"{link} is shown as the physics has it: {reason}" for (link, *_), reason in zip(missing, reasons)]
-    return [f"{len(missing)} parts of the robot are shown as the physics has them, the first of {missing[0][0]}: {reasons[0]}; meshes are "
-            f"sought in {packages} ($SUREFOOT_ROBOT_PACKAGES names another folder)"]  # fmt: skip
+    return [f"{len(missing)} parts of the robot are shown as the physics has them, the first of {missing[0][0]}: {reasons[0]}; "
+            f"meshes are sought in {packages} ($SUREFOOT_ROBOT_PACKAGES names another folder)"]  # fmt: skip

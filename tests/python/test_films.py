@@ -82,7 +82,8 @@ def test_a_film_that_finds_no_room_is_told_in_a_line_and_the_one_before_stays(lo
     file.write_bytes(b"the film before")
     command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", file, "--size", "96x64", "--from", "1"]
     environment = {**os.environ, "PYTHONPATH": f"{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}"}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room)))
+    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, **limited)
     assert done.returncode == 2 and done.stderr.splitlines()[-1] == f"surefoot: {file}: can't be written: File too large"
     assert file.read_bytes() == b"the film before" and list(tmp_path.iterdir()) == [file]
 

@@ -1,4 +1,4 @@
-"""How `surefoot export` reads logs that were cut off, damaged, or written anew by others, and how much of a log it reads at once."""
+"""How `surefoot export` reads logs that were cut off, damaged, or written anew by others, and how much it reads at once."""
 
 import json
 import struct

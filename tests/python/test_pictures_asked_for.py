@@ -60,7 +60,8 @@ def test_a_report_without_pictures_is_whole_and_says_why(log, tmp_path, fake_pyt
 
 def test_a_report_is_there_before_its_pictures_and_says_that_they_come(log, tmp_path, fake_python):
     page = tmp_path / "out/index.html"
-    python = fake_python(f'cp "{page}" "{tmp_path}/early.html"; printf strip > "$5/strip.jpg"; printf clip > "$5/clip.mp4"; {SPEAKS}')
+    pictures = f'printf strip > "$5/strip.jpg"; printf clip > "$5/clip.mp4"; {SPEAKS}'
+    python = fake_python(f'cp "{page}" "{tmp_path}/early.html"; {pictures}')
     done = program("report", log, "--out", page.parent, python=python)
     assert (done.returncode, done.stdout) == (0, f"{page}\n"), done.stderr
     assert f"{page} can be opened; its pictures are being made" in done.stderr

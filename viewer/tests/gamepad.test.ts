@@ -5,7 +5,8 @@ import { beyondDeadZone, GamepadInput } from "../src/input/gamepad.ts";
 interface Pad { connected: boolean; mapping: string; id: string; axes: number[]; buttons: { pressed: boolean }[] }
 
 const padOf = (more: Partial<Pad> = {}): Pad => ({
-  connected: true, mapping: "standard", id: "pad", axes: [0, 0, 0, 0], buttons: [{ pressed: false }, { pressed: false }], ...more,
+  connected: true, mapping: "standard", id: "pad", axes: [0, 0, 0, 0],
+  buttons: [{ pressed: false }, { pressed: false }], ...more,
 });
 
 /** Hears these gamepads; `does` is all that was asked for. */

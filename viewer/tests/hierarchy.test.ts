@@ -125,14 +125,19 @@ test("of a solve that was cut off nothing is said of the level that it was in an
 });
 
 test("of a solution that commands nothing the same is said as explain says", () => {
-  const names = { "command.mode": ["optimal", "hold", "sit", "damping"], "command.cause": ["none", "tilt", "failures", "imu"], "command.fault": ["none", "silent", "late"] };
-  const schema = schemaOf({ "hierarchy.status": 1, "hierarchy.level.first.num_rows": 1, ...Object.fromEntries(Object.keys(names).map((name) => [name, 1])) });
+  const names = {
+    "command.mode": ["optimal", "hold", "sit", "damping"], "command.cause": ["none", "tilt", "failures", "imu"],
+    "command.fault": ["none", "silent", "late"],
+  };
+  const sizes = Object.fromEntries(Object.keys(names).map((name) => [name, 1]));
+  const schema = schemaOf({ "hierarchy.status": 1, "hierarchy.level.first.num_rows": 1, ...sizes });
   for (const [name, values] of Object.entries(names)) Object.assign(schema.channel(name) as object, { values });
   for (const [solved, mode, cause, fault, text] of unusedWords as [boolean, string, string, string, string][]) {
     const words = Object.values(names).map((values, k) => values.indexOf([mode, cause, fault][k] as string));
     const table = new FrameTable(schema, 1);
     table.append(0, 0, Float32Array.from([solved ? 0 : 2, 3, ...words]), undefined);
-    assert.deepEqual([accountAt(table.frame(0)).line, accountAt(table.frame(0)).kind], [text, cause === "none" ? "none" : "bad"]);
+    const { line, kind } = accountAt(table.frame(0));
+    assert.deepEqual([line, kind], [text, cause === "none" ? "none" : "bad"]);
   }
 });
 

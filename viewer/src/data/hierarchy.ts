@@ -91,8 +91,10 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
 /** Of a tick at which no level is at its optimum, or whose solution commands nothing, in the words of `explain`. */
 export function nothingText(frame: Frame, states: LevelState[]): string {
   if (isFollowed(frame)) return solvedLevels(frame) === 0 ? cutOffText(states[0]) : "No level is solved.";
-  const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT ? "No hierarchy was solved at this tick" : "The controller stopped at this tick, and what was solved was not used";
-  return `${begin}: the command is that of the mode ${word(frame, "command.mode")}, because ${stopText(frame) || "there was no state to believe"}.`;
+  const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT
+    ? "No hierarchy was solved at this tick" : "The controller stopped at this tick, and what was solved was not used";
+  const why = stopText(frame) || "there was no state to believe";
+  return `${begin}: the command is that of the mode ${word(frame, "command.mode")}, because ${why}.`;
 }
 
 const cutOffText = (level: LevelState | undefined): string =>
