@@ -223,9 +223,13 @@ void LiveOperator::order(const ViewCommand& command) {
     throw Error(text("an order of ", command.levels.size(), " levels; valid is one of all ",
                      control.stack.levels.size(), ", each once"));
   }
+  if (!command.level.empty()) (void)find_level(control.stack, command.level);
   control.stack.levels = std::move(levels);
   check_order(control.stack);
-  want(std::move(control), "");
+  const std::vector<std::string> moved = command.level.empty()
+                                             ? moved_levels(wishes_.control.stack, control.stack)
+                                             : std::vector{command.level};
+  want(std::move(control), "", moved);
 }
 
 void LiveOperator::friction(const ViewCommand& command) {
@@ -240,24 +244,34 @@ void LiveOperator::undo() {
   wishes_.control = std::move(undo_.back().control);
   wishes_.reason = is_taken_ ? "undo: " : "";  // of what the run never had nothing is undone
   is_taken_ = false;
+  remember_moved(undo_.back().moved);
   undo_.pop_back();
   undo_count_ = static_cast<int>(undo_.size());
 }
 
-void LiveOperator::want(WantedControl control, const std::string& subject) {
+void LiveOperator::want(WantedControl control, const std::string& subject,
+                        const std::vector<std::string>& moved) {
   const auto now = std::chrono::steady_clock::now();
   const bool goes_on = !subject.empty() && !undo_.empty() && undo_.back().subject == subject &&
                        now - undo_.back().time < kOneChange;
   if (goes_on) {
     undo_.back().time = now;
   } else {
-    undo_.push_back({wishes_.control, subject, now});
+    undo_.push_back({wishes_.control, subject, now, moved});
   }
   if (undo_.size() > kMostUndo) undo_.erase(undo_.begin());
   undo_count_ = static_cast<int>(undo_.size());
+  remember_moved(moved);
   wishes_.control = std::move(control);
   wishes_.reason.clear();
   is_taken_ = false;
+}
+
+void LiveOperator::remember_moved(const std::vector<std::string>& levels) {
+  std::erase_if(wishes_.moved, [&](const std::string& name) {
+    return std::ranges::find(levels, name) != levels.end();
+  });
+  wishes_.moved.insert(wishes_.moved.begin(), levels.begin(), levels.end());
 }
 
 bool LiveOperator::take(OperatorWishes& wishes) {
@@ -288,7 +302,8 @@ void LiveOperator::begin(std::vector<std::string> bodies) {
              .pull_ends = {},
              .walk = {},
              .control = scenario_control_,
-             .reason = {}};
+             .reason = {},
+             .moved = {}};
   undo_.clear();
   undo_count_ = 0;
   ended_.clear();

@@ -41,7 +41,8 @@ struct OperatorWishes {
   std::chrono::steady_clock::time_point pull_ends;
   std::optional<UserCommand> walk;  ///< none: as the scenario says
   WantedControl control;
-  std::string reason;  ///< of the last change of `control`: "", or "undo: "
+  std::string reason;              ///< of the last change of `control`: "", or "undo: "
+  std::vector<std::string> moved;  ///< levels, also by an undo; the latest first
 };
 
 /// Takes the operator's commands, on the server's thread, and says what is wrong with them; the run
@@ -81,6 +82,7 @@ class LiveOperator {
     WantedControl control;
     std::string subject;  // what was changed, so that a slider's steps are one
     std::chrono::steady_clock::time_point time;
+    std::vector<std::string> moved;  // levels
   };
 
   void step(int ticks);
@@ -91,7 +93,9 @@ class LiveOperator {
   void order(const ViewCommand& command);
   void friction(const ViewCommand& command);
   void undo();
-  void want(WantedControl control, const std::string& subject);
+  void want(WantedControl control, const std::string& subject,
+            const std::vector<std::string>& moved = {});
+  void remember_moved(const std::vector<std::string>& levels);
   void check_body(const std::string& body) const;
 
   const WantedControl scenario_control_;

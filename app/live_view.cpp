@@ -151,8 +151,7 @@ void LiveView::take_control(double time) {
     present_.friction = wishes_.control.friction;
     feed_.set_control(present_.stack, present_.friction, tick_);
   }
-  const std::string text =
-      change_text(present_.stack, wishes_.control.stack, !wishes_.reason.empty());
+  const std::string text = change_text(present_.stack, wishes_.control.stack, wishes_.moved);
   is_pending_ = !text.empty() && !change_stack(wishes_.reason + text, time);
   tell_pending(is_pending_ ? wishes_.reason + text : "");
 }
@@ -168,8 +167,7 @@ std::string LiveView::control_text() const {
   std::string text;
   if (wishes_.control.friction != present_.friction)
     text = "friction " + change_text(present_.friction, wishes_.control.friction);
-  const std::string stack =
-      change_text(present_.stack, wishes_.control.stack, !wishes_.reason.empty());
+  const std::string stack = change_text(present_.stack, wishes_.control.stack, wishes_.moved);
   if (!text.empty() && !stack.empty()) text += "; ";
   text += stack;
   return text.empty() ? "" : wishes_.reason + text;

@@ -20,12 +20,13 @@ std::string reason() { return std::strerror(errno); }
 void probe(const fs::path& folder, const fs::path& shown) {
   const fs::path trial = folder / (".surefoot-" + std::to_string(getpid()));
   errno = 0;
-  if (!(std::ofstream(trial) << '\n').flush()) {
-    throw FileError(shown.string() + ": can't be written: " + reason() +
-                    "; a place where you may write would be valid");
-  }
+  const bool is_written = static_cast<bool>((std::ofstream(trial) << '\n').flush());
+  const std::string why = reason();
   std::error_code ignored;
-  fs::remove(trial, ignored);
+  fs::remove(trial, ignored);  // also where there is no room: then it is empty
+  if (is_written) return;
+  throw FileError(shown.string() + ": can't be written: " + why +
+                  "; a place where you may write and that has room would be valid");
 }
 
 void remove_file(const fs::path& file) {

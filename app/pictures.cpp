@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -127,8 +128,17 @@ bool film(const std::string& log, const std::string& file) {
   return run_python({"video", log, "--out", file}, {.out = "/dev/null", .err = {}}) == 0;
 }
 
-std::string write_illustrated_report(const std::string& log, const std::string& folder) {
-  return write_report(log, folder, make_pictures(log));
+std::string write_illustrated_report(const std::string& log, const std::string& folder,
+                                     const std::function<void(const std::string&)>& is_there) {
+  if (pictures_python().empty()) return write_report(log, folder, make_pictures(log));
+  return write_report_before_pictures(log, folder, [&](const std::string& page) {
+    if (is_there) is_there(page);
+    return make_pictures(log);
+  });
+}
+
+void tell_pictures_come(const std::string& page) {
+  std::fprintf(stderr, "report: %s can be opened; its pictures are being made\n", page.c_str());
 }
 
 }  // namespace surefoot

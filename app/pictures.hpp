@@ -2,6 +2,7 @@
 
 #include "surefoot/view/report.hpp"
 
+#include <functional>
 #include <string>
 
 namespace surefoot {
@@ -20,7 +21,13 @@ void check_can_film(const std::string& file);
 /// Films a log. False if that failed, which is then told on standard error.
 [[nodiscard]] bool film(const std::string& log, const std::string& file);
 
-/// Writes the report of a log with its pictures. Returns the page's path; throws as `write_report`.
-std::string write_illustrated_report(const std::string& log, const std::string& folder);
+/// Writes the report of a log, then its pictures into it; `is_there` gets the path of the page that
+/// has none yet. Returns the page's path; throws as `write_report`.
+std::string write_illustrated_report(
+    const std::string& log, const std::string& folder,
+    const std::function<void(const std::string& page)>& is_there = {});
+
+/// Of a page that has no pictures yet, on standard error.
+void tell_pictures_come(const std::string& page);
 
 }  // namespace surefoot

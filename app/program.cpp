@@ -150,6 +150,12 @@ Examples:
 )";
 }
 
+/// An empty name would count as none.
+CLI::Validator some_name() {
+  return CLI::Validator(
+      [](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, "");
+}
+
 void add_run(CLI::App& app, Command& chosen) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario and judge it by its criteria");
   run->footer(kRunFooter);
@@ -168,11 +174,14 @@ void add_run(CLI::App& app, Command& chosen) {
                   "each with its own; the scenario's name stands before it")
       ->take_all()
       ->expected(1);
-  run->add_option("--record", arguments->record, "Write the log to this file (MCAP)");
+  run->add_option("--record", arguments->record, "Write the log to this file (MCAP)")
+      ->check(some_name());
   run->add_option("--report", arguments->report,
-                  "Write an HTML report into this folder, and its log unless --record keeps it");
+                  "Write an HTML report into this folder, and its log unless --record keeps it")
+      ->check(some_name());
   run->add_option("--video", arguments->video,
-                  "Film the run into this file (MP4), as `surefoot video` does of its log");
+                  "Film the run into this file (MP4), as `surefoot video` does of its log")
+      ->check(some_name());
   run->add_flag("--check", arguments->check,
                 "Read the scenario and say what is wrong; run nothing");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
@@ -200,7 +209,7 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required();
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
-      std::cout << write_illustrated_report(*log, *folder) << "\n";
+      std::cout << write_illustrated_report(*log, *folder, tell_pictures_come) << "\n";
       return static_cast<int>(kPassed);
     };
   });

@@ -115,10 +115,17 @@ int exit_code(const Scenario& scenario, const std::vector<Json>& runs) {
   return std::ranges::any_of(runs, stopped) ? kSafetyStop : kFailed;
 }
 
-/// The run's result stands whatever became of its film.
-void tell_film(bool done, const std::string& file) {
-  std::fprintf(stderr, done ? "video: %s\n" : "surefoot: warning: %s was not filmed\n",
-               file.c_str());
+/// The run's result stands whatever became of its film. `log`: of the run; empty: it is not kept.
+void tell_film(bool done, const std::string& file, const std::string& log) {
+  if (done) {
+    std::fprintf(stderr, "video: %s\n", file.c_str());
+    return;
+  }
+  const std::string again = log.empty()
+                                ? "--record FILE keeps the log, of which surefoot video "
+                                  "makes the film later"
+                                : "surefoot video " + log + " --out " + file + " tries again";
+  std::fprintf(stderr, "surefoot: warning: %s was not filmed; %s\n", file.c_str(), again.c_str());
 }
 
 /// A run before the eyes of those who open its page.
@@ -158,9 +165,11 @@ int run_one(const RunArguments& arguments) {
   }
   if (result.ending == Ending::interrupted) report_interrupt(place.is_kept() ? log : "");
   if (!arguments.report.empty()) {
-    std::fprintf(stderr, "report: %s\n", write_illustrated_report(log, arguments.report).c_str());
+    const std::string page = write_illustrated_report(log, arguments.report, tell_pictures_come);
+    std::fprintf(stderr, "report: %s\n", page.c_str());
   }
-  if (!arguments.video.empty()) tell_film(film(log, arguments.video), arguments.video);
+  if (!arguments.video.empty())
+    tell_film(film(log, arguments.video), arguments.video, place.is_kept() ? log : "");
   const Json json = run_json(scenario, result);
   print(arguments, json, run_table(scenario, json));
   return exit_code(scenario, {json});

@@ -79,7 +79,7 @@ std::string command(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   std::string out(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
-  if (!why.empty()) out += " (" + why + ")";
+  if (!why.empty()) out += ", as " + why;
   if (has_wishes(explanation)) out += ", but for contact forces that no ground gives";
   return out + "; " + largest_torque(explanation) + "; " + faults(tick.health);
 }

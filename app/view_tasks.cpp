@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <ranges>
 #include <sstream>
 #include <utility>
@@ -46,28 +47,40 @@ std::size_t place(const Names& names, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()) + 1;
 }
 
-/// The longest part of an order that stands as it did before; of two the one that lets others rise.
-Names stayed(const Names& order, const Names& before) {
-  std::vector<Names> parts;  // the longest that ends with each name
-  for (const std::string& name : order) {
-    Names longest;
-    for (const Names& part : parts) {
-      const bool goes_on = place(before, part.back()) < place(before, name);
-      if (goes_on && part.size() >= longest.size()) longest = part;
-    }
-    longest.push_back(name);
-    parts.push_back(std::move(longest));
-  }
-  return *std::ranges::max_element(parts | std::views::reverse, {}, &Names::size);
+/// Names of an order, and how well they are told as those that did not move.
+struct Part {
+  Names names;
+  std::uint64_t weight = 0;
+};
+
+/// More names weigh more, whichever; of as many those that were not moved, or long ago.
+std::uint64_t weight(const std::string& name, const Names& moved) {
+  static_assert(kMaxLevels < 32);
+  const std::size_t k = place(moved, name);
+  return (std::uint64_t{1} << 32) - (k > moved.size() || k > 31 ? 0 : std::uint64_t{1} << (31 - k));
 }
 
-/// What moved: as few levels as tell it.
-std::string order_text(const StackOptions& before, const StackOptions& after, bool is_undo) {
+/// The longest part of an order that stands as it did before; of several that without the levels
+/// that were `moved`, the latest first; then the one that lets others rise.
+Names stayed(const Names& order, const Names& before, const Names& moved) {
+  std::vector<Part> parts;  // the best that ends with each name
+  for (const std::string& name : order) {
+    Part best;
+    for (const Part& part : parts) {
+      const bool goes_on = place(before, part.names.back()) < place(before, name);
+      if (goes_on && part.weight >= best.weight) best = part;
+    }
+    best.names.push_back(name);
+    best.weight += weight(name, moved);
+    parts.push_back(std::move(best));
+  }
+  return std::ranges::max_element(parts | std::views::reverse, {}, &Part::weight)->names;
+}
+
+std::string order_text(const StackOptions& before, const StackOptions& after, const Names& moved) {
   const Names was = level_names(before), is = level_names(after);
-  const Names rest = is_undo ? stayed(was, is) : stayed(is, was);
   std::string text;
-  for (const std::string& name : is) {
-    if (std::ranges::find(rest, name) != rest.end()) continue;
+  for (const std::string& name : moved_levels(before, after, moved)) {
     text += (text.empty() ? "" : ", ") + name + " from " + std::to_string(place(was, name)) +
             " to " + std::to_string(place(is, name));
   }
@@ -129,7 +142,16 @@ std::string change_text(double before, double after) {
   return text.str();
 }
 
-std::string change_text(const StackOptions& before, const StackOptions& after, bool is_undo) {
+std::vector<std::string> moved_levels(const StackOptions& before, const StackOptions& after,
+                                      const std::vector<std::string>& moved) {
+  Names names = level_names(after);
+  const Names rest = stayed(names, level_names(before), moved);
+  std::erase_if(names, [&](const auto& name) { return place(rest, name) <= rest.size(); });
+  return names;
+}
+
+std::string change_text(const StackOptions& before, const StackOptions& after,
+                        const std::vector<std::string>& moved) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const LevelSpec& level : after.levels) {
@@ -143,7 +165,7 @@ std::string change_text(const StackOptions& before, const StackOptions& after, b
       }
     }
   }
-  if (!has_same_order(before, after)) add(order_text(before, after, is_undo));
+  if (!has_same_order(before, after)) add(order_text(before, after, moved));
   return text;
 }
 

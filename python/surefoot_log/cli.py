@@ -21,7 +21,7 @@ their unit behind them, plan.feet.LF.p_WF.x[m], in Parquet with unit and descrip
 change their length from tick to tick (rows at a bound, blocked_by) are left out.
 
 The file for Foxglove and Lichtblick has frame transforms (/tf), the robot, the ground, forces and support
-polygon (/scene/…), events, and the log's own topics beside them.
+polygon (/scene/…), events and stops (/events), and the log's own topics beside them.
 
 Exit codes: 0 written, 2 the log can't be read or the file not be written.
 
@@ -45,7 +45,7 @@ def positive(text):
     except ValueError:
         value = 0.0
     if not 0.0 < value < 1e3:
-        raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0')
+        raise argparse.ArgumentTypeError(f'"{text}" is not a number above 0 and below 1000')
     return int(value) if value == int(value) else value
 
 

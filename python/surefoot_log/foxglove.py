@@ -9,19 +9,20 @@ from surefoot_campaign.errors import InputError
 from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
 from surefoot_log import meshes
+from surefoot_log.foxglove_events import Events
 from surefoot_log.foxglove_ground import ground_entity
 from surefoot_log.frames import LOADED, FrameMaker, nothing_to_show
 from surefoot_log.offscreen import mujoco
-from surefoot_log.operator_text import heading_of, operator_text
+from surefoot_log.log_file import SUMMARY
 from surefoot_log.overlays import COM, METRES_PER_NEWTON, POLYGON, PUSH, colour_of_use, hull, push_arrow
-from surefoot_log.table import check_topics, written_whole
+from surefoot_log.table import check_topics
 from surefoot_log.urdf_visuals import file_of, links_below_bodies, visuals_of
+from surefoot_log.whole_file import written_whole
 
 WORLD = "world"
 DETAIL = 0.008  # m
 SCENE_EVERY = 10  # ticks
 PLAIN = (0.6, 0.62, 0.65, 1.0)
-INFO = 2  # level of a foxglove.Log
 
 
 class SceneFile:
@@ -118,7 +119,7 @@ def robot_entities(model, urdf, packages, cache):
     """A part a body, fixed to its frame; and notes on meshes that are not there."""
     names = {model.body(body).name: body for body in range(1, model.nbody)}
     carriers = links_below_bodies(urdf, names)
-    parts, notes = {}, []
+    parts, missing = {}, []
     for visual in visuals_of(urdf):
         if visual.link not in carriers:
             continue
@@ -127,14 +128,15 @@ def robot_entities(model, urdf, packages, cache):
             X_BV = X_BL @ visual.X_LV
             shown = {"triangles": mesh_triangles(visual, X_BV, packages, cache)} if visual.mesh else shape_of(visual, X_BV)
         except (OSError, ValueError) as error:
-            notes.append(f"{visual.link} is shown as the physics has it: {visual.mesh}: {error}")
+            missing.append((visual.link, visual.mesh, error))
             shown = physics_shapes(model, names[body])
         for kind, primitives in shown.items():
             parts.setdefault(body, {}).setdefault(kind, []).extend(primitives)
     for name, body in names.items():
         if not parts:
             parts[name] = physics_shapes(model, body)
-    return [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()], notes
+    entities = [shapes.entity(f"robot {name}", name, 0, locked=True, **primitives) for name, primitives in parts.items()]
+    return entities, meshes.missing_notes(missing, packages)
 
 
 def scene_entities(frame, foot_radius, places):
@@ -163,16 +165,17 @@ def write_scene(log, path, packages, cache=None, topics=None, every=1):
     robot, notes = robot_entities(model, log.text("robot.urdf"), packages, cache)
     maker = FrameMaker(log.header, max(every, SCENE_EVERY))
     with written_whole(path) as partial, SceneFile(partial) as file:
-        scene, copies = Scene(file, log, model, robot), Copies(file, log, topics, every)
+        scene, copies, events = Scene(file, log, model, robot), Copies(file, log, topics, every), Events(file, log.header)
         for _, messages in log.by_time():
             copies.write(messages)
-            scene.write_changes(messages)
+            events.see(messages)
             frame = maker.frame(messages)
             if frame is not None:
                 scene.write(frame)
         check_topics(topics, {channel.topic for channel in log.channels.values()})
         if not scene.has_begun:
             raise nothing_to_show(log)
+        events.end(log.attachments.get(SUMMARY))
         for name, data in log.attachments.items():
             file.add_attachment(name, "application/json" if name.endswith(".json") else "text/plain", data)
     if not maker.has_truth:
@@ -188,7 +191,6 @@ class Scene:
         self._data = mujoco.MjData(model)
         self._foot_radius = log.header["robot"]["foot_radius"] or 0.03
         self.has_begun = False
-        self._state, self._is_pulled = None, False
 
     def _begin(self, frame, time):
         if len(frame.qpos) > self._model.nq:
@@ -205,24 +207,6 @@ class Scene:
         mujoco.mj_kinematics(self._model, self._data)
         self._file.write("/tf", "foxglove.FrameTransforms", schemas.FRAME_TRANSFORMS, time, {"transforms": transforms(self._model, self._data, time)})
         self._file.update_scene("/scene/forces", time, scene_entities(frame, self._foot_radius, self._data.xipos))
-        if frame.event:
-            self._tell(time, frame.event, "planner")
-
-    def write_changes(self, messages):
-        """What the operator of a run that was steered did, of a pull its begin and its end; of the messages of one time."""
-        for topic, time, data in messages:
-            if topic != "/changes":
-                continue
-            change = json.loads(bytes(data))
-            is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
-            if not (pulls and self._is_pulled):
-                self._tell(time, operator_text(change, heading_of(self._state)), "operator")
-            self._is_pulled = pulls if is_pull else self._is_pulled
-        self._state = next((message.data for message in messages if message.topic == "/state"), self._state)
-
-    def _tell(self, time, text, name):
-        message = {"timestamp": shapes.moment(time), "level": INFO, "message": text, "name": name, "file": "", "line": 0}
-        self._file.write("/events", "foxglove.Log", schemas.LOG, time, message)
 
 
 class Copies:

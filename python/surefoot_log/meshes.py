@@ -15,6 +15,7 @@ import numpy as np
 CELL = 0.005  # m: points of one material in a cell of this size become one
 UNKNOWN = (0.25, 0.26, 0.28, 1.0)  # colour where a file names none
 CACHE_FORMAT = "4"
+MOST_NOTES = 3  # of meshes that are missing
 
 
 @dataclass(frozen=True)
@@ -199,3 +200,12 @@ def unpacked(path):
 def parts_in(arrays):
     return [Part(arrays[f"v{i}"], arrays[f"f{i}"], tuple(arrays[f"c{i}"].tolist()), arrays.get(f"t{i}"), str(arrays[f"i{i}"]))
             for i in range(int(arrays["count"]))]  # fmt: skip
+
+
+def missing_notes(missing, packages):
+    """What is said of links without their meshes, `missing` by link, mesh and error: of a few a line each, of more one."""
+    reasons = [f"{mesh}: {error.strerror if isinstance(error, OSError) else error}" for _, mesh, error in missing]
+    if len(missing) <= MOST_NOTES:
+        return [f"{link} is shown as the physics has it: {reason}" for (link, *_), reason in zip(missing, reasons)]
+    return [f"{len(missing)} parts of the robot are shown as the physics has them, the first of {missing[0][0]}: {reasons[0]}; "
+            f"meshes are sought in {packages} ($SUREFOOT_ROBOT_PACKAGES names another folder)"]  # fmt: skip

@@ -14,6 +14,7 @@ from surefoot_log.moments import Span, shortened, span_of_interest
 from surefoot_log.painter import painter
 from surefoot_log.scene import dress
 from surefoot_log.strip import LETTERS, QUALITY, TILE, make_strip
+from surefoot_log.whole_file import written_whole
 
 EVENT_SHOWN, GAVE_WAY_SHOWN = 1.2, 0.4  # s
 # Of a report: small, and made in some seconds.
@@ -100,13 +101,8 @@ def make_film(log, path, size=(1280, 720), rate=25, speed=1, first=None, last=No
     span = Span(max(begin, span.first), min(end, span.last))
     scene = dressed(log, run, size, detail=0.005)
     camera = Camera(run.frames)
-    partial = pathlib.Path(f"{path}.partial")
-    try:
-        with painter(scene, run.header, size) as artist:
-            write_film(run, lambda frame: artist.paint(frame, camera), partial, span, rate, speed, size, progress)
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
+    with painter(scene, run.header, size) as artist, written_whole(path) as partial:
+        write_film(run, lambda frame: artist.paint(frame, camera), partial, span, rate, speed, size, progress)
     return Made([path], span=span, notes=scene.notes)
 
 

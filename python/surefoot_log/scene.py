@@ -67,7 +67,7 @@ def set_ground(spec):
 def add_robot(spec, urdf, packages, load):
     bodies = {body.name: body for body in spec.bodies if body.name}
     carriers = links_below_bodies(urdf, bodies)
-    notes, dressed, kept = [], set(), {}
+    missing, dressed, kept = [], set(), {}
     for visual in visuals_of(urdf):
         if visual.link not in carriers:
             continue
@@ -76,9 +76,9 @@ def add_robot(spec, urdf, packages, load):
             add_visual(spec, bodies[name], X_BL @ visual.X_LV, visual, packages, load, kept)
             dressed.add(name)
         except (OSError, ValueError) as error:
-            notes.append(f"{visual.link} is shown as the physics has it: {visual.mesh}: {error.strerror if isinstance(error, OSError) else error}")
+            missing.append((visual.link, visual.mesh, error))
     hide_physics(bodies, dressed)
-    return notes
+    return meshes.missing_notes(missing, packages)
 
 
 def hide_physics(bodies, dressed):

@@ -1,8 +1,7 @@
 """A log as one table: a row a tick, a column a channel. It goes from the log into the files in parts, whatever its length."""
 
 import json
-import os
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from itertools import islice
 
 import pyarrow as pa
@@ -11,6 +10,7 @@ import pyarrow.parquet
 
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.channels import Flattener
+from surefoot_log.whole_file import written_whole
 
 TYPES = {"number": pa.float64(), "integer": pa.int64(), "boolean": pa.bool_(), "text": pa.string()}
 TICK = "/state"  # the topic whose messages say which ticks there are
@@ -121,20 +121,6 @@ class Csv:
 
 def parquet_writer(path, schema):
     return Grouped(pyarrow.parquet.ParquetWriter(path, schema, compression="zstd"))
-
-
-@contextmanager
-def written_whole(path):
-    """Gives another name to write to, so that nothing partial ever has the file's."""
-    partial = f"{path}.partial"
-    try:
-        yield partial
-        os.replace(partial, path)
-    except OSError as error:
-        raise InputError(f"{path}: can't be written: {error.strerror or error}") from None
-    finally:
-        if os.path.exists(partial):
-            os.remove(partial)
 
 
 def write_table(table, files):

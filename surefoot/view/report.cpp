@@ -1,5 +1,6 @@
 #include "surefoot/view/report.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/view/captions.hpp"
 #include "surefoot/view/outcome.hpp"
 #include "surefoot/view/report_blockers.hpp"
@@ -9,6 +10,8 @@
 #include "surefoot/view/report_page.hpp"
 #include "surefoot/view/report_pictures.hpp"
 #include "surefoot/view/run_data.hpp"
+
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -61,25 +64,55 @@ std::string hierarchy(const RunData& run, Figures& figure) {
   return out + figure(report::timing_figure(run), report::timing_caption(run));
 }
 
-std::string body(const RunData& run, const ReportPictures& pictures) {
+/// A page without its pictures, which stand between its two parts.
+struct Page {
+  std::string title, above, below;
+};
+
+Page read_page(const std::string& log_path) {
+  const RunData run = read_run(log_path);
   const report::Outcome outcome = report::read_outcome(run.summary, run.header.options);
   Figures figure;
-  std::string out = report::title(run.header) + report::verdict(run, outcome);
-  out += report::pictures(pictures);
-  out += "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run, outcome);
-  out += motion(run, figure);
-  out += forces(run, figure);
-  out += hierarchy(run, figure);
-  return out;
+  std::string below =
+      "<h2>Numbers</h2>\n" + report::numbers(outcome) + report::provenance(run, outcome);
+  below += motion(run, figure);
+  below += forces(run, figure);
+  below += hierarchy(run, figure);
+  return {run.header.scenario + " – surefoot",
+          report::title(run.header) + report::verdict(run, outcome), std::move(below)};
 }
+
+void write(const std::string& path, const Page& page, const ReportPictures& pictures) {
+  report::write_page(
+      path, report::page(page.title, page.above + report::pictures(pictures) + page.below));
+}
+
+std::string path_in(const std::string& output_dir) { return output_dir + "/index.html"; }
 
 }  // namespace
 
 std::string write_report(const std::string& log_path, const std::string& output_dir,
                          const ReportPictures& pictures) {
-  const RunData run = read_run(log_path);
-  const std::string path = output_dir + "/index.html";
-  report::write_page(path, report::page(run.header.scenario + " – surefoot", body(run, pictures)));
+  write(path_in(output_dir), read_page(log_path), pictures);
+  return path_in(output_dir);
+}
+
+std::string write_report_before_pictures(
+    const std::string& log_path, const std::string& output_dir,
+    const std::function<ReportPictures(const std::string& page)>& make) {
+  const Page page = read_page(log_path);
+  const std::string path = path_in(output_dir);
+  ReportPictures pictures;
+  pictures.are_coming = true;
+  write(path, page, pictures);
+  pictures = make(path);
+  try {
+    write(path, page, pictures);
+  } catch (const FileError& error) {
+    pictures = {};
+    pictures.why_none = error.what();
+    write(path, page, pictures);
+  }
   return path;
 }
 

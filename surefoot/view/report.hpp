@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct ReportPictures {
   double first = 0.0, last = 0.0;    ///< of the run, that the clip shows [s]
   std::vector<std::string> notes{};  ///< what they don't show as it is
   std::string why_none{};            ///< in words; empty where there are pictures
+  bool are_coming = false;           ///< they are being made
 };
 
 /// Writes OUTPUT_DIR/index.html from a log alone: one page without scripts or network, with the
@@ -24,5 +26,12 @@ struct ReportPictures {
 /// Throws FileError if the log can't be read or the page can't be written.
 std::string write_report(const std::string& log_path, const std::string& output_dir,
                          const ReportPictures& pictures = {});
+
+/// The same in two steps, as pictures take a while: the page is there before they are made, which
+/// it says, and again with them. `make` gets its path. A page that finds no room for them stays
+/// without, and says why.
+std::string write_report_before_pictures(
+    const std::string& log_path, const std::string& output_dir,
+    const std::function<ReportPictures(const std::string& page)>& make);
 
 }  // namespace surefoot

@@ -63,6 +63,10 @@ std::string base64(const std::string& bytes) {
 
 std::string pictures(const ReportPictures& pictures) {
   std::string out = strip(pictures) + clip(pictures);
+  if (pictures.are_coming)
+    out +=
+        "<p class=\"soft\">They are being made: load this page again in a while. If this stays so, "
+        "<code>surefoot report</code> makes them of the log.</p>\n";
   if (!pictures.why_none.empty())
     out += "<p class=\"soft\">No pictures: " + plot::escape(pictures.why_none) + "</p>\n";
   for (const std::string& note : pictures.notes)

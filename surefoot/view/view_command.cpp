@@ -108,6 +108,7 @@ void read_order(const json& message, ViewCommand& command) {
     throw BadMessage{"\"levels\" must be a list of names"};
   }
   for (const json& level : levels) command.levels.push_back(text(level, "levels"));
+  if (message.contains("level")) command.level = text_of(message, "level");
 }
 
 void read_push(const json& message, ViewCommand& command) {

@@ -173,6 +173,24 @@ TEST(LiveControl, an_undo_that_waits_stays_one_whatever_else_is_done_meanwhile) 
   EXPECT_TRUE(undone.starts_with("undo: order: " + lowest + " from ")) << undone;
 }
 
+TEST(LiveControl, a_level_that_is_moved_down_is_told_by_its_name_and_so_is_the_undo_of_it) {
+  const test::TemporaryFolder folder;
+  LiveTestRun run({"duration=1.5"});
+  std::vector<std::string> order = level_names(run.scenario.controller.stack);
+  const std::string number = std::to_string(order.size() - 1),
+                    behind = std::to_string(order.size());
+  const std::string moved = order[order.size() - 2];
+  std::iter_swap(order.end() - 2, order.end() - 1);
+  run.at(100, {.type = Type::order, .level = moved, .levels = order});
+  run.at(300, {.type = Type::undo});
+  run.run(folder / "run.mcap");
+  std::vector<std::string> told;
+  for (const logged::Change& change : changes_of(folder / "run.mcap")) told.push_back(change.text);
+  EXPECT_EQ(told, (std::vector<std::string>{
+                      "order: " + moved + " from " + number + " to " + behind,
+                      "undo: order: " + moved + " from " + behind + " to " + number}));
+}
+
 TEST(LiveControl, torques_do_not_jump_when_a_gain_does) {
   const auto largest_step = [](bool change) {
     LiveTestRun run({"duration=3"});

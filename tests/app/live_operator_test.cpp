@@ -1,5 +1,6 @@
 #include "app/live_operator.hpp"
 
+#include "app/stack_text.hpp"
 #include "app/view_tasks.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "tests/config/messages.hpp"
@@ -119,6 +120,26 @@ TEST_F(LiveOperatorTest, an_order_must_have_all_levels_and_those_of_the_physics_
   std::iter_swap(order.end() - 1, order.end() - 2);
   EXPECT_EQ(asked(order), "");
   EXPECT_EQ(taken().control.stack.levels.back().name, order.back());
+}
+
+TEST_F(LiveOperatorTest, the_level_that_was_moved_is_known_also_of_an_undo) {
+  std::vector<std::string> order = level_names(scenario_.controller.stack);
+  const std::string upper = order[order.size() - 2], lower = order.back();
+  std::iter_swap(order.end() - 1, order.end() - 2);
+  const auto moved = [&](const ViewCommand& command) {
+    EXPECT_EQ(operator_.command(command), "");
+    return taken().moved;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(moved({.type = Type::order, .level = upper, .levels = order}), Names{upper});
+  std::iter_swap(order.end() - 1, order.end() - 2);
+  EXPECT_EQ(moved({.type = Type::order, .level = lower, .levels = order}), (Names{lower, upper}));
+  EXPECT_EQ(moved({.type = Type::undo}), (Names{lower, upper}));
+  EXPECT_EQ(moved({.type = Type::undo}), (Names{upper, lower}));
+  std::iter_swap(order.end() - 1, order.end() - 2);
+  EXPECT_EQ(moved({.type = Type::order, .levels = order}), (Names{lower, upper})) << "which rises";
+  const ViewCommand unknown{.type = Type::order, .level = "torso", .levels = order};
+  EXPECT_TRUE(test::holds(operator_.command(unknown), "unknown level \"torso\""));
 }
 
 TEST_F(LiveOperatorTest, undo_takes_back_change_by_change_and_a_sliders_steps_are_one) {

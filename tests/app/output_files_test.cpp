@@ -3,6 +3,10 @@
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
+#include <sys/resource.h>
+
+#include <csignal>
+
 namespace surefoot {
 namespace {
 
@@ -27,6 +31,21 @@ TEST(OutputFiles, checking_leaves_nothing_behind) {
   const test::TemporaryFolder folder;
   check_writable_file(folder / "run.mcap");
   prepare_folder(folder.path());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(OutputFiles, a_place_without_room_is_told_and_nothing_is_left_there) {
+  const test::TemporaryFolder folder;
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit none{.rlim_cur = 0, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &none), 0);
+  const std::string message = message_of([&] { check_writable_file(folder / "run.mcap"); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(holds(message, "run.mcap: can't be written: ")) << message;
+  EXPECT_TRUE(holds(message, "that has room would be valid")) << message;
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

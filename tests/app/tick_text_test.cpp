@@ -2,13 +2,16 @@
 
 #include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
+#include "surefoot/logging/message_fields.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 
 namespace surefoot {
 namespace {
@@ -49,8 +52,31 @@ TEST(TickText, ATickThatSolvedNothingShowsNeitherForcesNorLevelsNorLimits) {
   const std::string text = tick_text("run.mcap", unsolved());
   EXPECT_NE(text.find("No hierarchy was solved at this tick"), std::string::npos) << text;
   EXPECT_NE(text.find("because the torso tilted too far"), std::string::npos) << text;
+  EXPECT_NE(text.find("command   damping, as the torso tilted too far; largest torque"),
+            std::string::npos)
+      << text;
   for (const char* absent : {"17522", "com_xy", "No limit acts", "stance", "nan"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
+}
+
+template <typename Value>
+Value value_of(const auto& names, const nlohmann::json& name) {
+  return static_cast<Value>(std::ranges::find(names, name.get<std::string>()) - names.begin());
+}
+
+TEST(TickText, OfASolutionThatCommandsNothingTheSameIsSaidAsOnThePage) {
+  const auto rows =
+      nlohmann::json::parse(std::ifstream(SUREFOOT_SOURCE_DIR "/tests/support/unused_words.json"));
+  EXPECT_GE(rows.size(), 4u);
+  for (const auto& row : rows) {
+    TickExplanation explanation = unsolved();
+    TickRecord& tick = explanation.tick;
+    if (row[0].get<bool>()) tick.hierarchy.status = 0;
+    tick.command.mode = value_of<CommandMode>(logged::kModeNames, row[1]);
+    tick.command.cause = value_of<StopCause>(logged::kCauseNames, row[2]);
+    tick.command.fault = value_of<SampleFault>(logged::kFaultNames, row[3]);
+    EXPECT_EQ(gave_way_sentence(explanation), row[4]);
+  }
 }
 
 /// A tick at which two levels gave way to the same rows, none of which costs anything alone.

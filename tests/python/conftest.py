@@ -6,6 +6,7 @@ import pytest
 
 from browser import Browser
 from live_page import LONG, Served
+from log_tools import exported
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
@@ -56,6 +57,16 @@ def browser():
 def log(tmp_path_factory):
     """A recorded run."""
     return record(tmp_path_factory.mktemp("log") / "walk.mcap")
+
+
+@pytest.fixture(scope="session")
+def table(log, tmp_path_factory):
+    """The log as a table."""
+    import pyarrow.parquet
+
+    file = tmp_path_factory.mktemp("export") / "run.parquet"
+    exported(log, "--parquet", file)
+    return pyarrow.parquet.read_table(file)
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import sys
 
+TICKS = 800  # of the log that tests share
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -21,3 +22,10 @@ def complaint_of(*arguments):
     (line,) = result.stderr.strip().splitlines()
     assert line.startswith("surefoot: ")
     return line
+
+
+def exported(*arguments):
+    """The result of an export that must succeed."""
+    result = log_command("export", *arguments)
+    assert result.returncode == 0, result.stderr
+    return result

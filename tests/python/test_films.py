@@ -2,6 +2,7 @@
 
 import io
 import os
+import resource
 import subprocess
 import sys
 
@@ -27,7 +28,7 @@ def test_a_film_has_the_size_the_rate_and_the_length_that_were_asked_for(log, tm
     assert list(tmp_path.iterdir()) == [file]
 
 
-@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"]])
+@pytest.mark.parametrize("wrong", [["--from", "nan"], ["--to", "inf"], ["--rate", "1000000"], ["--rate", "0"], ["--from", "soon"], ["--speed", "2000"]])
 def test_a_time_or_a_rate_that_is_none_is_refused_before_the_work(log, tmp_path, wrong):
     assert f'"{wrong[1]}" is not a ' in complaint_of("video", log, "--out", tmp_path / "x.mp4", *wrong)
 
@@ -73,6 +74,18 @@ def test_wrong_arguments_are_said_and_leave_no_film(log, tmp_path):
     assert "holds no tick" in complaint_of("video", without_ticks(log, tmp_path), "--out", out)
     assert "--out" in complaint_of("video", log)
     assert not out.exists() and not list(tmp_path.glob("*.partial"))
+
+
+@pytest.mark.parametrize("room", [0, 3000])
+def test_a_film_that_finds_no_room_is_told_in_a_line_and_the_one_before_stays(log, tmp_path, room):
+    file = tmp_path / "a.mp4"
+    file.write_bytes(b"the film before")
+    command = [sys.executable, "-m", "surefoot_log", "video", log, "--out", file, "--size", "96x64", "--from", "1"]
+    environment = {**os.environ, "PYTHONPATH": f"{SOURCE / 'python'}:{os.environ.get('PYTHONPATH', '')}"}
+    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, **limited)
+    assert done.returncode == 2 and done.stderr.splitlines()[-1] == f"surefoot: {file}: can't be written: File too large"
+    assert file.read_bytes() == b"the film before" and list(tmp_path.iterdir()) == [file]
 
 
 def test_where_nothing_can_render_it_is_said_what_is_needed(log, tmp_path):

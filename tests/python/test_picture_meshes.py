@@ -12,7 +12,9 @@ from surefoot_log.frames import Frame  # isort: skip
 
 def test_a_mesh_that_is_missing_is_noted_and_the_physics_shape_stands_for_it(log, run, tmp_path, cache):
     scene = dressed(log, packages=tmp_path)
-    assert len(scene.notes) > 10 and all("is shown as the physics has it" in note and "No such file" in note for note in scene.notes)
+    (note,) = scene.notes
+    assert "parts of the robot are shown as the physics has them, the first of base: package://" in note
+    assert f"anymal_base.dae: No such file or directory; meshes are sought in {tmp_path} ($SUREFOOT_ROBOT_PACKAGES" in note
     here = run.frames[0]
     gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_WB)
     shown, empty = painted(log, run, [here, gone], packages=tmp_path)
@@ -43,6 +45,13 @@ def test_images_lie_there_too(tmp_path):
     assert meshes.image_file(tmp_path / "a" / "meshes", "../images/x.png", tmp_path) == str(tmp_path / "a" / "images" / "x.png")
     assert meshes.image_file(tmp_path / "a", "../../x.png", tmp_path) == ""
     assert meshes.image_file(tmp_path / "a", "/etc/x.png", tmp_path) == ""
+
+
+def test_of_a_few_meshes_that_are_missing_each_is_noted():
+    missing = [("a", "package://a.dae", FileNotFoundError(2, "No such file")), ("b", "b.dae", ValueError("no mesh"))]
+    assert meshes.missing_notes(missing, "/p") == ["a is shown as the physics has it: package://a.dae: No such file",
+                                                   "b is shown as the physics has it: b.dae: no mesh"]  # fmt: skip
+    assert meshes.missing_notes([], "/p") == []
 
 
 def test_a_broken_cache_is_read_anew(tmp_path):

@@ -58,6 +58,25 @@ def test_a_report_without_pictures_is_whole_and_says_why(log, tmp_path, fake_pyt
     assert re.search(f"No pictures: [^<]*{words}", page) and "<h2>Numbers</h2>" in page
 
 
+def test_a_report_is_there_before_its_pictures_and_says_that_they_come(log, tmp_path, fake_python):
+    page = tmp_path / "out/index.html"
+    pictures = f'printf strip > "$5/strip.jpg"; printf clip > "$5/clip.mp4"; {SPEAKS}'
+    python = fake_python(f'cp "{page}" "{tmp_path}/early.html"; {pictures}')
+    done = program("report", log, "--out", page.parent, python=python)
+    assert (done.returncode, done.stdout) == (0, f"{page}\n"), done.stderr
+    assert f"{page} can be opened; its pictures are being made" in done.stderr
+    early, late = (tmp_path / "early.html").read_text(), page.read_text()
+    assert "They are being made" in early and "<h2>Numbers</h2>" in early and "data:video" not in early
+    assert "They are being made" not in late and "data:video" in late
+
+
+def test_where_the_program_ends_before_the_pictures_the_report_is_there(log, tmp_path, fake_python):
+    done = program("report", log, "--out", tmp_path / "out", python=fake_python("kill -9 $PPID"))
+    assert done.returncode == -9
+    page = (tmp_path / "out/index.html").read_text()
+    assert "They are being made" in page and "<h2>Hierarchy</h2>" in page
+
+
 def test_without_the_launcher_the_report_says_who_makes_pictures(log, tmp_path):
     assert program("report", log, "--out", tmp_path / "out").returncode == 0
     assert "No pictures: the program was started without its launcher" in (tmp_path / "out/index.html").read_text()
@@ -79,7 +98,9 @@ def test_a_run_is_filmed_and_its_result_is_the_same(tmp_path, fake_python):
 def test_a_film_that_fails_changes_no_exit_code(tmp_path, fake_python):
     failed = program(*SHORT, "--video", tmp_path / "run.mp4", python=fake_python("exit 2"))
     assert failed.returncode == program(*SHORT).returncode and json.loads(failed.stdout)["scenario"] == "walk_flat_ideal"
-    assert "run.mp4 was not filmed" in failed.stderr
+    assert "run.mp4 was not filmed; --record FILE keeps the log" in failed.stderr
+    failed = program(*SHORT, "--video", tmp_path / "run.mp4", "--record", tmp_path / "run.mcap", python=fake_python("exit 2"))
+    assert f"was not filmed; surefoot video {tmp_path}/run.mcap --out {tmp_path}/run.mp4 tries again" in failed.stderr
 
 
 def test_a_film_that_can_not_be_made_is_told_before_the_run(tmp_path):

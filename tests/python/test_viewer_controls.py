@@ -221,6 +221,16 @@ def test_a_level_is_dragged_to_another_place_and_the_note_says_what_moved(page):
     wait_for(lambda: page.run(names) == order, "the order that was", 60)
 
 
+def test_a_level_that_is_moved_down_is_named_by_the_note_and_by_that_of_its_undo(page):
+    order = page.run("surefoot.levels().map(one => one.name)")
+    moving, name, places = order[-2], order[-2].replace("_", " "), len(order)
+    page.run(f"document.querySelectorAll('.level[data-level={moving}] .movers button')[1].click()")
+    told = "[...document.querySelectorAll('.changes li')].some(one => one.textContent.includes('{}'))"
+    page.wait(told.format(f" order: {name} from {places - 1} to {places}"), 60)
+    page.press("u")
+    page.wait(told.format(f"undo: order: {name} from {places} to {places - 1}"), 60)
+
+
 def test_levels_stand_still_while_one_of_them_is_dragged(page):
     seen = "document.querySelector('#panel-hierarchy').innerText"
     drag = "document.querySelector('[data-level=swing_foot]').dispatchEvent(new DragEvent('%s', { bubbles: true, dataTransfer: new DataTransfer() }))"
@@ -268,7 +278,10 @@ def test_a_bound_that_no_leg_reaches_is_refused_in_words(page):
 
 
 def test_a_gamepad_that_is_gone_asks_for_nothing_any_more(page):
-    page.run("""(() => { window.pad = { connected: true, axes: [0, -0.8, 0, 0], buttons: [] }; navigator.getGamepads = () => [null, pad]; })()""")
+    page.run("""(() => { window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons: [] };
+      navigator.getGamepads = () => [null, pad]; })()""")
+    time.sleep(0.5)  # it is seen at rest
+    page.run("pad.axes = [0, -0.8, 0, 0]")
     command = "surefoot.status.command"
     page.wait(f"{command}.by === 'operator' && {command}.velocity[0] > 0.1")
     page.run("pad.connected = false")

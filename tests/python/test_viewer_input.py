@@ -86,8 +86,11 @@ def test_two_moves_of_a_level_add_up(browser, played):
 
 def test_a_gamepad_walks_stands_and_gives_back(browser, played):
     show(browser, played.link)
-    browser.run("""(() => { window.pad = { connected: true, axes: [0, -0.3, 0.2, 0], buttons: [{ pressed: false }, { pressed: false }] };
+    browser.run("""(() => {
+      window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons: [{ pressed: false }, { pressed: false }] };
       navigator.getGamepads = () => [null, pad]; })()""")
+    time.sleep(0.5)  # it is seen at rest
+    browser.run("pad.axes = [0, -0.3, 0.2, 0]")
     command = "surefoot.status.command"
     browser.wait(f"{command}.by === 'operator' && {command}.walk && {command}.velocity[0] > 0.05 && {command}.yaw_rate < -0.02")
     browser.run("pad.axes = [0, 0, 0, 0]")

@@ -5,7 +5,9 @@
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <string>
 
 namespace surefoot {
@@ -15,15 +17,19 @@ using test::contents;
 using test::SyntheticRun;
 using test::TemporaryFolder;
 
-std::string page_with(const ReportPictures& pictures) {
-  const TemporaryFolder folder;
-  Recorder recorder(folder / "run.mcap", SyntheticRun::header());
+void record_some_ticks(const std::string& path) {
+  Recorder recorder(path, SyntheticRun::header());
   SyntheticRun run;
   for (int i = 0; i < 40; ++i) {
     run.step();
     recorder.record(run.tick);
   }
   recorder.close();
+}
+
+std::string page_with(const ReportPictures& pictures) {
+  const TemporaryFolder folder;
+  record_some_ticks(folder / "run.mcap");
   return contents(write_report(folder / "run.mcap", folder / "report", pictures));
 }
 
@@ -50,6 +56,40 @@ TEST(ReportPictures, StandInThePageItselfWithTheirTimes) {
   EXPECT_NE(page.find("1.00 s to 3.00 s of the run"), std::string::npos);
   EXPECT_LT(page.find("<h2>Pictures</h2>"), page.find("<h2>Numbers</h2>"));
   EXPECT_EQ(page.find("No pictures"), std::string::npos);
+}
+
+TEST(ReportPictures, TheirPageIsThereBeforeThemAndSaysThatTheyCome) {
+  const TemporaryFolder folder;
+  record_some_ticks(folder / "run.mcap");
+  std::string early;
+  const std::string path =
+      write_report_before_pictures(folder / "run.mcap", folder / "report", [&](const auto& page) {
+        early = contents(page);
+        return some();
+      });
+  EXPECT_NE(early.find("They are being made"), std::string::npos);
+  EXPECT_NE(early.find("<h2>Numbers</h2>"), std::string::npos);
+  EXPECT_EQ(early.find("data:image"), std::string::npos);
+  EXPECT_EQ(contents(path), contents(write_report(folder / "run.mcap", folder / "same", some())));
+}
+
+TEST(ReportPictures, APageThatFindsNoRoomForThemStaysWithoutAndSaysWhy) {
+  const TemporaryFolder folder;
+  record_some_ticks(folder / "run.mcap");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{.rlim_cur = 2'000'000, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
+  const std::string path = write_report_before_pictures(
+      folder / "run.mcap", folder / "report",
+      [](const auto&) { return ReportPictures{.clip = std::string(3'000'000, 'c')}; });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  const std::string page = contents(path);
+  EXPECT_NE(page.find("No pictures: "), std::string::npos);
+  EXPECT_NE(page.find("can't be written"), std::string::npos);
+  EXPECT_EQ(page.find("They are being made"), std::string::npos);
 }
 
 TEST(ReportPictures, NeedNothingFromOutside) {

@@ -2,8 +2,7 @@ import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { accountOf, blendShare, levelStates } from "./data/hierarchy.ts";
-import { commandText } from "./data/stop.ts";
+import { accountAt } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
@@ -106,7 +105,7 @@ export class App {
     });
     this.letCommand(live);
     this.hierarchy.fix(session.tasks.filter((task) => task.keeps_physics).map((task) => task.level_name));
-    this.hierarchy.onOrder = (levels) => this.command("order", { levels }, this.hierarchy.wish);
+    this.hierarchy.onOrder = (levels, level) => this.command("order", { levels, level }, this.hierarchy.wish);
     this.hierarchy.newest = orderOf(session);
     this.tune.onUndo = () => this.hierarchy.wish.drop();
     if (this.world !== undefined) {
@@ -116,7 +115,10 @@ export class App {
     }
     const { drive } = this;
     drive.onAct = () => this.showNow();
-    this.gamepad = new GamepadInput(drive.most, (walk) => drive.ask({ ...drive.walk, ...walk }), () => drive.stand(), () => drive.giveBack());
+    this.gamepad = new GamepadInput(drive.most, {
+      walk: (walk) => drive.ask({ ...drive.walk, ...walk }), stand: () => drive.stand(), giveBack: () => drive.giveBack(),
+      tell: (text) => notes.say(text, "plain", "gamepad"),
+    });
     document.addEventListener("visibilitychange", () => document.hidden && this.gamepad.release());
     this.wire();
     link.wire(this);
@@ -287,6 +289,7 @@ export class App {
   /** The run begins again: nothing of it is known yet. */
   restart(): void {
     this.player.restart();
+    this.gamepad.restart();
     this.frame = undefined;
     this.world?.clear();
     this.hierarchy.clear();
@@ -312,7 +315,7 @@ export class App {
     player.advance(dt, this.link?.rate ?? 0);
     player.source.expect(player.time, player.playing ? player.speed : 0);
     const frame = player.source.at(player.time);
-    this.gamepad.update(dt);
+    this.gamepad.update(dt, this.canAct);
     const drawn = this.draw(begin, frame);
     if (drawn && frame !== undefined) {
       this.frame = frame;
@@ -385,7 +388,7 @@ export class App {
 
   /** To screen readers: which levels give way, when that changes. */
   private tell(frame: Frame): void {
-    const text = accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }).line;
+    const text = accountAt(frame).line;
     if (text === this.toldLevels) return;
     this.toldLevels = text;
     say(part("events"), text);

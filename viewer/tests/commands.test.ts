@@ -1,7 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { marksOf } from "../src/data/marks.ts";
-import { beyondDeadZone } from "../src/input/gamepad.ts";
 import { nudged } from "../src/panels/drive_panel.ts";
 import { speedText } from "../src/data/lag.ts";
 import { Commands } from "../src/protocol/commands.ts";
@@ -69,12 +68,6 @@ test("what is asked to walk changes by steps and stays within its limits", () =>
   assert.deepEqual(walk, { walk: true, velocity: [0.15, 0], yaw_rate: 0, height: 0 });
   assert.deepEqual(nudged(walk, "turn", -1, limits).yaw_rate, -0.02);
   assert.deepEqual(walk.yaw_rate, 0, "what was asked before stays as it was");
-});
-
-test("a stick at rest asks for nothing, one at its end for all", () => {
-  assert.equal(beyondDeadZone(0.1), 0);
-  assert.equal(beyondDeadZone(1), 1);
-  assert.equal(beyondDeadZone(-1), -1);
 });
 
 test("speeds are told as fractions", () => {

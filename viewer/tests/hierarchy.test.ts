@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
-import { accountOf, blendShare, detailsOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
+import { accountAt, accountOf, blendShare, detailsOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
+import unusedWords from "../../tests/support/unused_words.json";
 import { blockOf, schemaOf } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
@@ -41,13 +42,13 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "bad", line: "second gives way to first.", first: [], whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "second gives way to first.", first: [], whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
   const rows: [number, number, number, number][] = [[1, 0, 1, 0.4], [1, 0, 0, 0.2]];
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1], [0, -1, 0]], blocking: rows }));
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far").more, ["second gives way to first (b) and first (a), 0.500 m/s² short."]);
+  assert.deepEqual(accountOf(states, "").more, ["second gives way to first (b) and first (a), 0.500 m/s² short."]);
 });
 
 test("what is less than people should see is not told, also beyond a bound", () => {
@@ -95,31 +96,49 @@ test("three levels that are held back above 0 are listed as three", () => {
 test("a level without rows asks for nothing, and where none has rows nothing is claimed", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
   assert.equal(states[0]?.status, "not solved");
-  assert.deepEqual(accountOf(states, "damping, as the torso tilted too far"), { kind: "none", line: "No level is solved: damping, as the torso tilted too far.", first: [], whole: "No level is solved: damping, as the torso tilted too far.", more: [] });
+  assert.deepEqual(accountOf(states, "No level is solved."), { kind: "none", line: "No level is solved.", first: [], whole: "No level is solved.", more: [] });
 });
 
 test("that the controller has stopped is no good news", () => {
   const states = levelStates(frameOf([0, 0], { rows: 0 }));
-  assert.equal(accountOf(states, "damping, as the torso tilted too far", { stopped: true }).kind, "bad");
+  assert.equal(accountOf(states, "", { stopped: true }).kind, "bad");
 });
 
 test("of a solve that was cut off nothing is said of the level that it was in and those below", () => {
   const sizes = Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1])));
   const schema = schemaOf({ ...sizes, "hierarchy.status": 1, "hierarchy.failed_level": 1 });
-  const statesOf = (status: number, failed: number): LevelState[] => {
+  const frameAt = (status: number, failed: number): Frame => {
     const table = new FrameTable(schema, 1);
     readBlock(blockOf([{ tick: 0, time: 0, values: [0, 2, 6, 1, 0.01, 2, 0, 2, status, failed], active: [[1, 1, 0]] }]), schema.frameFloats, (...frame) => table.append(...frame));
-    return levelStates(table.frame(0));
+    return table.frame(0);
   };
+  const statesOf = (status: number, failed: number): LevelState[] => levelStates(frameAt(status, failed));
   const states = statesOf(1, 1);
   assert.deepEqual(states.map(({ status }) => status), ["met", "not solved"]);
   assert.deepEqual([states[1]?.residual, states[1]?.active], [NaN, []]);
-  const cut = "The solver was cut off in second: of it and the levels below nothing is known.";
+  const cut = "The solver was cut off in second: of it and the levels below it nothing is known.";
   assert.deepEqual(detailsOf({ kind: "bad", line: cut, first: [cut], whole: cut, more: ["first gives way."] }), ["first gives way."], "what the line says is said");
   assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, first: [cut], whole: cut, more: [] });
-  assert.equal(accountOf(statesOf(2, -1), "hold").line, "No level is solved: hold.", "whatever an older program left in its record");
-  assert.equal(accountOf(statesOf(1, 0), "hold").line, "No level is solved: hold.");
+  assert.match(accountAt(frameAt(2, -1)).line, /^No hierarchy was solved at this tick: /, "whatever an older program left in its record");
+  assert.equal(accountAt(frameAt(1, 0)).line, cut.replace("second", "first"));
   for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
+});
+
+test("of a solution that commands nothing the same is said as explain says", () => {
+  const names = {
+    "command.mode": ["optimal", "hold", "sit", "damping"], "command.cause": ["none", "tilt", "failures", "imu"],
+    "command.fault": ["none", "silent", "late"],
+  };
+  const sizes = Object.fromEntries(Object.keys(names).map((name) => [name, 1]));
+  const schema = schemaOf({ "hierarchy.status": 1, "hierarchy.level.first.num_rows": 1, ...sizes });
+  for (const [name, values] of Object.entries(names)) Object.assign(schema.channel(name) as object, { values });
+  for (const [solved, mode, cause, fault, text] of unusedWords as [boolean, string, string, string, string][]) {
+    const words = Object.values(names).map((values, k) => values.indexOf([mode, cause, fault][k] as string));
+    const table = new FrameTable(schema, 1);
+    table.append(0, 0, Float32Array.from([solved ? 0 : 2, 3, ...words]), undefined);
+    const { line, kind } = accountAt(table.frame(0));
+    assert.deepEqual([line, kind], [text, cause === "none" ? "none" : "bad"]);
+  }
 });
 
 test("a level's residual is plotted with the unit of its rows", () => {

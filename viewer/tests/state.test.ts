@@ -178,7 +178,7 @@ test("where the solve was cut off that is told, and what the levels above gave w
     const frame = { schema, tick: 0, time: 0, values: Float32Array.from([0, 2, residual, 2, 7, 2, 1, 2]), active: [], blocking: [{ level: 1, by: 0, row: 0, cost: 1 }, { level: 2, by: 0, row: 0, cost: 1 }] };
     return new Map(sentences(frame)).get("Hierarchy");
   };
-  const cut = "The solver was cut off in third: of it and the levels below nothing is known.";
+  const cut = "The solver was cut off in third: of it and the levels below it nothing is known.";
   assert.equal(of(3), `${cut} second gives way to first (a), 3.00 N short.`);
   assert.equal(of(0), cut);
 });

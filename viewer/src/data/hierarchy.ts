@@ -1,6 +1,7 @@
 import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
 import { scalar, word, type Frame } from "./frame.ts";
+import { stopText } from "./stop.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
 
@@ -87,6 +88,18 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
   return active.length > 0 ? "at limit" : "met";
 }
 
+/** Of a tick at which no level is at its optimum, or whose solution commands nothing, in the words of `explain`. */
+export function nothingText(frame: Frame, states: LevelState[]): string {
+  if (isFollowed(frame)) return solvedLevels(frame) === 0 ? cutOffText(states[0]) : "No level is solved.";
+  const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT
+    ? "No hierarchy was solved at this tick" : "The controller stopped at this tick, and what was solved was not used";
+  const why = stopText(frame) || "there was no state to believe";
+  return `${begin}: the command is that of the mode ${word(frame, "command.mode")}, because ${why}.`;
+}
+
+const cutOffText = (level: LevelState | undefined): string =>
+  level === undefined ? "" : `The solver was cut off in ${plainName(level)}: of it and the levels below it nothing is known.`;
+
 /** What the hierarchy came to: a line, and sentences for whoever wants more. */
 export interface Account {
   kind: "good" | "bad" | "none";
@@ -117,9 +130,14 @@ export interface Circumstances {
   stopped?: boolean;
 }
 
-/** What gives way to what, and what is held back without that; `command`: whose it is where nothing is solved. */
-export function accountOf(states: LevelState[], command: string, { share = 1, stopped = false }: Circumstances = {}): Account {
-  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(`No level is solved: ${command}.`), more: [] };
+/** What a tick's hierarchy came to. */
+export function accountAt(frame: Frame, states = levelStates(frame)): Account {
+  return accountOf(states, nothingText(frame, states), { share: blendShare(frame), stopped: stopText(frame) !== "" });
+}
+
+/** What gives way to what, and what is held back without that; `nothing`: what is said where nothing is solved. */
+export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false }: Circumstances = {}): Account {
+  if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(nothing), more: [] };
   const account = accountOfLevels(states);
   if (share >= 1) return account;
   const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
@@ -136,7 +154,7 @@ function accountOfLevels(states: LevelState[]): Account {
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
   const first = states.find((state) => state.status === "not solved");
   if (first !== undefined) {
-    const cut = `The solver was cut off in ${plainName(first)}: of it and the levels below nothing is known.`;
+    const cut = cutOffText(first);
     const others = yielding.length > 0 ? yieldingText(yielding, states) : held.length > 0 ? `${heldText(held, states)}.` : "";
     return { kind: "bad", line: cut, first: [cut], whole: `${cut} ${others}`.trim(), more };
   }

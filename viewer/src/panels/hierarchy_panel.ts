@@ -1,7 +1,6 @@
 import { scalar, type Frame } from "../data/frame.ts";
-import { accountOf, blendShare, levelStates, type LevelState } from "../data/hierarchy.ts";
+import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
-import { commandText, stopText } from "../data/stop.ts";
 import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
 import { AccountView } from "./account_view.ts";
@@ -10,7 +9,8 @@ import { LevelCard } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
-  onOrder: (levels: string[]) => void = () => {};
+  /** `level`: the one that is moved. */
+  onOrder: (levels: string[], level: string) => void = () => {};
   private readonly account = new AccountView();
   private readonly facts = h("p", { class: "facts" });
   private readonly list = h("ol", { class: "levels", "aria-label": "levels, highest priority first" });
@@ -60,7 +60,7 @@ export class HierarchyPanel {
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountOf(states, commandText(frame), { share: blendShare(frame), stopped: stopText(frame) !== "" }));
+    this.account.show(accountAt(frame, states));
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
   }
 
@@ -84,7 +84,7 @@ export class HierarchyPanel {
     const levels = moved(this.order, name, steps);
     if (levels === undefined) return;
     this.wish.ask(levels);
-    this.onOrder(levels);
+    this.onOrder(levels, name);
   }
 
   private moveTo(name: string, place: string): void {

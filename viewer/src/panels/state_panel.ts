@@ -1,5 +1,5 @@
 import { read, scalar, word, type Frame } from "../data/frame.ts";
-import { accountOf, blendShare, levelStates, type Account } from "../data/hierarchy.ts";
+import { accountAt, type Account } from "../data/hierarchy.ts";
 import { LEG_CHANNELS, LEGS } from "../data/schema.ts";
 import { TOLD } from "../data/change_words.ts";
 import { LYING_WINDOW, lyingText, touchOf, type GroundTouch } from "../data/lying.ts";
@@ -125,7 +125,7 @@ function allSentences(frame: Frame, touch: GroundTouch): [string, string][] {
     ["Pushed by", pushText(frame)],
     ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
-    ["Hierarchy", hierarchyText(accountOf(levelStates(frame), commandText(frame), { share: blendShare(frame) }))],
+    ["Hierarchy", hierarchyText(accountAt(frame))],
   ];
 }
 

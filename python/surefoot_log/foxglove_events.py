@@ -1,0 +1,72 @@
+"""What happened in a run, as messages on /events, in the words of `surefoot explain`."""
+
+import json
+
+from surefoot_log import foxglove_schemas as schemas
+from surefoot_log import foxglove_shapes as shapes
+from surefoot_log.frames import event_of
+from surefoot_log.operator_text import heading_of, operator_text
+from surefoot_log.stop_text import stop_text
+
+INFO, WARNING, ERROR = 2, 3, 4  # levels of a foxglove.Log
+BROKEN_OFF = ("interrupted", "begun again")
+
+
+def read_ending(summary):
+    """How a run ended, by the summary of its log, and whether by a fall; None where it is not known."""
+    try:
+        metrics = json.loads(summary)["metrics"]
+        reason = metrics["reason"]
+        return ("the run was " if reason in BROKEN_OFF else "the run ended: ") + reason, metrics.get("fell") is True
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+class Events:
+    """Tells, time by time, what the planner, the operator and the controller did, and at last how the run ended."""
+
+    def __init__(self, file, header):
+        self._file, self._header = file, header
+        self._state, self._mode, self._is_pulled = None, None, False
+        self._time = 0  # that was seen last [ns]
+
+    def see(self, messages):
+        """The messages of one time."""
+        self._time = messages[0].time
+        for message in messages:
+            if message.topic == "/changes":
+                self._see_change(json.loads(bytes(message.data)))
+        found = {message.topic: message for message in messages}
+        state = found["/state"].data if "/state" in found else None
+        if "/plan" in found:
+            self._tell(event_of(found["/plan"].data, self._header, self._state, state), "planner")
+        if "/command" in found:
+            self._see_command(found)
+        self._state = state or self._state
+
+    def end(self, summary):
+        """Behind the last tick; `summary`: of the log, as JSON, or None."""
+        ending = read_ending(summary) if summary is not None else None
+        if ending is not None:
+            self._tell(ending[0], "run", ERROR if ending[1] else INFO)
+
+    def _see_change(self, change):
+        """Of a pull its begin and its end."""
+        is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
+        if not (pulls and self._is_pulled):
+            self._tell(operator_text(change, heading_of(self._state)), "operator")
+        self._is_pulled = pulls if is_pull else self._is_pulled
+
+    def _see_command(self, found):
+        command = json.loads(bytes(found["/command"].data))
+        before, self._mode = self._mode, command.get("mode")
+        if before in (None, self._mode):
+            return
+        why = stop_text(command, json.loads(bytes(found["/health"].data)) if "/health" in found else {})
+        self._tell(f"command mode: {self._mode}{why and f', as {why}'}", "controller", WARNING if why else INFO)
+
+    def _tell(self, text, name, level=INFO):
+        if not text:
+            return
+        message = {"timestamp": shapes.moment(self._time), "level": level, "message": text, "name": name, "file": "", "line": 0}
+        self._file.write("/events", "foxglove.Log", schemas.LOG, self._time, message)
