@@ -38,7 +38,7 @@ void SensorConsistency::update(const SensorReading& given, const ConsistencyInpu
   } else {
     imu_.forget();
   }
-  if (moves_well) frozen_.update(reading, known.dynamics, known.plan, known.command);
+  if (moves_well) frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   if (moves_well && loads_well && imu_.wrong_for() == 0.0) {
     torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   } else {

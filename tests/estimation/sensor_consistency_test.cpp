@@ -26,7 +26,7 @@ struct Standing {
     state.q = test::anymal_b().q_nominal;
     state.qd.setZero();
     state.foot_force.fill({0.0, 0.0, 0.25 * model.mass() * kGravity});
-    plan = test::plan_with_contacts({true, true, true, true});
+    v_WF.fill(Vec3::Zero());
   }
   void tick() {
     state.time = reading.time = kPeriod * ++ticks;
@@ -45,8 +45,8 @@ struct Standing {
                        {.state = state,
                         .dynamics = dynamics,
                         .stands = stands,
+                        .v_WF = v_WF,
                         .normal_W = Vec3::UnitZ(),
-                        .plan = plan,
                         .command = JointVector::Constant(10.0)},
                        health);
   }
@@ -64,8 +64,8 @@ struct Standing {
   RobotState state;
   SensorReading reading;
   SensorHealth health;
-  MotionPlan plan;
   PerLeg<bool> stands{true, true, true, true};
+  PerLeg<Vec3> v_WF{};
   Vec3 accelerometer_error = Vec3::Zero();
   JointVector torque_error = JointVector::Zero();
   bool is_imu_late = false, has_times = true;
