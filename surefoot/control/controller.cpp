@@ -238,13 +238,15 @@ void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexc
   if (kinematics.errors() != errors_before) consistency.forget();
   errors_before = kinematics.errors();
   const PerLeg<bool> stands = standing(record.plan);
+  PerLeg<Vec3> v_WF;
+  for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = record.plan.feet[k].v_WF;
   const Vec3 normal_W = planner.terrain_normal();
   consistency.update(guard.repaired(),
                      {.state = record.state,
                       .dynamics = dynamics,
                       .stands = stands,
+                      .v_WF = v_WF,
                       .normal_W = normal_W,
-                      .plan = record.plan,
                       .command = record.command.torque},
                      record.health);
 }

@@ -103,7 +103,7 @@ class Controller {
   void explain_levels(bool wanted);
   /// May be null. Must outlive the controller.
   void set_stage_observer(StageObserver* observer);
-  /// Steps taken, searches that met no ground, …: counts since the start.
+  /// Swings that ended on the ground, since the start.
   [[nodiscard]] int steps_taken() const;
 
  private:

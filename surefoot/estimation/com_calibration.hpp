@@ -45,7 +45,7 @@ class ComCalibration {
   int samples_ = 0;
   Vec3 before_ = Vec3::Zero(), offset_ = Vec3::Zero();
   double share_ = 1.0;                             // of the offset that is in use
-  Vec3 F_ = Vec3::Zero(), centre_ = Vec3::Zero();  // of the last tick that was weighed, in W
+  Vec3 F_ = Vec3::Zero(), centre_ = Vec3::Zero();  // of the last tick weighed, in W [N], [m]
   Slope slope_ = Slope::Zero();                    // of the last weighing, in B [m]
   Shares heavier_ = Shares::Zero(), heavier_in_use_ = Shares::Zero();
 };

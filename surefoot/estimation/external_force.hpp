@@ -35,7 +35,7 @@ class ExternalForceEstimator {
   /// be that of this tick. `stands` says which feet the plan lets carry.
   void update(const Dynamics& dynamics, const PerLeg<bool>& stands, RobotState& state) noexcept;
 
-  /// The residuals, before dead band and saturation [N], [N·m].
+  /// The residuals in W, before dead band and saturation [N], [N·m].
   [[nodiscard]] const Vec3& force() const { return force_; }
   [[nodiscard]] const Vec3& moment() const { return moment_; }
 

@@ -13,11 +13,10 @@ constexpr double kForget = 2.0;
 constexpr double kBesideAnother = 0.25;  // of the motion, where another joint is found frozen
 
 /// Of a leg's joints, that its foot stands or goes where it should [rad/s].
-Vec3 asked_velocity(const Dynamics& dynamics, const MotionPlan& plan, Leg leg) {
+Vec3 asked_velocity(const Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
   const std::size_t k = index(leg);
-  const bool stands = plan.contact(leg);
   const PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
-  const Vec3 target = stands ? Vec3(Vec3::Zero()) : plan.feet[k].v_WF;
+  const Vec3 target = stands ? Vec3(Vec3::Zero()) : v_WF;
   const Vec3 by_base = point.J.leftCols<6>() * dynamics.u.head<6>();
   return damped_inverse(leg_jacobian(point, leg)) * (target - by_base);
 }
@@ -25,10 +24,14 @@ Vec3 asked_velocity(const Dynamics& dynamics, const MotionPlan& plan, Leg leg) {
 }  // namespace
 
 void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics,
-                          const MotionPlan& plan, const JointVector& command) noexcept {
+                          const PerLeg<bool>& stands, const PerLeg<Vec3>& v_WF,
+                          const JointVector& command) noexcept {
   JointVector motion;
-  for (const Leg leg : kLegs)
-    motion.segment<kJointsPerLeg>(first_joint(leg)) = period_ * asked_velocity(dynamics, plan, leg);
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    motion.segment<kJointsPerLeg>(first_joint(leg)) =
+        period_ * asked_velocity(dynamics, stands[k], v_WF[k], leg);
+  }
   look_at_angles(reading, motion);
   look_at_torques(reading, command);
 }

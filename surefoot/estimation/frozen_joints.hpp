@@ -2,7 +2,6 @@
 
 #include "surefoot/estimation/sensor_consistency_options.hpp"
 #include "surefoot/model/dynamics.hpp"
-#include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
 #include <array>
@@ -26,9 +25,10 @@ class FrozenJoints {
   FrozenJoints(const FrozenJointOptions& options, double period)
       : options_(options), period_(period) {}
 
-  /// One tick. `plan` and `command` are of the tick before.
-  void update(const SensorReading& reading, const Dynamics& dynamics, const MotionPlan& plan,
-              const JointVector& command) noexcept;
+  /// One tick. `stands`: which feet the plan lets carry; `v_WF`: how fast it wants those in the air
+  /// [m/s]; `command`: torques [N·m]; all of the tick before.
+  void update(const SensorReading& reading, const Dynamics& dynamics, const PerLeg<bool>& stands,
+              const PerLeg<Vec3>& v_WF, const JointVector& command) noexcept;
 
   /// Which are frozen, and since when. Beside an encoder that is found, others that have stood
   /// still though a quarter of that was asked of them count, too.

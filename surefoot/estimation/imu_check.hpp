@@ -13,10 +13,12 @@ namespace surefoot {
 /// What the IMU and the legs say differently of how the base moved over a span of time.
 struct ImuDisagreement {
   int feet = 0;  ///< that stood all the time; one says nothing, two nothing of the turn
-  double displacement = 0.0;  ///< of the base, beyond a steady velocity [m]
-  double spread = 0.0;        ///< of what the feet say of it [m]
-  double unseen = 0.0;        ///< of it, that a blow may have done between two samples [m]
-  double turn = 0.0;  ///< twice the lesser of both halves, less what feet that slid explain [rad]
+  /// Of the base, beyond a steady velocity; from three feet on without the one that explains most
+  /// of it [m].
+  double displacement = 0.0;
+  double spread = 0.0;  ///< how far the feet moved against each other, which casts doubt on it [m]
+  double unseen = 0.0;  ///< what a blow between two samples may have added to it [m]
+  double turn = 0.0;    ///< twice the lesser of both halves, less what feet that slid explain [rad]
 };
 
 /// Compares the IMU with the feet that stand, over the last `window` and shorter spans of it.
@@ -33,10 +35,10 @@ struct ImuDisagreement {
 ///     e = ΔΔp − ΔΔ ∫∫ (R_IB a + g_I) dt²,    ΔΔy = y(t) − 2 y(t − T/2) + y(t − T)
 ///
 /// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. A foot
-/// that strikes the ground does so between two samples, which differ by Δa then: of the velocity Δa
-/// times the period is not known, at most, for half of the span. Encoders
-/// or an IMU without a new sample at every tick are too coarse for this: nothing is said of them.
-/// Does not allocate after construction.
+/// that strikes the ground does so between two samples, which differ by Δa then: of the velocity at
+/// most Δa times the period is not known, for at most half of the span. Encoders or an IMU without
+/// a new sample at every tick are too coarse for this: nothing is said of them. Does not allocate
+/// after construction.
 class ImuCheck {
  public:
   static constexpr int kNumSpans = 4;

@@ -73,7 +73,7 @@ void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
   const Mat3 R_from_W = R_ * dynamics.base_rotation.R.transpose();
   for (const Leg leg : kLegs) {
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(index(leg));
-    const Eigen::Index first = 5 * static_cast<Eigen::Index>(index(leg));
+    const Eigen::Index first = kErrorsPerLeg * static_cast<Eigen::Index>(index(leg));
     const Vec3 q = dynamics.q.segment<kJointsPerLeg>(first_joint(leg));
     const Vec3 lever = R_from_W * (dynamics.foot[index(leg)].p - dynamics.base.p);
     y.segment<3>(k) = lever - rolled_[index(leg)];
@@ -137,7 +137,7 @@ void KinematicCalibration::fade() noexcept {
   share_ = std::min(1.0, share_ + period_ / kFadeIn);
   const Errors now = before_ + smoothstep(share_) * (after_ - before_);
   for (const Leg leg : kLegs) {
-    const Eigen::Index first = 5 * static_cast<Eigen::Index>(index(leg));
+    const Eigen::Index first = kErrorsPerLeg * static_cast<Eigen::Index>(index(leg));
     in_use_.thigh[index(leg)] = now[first];
     in_use_.shank[index(leg)] = now[first + 1];
     in_use_.zero.segment<kJointsPerLeg>(first_joint(leg)) = now.segment<3>(first + 2);

@@ -22,8 +22,11 @@ namespace surefoot {
 /// W⁻¹ = Σ + σ_φ² B Bᵀ: Σ is the error of a foot's position, which creeps along the ground but does
 /// not sink, and σ_φ that of the orientation, which turns all feet by B. Π is what is known
 /// beforehand: where the motion says nothing, θ stays 0. An IMU that is askew turns about other
-/// axes than the legs do: with R₀ the orientation at the beginning and f in B, ∂y/∂m = R S(f) − S(R
-/// f) R₀ and ∂y/∂τ = R S(ω) f. Does not allocate.
+/// axes than the legs do: with R₀ the orientation at the beginning, f and the gyroscope's ω in B
+///
+///     ∂y/∂m = R S(f) − S(R f) R₀,   ∂y/∂τ = R S(ω) f
+///
+/// Does not allocate.
 class KinematicCalibration {
  public:
   /// `period` of the control loop [s].
@@ -42,7 +45,8 @@ class KinematicCalibration {
 
  private:
   static constexpr int kNumCoordinates = 3 * kNumLegs;
-  static constexpr int kNumLegErrors = 5 * kNumLegs;
+  static constexpr int kErrorsPerLeg = 2 + kJointsPerLeg;  // thigh, shank, the encoders' zeros
+  static constexpr int kNumLegErrors = kErrorsPerLeg * kNumLegs;
   static constexpr int kImu = kNumLegErrors, kBias = kImu + 3, kLate = kBias + 3;
   static constexpr int kNumErrors = kLate + 1;
   using Coordinates = Eigen::Matrix<double, kNumCoordinates, 1>;
@@ -55,7 +59,9 @@ class KinematicCalibration {
   void turn(const Vec3& gyro_B) noexcept;
   void add_sample(const Dynamics& dynamics) noexcept;
   [[nodiscard]] static Weights weights(const Coordinates& y);
-  [[nodiscard]] static bool is_length(int error) { return error < kImu && error % 5 < 2; }
+  [[nodiscard]] static bool is_length(int error) {
+    return error < kImu && error % kErrorsPerLeg < 2;
+  }
   /// Standard deviation of an error, known beforehand.
   [[nodiscard]] static double prior(int error);
   void finish() noexcept;

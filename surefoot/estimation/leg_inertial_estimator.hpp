@@ -45,10 +45,10 @@ class LegInertialEstimator final : public StateEstimator {
  private:
   struct Foot {
     Vec3 p_BF = Vec3::Zero();
-    Mat3 J = Mat3::Zero();
+    Mat3 J = Mat3::Zero();         // ∂p_BF/∂q of its leg [m]
     Mat3 R_BS = Mat3::Identity();  // shank
-    Vec3 roll = Vec3::Zero();      // of the sphere since the last tick [m]
-    Vec3 shift = Vec3::Zero();     // of what is believed of it, by a leg that is found longer [m]
+    Vec3 roll = Vec3::Zero();      // of the sphere since the last tick, in W [m]
+    Vec3 shift = Vec3::Zero();     // of where it is believed, by a leg found longer, in W [m]
     double stands_for = 0.0;       // [s]
   };
 
@@ -73,8 +73,9 @@ class LegInertialEstimator final : public StateEstimator {
   KinematicErrors errors_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
-  Vec3 gyro_before_ = Vec3::Zero();
-  Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero();  // of the last tenth of a second
+  Vec3 gyro_before_ = Vec3::Zero();  // at the last tick, in B [rad/s]
+  // Of the last tenth of a second, in B [rad/s], [m/s²].
+  Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero();
   Mat3 R_WB_before_ = Mat3::Identity();
   Vec3 p_WB_planted_ = Vec3::Zero();  // as the last foot was planted [m]
   double way_ = 0.0;                  // the furthest that the base has been from there [m]

@@ -27,7 +27,7 @@ class ReadingGuard {
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in.
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
-  /// The reading with NaN in the place of joints that are at fault.
+  /// The same, but with NaN in the place of joint angles that are at fault.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
   [[nodiscard]] const SensorHealth& health() const { return health_; }
   /// Time since each joint's last good angle [s].

@@ -12,7 +12,7 @@ constexpr double kRounding = 1e-9;
 }  // namespace
 
 void SampleWatch::update(double time, double sample_time) noexcept {
-  const double given = sample_time <= time ? sample_time : time;  // not if it is NaN
+  const double given = believed_sample_time(sample_time, time);
   const bool stands_still = given == given_time_;
   const bool is_first = !(sample_time_ <= time_before_);
   is_new_ = is_first || given > sample_time_;

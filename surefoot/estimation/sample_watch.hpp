@@ -4,6 +4,12 @@
 
 namespace surefoot {
 
+/// When a sample was taken by a reading at `time` that gives this time for it [s]: one that is NaN,
+/// or lies ahead, is taken for the reading's.
+[[nodiscard]] inline double believed_sample_time(double given, double time) {
+  return given <= time ? given : time;
+}
+
 /// Watches when a sensor's samples come: which are new, and which are overdue.
 ///
 /// How old a sample gets before the next replaces it is learnt, so that slow sensors and constant
@@ -15,7 +21,7 @@ class SampleWatch {
   SampleWatch(double period, double patience, double max_delay)
       : period_(period), patience_(patience), max_delay_(max_delay), usual_age_(patience) {}
 
-  /// One tick. A sample time that is NaN, or lies ahead, is taken for the tick's.
+  /// One tick. The sample time is believed as `believed_sample_time` says.
   void update(double time, double sample_time) noexcept;
 
   /// This tick has a sample that is later than all before, and not too old.

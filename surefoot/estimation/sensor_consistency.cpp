@@ -1,5 +1,7 @@
 #include "surefoot/estimation/sensor_consistency.hpp"
 
+#include "surefoot/estimation/sample_watch.hpp"
+
 #include <cmath>
 
 namespace surefoot {
@@ -9,11 +11,11 @@ void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
 
-/// A sample time that is NaN, or lies ahead, is taken for the tick's, as by `SampleWatch`.
+/// With the sample times that are believed.
 SensorReading timed(const SensorReading& given) {
   SensorReading reading = given;
   for (double* sample : {&reading.encoder_time, &reading.torque_time, &reading.imu_time})
-    *sample = *sample <= reading.time ? *sample : reading.time;
+    *sample = believed_sample_time(*sample, reading.time);
   return reading;
 }
 
@@ -38,7 +40,7 @@ void SensorConsistency::update(const SensorReading& given, const ConsistencyInpu
   } else {
     imu_.forget();
   }
-  if (moves_well) frozen_.update(reading, known.dynamics, known.plan, known.command);
+  if (moves_well) frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   if (moves_well && loads_well && imu_.wrong_for() == 0.0) {
     torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   } else {

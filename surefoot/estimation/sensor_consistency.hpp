@@ -11,9 +11,9 @@ namespace surefoot {
 struct ConsistencyInputs {
   const RobotState& state;
   const Dynamics& dynamics;
-  const PerLeg<bool>& stands;  ///< which feet the plan lets carry
+  const PerLeg<bool>& stands;  ///< which feet the plan of the tick before lets carry
+  const PerLeg<Vec3>& v_WF;    ///< how fast it wants the feet in the air [m/s]
   const Vec3& normal_W;        ///< of the terrain
-  const MotionPlan& plan;      ///< of the tick before
   const JointVector& command;  ///< torques of the tick before [N·m]
 };
 

@@ -34,7 +34,9 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
     off_for_[i] = is_off ? off_for_[i] + period_ : 0.0;
   }
   exact_for_ = moves_exactly ? exact_for_ + period_ : 0.0;
-  RobotState claimed = state;
+  RobotState claimed;  // no more of the state than the claim is made from
+  claimed.time = state.time;
+  claimed.foot_force = state.foot_force;
   claim_.update(dynamics, stands, claimed);
   const bool claims =
       claim_.force().norm() > options_.max_force || claim_.moment().norm() > options_.max_moment;

@@ -21,7 +21,8 @@ struct CaptureProblem {
 
 /// The shortest of some steps in all directions that has the capture point `capture_margin` inside
 /// the region of all feet; of equally short ones, and where none has, the one with the most. Steps
-/// are within reach, at most `step_max` long, and keep off the other feet.
+/// of up to `step_max` are tried, taken back to where the leg reaches; they keep off the other
+/// feet.
 [[nodiscard]] CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg,
                                             const PushOptions& options);
 

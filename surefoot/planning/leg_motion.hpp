@@ -67,7 +67,8 @@ class LegMotion {
   [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
   /// Has the foot's velocity just changed by `stopped`, as by an impact, and does something bear
-  /// it?
+  /// it? `lag` is that velocity along the normal, less its reference's [m/s]; `force` is along it,
+  /// too [N].
   [[nodiscard]] bool is_jolted(double lag, double stopped, double force);
   /// Does the reference leave its curve just now: at the end of the reach, or to wait for the foot?
   [[nodiscard]] bool brakes(double time);
@@ -84,7 +85,7 @@ class LegMotion {
   double begin_ = 0.0;
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
-  Vec3 landed_ = Vec3::Zero();  // where the foot was at its touchdown
+  Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
@@ -92,7 +93,8 @@ class LegMotion {
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
-  /// Of a swinging foot's velocity behind its reference, at the last ticks [m/s].
+  /// By how much a swinging foot was faster along the normal than its reference, at the last ticks
+  /// [m/s].
   std::array<double, 8> lags_{};
   std::size_t num_lags_ = 0;
   double usual_force_ = 0.0;  // on a swinging foot, as estimated [N]

@@ -17,6 +17,8 @@ constexpr double kLate = 0.10;   // … and this late worth telling: noticing on
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kRecovery = 0.6;      // in which the COM of a pushed robot comes to rest [s]
 constexpr double kStill = 0.02;        // [m/s] and [rad/s]
+constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new COM plan [s]
+constexpr double kLeastHeight = 0.1;   // of the COM over the plane [m]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
@@ -214,7 +216,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
   if (probing_) {
     const Vec2 heading(std::cos(yaw_), std::sin(yaw_));
     const Vec2 step = (goal - p_WF).head<2>();
-    probe_direction_ = step.norm() > 0.02 ? step.normalized() : heading;
+    probe_direction_ = step.norm() > kLeastWay ? step.normalized() : heading;
     goal.head<2>() += options_.probe.ahead * probe_direction_;
     goal.z() = foothold_planner_.expected_height(k, goal.head<2>(), footholds(), plane_);
   }
@@ -222,7 +224,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
   goal.head<2>() = within_reach(k, goal, duration, dynamics);
   const double apex = knows_ground(k) ? options_.swing.apex_known : options_.swing.apex;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, duration, apex});
-  const bool on_time = time_ - lift_time_ < 0.05;
+  const bool on_time = time_ - lift_time_ < kOnTime;
   expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
 }
@@ -253,14 +255,15 @@ void Planner::begin_support(const UserCommand& user, double duration) {
   lift_time_ = time_ + duration;
 }
 
-// The phases ahead: what is left of this one, then support and swing in turn over the horizon, with
-// the footholds that are expected by then.
-void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
+double Planner::com_height(const Dynamics& dynamics) const {
+  const Vec3& com = dynamics.com.p;
+  return std::max(kLeastHeight, com.z() - plane_.height(com.head<2>()));
+}
+
+SupportPhase Planner::present_phase(const Dynamics& dynamics) const {
   const Vec2 com = dynamics.com.p.head<2>();
-  const Motion<Vec2> begin{com, dynamics.com.v.head<2>(), plan_.com.a};
   const double ground = plane_.height(com);
-  const double height = std::max(0.1, dynamics.com.p.z() - ground);
-  PerLeg<Vec3> feet = footholds();
+  const PerLeg<Vec3> feet = footholds();
   SupportPhase phase;
   phase.lifts_in.fill(kInfinity);
   if (recovering_ || balance_.is_pushed()) phase.zmp_margin_max = options_.push.zmp_margin;
@@ -272,6 +275,17 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
     phase.hips[index(k)] = dynamics.hip[index(k)].p.head<2>() - com;
     phase.reach[index(k)] = horizontal_reach(dynamics.hip[index(k)].p.z() - feet[index(k)].z());
   }
+  return phase;
+}
+
+// The phases ahead: what is left of this one, then support and swing in turn over the horizon, with
+// the footholds that are expected by then.
+void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
+  const Vec2 com = dynamics.com.p.head<2>();
+  const Motion<Vec2> begin{com, dynamics.com.v.head<2>(), plan_.com.a};
+  const double ground = plane_.height(com), height = com_height(dynamics);
+  PerLeg<Vec3> feet = footholds();
+  SupportPhase phase = present_phase(dynamics);
   const auto add = [&](double duration, bool must_rest) {
     phase.duration = duration;
     phase.must_rest = must_rest;

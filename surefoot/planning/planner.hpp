@@ -48,8 +48,9 @@ class Planner {
   enum class Mode { stand, support, swing };
 
   static constexpr double kStandDuration =
-      1.0;                                // for the COM to come to the centre of the feet [s]
-  static constexpr double kLevel = 1e-3;  // apex of a move that does not rise [m]
+      1.0;                                   // for the COM to come to the centre of the feet [s]
+  static constexpr double kLevel = 1e-3;     // apex of a move that does not rise [m]
+  static constexpr double kLeastWay = 0.02;  // a step that is shorter has no direction [m]
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
   void note_calibration_wish(bool asked);
@@ -111,6 +112,10 @@ class Planner {
   [[nodiscard]] double balance_margin(const Dynamics& dynamics) const;
   [[nodiscard]] bool balanced_without(Leg leg, const Dynamics& dynamics) const;
   void begin_support(const UserCommand& user, double duration);
+  /// Of the COM over the plane, but no less than a plan can be made with [m].
+  [[nodiscard]] double com_height(const Dynamics& dynamics) const;
+  /// The feet as they are now, for the COM planner.
+  [[nodiscard]] SupportPhase present_phase(const Dynamics& dynamics) const;
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
   void write_plan(const UserCommand& user);
   [[nodiscard]] bool calibrating() const {

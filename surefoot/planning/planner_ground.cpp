@@ -85,7 +85,7 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
   event_ = PlanEvent::collision;
   const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
   Vec3 goal = target.goal;
-  if (step.norm() > 0.02) goal.head<2>() += options_.probe.beyond * step.normalized();
+  if (step.norm() > kLeastWay) goal.head<2>() += options_.probe.beyond * step.normalized();
   swing_again(k, {p_WF, goal, plane_.normal, options_.gait.swing_duration, options_.swing.apex},
               user, dynamics);
   return true;
@@ -100,7 +100,7 @@ void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics
   const ReflexOptions& reflex = options_.reflex;
   const SwingTarget before = leg(k).target();
   const Vec2 step = (before.goal - before.start).head<2>();
-  const Vec2 way = step.norm() > kLevel ? Vec2(step.normalized()) : probe_direction_;
+  const Vec2 way = step.norm() > kSamePlace ? Vec2(step.normalized()) : probe_direction_;
   event_ = PlanEvent::caught;
   if (caught_ == 0) caught_at_ = p_WF.head<2>();
   if (++caught_ > reflex.most) {

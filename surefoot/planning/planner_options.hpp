@@ -81,15 +81,15 @@ struct SwingOptions {
 
 /// When a foot counts as down, as up, or as lost.
 struct TouchdownOptions {
-  double touchdown_force = 10.0;  ///< [N]
+  double touchdown_force = 10.0;  ///< a swinging foot that feels more has touched [N]
   /// The forces above hold where torques that are wrong by this make up less of a force; elsewhere,
   /// as with a leg nearly straight, all are larger in proportion [N·m].
   double torque_error = 1.6;
-  double lift_off_force = 15.0;  ///< [N]
+  double lift_off_force = 15.0;  ///< a foot that carries less may be lifted [N]
   double stall_error = 0.003;  ///< foot behind its reference by this, with at least stall_force [m]
   double bounce_speed = 0.06;  ///< … or faster upward, against its reference, than 10 ms ago [m/s]
   double bounce_force = 2.0;   ///< … while its force rises above what it was by this [N]
-  double stall_force = 3.0;    ///< [N]
+  double stall_force = 3.0;    ///< that a foot behind its reference must feel, too [N]
   double lost_force = 2.0;     ///< a loaded stance foot below this … [N]
   double lost_duration = 0.06;  ///< … for this long is lost [s]
 };

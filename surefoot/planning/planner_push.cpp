@@ -22,8 +22,7 @@ constexpr double kLongest = 2.0;        // … and again, up to about so many ti
 
 void Planner::react_to_push(const UserCommand& user, const RobotState& state,
                             const Dynamics& dynamics) {
-  const double ground = plane_.height(dynamics.com.p.head<2>());
-  balance_.update(state, dynamics, std::max(0.1, dynamics.com.p.z() - ground));
+  balance_.update(state, dynamics, com_height(dynamics));
   if (!options_.push.enabled) return;
   const Leg next = next_leg();
   if (mode_ == Mode::swing && leg(next).phase() == LegPhase::swing) {

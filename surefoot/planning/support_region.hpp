@@ -29,8 +29,9 @@ class SupportRegion {
   static constexpr int kMaxEdges = 14;
 
   SupportRegion() = default;
-  /// `share[i]` = α_i ≥ 0, zero for a foot in the air. If Σ α_i < 1 the shares are scaled up.
-  /// `heights` of the feet are only handed on to the edges between them.
+  /// `share[i]` = α_i ≥ 0, zero for a foot in the air. Shares whose sum is less than 1.02 are
+  /// scaled up to that, so that more than one point is left. `heights` of the feet are only handed
+  /// on to the edges between them.
   SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& share,
                 const PerLeg<double>& heights = {});
 

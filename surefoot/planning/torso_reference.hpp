@@ -20,7 +20,7 @@ class TorsoReference {
  public:
   TorsoReference(const TorsoOptions& options, double period) : options_(options), period_(period) {}
 
-  /// Begins at the true pose and motion.
+  /// Begins at the torso's pose and motion as they are believed.
   void restart(const RobotState& state);
   /// One period on. `com` gives where over the plane the torso is and how fast it goes; `turn` is
   /// added to roll, pitch and yaw.

@@ -11,11 +11,11 @@ namespace surefoot::simulation {
 ///
 /// `ideal`: the command, clipped to the robot's torque limits.
 ///
-/// `sea`: the clipped command times the gains arrives `delay_ticks` control ticks later. It starts
-/// with no torque. At level 1 it
-/// passes a first-order lag τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is
-/// limited by the torque–speed line at the joint's speed and is rounded to the torque's quantum.
-/// At level 2 it is the reference of each joint's SeriesElasticDrive.
+/// `sea`: the clipped command times the gains arrives `delay_ticks` control ticks later; what comes
+/// before the first is no torque, or that of `rest_at`. At level 1 it passes a first-order lag
+/// τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is limited by the
+/// torque–speed line at the joint's speed and is rounded to the torque's quantum. At level 2 it is
+/// the reference of each joint's SeriesElasticDrive.
 class Actuators {
  public:
   Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);

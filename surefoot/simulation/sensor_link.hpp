@@ -10,8 +10,8 @@ namespace surefoot::simulation {
 /// The way from the sensors to the controller: delays, then faults.
 ///
 /// A sample keeps the time at which it was taken, so that silence and delay show in the reading's
-/// sample times. Before the first sample there is only the first. A fault of one joint alone leaves
-/// the sample times as they are.
+/// sample times. Before the first sample there is only the first. A fault of one joint alone, of
+/// the gyroscope alone or of the accelerometer alone leaves the sample times as they are.
 class SensorLink {
  public:
   SensorLink(const SensorOptions& options, double control_period);

@@ -15,8 +15,8 @@ namespace surefoot::simulation {
 /// One joint's motor, gear and spring. Everything is told at the joint's side of the gear: angle θ
 /// and speed ω of the rotor, its inertia I = gear_ratio² · inertia.
 ///
-///     τ = k (θ − q)                                      the spring's torque, which the joint
-///     feels I ω̇ = τ_motor − τ − viscous ω − coulomb tanh(ω / coulomb_speed)
+///     τ = k (θ − q)                 of the spring, which the joint feels
+///     I ω̇ = τ_motor − τ − viscous ω − coulomb tanh(ω / coulomb_speed)
 ///
 /// The motor's torque comes from a loop on the spring's torque as it is measured, in whole quanta:
 ///

@@ -26,7 +26,7 @@ struct Standing {
     state.q = test::anymal_b().q_nominal;
     state.qd.setZero();
     state.foot_force.fill({0.0, 0.0, 0.25 * model.mass() * kGravity});
-    plan = test::plan_with_contacts({true, true, true, true});
+    v_WF.fill(Vec3::Zero());
   }
   void tick() {
     state.time = reading.time = kPeriod * ++ticks;
@@ -45,8 +45,8 @@ struct Standing {
                        {.state = state,
                         .dynamics = dynamics,
                         .stands = stands,
+                        .v_WF = v_WF,
                         .normal_W = Vec3::UnitZ(),
-                        .plan = plan,
                         .command = JointVector::Constant(10.0)},
                        health);
   }
@@ -64,8 +64,8 @@ struct Standing {
   RobotState state;
   SensorReading reading;
   SensorHealth health;
-  MotionPlan plan;
   PerLeg<bool> stands{true, true, true, true};
+  PerLeg<Vec3> v_WF{};
   Vec3 accelerometer_error = Vec3::Zero();
   JointVector torque_error = JointVector::Zero();
   bool is_imu_late = false, has_times = true;
@@ -116,36 +116,13 @@ TEST(SensorConsistency, TorquesThatWereNotCommandedAreFoundAndTheOnlyJointIsName
   EXPECT_EQ(robot.health.joint_torques.joint, -1) << "several";
 }
 
-TEST(SensorConsistency, TorquesMayBeOffByWhatDrivesAreOffBy) {
-  Standing robot;
-  robot.torque_error.setConstant(5.0);
-  robot.run(2.0);
-  EXPECT_TRUE(robot.is_well());
-}
-
-TEST(SensorConsistency, TorquesMayBeOffForAsLongAsADriveIsAtItsLimit) {
-  Standing robot;
-  for (int i = 0; i < 10; ++i) {
-    robot.torque_error.setConstant(30.0);
-    robot.run(0.15);
-    robot.torque_error.setConstant(0.0);
-    robot.run(0.15);
-  }
-  EXPECT_TRUE(robot.is_well());
-}
-
 TEST(SensorConsistency, FeetThatCarryMoreThanAnythingCanLoadAreAFaultOfTheTorques) {
-  for (const double share : {1.2, 3.0}) {
-    Standing robot;
-    for (Vec3& force : robot.state.foot_force) force *= share;
-    robot.run(1.0);
-    const bool is_found = robot.health.joint_torques.fault == SampleFault::contradicts;
-    EXPECT_EQ(is_found, share > 2.0) << share;
-    if (!is_found) continue;
-    const double age = robot.health.joint_torques.age;
-    robot.run(0.2);
-    EXPECT_NEAR(robot.health.joint_torques.age, age + 0.2, 0.01) << "it goes on";
-  }
+  Standing robot;
+  for (Vec3& force : robot.state.foot_force) force *= 3.0;
+  robot.run(1.0);
+  EXPECT_EQ(robot.health.joint_torques.fault, SampleFault::contradicts);
+  EXPECT_EQ(robot.health.joint_torques.joint, -1);
+  EXPECT_GT(robot.health.joint_torques.age, 0.02) << "beyond what is bridged";
 }
 
 TEST(SensorConsistency, WhatTheGuardFoundStays) {

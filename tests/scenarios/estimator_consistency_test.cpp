@@ -41,12 +41,12 @@ struct Case {
   double too_careful, too_sure;  // by which factor the standard deviations may be off
 };
 
-class Consistency : public testing::TestWithParam<Case> {};
+class EstimatorConsistency : public testing::TestWithParam<Case> {};
 
 /// Errors of one walk belong together (a bias, a leg that is longer), so a walk counts little more
 /// than a sample does and χ² has no sharp bounds for the mean of a few walks. 30 walks of 60 s have
 /// 0.62 as modelled and 8.2 with everything wrong, of 5.
-TEST_P(Consistency, TheWalkingEstimatorKnowsHowWrongItIs) {
+TEST_P(EstimatorConsistency, InAWalkItKnowsHowWrongItIs) {
   constexpr int kWalks = 6;
   double mean = 0.0;
   for (int seed = 1; seed <= kWalks; ++seed) {
@@ -58,7 +58,7 @@ TEST_P(Consistency, TheWalkingEstimatorKnowsHowWrongItIs) {
   EXPECT_LT(mean, kDegreesOfFreedom * (GetParam().too_sure * GetParam().too_sure));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, Consistency,
+INSTANTIATE_TEST_SUITE_P(Scenarios, EstimatorConsistency,
                          testing::Values(Case{"walk_flat", 4.0, 1.0},
                                          Case{"walk_flat_mismatch", 1.0, 1.6}),
                          [](const auto& test) { return std::string(test.param.scenario); });

@@ -1,0 +1,165 @@
+#include "surefoot/estimation/torque_check.hpp"
+
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;
+constexpr double kMass = 30.0;
+const TorqueCheckOptions kOptions;
+
+/// A lump of the robot's mass that stands still on four feet; a test makes its torques wrong.
+struct Lump {
+  Lump() {
+    dynamics.mass = kMass;
+    state.foot_force.fill(0.25 * kMass * kGravity * Vec3::UnitZ());
+    for (const Leg leg : kLegs) {
+      dynamics.contact[index(leg)].p = {is_front(leg) ? 0.3 : -0.3, is_left(leg) ? 0.2 : -0.2, 0.0};
+    }
+    run(0.5);
+  }
+  void tick() {
+    state.time = kPeriod * ++ticks;
+    state.torque = command + error;
+    const bool moves_exactly = ticks % encoder_ticks == 0;
+    check.update(state, dynamics, {true, true, true, true}, command, moves_exactly);
+  }
+  void run(double duration) {
+    for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
+  }
+
+  TorqueCheck check{kOptions, kPeriod};
+  Dynamics dynamics;
+  RobotState state;
+  JointVector command = JointVector::LinSpaced(-30.0, 30.0), error = JointVector::Zero();
+  int encoder_ticks = 1;  // between two samples
+  int ticks = 0;
+};
+
+TEST(TorqueCheck, AJointThatIsOffForLongIsFoundAndNamed) {
+  for (int joint = 0; joint < kNumJoints; ++joint) {
+    Lump robot;
+    robot.error[joint] = joint % 2 == 0 ? 20.0 : -20.0;
+    robot.run(kOptions.duration);
+    EXPECT_EQ(robot.check.wrong_for(), 0.0) << "not yet";
+    EXPECT_EQ(robot.check.joint(), -1);
+    robot.run(0.05);
+    EXPECT_GT(robot.check.wrong_for(), kOptions.duration);
+    EXPECT_EQ(robot.check.joint(), joint);
+    robot.error.setZero();
+    robot.run(0.1);
+    EXPECT_EQ(robot.check.wrong_for(), 0.0) << "it is over";
+  }
+}
+
+TEST(TorqueCheck, JointsMayBeOffByWhatDrivesAreOffBy) {
+  for (const double share : {-0.99, 0.99, -1.01, 1.01}) {
+    Lump robot;
+    robot.error.setConstant(share * kOptions.max_error);
+    robot.run(2.0);
+    EXPECT_EQ(robot.check.wrong_for() > 0.0, std::abs(share) > 1.0) << share;
+    EXPECT_EQ(robot.check.joint(), -1) << "none, or several";
+  }
+}
+
+TEST(TorqueCheck, JointsMayBeOffForAsLongAsADriveIsAtItsLimit) {
+  Lump robot;
+  for (int i = 0; i < 10; ++i) {
+    robot.error.setConstant(30.0);
+    robot.run(0.6 * kOptions.duration);
+    ASSERT_EQ(robot.check.wrong_for(), 0.0) << i;
+    robot.error.setZero();
+    robot.run(0.6 * kOptions.duration);
+  }
+}
+
+/// So far off that from one tick to the next it is never within what is allowed.
+TEST(TorqueCheck, WhatIsOffToEitherSideInTurnIsNotOffToOneSide) {
+  Lump robot;
+  for (int i = 0; i < 10; ++i) {
+    robot.error.setConstant(i % 2 == 0 ? 300.0 : -300.0);
+    robot.run(0.6 * kOptions.duration);
+    ASSERT_EQ(robot.check.wrong_for(), 0.0) << i;
+  }
+}
+
+TEST(TorqueCheck, ForcesThatNothingLoadsARobotWithAreFound) {
+  for (const double share : {0.9, 1.1}) {
+    Lump robot;
+    const double each = share * kOptions.max_force / kNumLegs;
+    for (Vec3& force : robot.state.foot_force) force += each * Vec3(0.6, 0.0, 0.8);
+    robot.run(1.0);
+    EXPECT_EQ(robot.check.wrong_for() > 0.0, share > 1.0) << share;
+    EXPECT_EQ(robot.check.joint(), -1);
+    const double before = robot.check.wrong_for();
+    robot.run(0.2);
+    EXPECT_NEAR(robot.check.wrong_for(), share > 1.0 ? before + 0.2 : 0.0, 1e-9) << "it goes on";
+  }
+}
+
+TEST(TorqueCheck, MomentsThatNothingLoadsARobotWithAreFound) {
+  for (const double share : {0.9, 1.1}) {
+    Lump robot;
+    const double each = share * kOptions.max_moment / (kNumLegs * 0.3);
+    for (const Leg leg : kLegs)
+      robot.state.foot_force[index(leg)].z() += is_front(leg) ? each : -each;
+    robot.run(1.0);
+    EXPECT_EQ(robot.check.wrong_for() > 0.0, share > 1.0) << share;
+  }
+}
+
+TEST(TorqueCheck, EncodersThatAreCoarserThanTheLoopSayNothingOfForces) {
+  Lump robot;
+  robot.encoder_ticks = 2;
+  for (Vec3& force : robot.state.foot_force) force *= 5.0;
+  robot.run(2.0);
+  EXPECT_EQ(robot.check.wrong_for(), 0.0);
+  robot.encoder_ticks = 1;
+  robot.run(0.2);
+  EXPECT_GT(robot.check.wrong_for(), 0.0);
+}
+
+TEST(TorqueCheck, WhatIsForgottenBeginsAnew) {
+  Lump robot;
+  robot.error[3] = 20.0;
+  robot.run(0.9 * kOptions.duration);
+  robot.check.forget();
+  robot.run(0.9 * kOptions.duration);
+  EXPECT_EQ(robot.check.wrong_for(), 0.0);
+  robot.run(0.2 * kOptions.duration);
+  EXPECT_GT(robot.check.wrong_for(), 0.0);
+  robot.check.forget();
+  EXPECT_EQ(robot.check.wrong_for(), 0.0);
+  EXPECT_EQ(robot.check.joint(), -1);
+}
+
+TEST(TorqueCheck, NumbersThatAreNoneAreNoFaultAndDoNotStay) {
+  Lump robot;
+  const Vec3 force = robot.state.foot_force[0];
+  robot.error[5] = kNaN;
+  robot.state.foot_force[0].setConstant(kNaN);
+  robot.run(1.0);
+  EXPECT_EQ(robot.check.wrong_for(), 0.0);
+  robot.error.setZero();
+  robot.state.foot_force[0] = force;
+  robot.run(1.0);
+  EXPECT_EQ(robot.check.wrong_for(), 0.0);
+  robot.error[5] = 20.0;
+  robot.run(0.3);
+  EXPECT_EQ(robot.check.joint(), 5);
+}
+
+TEST(TorqueCheck, AllocatesNothing) {
+  Lump robot;
+  const test::MallocCounter counter;
+  robot.run(0.1);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot
