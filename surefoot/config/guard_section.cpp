@@ -27,7 +27,7 @@ void read_torque_check(Section& section, TorqueCheckOptions& options) {
   section.number("duration", options.duration, kNotNegative);
   section.number("max_force", options.max_force, kPositive);
   section.number("max_moment", options.max_moment, kPositive);
-  section.number("time_constant", options.time_constant, kPositive);
+  section.number("time_constant", options.time_constant, kTimeConstant);
 }
 
 void read_consistency(Section& section, SensorConsistencyOptions& options) {

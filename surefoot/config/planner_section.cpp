@@ -124,7 +124,8 @@ void read_probe(Section& section, ProbeOptions& probe) {
 }
 
 void read_torso(Section& section, TorsoOptions& torso) {
-  section.number("frequency", torso.frequency, kPositive);
+  section.number("frequency", torso.frequency,
+                 {.min = 0.1, .max = 100.0, .words = "from 0.1 to 100 rad/s"});
   section.number("max_tilt", torso.max_tilt, kNotNegative);
   section.flag("follow_terrain", torso.follow_terrain);
 }
@@ -176,13 +177,17 @@ void read_push(Section& section, PushOptions& push) {
 }
 
 /// A leg is loaded after its touchdown before the next one is unloaded.
-void check_switch(const Section& section, const PlannerOptions& options) {
+void check_switches(const Section& section, const PlannerOptions& options) {
   const double least = options.force.ramps ? options.force.ramp_up + options.force.ramp_down : 0.0;
-  if (options.gait.switch_duration > least - 1e-9) return;
-  std::ostringstream message;
-  message << "switch_duration is " << options.gait.switch_duration
-          << " s; it must last as long as force.ramp_up and force.ramp_down, " << least << " s";
-  section.fail("gait", message.str());
+  const auto check = [&](const char* name, double duration) {
+    if (duration > least - 1e-9) return;
+    std::ostringstream message;
+    message << name << " is " << duration
+            << " s; it must last as long as force.ramp_up and force.ramp_down, " << least << " s";
+    section.fail("gait", message.str());
+  };
+  check("switch_duration", options.gait.switch_duration);
+  check("same_side_duration", options.gait.same_side_duration);
 }
 
 /// Or a foot that searches would be taken back at once.
@@ -212,7 +217,7 @@ void read_planner(Section& section, PlannerOptions& options) {
                   [&](Section& s) { read_friction_frame(s, options.friction_frame); });
   section.section("foothold", [&](Section& s) { read_foothold(s, options.foothold); });
   section.section("push", [&](Section& s) { read_push(s, options.push); });
-  check_switch(section, options);
+  check_switches(section, options);
   check_hip_height(section, options);
 }
 

@@ -165,6 +165,12 @@ void read_slip(Section& section, SlipOptions& slip) {
   section.number("force", slip.force, kNotNegative);
   section.number("settle", slip.settle, kNotNegative);
   section.number("cutoff_hz", slip.cutoff_hz, kPositive);
+  if (slip.end_speed > slip.begin_speed) {
+    std::ostringstream message;
+    message << "is " << slip.end_speed << " m/s; it must not be above begin_speed, "
+            << slip.begin_speed << " m/s";
+    section.fail("end_speed", message.str());
+  }
 }
 
 void read_contact_force(Section& section, ContactForceOptions& contact_force) {
@@ -175,8 +181,8 @@ void read_contact_force(Section& section, ContactForceOptions& contact_force) {
 
 void read_external_force(Section& section, ExternalForceOptions& external) {
   section.flag("enabled", external.enabled);
-  section.number("time_constant", external.time_constant, kPositive);
-  section.number("load_time_constant", external.load_time_constant, kPositive);
+  section.number("time_constant", external.time_constant, kTimeConstant);
+  section.number("load_time_constant", external.load_time_constant, kTimeConstant);
   section.number("dead_band", external.dead_band, kNotNegative);
   section.number("load_dead_band", external.load_dead_band, kNotNegative);
   section.number("moment_dead_band", external.moment_dead_band, kNotNegative);

@@ -22,6 +22,8 @@ struct NumberRange {
 inline constexpr NumberRange kAnyNumber{};
 inline constexpr NumberRange kPositive{
     .min = 0.0, .min_included = false, .words = "a number above 0"};
+/// Of a low-pass: some periods of control at least, or it is none and may be unstable.
+inline constexpr NumberRange kTimeConstant{.min = 0.01, .max = 10.0, .words = "from 0.01 to 10 s"};
 inline constexpr NumberRange kNotNegative{.min = 0.0, .words = "a number of at least 0"};
 inline constexpr NumberRange kShare{.min = 0.0, .max = 1.0, .words = "a number from 0 to 1"};
 

@@ -51,7 +51,7 @@ Vec3 FootholdPlanner::foothold(Leg leg, const PerLeg<Vec3>& footholds, const Ter
   const bool follows = !is_front(leg) && options_.hind_use_front_prints;
   const Vec3 wanted =
       follows ? on_prints(prints_[is_left(leg) ? 0 : 1], nominal, from, heading) : nominal;
-  return beside_voids(wanted, from, plane, heading);
+  return beside_voids(leg, wanted, footholds, plane, heading);
 }
 
 double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg<Vec3>& footholds,
@@ -115,8 +115,9 @@ bool FootholdPlanner::is_void(const Vec2& place) const {
 
 // Half the way there may still be the ground that the foot stands on; then over it, then beside it.
 // Where nothing is left the foot stays where it is: there is ground.
-Vec3 FootholdPlanner::beside_voids(const Vec3& place, const Vec3& from, const TerrainPlane& plane,
-                                   const Vec2& heading) const {
+Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
+                                   const TerrainPlane& plane, const Vec2& heading) const {
+  const Vec3& from = footholds[index(leg)];
   if (!is_void(place.head<2>())) return place;
   const Vec2 step = (place - from).head<2>();
   const Vec2 way = step.norm() > options_.void_radius ? Vec2(step.normalized()) : heading;
@@ -129,7 +130,7 @@ Vec3 FootholdPlanner::beside_voids(const Vec3& place, const Vec3& from, const Te
     const Vec2 there = from.head<2>() + other;
     if (other.norm() > kReachUpward * options_.max_step || is_void(there)) continue;
     Vec3 result;
-    result << there, plane.height(there);
+    result << there, expected_height(leg, there, footholds, plane);
     return result;
   }
   return from;

@@ -72,8 +72,8 @@ class FootholdPlanner {
                                const Vec2& heading) const;
   [[nodiscard]] bool is_void(const Vec2& place) const;
   /// The place, or where it is known that there is no ground, another one that the foot can reach.
-  [[nodiscard]] Vec3 beside_voids(const Vec3& place, const Vec3& from, const TerrainPlane& plane,
-                                  const Vec2& heading) const;
+  [[nodiscard]] Vec3 beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
+                                  const TerrainPlane& plane, const Vec2& heading) const;
 
   StanceOptions stance_;
   FootholdOptions options_;

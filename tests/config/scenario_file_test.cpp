@@ -221,6 +221,24 @@ TEST_F(ScenarioFile, refuses_a_switch_of_sides_shorter_than_its_ramps) {
       (void)read("", 0, {"planner.gait.switch_duration=0.05", "planner.force.ramps=false"}));
 }
 
+TEST_F(ScenarioFile, refuses_a_switch_on_one_side_shorter_than_its_ramps) {
+  EXPECT_TRUE(holds(complaint("", {"planner.gait.same_side_duration=0"}),
+                    "planner.gait: same_side_duration is 0 s; it must last as long as"));
+}
+
+TEST_F(ScenarioFile, refuses_filters_that_are_too_quick_for_any_control_period) {
+  EXPECT_TRUE(holds(complaint("", {"planner.torso.frequency=2000"}), "from 0.1 to 100 rad/s"));
+  for (const std::string key : {"external_force.time_constant", "external_force.load_time_constant",
+                                "guard.consistency.torques.time_constant"}) {
+    EXPECT_TRUE(holds(complaint("", {key + "=0.0005"}), "from 0.01 to 10 s")) << key;
+  }
+}
+
+TEST_F(ScenarioFile, refuses_a_slip_that_would_end_before_it_began) {
+  EXPECT_TRUE(holds(complaint("", {"slip.end_speed=0.1"}),
+                    "slip.end_speed: is 0.1 m/s; it must not be above begin_speed"));
+}
+
 TEST_F(ScenarioFile, refuses_a_control_period_that_no_walk_bears) {
   EXPECT_TRUE(holds(complaint("", {"period=0.1"}), "above 0 and at most 0.01 s"));
 }

@@ -414,6 +414,20 @@ TEST(FootholdPlanner, BehindAnEdgeGroundIsExpectedNoHigherThanTheFeetStand) {
   }
 }
 
+TEST(FootholdPlanner, BehindAnEdgeSoIsThatOfAnotherPlaceThanOneWithoutGround) {
+  OnTwoLevels feet(0.2);
+  const TerrainPlane plane = fit_terrain_plane(feet.feet, 0.35);
+  const auto next = [&] {
+    return feet.planner.foothold(Leg::LF, feet.feet, plane, 0.0, command(0.04), kCycle);
+  };
+  const Vec3 first = next();
+  feet.planner.avoid(first);
+  const Vec3 other = next();
+  EXPECT_GT((other - first).norm(), 0.0);
+  EXPECT_GT(plane.height(other.head<2>()), 0.2);
+  EXPECT_NEAR(other.z(), 0.2, 1e-12);
+}
+
 TEST(FootholdPlanner, BehindAnEdgeDownwardGroundIsExpectedOnThePlane) {
   for (const double rise : {-0.2, -0.14}) {
     EXPECT_EQ(OnTwoLevels(rise).expected(), OnTwoLevels(rise, false).expected());
