@@ -240,7 +240,7 @@ FootPlan LegMotion::plan(double time) const {
 Motion<Vec3> LegMotion::reference(double time) const {
   Motion<Vec3> result = curve_.at(since(time));
   result.v *= search_pace_;
-  result.a *= search_pace_;
+  if (curve_.target().straight) result.a *= search_pace_;
   const Vec3 r = result.p - hip_.p;
   const double length = r.norm(), reach = swing_.reach_max;
   if (length <= reach) return result;
