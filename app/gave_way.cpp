@@ -134,10 +134,9 @@ std::string without_solution(const TickRecord& tick) {
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
   return std::string(was_solved(tick.hierarchy)
-                         ? "The controller stopped at this tick, and what was solved was not used"
-                         : "No hierarchy was solved at this tick") +
-         ": the command is that of the mode " + mode + ", because " +
-         (why.empty() ? "there was no state to believe" : why) + ".";
+                         ? "The controller stopped, and what was solved was not used"
+                         : "No hierarchy was solved") +
+         ": " + mode + ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
 }
 
 /// The level in which a solve was cut off; empty: it came to its end.

@@ -64,7 +64,7 @@ def test_a_stop_for_safety_is_no_good_news(browser, stopped):
     with Viewer("replay", stopped) as replay:
         show(browser, replay.link)
         browser.run("(() => { const scrub = document.querySelector('#scrub'); scrub.value = scrub.max; scrub.dispatchEvent(new Event('input')); })()")
-        account = "No hierarchy was solved at this tick: the command is that of the mode \\w+, because "
+        account = "No hierarchy was solved: \\w+, because "
         browser.wait(f"surefoot.channel('command.mode')[0] > 1 && /^{account}/.test(document.querySelector('#account').innerText)", 30)
         browser.wait("document.querySelector('#account').dataset.kind === 'bad'")
 

@@ -119,7 +119,7 @@ test("of a solve that was cut off nothing is said of the level that it was in an
   const cut = "The solver was cut off in second: of it and the levels below it nothing is known.";
   assert.deepEqual(detailsOf({ kind: "bad", line: cut, first: [cut], whole: cut, more: ["first gives way."] }), ["first gives way."], "what the line says is said");
   assert.deepEqual(accountOf(states, ""), { kind: "bad", line: cut, first: [cut], whole: cut, more: [] });
-  assert.match(accountAt(frameAt(2, -1)).line, /^No hierarchy was solved at this tick: /, "whatever an older program left in its record");
+  assert.match(accountAt(frameAt(2, -1)).line, /^No hierarchy was solved: /, "whatever an older program left in its record");
   assert.equal(accountAt(frameAt(1, 0)).line, cut.replace("second", "first"));
   for (const [status, failed] of [[0, -1], [1, 2]] as const) assert.deepEqual(statesOf(status, failed).map((one) => one.status), ["met", "at limit"], "only x is not the shortest");
 });

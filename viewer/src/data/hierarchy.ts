@@ -92,9 +92,9 @@ function statusOf({ residual, rows, active }: Omit<LevelState, "status">, visibl
 export function nothingText(frame: Frame, states: LevelState[]): string {
   if (isFollowed(frame)) return solvedLevels(frame) === 0 ? cutOffText(states[0]) : "No level is solved.";
   const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT
-    ? "No hierarchy was solved at this tick" : "The controller stopped at this tick, and what was solved was not used";
+    ? "No hierarchy was solved" : "The controller stopped, and what was solved was not used";
   const why = stopText(frame) || "there was no state to believe";
-  return `${begin}: the command is that of the mode ${word(frame, "command.mode")}, because ${why}.`;
+  return `${begin}: ${word(frame, "command.mode")}, because ${why}.`;
 }
 
 const cutOffText = (level: LevelState | undefined): string =>
