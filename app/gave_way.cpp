@@ -84,9 +84,9 @@ std::string to_nobody(Known known) {
 }
 
 /// How many of a level's rows are told: the dearest, and of the others those that cost at least a
-/// tenth of it, at most five.
+/// tenth of it, at most four.
 std::size_t num_told(const LevelThatGaveWay& level) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMost = 4;
   if (!has_costs(level)) return std::min(level.to.size(), kMost);
   const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= 0.1 * level.to[0].cost); };
   const auto end = std::ranges::find_if(level.to, cheap);
@@ -112,8 +112,7 @@ std::string clause(const LevelThatGaveWay& level, Known known) {
                    (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
   }
   const std::size_t others = level.to.size() - rows.size();
-  if (others > 0)
-    rows.push_back(std::to_string(others) + (has_costs(level) ? " that cost less" : " more"));
+  if (others > 0) rows.push_back(std::to_string(others) + " more");
   return text + " to " + joined(rows);
 }
 

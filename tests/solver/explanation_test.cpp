@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -138,6 +139,37 @@ TEST(Explanation, OfLimitsThatContradictEachOtherTheOneThatStopsTheWishHasTheCos
       EXPECT_TRUE(explained.blocked_by[1].would_gain);
     }
   }
+}
+
+// The limit below is missed, and holds the other way: it explains nothing.
+TEST(Explanation, OfLimitsOfTwoLevelsThatContradictEachOtherTheOneThatStopsTheWishIsNamed) {
+  const LevelData motor = at_most(MatrixXd::Ones(1, 1), number(500.0));
+  const LevelData grip = at_most(-MatrixXd::Ones(1, 1), number(-501.0));
+  const auto wish =
+      explanation(1, {motor, grip, equalities(MatrixXd::Ones(1, 1), number(600.0))})[2];
+  ASSERT_FALSE(wish.blocked_by.empty());
+  EXPECT_EQ(wish.blocked_by[0].at.level, 0u);
+  EXPECT_NEAR(wish.blocked_by[0].cost, 100.0, 1e-9);
+  EXPECT_NEAR(wish.blocked_by[0].multiplier, 100.0, 1e-9);
+  EXPECT_NEAR(wish.cost_of_level[0], 100.0, 1e-9);
+}
+
+TEST(Explanation, AMissedLimitAndOneThatIsMetDoNotSayTheSameWhereBothStopTheWish) {
+  const LevelData above = at_most(MatrixXd::Ones(1, 1), number(500.0));
+  const LevelData grip = at_most(-MatrixXd::Ones(1, 1), number(-501.0));
+  const LevelData met = at_most(MatrixXd::Ones(1, 1), number(500.5));
+  const auto wish = explanation(
+      1, {joined(above, grip), met, equalities(MatrixXd::Ones(1, 1), number(600.0))})[2];
+  for (const DistinctBlocker& blocker : wish.blocked_by) {
+    EXPECT_TRUE(blocker.same.empty());
+    EXPECT_NEAR(blocker.cost, 0.0, 1e-9);
+  }
+  const auto is_named = [&](std::size_t level) {
+    return std::ranges::any_of(
+        wish.blocked_by, [&](const DistinctBlocker& blocker) { return blocker.at.level == level; });
+  };
+  EXPECT_TRUE(is_named(0));
+  EXPECT_TRUE(is_named(1));
 }
 
 TEST(Explanation, CostsAreNeitherNegativeNorMoreThanTheResidual) {
