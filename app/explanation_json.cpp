@@ -21,6 +21,8 @@ Json blocking_levels(const std::vector<LevelAccount>& levels, const LevelAccount
                       {"cost", row.cost},
                       {"multiplier", row.multiplier},
                       {"independence", row.independence}});
+      const std::string unit = multiplier_unit(level, levels[by.level]);
+      if (!unit.empty()) rows.back()["multiplier_unit"] = unit;
       if (row.would_gain) rows.back()["would_gain"] = true;
       if (!row.same.empty()) rows.back()["same"] = rows_and_levels(row.same);
     }

@@ -137,14 +137,24 @@ class Text {
     return text;
   }
 
-  static std::string share(const LevelAccount& level, const BlockingLevelAccount& by) {
+  /// Of the levels beside `by` that hold the same.
+  [[nodiscard]] std::string others(const LevelAccount& level,
+                                   const BlockingLevelAccount& by) const {
+    std::string names;
+    for (const BlockingLevelAccount& other : level.blocked_by)
+      if (other.level != by.level) names += (names.empty() ? "" : ", ") + level_name(other.level);
+    return names.empty() ? "others" : names;
+  }
+
+  [[nodiscard]] std::string share(const LevelAccount& level, const BlockingLevelAccount& by) const {
     if (std::isnan(by.cost))
       return " at a cost that is not known: without it the level could not be solved\n";
     if (by.cost == 0.0) {
       const bool is_said_again = std::ranges::any_of(
           by.rows, [](const BlockingRowAccount& row) { return row.cost > 0.0; });
-      return is_said_again ? ", which costs nothing alone: other levels say the same\n"
-                           : " and by others, none of which costs anything alone\n";
+      return is_said_again
+                 ? ", which costs nothing alone: other levels say the same\n"
+                 : " and by " + others(level, by) + ", none of which costs anything alone\n";
     }
     return ", which costs " + amount(level, by.cost) + ": without it the residual would be " +
            amount(level, std::max(0.0, level.residual - by.cost)) + "\n";
@@ -170,18 +180,21 @@ class Text {
            (row.same.size() == 1 ? ", which says" : ", which say") + " the same, costs ";
   }
 
-  static std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) {
+  [[nodiscard]] std::string rows(const LevelAccount& level, const BlockingLevelAccount& by) const {
+    const std::string unit = multiplier_unit(level, levels_[by.level]);
     std::string text;
     for (std::size_t i = 0; i < std::min(by.rows.size(), kMostRows); ++i) {
       const BlockingRowAccount& row = by.rows[i];
       if (row.would_gain && row.cost == 0.0) {
         text += "      " + row.name + ", " + std::string(row.state) +
-                ", stops nothing: it wants the same, and others contradict it\n";
+                (by.cost == 0.0 ? ", wants the same, but keeps what it has\n"
+                                : ", stops nothing: it wants the same, and others contradict it\n");
         continue;
       }
       text += "      " + row.name + ", " + std::string(row.state) + costs(row, by.level) +
               (std::isnan(row.cost) ? "what is not known" : amount(level, row.cost)) +
-              " (multiplier " + number(row.multiplier) + dependence(row) + ")\n";
+              " (multiplier " + number(row.multiplier) + (unit.empty() ? "" : " " + unit) +
+              dependence(row) + ")\n";
     }
     return text + more(by.rows.size(), "      and ", "\n");
   }

@@ -25,13 +25,14 @@ std::string row_name(const TickExplanation& explanation, const BlockingRow& row)
 }
 
 std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
+  if (explanation.exact) return explanation.exact->at(level);
   std::vector<CostlyRow> rows;
   const HierarchyReport& report = explanation.tick.hierarchy;
   for (std::int32_t i = 0; i < report.num_blocking; ++i) {
     const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
     if (row.level != level) continue;
     rows.push_back(
-        {explanation.header.level_name(row.by_level), row_name(explanation, row), row.cost});
+        {explanation.header.level_name(row.by_level), row_name(explanation, row), row.cost, {}});
   }
   return rows;
 }
@@ -72,7 +73,7 @@ bool is_by_the_same(const LevelThatGaveWay& a, const LevelThatGaveWay& b) {
 enum class Known { all, not_all, none_on_the_way };
 
 Known known(const TickExplanation& explanation) {
-  if (explanation.tick.hierarchy.blocking_is_known) return Known::all;
+  if (explanation.exact || explanation.tick.hierarchy.blocking_is_known) return Known::all;
   return explanation.blend ? Known::none_on_the_way : Known::not_all;
 }
 
@@ -82,16 +83,36 @@ std::string to_nobody(Known known) {
                              : "; to what is not known";
 }
 
+/// How many of a level's rows are told: the dearest, and of the others those that cost at least a
+/// tenth of it, at most four.
+std::size_t num_told(const LevelThatGaveWay& level) {
+  constexpr std::size_t kMost = 4;
+  if (!has_costs(level)) return std::min(level.to.size(), kMost);
+  const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= 0.1 * level.to[0].cost); };
+  const auto end = std::ranges::find_if(level.to, cheap);
+  return std::min(static_cast<std::size_t>(end - level.to.begin()), kMost);
+}
+
+/// " with friction_cone LF 1"; empty: no other says the same.
+std::string with_same(const CostlyRow& row) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < row.same.size(); ++i)
+    names.push_back(named(row.same[i], i == 0 ? &row : &row.same[i - 1]));
+  return names.empty() ? "" : " with " + joined(names);
+}
+
 std::string clause(const LevelThatGaveWay& level, Known known) {
   const std::string unit = level.unit.empty() ? "" : " " + level.unit;
   std::string text = level.name + " gave way by " + number(level.residual) + unit;
   if (level.to.empty()) return text + to_nobody(known);
   std::vector<std::string> rows;
-  for (std::size_t i = 0; i < level.to.size(); ++i) {
+  for (std::size_t i = 0; i < num_told(level); ++i) {
     const CostlyRow& row = level.to[i];
-    rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) +
+    rows.push_back(named(row, i == 0 ? nullptr : &level.to[i - 1]) + with_same(row) +
                    (has_costs(level) ? " (" + number(row.cost) + unit + ")" : ""));
   }
+  const std::size_t others = level.to.size() - rows.size();
+  if (others > 0) rows.push_back(std::to_string(others) + " more");
   return text + " to " + joined(rows);
 }
 
@@ -157,6 +178,12 @@ std::string account(const TickExplanation& explanation, const std::string& cut_o
                           restless);
 }
 
+bool has_costs(const TickExplanation& explanation) {
+  return std::ranges::any_of(gave_way(explanation), [](const LevelThatGaveWay& level) {
+    return !level.restless && has_costs(level);
+  });
+}
+
 /// The same of a tick beside a blend, with its time; empty: the log does not have it.
 std::string neighbour(const TickExplanation& explanation, const std::optional<NeighbourTick>& tick,
                       const std::string& where) {
@@ -166,6 +193,8 @@ std::string neighbour(const TickExplanation& explanation, const std::optional<Ne
   beside.tick = tick->tick;
   beside.order = tick->order;
   beside.row_names = explanation.row_names;
+  beside.exact = tick->exact;
+  if (!beside.exact) beside.why_estimates = explanation.why_estimates;
   return where + formatted(" it, at %.4f s: ", tick->tick.reading.time) + gave_way_sentence(beside);
 }
 
@@ -186,6 +215,13 @@ std::string outcome(const TickExplanation& explanation) {
   const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
   return (is_any_solved ? account(explanation, cut_off) + " " : "") + "The solver was cut off in " +
          cut_off + ": of it and the levels below it nothing is known.";
+}
+
+/// Of costs that are not exact, where that was asked for.
+std::string estimates(const TickExplanation& explanation) {
+  if (explanation.exact || explanation.why_estimates.empty() || !has_costs(explanation)) return "";
+  return " The costs are the control loop's estimates, and mostly too high: " +
+         explanation.why_estimates + ".";
 }
 
 }  // namespace
@@ -222,7 +258,7 @@ std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
 
 std::string gave_way_sentence(const TickExplanation& explanation) {
   if (!was_used(explanation.tick)) return without_solution(explanation.tick);
-  if (!explanation.blend) return outcome(explanation);
+  if (!explanation.blend) return outcome(explanation) + estimates(explanation);
   return blended(explanation) + outcome(explanation) +
          neighbour(explanation, explanation.blend->before, " Before") +
          neighbour(explanation, explanation.blend->after, " Behind");

@@ -7,12 +7,6 @@
 
 namespace surefoot {
 
-/// A row of a higher level, and what it cost a level that gave way by itself.
-struct CostlyRow {
-  std::string level, row;
-  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone
-};
-
 /// A level that did not get what it asked for.
 struct LevelThatGaveWay {
   std::string name, unit;

@@ -181,6 +181,17 @@ class Accountant {
 
 }  // namespace
 
+std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by) {
+  const auto is_one = [](const std::string& unit) {
+    return !unit.empty() && unit.find(" and ") == std::string::npos;
+  };
+  if (!is_one(level.unit) || !is_one(by.unit)) return "";
+  if (level.unit == by.unit) return level.unit;
+  const bool is_product = level.unit.find_first_of("/^ ") != std::string::npos ||
+                          level.unit.find("·") != std::string::npos;
+  return (is_product ? "(" + level.unit + ")²" : level.unit + "²") + " per " + by.unit;
+}
+
 std::size_t num_finished(const Solution& solution, std::size_t num_levels) {
   const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0;
   return is_cut_off ? static_cast<std::size_t>(solution.failed_level) : num_levels;

@@ -78,6 +78,10 @@ struct LevelAccount {
   std::vector<BlockingLevelAccount> blocked_by;  ///< dearest first
 };
 
+/// Of the multiplier of a row in `by`'s unit: of half the squared residual, by the row's bound, as
+/// "N² per m/s²". Empty where a unit is not known.
+[[nodiscard]] std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by);
+
 /// How many levels, from the first on, are at their optimum: all, unless the search was cut off.
 [[nodiscard]] std::size_t num_finished(const Solution& solution, std::size_t num_levels);
 

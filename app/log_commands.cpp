@@ -1,7 +1,9 @@
 #include "app/log_commands.hpp"
 
 #include "app/contents_text.hpp"
+#include "app/exact_costs.hpp"
 #include "app/exit_code.hpp"
+#include "app/progress.hpp"
 #include "app/tick_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
@@ -13,7 +15,11 @@ namespace surefoot {
 
 int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
-  const TickExplanation explanation = read_tick(arguments.log, arguments.at);
+  TickExplanation explanation = read_tick(arguments.log, arguments.at);
+  {
+    const Waiting waiting("computing " + arguments.log + " again up to the tick");
+    find_exact_costs(arguments.log, explanation);
+  }
   if (arguments.json) {
     out << printable(tick_json(arguments.log, explanation).dump()) << std::endl;
   } else {

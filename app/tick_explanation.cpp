@@ -97,7 +97,7 @@ class BlendWatch {
     if (!follows) last_.reset();
     if (is_going_on_ && (!was_going_on || !follows)) begin(tick.reading.time);
     if (is_going_on_) return;
-    last_ = NeighbourTick{tick, order};
+    last_ = NeighbourTick{tick, order, {}};
     if (!was_going_on || !follows) return;
     blend_.until = tick.reading.time;
     blend_.after = last_;

@@ -24,10 +24,21 @@ struct NearbyEvent {
   std::string by = "planner";  ///< "operator", "outside", "controller", "run"
 };
 
+/// A row of a higher level, and what it cost a level that gave way by itself.
+struct CostlyRow {
+  std::string level, row;
+  double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone; NaN: not known
+  std::vector<CostlyRow> same;  ///< others that say the same: the cost is of all together
+};
+
+/// What held each level of a tick back, by its number in the header; dearest first.
+using ExactCosts = std::map<std::int16_t, std::vector<CostlyRow>>;
+
 /// A tick beside another.
 struct NeighbourTick {
   TickRecord tick;
   std::vector<std::int16_t> order;  ///< as of a TickExplanation
+  std::optional<ExactCosts> exact;  ///< the same
 };
 
 /// On the way from one hierarchy to another, as after a change of the order: the torques lie
@@ -52,6 +63,9 @@ struct TickExplanation {
   std::optional<AlignedEstimate> estimate;                                 ///< the same
   std::map<std::pair<std::int16_t, std::int32_t>, std::string> row_names;  ///< by level and id
   std::optional<HierarchyBlend> blend;                                     ///< that the tick is in
+  /// See `find_exact_costs`; without it the costs are those of the log, estimates of the loop.
+  std::optional<ExactCosts> exact;
+  std::string why_estimates;        ///< why there are no exact costs; empty: it was not tried
   std::vector<NearbyEvent> events;  ///< around the tick, in order
   double asked = kNaN;              ///< [s]
   bool is_behind_end = false;       ///< the log ends before that; the tick is its last

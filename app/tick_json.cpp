@@ -31,8 +31,11 @@ Json gave_way_json(const TickExplanation& explanation) {
   Json list = Json::array();
   for (const LevelThatGaveWay& level : gave_way(explanation)) {
     Json to = Json::array();
-    for (const CostlyRow& row : level.to)
-      to.push_back({{"level", row.level}, {"row", row.row}, {"cost", row.cost}});
+    for (const CostlyRow& row : level.to) {
+      to.push_back({{"level", row.level}, {"row", row.row}, {"cost", number(row.cost)}});
+      for (const CostlyRow& same : row.same)
+        to.back()["same"].push_back({{"level", same.level}, {"row", same.row}});
+    }
     list.push_back({{"level", level.name},
                     {"residual", level.residual},
                     {"unit", level.unit},
@@ -153,7 +156,8 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"solved", is_solved},
                {"sentence", gave_way_sentence(explanation)},
                {"gave_way", gave_way_json(explanation)},
-               {"blocking_is_known", tick.hierarchy.blocking_is_known},
+               {"costs_are_exact", explanation.exact.has_value()},
+               {"blocking_is_known", tick.hierarchy.blocking_is_known || explanation.exact},
                {"blend", blend_json(explanation)},
                {"tilt", number(std::acos(std::clamp(R_WB(2, 2), -1.0, 1.0)))},
                {"feet", feet_json(explanation)},
@@ -172,6 +176,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
   if (explanation.truth) json["pushed_by"] = applied_json(explanation);
   if (explanation.truth) json["truth"] = message(*explanation.truth);
   if (explanation.estimate) json["estimate"] = message(*explanation.estimate);
+  if (!explanation.why_estimates.empty()) json["why_estimates"] = explanation.why_estimates;
   if (!explanation.problem.empty()) json["problem"] = explanation.problem;
   return json;
 }

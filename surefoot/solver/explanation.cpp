@@ -134,11 +134,40 @@ bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hie
   return by * force < 0.0 && std::abs(by) > rounding;
 }
 
-/// Of T: all are at their bound.
-Distinct distinct_touching(const RowSet& touching) {
+/// Of T: all are at their bound, or are missed alike and hold as they are.
+Distinct distinct_touching(const RowSet& touching, const Hierarchy& hierarchy, const VectorXd& x) {
   return distinct(touching, [&](Index i, Index j) {
-    return (touching.rows.row(i) - touching.rows.row(j)).norm() <= kSame;
+    const double apart = missed(touching, i, hierarchy, x) - missed(touching, j, hierarchy, x);
+    return (touching.rows.row(i) - touching.rows.row(j)).norm() <= kSame &&
+           std::abs(apart) <= kTolerances.tight * (1.0 + x.norm());
   });
+}
+
+/// What holds a level, with every row as `copy_pinned` has it: limits that are missed hold only
+/// outwards, so they are in T.
+struct Pinned {
+  explicit Pinned(Index unknowns) : fixed(unknowns), touching(unknowns) {}
+
+  RowSet fixed, touching;
+  bool has_missed_limits = false;
+};
+
+Pinned pinned(const Hierarchy& hierarchy, const VectorXd& x, const RowSet& fixed,
+              const RowSet& touching) {
+  Pinned result(x.size());
+  result.touching = touching;
+  for (Index i = 0; i < fixed.rows.rows(); ++i) {
+    const RowIndex at = fixed.origin[static_cast<std::size_t>(i)];
+    const Level& level = hierarchy.level(at.level);
+    const VectorXd row = fixed.rows.row(i);
+    if (level.lower()[at.row] == level.upper()[at.row]) {
+      result.fixed.add(row, at);
+    } else {
+      result.touching.add(missed(fixed, i, hierarchy, x) < 0.0 ? VectorXd(-row) : row, at);
+      result.has_missed_limits = true;
+    }
+  }
+  return result;
 }
 
 /// Of each row of E, then of each of T; that of a row of T that doesn't push is 1.
@@ -182,6 +211,11 @@ VectorXd noise(const Level& level, const VectorXd& x, const RowSet& fixed, const
   return result;
 }
 
+bool is_of(const DistinctBlocker& blocker, RowIndex at) {
+  const auto is_it = [&](RowIndex of) { return of.level == at.level && of.row == at.row; };
+  return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
+}
+
 struct Candidate {
   DistinctBlocker blocker;
   bool is_certain = false;  ///< its multiplier is; of others only a cost is
@@ -218,9 +252,14 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
   return result;
 }
 
-bool is_of(const DistinctBlocker& blocker, RowIndex at) {
-  const auto is_it = [&](RowIndex of) { return of.level == at.level && of.row == at.row; };
-  return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
+template <typename Predicate>
+RowSet without(const RowSet& rows, const Predicate& is_left_out) {
+  RowSet result(rows.rows.cols());
+  for (Index i = 0; i < rows.rows.rows(); ++i) {
+    const RowIndex at = rows.origin[static_cast<std::size_t>(i)];
+    if (!is_left_out(at)) result.add(rows.rows.row(i).transpose(), at);
+  }
+  return result;
 }
 
 /// Whether more than rounding is missing.
@@ -231,6 +270,58 @@ bool is_missed(const Level& level, const VectorXd& x) {
     if (by > kCosts * level.A().row(i).norm() * x.norm()) return true;
   }
   return false;
+}
+
+/// The same, and those that only show where limits that are missed hold no more than outwards. Of a
+/// row without which the level gains every choice of multipliers has one then, so that whichever is
+/// found has all of these.
+std::vector<Candidate> all_candidates(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
+                                      const LevelConditions& level, const RowSet& fixed,
+                                      const RowSet& touching, bool all) {
+  std::vector<Candidate> list =
+      candidates(hierarchy, k, x, level, distinct_fixed(fixed, hierarchy, x),
+                 distinct_touching(touching, hierarchy, x), all);
+  const Pinned rows = pinned(hierarchy, x, fixed, touching);
+  if (!rows.has_missed_limits) return list;
+  const std::vector<Candidate> more =
+      candidates(hierarchy, k, x, level, distinct_fixed(rows.fixed, hierarchy, x),
+                 distinct_touching(rows.touching, hierarchy, x), all);
+  const std::size_t num_first = list.size();
+  for (Candidate candidate : more) {
+    const auto is_known = [&](const Candidate& other) {
+      return is_of(other.blocker, candidate.blocker.at);
+    };
+    if (std::any_of(list.begin(), list.begin() + static_cast<Index>(num_first), is_known)) continue;
+    candidate.is_certain = false;  // it is told for its cost alone
+    list.push_back(std::move(candidate));
+  }
+  return list;
+}
+
+/// Rows that hold the level where those of the list do not: without them it would gain no more than
+/// with them. Found by what has a multiplier once they are gone, again and again.
+std::vector<Candidate> others_that_hold(const Hierarchy& hierarchy, std::size_t k,
+                                        const VectorXd& x, const LevelConditions& level,
+                                        const RowSet& fixed, const RowSet& touching,
+                                        std::vector<DistinctBlocker> named) {
+  const Pinned rows = pinned(hierarchy, x, fixed, touching);
+  const auto is_named = [&](RowIndex at) {
+    return std::ranges::any_of(named,
+                               [&](const DistinctBlocker& blocker) { return is_of(blocker, at); });
+  };
+  std::vector<Candidate> others;
+  while (
+      !(level.residual - residual_without(hierarchy, k, x, is_named) > kCosts * level.residual)) {
+    const RowSet left_fixed = without(rows.fixed, is_named);
+    const RowSet left_touching = without(rows.touching, is_named);
+    const std::vector<Candidate> found =
+        candidates(hierarchy, k, x, level, distinct_fixed(left_fixed, hierarchy, x),
+                   distinct_touching(left_touching, hierarchy, x), false);
+    if (found.empty()) break;
+    for (const Candidate& candidate : found) named.push_back(candidate.blocker);
+    others.insert(others.end(), found.begin(), found.end());
+  }
+  return others;
 }
 
 /// In the units that x is in.
@@ -250,10 +341,7 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
       const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
       return fall < 0.0 ? 0.0 : fall;
     };
-    const auto find = [&](bool all) {
-      const std::vector<Candidate> list =
-          candidates(hierarchy, k, x, level, distinct_fixed(fixed, hierarchy, x),
-                     distinct_touching(touching), all);
+    const auto add = [&](const std::vector<Candidate>& list) {
       double done = 0.0;
       for (const auto& [candidate, is_certain] : list) {
         if (options.progress)
@@ -267,10 +355,18 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
         result.blocked_by.push_back(std::move(blocker));
       }
     };
+    const auto find = [&](bool all) {
+      add(all_candidates(hierarchy, k, x, level, fixed, touching, all));
+    };
     find(false);
     // it is not said that nothing above holds it back before that is tried
     const bool may_be_held = k > 0 && result.blocked_by.empty() && is_missed(hierarchy.level(k), x);
     if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
+    const auto costs = [&](double of) { return !(of <= kCosts * level.residual); };  // NaN too
+    const auto row_costs = [&](const Blocker& row) { return costs(row.cost); };
+    if (!result.blocked_by.empty() && std::ranges::none_of(result.cost_of_level, costs) &&
+        std::ranges::none_of(result.blocked_by, row_costs))
+      add(others_that_hold(hierarchy, k, x, level, fixed, touching, result.blocked_by));
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
                      [](const Blocker& a, const Blocker& b) {
                        return a.cost > b.cost || (std::isnan(b.cost) && !std::isnan(a.cost));

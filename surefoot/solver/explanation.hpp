@@ -54,9 +54,10 @@ struct ExplainOptions {
 /// The cost of a row is exact, not first order: the level is solved again without that row, while
 /// every other row above keeps what it has (equality rows their value, satisfied rows their bounds,
 /// and what is violated is not violated more). So it is never negative, and the levels between do
-/// not answer for it. Rows that say the same are taken away together; of others that hold alone
-/// none has a cost by itself, their level has. Allocates and solves; for the program, tests and
-/// reports, not for the loop.
+/// not answer for it. Every row that has a cost is named. Rows that say the same are taken away
+/// together; of others that hold the same none has a cost by itself, their level has, and where no
+/// level has either, rows of all of them are named.  Allocates and solves; for the program, tests
+/// and reports, not for the loop.
 [[nodiscard]] std::vector<LevelExplanation> explain(const Hierarchy& hierarchy,
                                                     const Eigen::VectorXd& x,
                                                     const ExplainOptions& options = {});

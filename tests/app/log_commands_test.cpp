@@ -6,6 +6,7 @@
 #include "tests/logging/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <sstream>
 #include <string>
@@ -52,6 +53,37 @@ TEST(LogCommands, NamesAndNotesOfALogCannotMoveTheTerminalsCursor) {
     EXPECT_NE(info.str().find("\\u001b[31mred"), std::string::npos) << info.str();
     EXPECT_NE(explain.str().find("hei\\u001b[32mght"), std::string::npos) << explain.str();
   }
+}
+
+TEST(LogCommands, CostsOfALogWhoseControllerCannotBeMadeAgainAreToldAsEstimates) {
+  const test::TemporaryFolder folder;
+  Recorder recorder(folder / "run.mcap", test::SyntheticRun::header());
+  test::SyntheticRun run;
+  run.step();
+  run.tick.command.mode = CommandMode::optimal;
+  run.tick.hierarchy.status = 0;
+  run.tick.hierarchy.transition_share = 1.0;
+  run.tick.hierarchy.levels[8].residual = 5.0;
+  run.tick.hierarchy.blocking[0] = {
+      .level = 8, .by_level = 2, .id = 0, .multiplier = 1.0, .cost = 3.0};
+  run.tick.hierarchy.num_blocking = 1;
+  recorder.record(run.tick);
+  recorder.close("{}");
+  ExplainArguments arguments;
+  arguments.log = folder / "run.mcap";
+  arguments.at = 0.0;
+  std::ostringstream text, json;
+  ASSERT_EQ(run_explain(arguments, text), 0);
+  EXPECT_NE(text.str().find("The costs are the control loop's estimates, and mostly too high: "),
+            std::string::npos)
+      << text.str();
+  arguments.json = true;
+  ASSERT_EQ(run_explain(arguments, json), 0);
+  const auto told = nlohmann::json::parse(json.str());
+  EXPECT_FALSE(told.at("costs_are_exact").get<bool>());
+  EXPECT_NE(told.at("why_estimates").get<std::string>().find("can't be made again"),
+            std::string::npos);
+  EXPECT_EQ(told.at("gave_way").at(0).at("to").at(0).at("cost"), 3.0);
 }
 
 }  // namespace

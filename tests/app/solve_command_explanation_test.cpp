@@ -199,8 +199,42 @@ TEST(SolveCommand, SaysWhereNothingAboveHoldsALevelBackOrSeveralDo) {
   const CommandRun both(
       R"({"levels":[{"A":[[1,0],[0,1]],"b":[0,0]},{"A":[[1,1]],"b":[0]},{"A":[[1,1]],"b":[1]}]})",
       {.file = "", .explain = true});
-  EXPECT_NE(both.out.str().find("held back by level 1 and by others"), std::string::npos)
+  EXPECT_NE(both.out.str().find("held back by level 1 and by level 2, none"), std::string::npos)
       << both.out.str();
+}
+
+TEST(SolveCommand, WhereNoRowCostsAnythingAloneAllThatHoldAreNamed) {
+  const CommandRun run(
+      R"({"levels":[{"name":"motor","D":[[1]],"f":[500]},)"
+      R"({"name":"task","A":[[1]],"b":[550]},{"name":"wish","A":[[1]],"b":[600]}]})",
+      {.file = "", .explain = true});
+  const std::string text = run.out.str();
+  EXPECT_NE(text.find("held back by 1 motor and by 2 task, none of which costs anything alone"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("held back by 2 task and by 1 motor"), std::string::npos) << text;
+  EXPECT_NE(text.find("A 1, an equality, wants the same, but keeps what it has"), std::string::npos)
+      << text;
+}
+
+TEST(SolveCommand, AMultiplierHasTheUnitOfHalfTheSquaredResidualByTheRowsBound) {
+  const auto explained = [](const std::string& limit_unit, const std::string& unit) {
+    const std::string line = R"({"levels":[{"D":[[1]],"f":[1],"unit":")" + limit_unit +
+                             R"("},{"A":[[1]],"b":[3],"unit":")" + unit + R"("}]})";
+    const CommandRun json(line, {.file = "", .explain = true, .json = true});
+    const Json row = json.results[0]["levels"][1]["blocked_by"][0]["rows"][0];
+    const std::string told = row.value("multiplier_unit", "");
+    const std::string text = CommandRun(line, {.file = "", .explain = true}).out.str();
+    EXPECT_NE(text.find("(multiplier 2" + (told.empty() ? "" : " " + told) + ")"),
+              std::string::npos)
+        << text;
+    return told;
+  };
+  EXPECT_EQ(explained("N", "N"), "N");
+  EXPECT_EQ(explained("m/s²", "N"), "N² per m/s²");
+  EXPECT_EQ(explained("N", "m/s²"), "(m/s²)² per N");
+  EXPECT_EQ(explained("N and N·m", "N"), "");
+  EXPECT_EQ(explained("", "N"), "");
 }
 
 TEST(SolveCommand, ALimitThatIsGivenTwiceIsToldOnceWithWhatBothCost) {

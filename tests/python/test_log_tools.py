@@ -56,9 +56,29 @@ def test_explain_says_in_a_sentence_what_gave_way_to_what(log):
         content = {name for name in expected if not name.endswith("_minimisation")}
         assert all(f"{name} gave way by " in found["sentence"] for name in content)
         assert content or found["sentence"].startswith("Every level got what it asked for")
-        for level in found["gave_way"]:
-            rows = [row for row in hierarchy["blocked_by"] if row["level"] == level["level"]]
-            assert [(row["level"], row["row"], row["cost"]) for row in level["to"]] == [(r["by"], r["row"], r["cost"]) for r in rows]
+        assert found["costs_are_exact"] and "estimates" not in found["sentence"]
+
+
+def exact_costs(level):
+    """Of a level of `solve --explain --json`: rows of higher levels with their costs, dearest first."""
+    rows = [(by["name"], row["row"], row["cost"]) for by in level["blocked_by"] for row in by["rows"]]
+    return sorted((row for row in rows if row[2] > 0), key=lambda row: -row[2])
+
+
+def test_costs_that_explain_tells_are_those_that_the_solver_explains_of_that_tick(log, tmp_path):
+    facts = set()
+    for tick in range(250, 800, 150):
+        time = 0.0025 * tick
+        (tmp_path / "tick.jsonl").write_text(surefoot("dump", log, "--from", time, "--to", time + 0.001).stdout)
+        (line,) = surefoot("solve", tmp_path / "tick.jsonl", "--explain", "--json").stdout.splitlines()
+        levels = {level["name"]: level for level in json.loads(line)["levels"]}
+        for level in of_json("explain", log, "--at", time)["gave_way"]:
+            told = [(row["level"], row["row"], row["cost"]) for row in level["to"]]
+            expected = exact_costs(levels[level["level"]])
+            assert sorted(row[:2] for row in told) == sorted(row[:2] for row in expected)
+            assert [row[2] for row in told] == pytest.approx([row[2] for row in expected], rel=1e-6)
+            facts |= {row[0] for row in told} & {"no_contact_motion", "equations_of_motion"}
+    assert facts, "the log names no row of those"
 
 
 def test_explain_shows_feet_levels_limits_and_the_events_around(log):

@@ -77,7 +77,7 @@ export class LevelCard {
     say(this.time, timeOf(state));
     say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound, boundsMotion(state))}`).join(", "));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
-      `held back by ${nameOf(all, by)}: ${row} costs ${quantity(cost, state.unit)}`).join("; "));
+      `held back by ${nameOf(all, by)}: ${row} costs about ${quantity(cost, state.unit)}`).join("; "));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
 }
