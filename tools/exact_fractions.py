@@ -172,11 +172,14 @@ def shrink_last_column(rng, n, levels):
         row[0][-1] *= factor
 
 
-def scale_rows(rng, n, levels):
-    for row in itertools.chain(*levels):
-        factor = power(rng, 20)
-        row[0] = [factor * a for a in row[0]]
-        row[1:] = [None if bound is None else factor * bound for bound in row[1:]]
+def scale_rows(least, most):
+    def change(rng, n, levels):
+        for row in itertools.chain(*levels):
+            factor = Fraction(2) ** rng.randint(least, most)
+            row[0] = [factor * a for a in row[0]]
+            row[1:] = [None if bound is None else factor * bound for bound in row[1:]]
+
+    return change
 
 
 def add_small(exponent):
@@ -202,7 +205,8 @@ FAMILIES = {
     "columns times 2^±20": scale_columns,
     "columns of some levels times 2^±20": lambda rng, n, levels: scale_columns(rng, n, levels, 0.7),
     "first level's last column times 2^-13 to 2^-46": shrink_last_column,
-    "rows times 2^±20": scale_rows,
+    "rows times 2^±20": scale_rows(-20, 20),
+    **{f"rows times 1 to 2^{most}": scale_rows(0, most) for most in (13, 17, 20, 23)},
     "+ 0 or ±2^-17 in each element": add_small(-17),
     "+ 0 or ±2^-20 in each element": add_small(-20),
     "+ 0 or ±2^-24 in each element": add_small(-24),
