@@ -144,6 +144,10 @@ def integer_problem(rng):
             a = [Fraction(rng.randint(-3, 3)) for _ in range(n)]
             if not any(a):
                 a[rng.randrange(n)] = Fraction(1)
+            above = [row[0] for row in itertools.chain(*levels, level)]
+            if above and rng.random() < 0.3:  # parallel to one that there is
+                factor, row = rng.choice((-2, -1, 1, 2)), rng.choice(above)
+                a = [factor * number for number in row]
             lower = Fraction(rng.randint(-4, 4))
             kind = rng.random()
             upper = lower if kind < 0.5 else lower + rng.randint(1, 3)
