@@ -244,9 +244,10 @@ std::vector<LevelAccount> with_printable_names(std::vector<LevelAccount> levels)
 }  // namespace
 
 std::string explanation_text(const std::vector<LevelAccount>& levels, const Solution& solution,
-                             const std::vector<LevelCertificate>& certificates, bool has_budget) {
+                             const std::vector<LevelCertificate>& certificates,
+                             bool is_budget_spent) {
   const std::vector<LevelAccount> named = with_printable_names(levels);
-  const std::string_view ended_by = what_ended(has_budget);
+  const std::string_view ended_by = what_ended(is_budget_spent);
   return headline(solution, levels.size(), ended_by) +
          Text(named, certificates, solution.is_swept, ended_by).whole();
 }

@@ -55,9 +55,9 @@ struct BlockingLevelAccount {
 constexpr std::string_view kMet = "met", kMissed = "missed", kNoRows = "no rows",
                            kCutOff = "cut off", kNotReached = "not reached";
 
-/// What ended a search that was cut off: "at its budget" where it has one.
-[[nodiscard]] constexpr std::string_view what_ended(bool has_budget) {
-  return has_budget ? "at its budget" : "at the solver's own cap of iterations";
+/// What ended a search that was cut off: its budget, if it is spent.
+[[nodiscard]] constexpr std::string_view what_ended(bool is_budget_spent) {
+  return is_budget_spent ? "at its budget" : "at the solver's own cap of iterations";
 }
 
 /// Why a level came out as it did.

@@ -82,11 +82,13 @@ large or rows of a level differ too much in length. stderr says which. A level b
 proven is not proven either: "rests_on" is that level's number.
 
 --weighted 3 --weights 10,1: levels 1 and 2 stay strict, 3 and all below become one, "weighted", with
-residuals and proofs of the weighted rows. "strict_residuals" has for comparison what is left of each
-level of the line, without weights.
+residuals and proofs of the weighted rows; "x_ref" stays the last. "strict_residuals" (with --explain: only with
+--json) has for comparison what the weighted x leaves of each level of the line, "x_ref" last, without --weights but
+with A_weights and D_weights.
 
+"flops" is what a line has counted against --budget; without one, what a budget has to be for it.
 A line whose search ended at its --budget or --budget-us, or at the solver's own cap of iterations,
-which is very rare, has "status": "iteration_cap" and "cut_off_by": "budget" or, where it has none, "cap",
+which is very rare, has "status": "iteration_cap" and "cut_off_by": "budget" or "cap",
 the level where it ended "status": "cut off" and the residual so far, those below "status": "not reached"
 and no number.
 

@@ -60,15 +60,33 @@ void check_size(const Hierarchy& hierarchy, const std::string& place) {
   }
 }
 
-/// The question with its levels from `first` on, counted from 0, as one.
+/// Those of the line: what x is to be close to is no level to be weighed.
+std::size_t num_levels_of_line(const NamedHierarchy& question) {
+  return question.hierarchy.num_levels() - (question.has_reference ? 1 : 0);
+}
+
+void append_level(const Level& level, Hierarchy& hierarchy) {
+  hierarchy.level(hierarchy.add_level(level.name(), level.num_rows())).add(level);
+}
+
+Hierarchy first_levels(const Hierarchy& hierarchy, std::size_t count) {
+  Hierarchy result(hierarchy.unknowns());
+  for (std::size_t k = 0; k < count; ++k) append_level(hierarchy.level(k), result);
+  return result;
+}
+
+/// The question with its levels from `first` on, counted from 0, as one. What x is to be close to
+/// stays a last level below it.
 NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
                         const std::vector<double>& weights) {
-  WeightedLevels levels(question.hierarchy, first, weights);
-  NamedHierarchy result{levels.update(question.hierarchy), {}, {}};
+  const std::size_t num_levels = num_levels_of_line(question);
+  const Hierarchy of_line = first_levels(question.hierarchy, num_levels);
+  WeightedLevels levels(of_line, first, weights);
+  NamedHierarchy result{levels.update(of_line), {}, {}};
   const auto weight_of = [&](std::size_t k) {
     return k < first || k - first >= weights.size() ? 1.0 : weights[k - first];
   };
-  for (std::size_t k = 0; k < question.hierarchy.num_levels(); ++k) {
+  for (std::size_t k = 0; k < num_levels; ++k) {
     const std::string of = k < first ? "" : question.hierarchy.level(k).name() + ", ";
     if (k <= first) {
       result.row_names.emplace_back();
@@ -80,6 +98,12 @@ NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
     for (const double weight : question.weights[k])
       result.weights.back().push_back(weight_of(k) * weight);
   }
+  if (!question.has_reference) return result;
+  append_level(question.hierarchy.level(num_levels), result.hierarchy);
+  result.row_names.push_back(question.row_names.back());
+  result.weights.push_back(question.weights.back());
+  result.units.push_back(question.units.back());
+  result.has_reference = true;
   return result;
 }
 
@@ -162,22 +186,28 @@ class SolveCommand {
   }
 
  private:
-  [[nodiscard]] bool has_budget() const {
-    return std::isfinite(arguments_.budget) || std::isfinite(arguments_.budget_us);
-  }
-
   [[nodiscard]] bool is_cascade() const { return arguments_.method == name(SolverMethod::cascade); }
 
   /// The set that the kernels of the lexicographic solver use.
   static std::string instructions() { return fastest_kernels().name; }
 
   /// Lines that are wrong have no answer: its line says which problem is meant.
-  [[nodiscard]] Json with_place(Json line) const {
+  [[nodiscard]] Json with_place(Json line, const Solution& solution) const {
     line["line"] = line_;
-    if (!is_cascade()) line["instructions"] = instructions();
-    if (line.value("status", "") == name(SolveStatus::iteration_cap))
-      line["cut_off_by"] = has_budget() ? "budget" : "cap";
+    if (!is_cascade()) {
+      line["instructions"] = instructions();
+      line["flops"] = solution.flops;
+    }
+    if (solution.status == SolveStatus::iteration_cap)
+      line["cut_off_by"] = is_budget_spent(solution) ? "budget" : "cap";
     return line;
+  }
+
+  /// Otherwise the solver's own cap has ended what is not at its end.
+  [[nodiscard]] bool is_budget_spent(const Solution& solution) const {
+    const bool is_late =
+        std::isfinite(arguments_.budget_us) && solution.time >= 1e-6 * arguments_.budget_us;
+    return solution.flops >= arguments_.budget || is_late;
   }
 
   [[nodiscard]] Solution solve(const Hierarchy& hierarchy) const {
@@ -219,8 +249,9 @@ class SolveCommand {
     if (arguments_.explain) {
       explain_line(place, question, solution, certificates, strict.hierarchy);
     } else {
-      const Json answer = with_strict_residuals(
-          with_place(json_line(question, solution, certificates)), strict.hierarchy, solution);
+      const Json answer =
+          with_strict_residuals(with_place(json_line(question, solution, certificates), solution),
+                                strict.hierarchy, solution);
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
@@ -229,15 +260,16 @@ class SolveCommand {
       tell_unproven(place, question.hierarchy, solution.x, certificates);
     if (said == Verdict::not_judged)
       tell_not_judged(place, question.hierarchy, solution.x, certificates);
-    const bool is_capped = solution.status == SolveStatus::iteration_cap && !has_budget();
+    const bool is_cut_off = solution.status == SolveStatus::iteration_cap;
+    const bool is_capped = is_cut_off && !is_budget_spent(solution);
     if (is_capped || (arguments_.certify && finished < num_levels))
-      tell_cut_off(place, finished, num_levels);
+      tell_cut_off(place, finished, num_levels, is_budget_spent(solution));
   }
 
   [[nodiscard]] NamedHierarchy as_asked(const NamedHierarchy& strict,
                                         const std::string& place) const {
     if (!arguments_.weighted_from) return strict;
-    const std::size_t num_levels = strict.hierarchy.num_levels();
+    const std::size_t num_levels = num_levels_of_line(strict);
     const auto from = static_cast<std::size_t>(*arguments_.weighted_from);
     const std::string given = "--weighted is " + std::to_string(from);
     if (from > num_levels) {
@@ -264,11 +296,12 @@ class SolveCommand {
     const std::vector<LevelAccount> levels = account(place, question, solution);
     if (arguments_.json) {
       const Json line = with_strict_residuals(
-          with_place(explanation_json(levels, solution, certificates)), strict, solution);
+          with_place(explanation_json(levels, solution, certificates), solution), strict, solution);
       out_ << printable(with_notes(line, question.hierarchy).dump()) << std::endl;
     } else {
       out_ << place << (is_cascade() ? "" : ", " + instructions() + " instructions") << "\n"
-           << explanation_text(levels, solution, certificates, has_budget()) << std::endl;
+           << explanation_text(levels, solution, certificates, is_budget_spent(solution))
+           << std::endl;
     }
   }
 
@@ -307,11 +340,12 @@ class SolveCommand {
          << " more levels without rows are named in the results only\n";
   }
 
-  void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels) {
+  void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels,
+                    bool is_budget_spent) {
     const std::string what = arguments_.certify ? ": not proven, cut off" : ": cut off";
     err_ << place << what;
     if (finished < num_levels) err_ << " in level " << finished + 1 << " of " << num_levels;
-    err_ << " " << what_ended(has_budget()) << "; ";
+    err_ << " " << what_ended(is_budget_spent) << "; ";
     if (finished == num_levels)
       err_ << "all levels are optimal, x is not yet the shortest\n";
     else

@@ -40,21 +40,23 @@ struct SolveArguments {
 /// too, the line has all of it.
 ///
 /// With `weighted_from` the levels from there on are one (`WeightedLevels`), called "weighted",
-/// whose rows have their level's name before theirs; "strict_residuals" has what is left at x of
-/// every level of the line as it was, without weights, to be compared with those of the strict
-/// order.
+/// whose rows have their level's name before theirs. "x_ref" is no level to be weighed: it stays
+/// the last. "strict_residuals" has what is left, at the x of the weighted problem, of every level
+/// of the line as it was, "x_ref" last, without `weights` but with the rows' own, to be compared
+/// with the residuals of the strict order.
 ///
 /// A level without rows asks for nothing: the line is solved, a message on `err` names line and
 /// level, and the result has it under "notes".
 ///
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
-/// are still solved. A line that ended at its budget or, without one, at the solver's own cap of
-/// iterations has "status": "iteration_cap" and "cut_off_by": "budget" or "cap" in its result, the
-/// level where it did "status": "cut off" and the residual so far, the levels below "status": "not
-/// reached" and no number; neither has a certificate or an explanation. Returns the exit code: 0; 1
-/// if a level isn't proven or has no certificate, or a line ended at the cap; 2 if the input is
-/// wrong. Throws FileError if the file can't be read or has no line.
+/// are still solved. "flops" is what a line has counted against a budget, of the lexicographic
+/// method. A line that ended at its budget or at the solver's own cap of iterations has "status":
+/// "iteration_cap" and "cut_off_by": "budget" or "cap" in its result, the level where it did
+/// "status": "cut off" and the residual so far, the levels below "status": "not reached" and no
+/// number; neither has a certificate or an explanation. Returns the exit code: 0; 1 if a level
+/// isn't proven or has no certificate, or a line ended at the cap; 2 if the input is wrong. Throws
+/// FileError if the file can't be read or has no line.
 int run_solve(const SolveArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace surefoot

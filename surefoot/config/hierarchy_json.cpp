@@ -160,6 +160,7 @@ NamedHierarchy parse_hierarchy(std::string_view line, const std::string& place_n
   std::ranges::copy(x_ref, reference.begin());
   for (const LevelBlocks& level : levels) append_level(level, reference, result);
   if (x_ref.empty()) return result;
+  result.has_reference = true;
   const std::size_t last = result.hierarchy.add_level("x_ref", reference.size());
   add_reference(result.hierarchy.level(last), reference, 0);
   result.units.emplace_back();

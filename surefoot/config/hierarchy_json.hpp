@@ -15,6 +15,7 @@ struct NamedHierarchy {
   std::vector<std::vector<std::string>> row_names;  ///< of each level, of each row
   std::vector<std::string> units;                   ///< of each level's rows; empty: not given
   std::vector<std::vector<double>> weights = {};  ///< of each level, by which each row was weighed
+  bool has_reference = false;  ///< the last level is "x_ref" of the line, and none of its levels
 };
 
 /// A hierarchy from one line of a .jsonl file:

@@ -16,9 +16,10 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
 
-/// In the units that x is in.
-std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                                               const CertificateOptions& options) {
+/// In the units that x is in; `units`: how large they are in those that were given.
+std::vector<LevelCertificate> certify_in_units(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+                                               const CertificateOptions& options,
+                                               const Eigen::VectorXd& units) {
   std::vector<LevelCertificate> certificates;
   const std::size_t num_levels = std::min(hierarchy.num_levels(), options.levels);
   if (!x.allFinite()) {
@@ -37,7 +38,7 @@ std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const
     certificates.back().rests_on = unproven;
     if (is_sound)
       certificates.back().doubt =
-          what_doubles_hide(hierarchy, k, x, options.tight, fixed, touching);
+          what_doubles_hide(hierarchy, k, x, options.tight, fixed, touching, units);
     if (unproven < 0 && verdict(certificates.back()) != Verdict::proven)
       unproven = static_cast<int>(k);
     fix_pushing(found, fixed, touching);
@@ -53,8 +54,8 @@ std::vector<LevelCertificate> certify_as_given(const Hierarchy& hierarchy, const
 std::vector<LevelCertificate> certify(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                                       const CertificateOptions& options) {
   const Eigen::VectorXd units = even_units(hierarchy);
-  if ((units.array() == 1.0).all()) return certify_as_given(hierarchy, x, options);
-  return certify_as_given(in_units(hierarchy, units), x.cwiseQuotient(units), options);
+  if ((units.array() == 1.0).all()) return certify_in_units(hierarchy, x, options, units);
+  return certify_in_units(in_units(hierarchy, units), x.cwiseQuotient(units), options, units);
 }
 
 std::string_view name(Verdict verdict) {

@@ -202,11 +202,12 @@ double gain(const Question& question, const Counting& own, const VectorXd& units
 }  // namespace
 
 Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x, double tight,
-                        const RowSet& fixed, const RowSet& touching) {
+                        const RowSet& fixed, const RowSet& touching, const VectorXd& units) {
   Doubt result;
   const Level& level = hierarchy.level(k);
   const Counting own = counting(level, x, tight);
-  if (own.rows.empty() || !is_needed(level, own, x, fixed, touching)) return result;
+  const bool are_given = (units.array() == 1.0).all();
+  if (own.rows.empty() || (are_given && !is_needed(level, own, x, fixed, touching))) return result;
   const Space above(exact_rows(hierarchy, fixed));
   const WideMatrix Z = above.free();
   if (Z.cols() == 0) return result;
@@ -246,7 +247,11 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * scale, 0.0);
   const double squared = own.residual * own.residual - gained * gained;
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
-  result.residual = std::max(own.residual - least, own.rounding) / own.scale;
+  // A row may be much longer than it is given, where the units suit a level above it.
+  const MatrixXd as_given = A * units.cwiseInverse().asDiagonal();
+  const double excess = lengths.maxCoeff() - as_given.rowwise().norm().maxCoeff();
+  const double shorter = own.scale - std::max(excess, 0.0);
+  result.residual = std::max(own.residual - least, own.rounding) / shorter;
   return result;
 }
 

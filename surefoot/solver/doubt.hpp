@@ -12,9 +12,11 @@ namespace surefoot {
 /// allowance for rounding. What is at most that much may be rounding of the given numbers, so
 /// nothing is asked of it. Nothing is computed, and nothing in doubt, where in doubles all rows are
 /// clearly independent or dependent and neither x is large nor rows of the level differ in length.
-/// `tight`: see `optimality_conditions`. Allocates.
+/// `units`: those that the hierarchy is in, beside those that were given; where any is not 1 it is
+/// computed in any case, and what a level gains is held against the rows as they were given, if
+/// these were shorter. `tight`: see `optimality_conditions`. Allocates.
 [[nodiscard]] Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t level,
                                       const Eigen::VectorXd& x, double tight, const RowSet& fixed,
-                                      const RowSet& touching);
+                                      const RowSet& touching, const Eigen::VectorXd& units);
 
 }  // namespace surefoot

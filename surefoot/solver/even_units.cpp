@@ -1,6 +1,11 @@
 #include "surefoot/solver/even_units.hpp"
 
+#include "surefoot/solver/tolerances.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace surefoot {
 namespace {
@@ -8,6 +13,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kPasses = 20;
@@ -19,50 +25,11 @@ constexpr double kHelps = 0.25;
 constexpr double kMost = 100.0;
 /// An element that is smaller beside its row's largest may be rounding.
 constexpr int kNoElement = -50;
+/// What is left of a row and decides what is done with it: more is clearly independent, less is
+/// rounding; between them is `RankTolerance::solve`.
+constexpr double kClear = 1e-5;
 
-/// Binary logarithms of the elements, and which of them there are.
-struct Logarithms {
-  ArrayXXd of;
-  ArrayXXd counts;  ///< 1, or 0 of elements that are zero
-
-  [[nodiscard]] ArrayXd mean_of_rows(const ArrayXd& columns) const {
-    const ArrayXXd moved = (of.rowwise() + columns.transpose()) * counts;
-    return moved.rowwise().sum() / counts.rowwise().sum().max(1.0);
-  }
-  [[nodiscard]] ArrayXd mean_of_columns(const ArrayXd& rows) const {
-    const ArrayXXd moved = (of.colwise() - rows) * counts;
-    return (moved.colwise().sum() / counts.colwise().sum().max(1.0)).transpose();
-  }
-  [[nodiscard]] double spread(const ArrayXd& rows, const ArrayXd& columns) const {
-    const ArrayXXd moved = ((of.rowwise() + columns.transpose()).colwise() - rows) * counts;
-    return std::sqrt(moved.square().sum());
-  }
-};
-
-Index num_rows(const Hierarchy& hierarchy) {
-  Index rows = 0;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) rows += hierarchy.level(k).num_rows();
-  return rows;
-}
-
-Logarithms logarithms(const Hierarchy& hierarchy) {
-  const Index rows = num_rows(hierarchy), n = hierarchy.unknowns();
-  Logarithms result{ArrayXXd::Zero(rows, n), ArrayXXd::Zero(rows, n)};
-  Index at = 0;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const Level& level = hierarchy.level(k);
-    for (Index i = 0; i < level.num_rows(); ++i, ++at) {
-      const double least = std::ldexp(level.A().row(i).cwiseAbs().maxCoeff(), kNoElement);
-      for (Index j = 0; j < n; ++j) {
-        const double size = std::abs(level.A()(i, j));
-        if (size == 0.0 || size < least) continue;
-        result.of(at, j) = std::log2(size);
-        result.counts(at, j) = 1.0;
-      }
-    }
-  }
-  return result;
-}
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 bool is_finite(const Hierarchy& hierarchy) {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
@@ -71,28 +38,155 @@ bool is_finite(const Hierarchy& hierarchy) {
   return true;
 }
 
+/// The rows of the first levels, those without an element left out.
+MatrixXd rows_of(const Hierarchy& hierarchy, std::size_t begin, std::size_t end) {
+  Index count = 0;
+  for (std::size_t k = begin; k < end; ++k) count += hierarchy.level(k).num_rows();
+  MatrixXd rows(count, hierarchy.unknowns());
+  count = 0;
+  for (std::size_t k = begin; k < end; ++k) {
+    const auto A = hierarchy.level(k).A();
+    for (Index i = 0; i < A.rows(); ++i) {
+      if (A.row(i).any()) rows.row(count++) = A.row(i);
+    }
+  }
+  return rows.topRows(count);
+}
+
+/// Groups of unknowns that are moved as one, each named by its first.
+std::vector<Index> each_alone(Index unknowns) {
+  std::vector<Index> groups(at(unknowns));
+  std::iota(groups.begin(), groups.end(), Index{0});
+  return groups;
+}
+
+/// Unknowns that a row has both are in one group. An element that may be rounding counts, too: in
+/// another unit it would be none.
+void join(std::vector<Index>& groups, const MatrixXd& rows) {
+  for (Index i = 0; i < rows.rows(); ++i) {
+    Index first = 0;
+    while (rows(i, first) == 0.0) ++first;
+    for (Index j = first + 1; j < rows.cols(); ++j) {
+      const Index a = groups[at(first)], b = groups[at(j)];
+      if (rows(i, j) != 0.0 && a != b) std::ranges::replace(groups, std::max(a, b), std::min(a, b));
+    }
+  }
+}
+
+/// Binary logarithms of elements, their mean in each row and group, and how many they are.
+struct Elements {
+  ArrayXXd mean, count;
+
+  Elements(const MatrixXd& rows, const ArrayXd& powers, const std::vector<Index>& groups)
+      : mean(ArrayXXd::Zero(rows.rows(), rows.cols())), count(mean) {
+    for (Index i = 0; i < rows.rows(); ++i) {
+      const double least = std::ldexp(rows.row(i).cwiseAbs().maxCoeff(), kNoElement);
+      for (Index j = 0; j < rows.cols(); ++j) {
+        const double size = std::abs(rows(i, j));
+        if (size == 0.0 || size < least) continue;
+        mean(i, groups[at(j)]) += std::log2(size) + powers[j];
+        count(i, groups[at(j)]) += 1.0;
+      }
+    }
+    mean /= count.max(1.0);
+  }
+
+  [[nodiscard]] ArrayXd mean_of_rows(const ArrayXd& groups) const {
+    const ArrayXXd moved = (mean.rowwise() + groups.transpose()) * count;
+    return moved.rowwise().sum() / count.rowwise().sum().max(1.0);
+  }
+  [[nodiscard]] ArrayXd mean_of_groups(const ArrayXd& rows) const {
+    const ArrayXXd moved = (mean.colwise() - rows) * count;
+    return (moved.colwise().sum() / count.colwise().sum().max(1.0)).transpose();
+  }
+  [[nodiscard]] double spread(const ArrayXd& groups) const {
+    const ArrayXd rows = mean_of_rows(groups);
+    const ArrayXXd moved = (mean.rowwise() + groups.transpose()).colwise() - rows;
+    return std::sqrt((moved.square() * count).sum());
+  }
+  /// The powers of two of the groups that make the spread least, if they are needed; otherwise 0.
+  [[nodiscard]] ArrayXd even() const {
+    const ArrayXd zero = ArrayXd::Zero(mean.cols());
+    const ArrayXd is_used = (count.colwise().sum().transpose() > 0.0).cast<double>();
+    ArrayXd groups = zero;
+    for (int pass = 0; pass < kPasses; ++pass) groups = -mean_of_groups(mean_of_rows(groups));
+    const double after = spread(groups), middle = (groups * is_used).sum() / is_used.sum();
+    groups = ((groups - middle) * is_used).round().eval();
+    const bool are_needed = groups.maxCoeff() - groups.minCoeff() >= kNeeded &&
+                            groups.abs().maxCoeff() <= kMost && after <= kHelps * spread(zero);
+    return are_needed ? groups : zero;
+  }
+};
+
+/// What a rank decision makes of a row of which so much of its length is left.
+int kind_of(double left) {
+  const RankTolerance rank;
+  return (left > kClear ? 1 : 0) + (left > rank.solve ? 1 : 0) + (left > rank.keep ? 1 : 0);
+}
+
+/// Of rows of length 1: what is left of each beside those before it, and of any two.
+std::vector<int> kinds_of_rows(const MatrixXd& rows) {
+  std::vector<int> kinds;
+  MatrixXd basis(rows.cols(), std::min(rows.rows(), rows.cols()));
+  Index rank = 0;
+  for (Index i = 0; i < rows.rows(); ++i) {
+    VectorXd left = rows.row(i).transpose();
+    for (int twice = 0; twice < 2; ++twice)
+      left -= basis.leftCols(rank) * (basis.leftCols(rank).transpose() * left);
+    kinds.push_back(kind_of(left.norm()));
+    if (left.norm() > RankTolerance{}.keep && rank < basis.cols())
+      basis.col(rank++) = left.normalized();
+    for (Index j = 0; j < i; ++j) {
+      const double along = rows.row(i).dot(rows.row(j));
+      kinds.push_back(kind_of((rows.row(i) - along * rows.row(j)).norm()));
+    }
+  }
+  return kinds;
+}
+
+MatrixXd in_powers(const MatrixXd& rows, const ArrayXd& powers) {
+  MatrixXd result = rows;
+  for (Index j = 0; j < rows.cols(); ++j)
+    result.col(j) *= std::ldexp(1.0, static_cast<int>(powers[j]));
+  // By a power of two first: the square of a row may be no number.
+  for (Index i = 0; i < rows.rows(); ++i) result.row(i) /= result.row(i).cwiseAbs().maxCoeff();
+  result.rowwise().normalize();
+  return result;
+}
+
+/// Whether no rank of these rows hangs on which of the two units there are.
+bool are_ranks_alike(const MatrixXd& rows, const ArrayXd& one, const ArrayXd& other) {
+  return kinds_of_rows(in_powers(rows, one)) == kinds_of_rows(in_powers(rows, other));
+}
+
 }  // namespace
 
+// Level by level: those that are best for the rows of all levels so far, if no rank of the levels
+// before hangs on them; otherwise unknowns that these know together stay as they are beside each
+// other.
 VectorXd even_units(const Hierarchy& hierarchy) {
   const Index n = hierarchy.unknowns();
-  const VectorXd ones = VectorXd::Ones(n);
-  if (n < 2 || num_rows(hierarchy) == 0 || !is_finite(hierarchy)) return ones;
-  const Logarithms elements = logarithms(hierarchy);
-  const ArrayXd is_used = elements.counts.colwise().maxCoeff().transpose();
-  if (is_used.sum() == 0.0) return ones;
-  ArrayXd columns = ArrayXd::Zero(n);
-  ArrayXd rows = elements.mean_of_rows(columns);
-  const double before = elements.spread(rows, columns);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    columns = -elements.mean_of_columns(rows);
-    rows = elements.mean_of_rows(columns);
+  ArrayXd powers = ArrayXd::Zero(n);
+  const std::vector<Index> alone = each_alone(n);
+  std::vector<Index> joined = alone;
+  if (n < 2 || !is_finite(hierarchy)) return VectorXd::Ones(n);
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
+    const MatrixXd before = rows_of(hierarchy, 0, k), level = rows_of(hierarchy, k, k + 1);
+    if (level.rows() == 0) continue;
+    MatrixXd all(before.rows() + level.rows(), n);
+    all << before, level;
+    const ArrayXd best = Elements(all, ArrayXd::Zero(n), alone).even();
+    if ((best != powers).any()) {
+      if (are_ranks_alike(before, powers, best)) {
+        powers = best;
+      } else {
+        const ArrayXd moved = Elements(level, powers, joined).even();
+        for (Index j = 0; j < n; ++j) powers[j] += moved[joined[at(j)]];
+      }
+    }
+    join(joined, level);
   }
-  const double after = elements.spread(rows, columns);
-  columns = ((columns - (columns * is_used).sum() / is_used.sum()) * is_used).round();
-  const bool are_needed = columns.maxCoeff() - columns.minCoeff() >= kNeeded &&
-                          columns.abs().maxCoeff() <= kMost && after <= kHelps * before;
-  if (!are_needed) return ones;
-  return columns.unaryExpr([](double power) { return std::ldexp(1.0, static_cast<int>(power)); });
+  return powers.unaryExpr([](double power) { return std::ldexp(1.0, static_cast<int>(power)); });
 }
 
 Hierarchy in_units(const Hierarchy& hierarchy, const VectorXd& units) {

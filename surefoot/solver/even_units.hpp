@@ -18,7 +18,12 @@ namespace surefoot {
 /// the same optimum in any units, but what rounding does to it has not: what is small beside the
 /// rest of a row in one unit is as large in another. All 1 where the units given are good enough,
 /// which is where no two of d differ by 4096, and where others would not help: where they don't
-/// make the root of that sum a quarter of what it is with d = 1. Allocates.
+/// make the root of that sum a quarter of what it is with d = 1.
+///
+/// A rank may hang on the units, and what a level gets must not hang on levels below it. So the
+/// levels are taken in order of priority: a level's rows count for d only where no rank of the
+/// levels before does: of their rows in their order, and of any two of them. Where one does, what
+/// these levels have decided of the unknowns that their rows have in common stays. Allocates.
 [[nodiscard]] Eigen::VectorXd even_units(const Hierarchy& hierarchy);
 
 /// The hierarchy over y = x / d: the columns of A times d.

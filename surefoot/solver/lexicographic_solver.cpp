@@ -63,6 +63,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
   budget_.start();
   timer_.reset();
   is_swept_ = false;
+  solution_.flops = 0.0;
   if (!fits(hierarchy, solution_) || !load(hierarchy)) return reject(hierarchy);
   if (substitution != nullptr && is_usable(*substitution)) {
     substitute(*substitution);
@@ -70,6 +71,7 @@ void LexicographicSolver::solve_untimed(const Hierarchy& hierarchy,
     sweep_leading_equalities();
   }
   take(find_optimum(), hierarchy);
+  solution_.flops = budget_.spent();
   if (!is_finite(solution_, hierarchy.num_levels())) return reject(hierarchy);
   clear_levels(solution_, hierarchy.num_levels());
   remember(hierarchy);

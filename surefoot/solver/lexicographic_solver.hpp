@@ -60,8 +60,9 @@ struct LexicographicOptions {
 ///                      disturb them; that level and those after it are not done (where it is
 ///                      the number of levels, all are, and x is only not yet the shortest)
 ///     invalid_input    NaN, lower > upper, a bound that can't be met (lower = ∞), rows or finite
-///                      bounds larger than 1e150, more unknowns, levels or rows than there is room
-///                      for, an x or a residual whose square no double holds: x is zero
+///                      bounds larger than 1e150, more levels or rows than there is room for, more
+///                      or fewer unknowns than the capacity, an x or a residual whose square no
+///                      double holds: x is zero
 ///
 /// **Cold and warm.** The first solve knows nothing of which rows will be active (held at a bound,
 /// or violated). Each later one begins with those of the last, found again by the name of their
@@ -71,7 +72,11 @@ struct LexicographicOptions {
 ///
 /// **A budget** of flops (the same end on every machine) or seconds ends a solve early, with
 /// `iteration_cap`. Levels of equalities before the first inequality are solved in any case, and
-/// what has begun is finished: one sweep, or one step of the descent.
+/// what has begun is finished: one sweep, or one step of the descent. What a solve that was cut off
+/// had found of a level is not carried on: the next begins with its guess, which may have to be
+/// given up for the descent again. So a budget below what a solve takes may never come to the
+/// optimum, however often the same problem is solved; one below a cold solve's is for ticks that
+/// are late now and then (docs/solver.md has figures). `Solution::flops` says what a solve took.
 ///
 /// **Why did a level not get what it asked for?** `blockers` names the rows above that cost it
 /// most, fast enough for every tick; `explain` (explanation.hpp) says it exactly, afterwards. **Is

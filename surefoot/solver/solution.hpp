@@ -9,15 +9,17 @@
 namespace surefoot {
 
 enum class SolveStatus : int {
-  optimal = 0,  ///< every level is at its lexicographic optimum
+  optimal = 0,  ///< every level is at its lexicographic optimum; of `SoftLevels::between`: both
+                ///< of its sides are, and x is what it promises between them
   /// ended early at `failed_level`, at the cap of iterations or of the budget; all levels before
   /// are optimal, x is feasible for them. The number of levels where all are: then x is only not
   /// yet the shortest
   iteration_cap = 1,
   /// NaN, or lower > upper, or infinities that make no sense, or a row or a finite bound larger
   /// than `tolerance::kLargest` (1e150), or a level with more rows than it has room for: then
-  /// `failed_level` is the first such level. −1: a hierarchy beyond the capacity, or an ‖x‖² or a
-  /// residual beyond the range of doubles. x is zero
+  /// `failed_level` is the first such level. −1: a hierarchy beyond the capacity or with other
+  /// unknowns than it, be they fewer, or an ‖x‖² or a residual beyond the range of doubles. x is
+  /// zero
   invalid_input = 2,
 };
 
@@ -58,9 +60,13 @@ struct Solution {
   SolveStatus status = SolveStatus::invalid_input;
   Eigen::VectorXd x;
   std::vector<LevelResult> levels;
-  int failed_level = -1;  ///< where the status isn't optimal; −1: none, or no single one
+  /// Where the status isn't optimal: index of the level, from 0; −1: none, or no single one.
+  int failed_level = -1;
   bool is_swept = false;  ///< found by sweeps, whose number is `iterations` of every level
   double time = 0.0;      ///< that solving took [s]; 0 unless the solver was given a clock
+  /// Additions and multiplications that a budget would have counted (`SolveBudget`): without those
+  /// of a cascade.
+  double flops = 0.0;
 };
 
 }  // namespace surefoot

@@ -27,6 +27,39 @@ TEST(SolveCommand, AnAnswerThatWasCutOffIsNotBlamedOnLengthsOfRows) {
   EXPECT_EQ(run.err.str().find("in length"), std::string::npos) << run.err.str();
 }
 
+TEST(SolveCommand, SaysWhatABudgetHasToBe) {
+  const std::string line =
+      R"({"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0],[0,1]],"f":[-3,2]},{"A":[[1,0]],"b":[9]}]})";
+  const double flops = CommandRun(line).results.at(0).at("flops");
+  EXPECT_GT(flops, 0.0);
+  const CommandRun enough(line, {.file = "", .budget = flops});
+  EXPECT_FALSE(enough.results.at(0).contains("status"));
+  const CommandRun explained(line, {.file = "", .explain = true, .json = true});
+  EXPECT_EQ(explained.results.at(0).at("flops"), flops);
+  EXPECT_FALSE(CommandRun(line, {.file = "", .method = "cascade"}).results.at(0).contains("flops"));
+}
+
+TEST(SolveCommand, OfALineThatTheSolversOwnCapHasEndedABudgetIsNotBlamed) {
+  const std::string line =
+      R"({"levels":[{"D":[[-1,1,-2],[1,2,0],[1,2,0],[1,-1,-2],[1,0,1],[1,2,2],[-2,1,-1],[-1,1,)"
+      R"(-1]],"lower":[0,0,null,null,null,null,0,0],"f":[null,0,0,0,0,0,0,null]},{"D":[],"lowe)"
+      R"(r":[],"f":[]},{"D":[[1,0,-2],[0,0,-2],[-2,1,-1],[-2,-2,0],[-2,0,2],[-2,-2,2],[2,-2,0])"
+      R"(,[1,2,0]],"lower":[null,null,0,0,0,0,0,null],"f":[0,4.024812557322575,0,0,0,0,null,-0)"
+      R"(.7729654952265927]},{"D":[[1,0,0],[0,1,0],[0,0,1]],"lower":[-3.481651663534138,-0.572)"
+      R"(7512207958192,4.2712791873188],"f":[-3.481651663534138,-0.5727512207958192,4.27127918)"
+      R"(73188]}]})";
+  const CommandRun run(line, {.file = "", .budget = 1e9});
+  ASSERT_EQ(run.results.at(0).at("status"), "iteration_cap");
+  EXPECT_EQ(run.results.at(0).at("cut_off_by"), "cap");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.str().find("at the solver's own cap"), std::string::npos) << run.err.str();
+  const double spent = run.results.at(0).at("flops");
+  const CommandRun less(line, {.file = "", .budget = 0.5 * spent});
+  EXPECT_EQ(less.results.at(0).at("cut_off_by"), "budget");
+  EXPECT_EQ(less.exit_code, 0);
+  EXPECT_FALSE(CommandRun(line).results.at(0).contains("status")) << "the cascade solves it";
+}
+
 TEST(SolveCommand, EndsALineAtItsBudgetWithTheLevelsThatAreFinished) {
   const std::string line = R"({"levels":[{"A":[[1,1]],"b":[2]},{"D":[[1,0]],"f":[-3]}]})";
   const CommandRun all(line, {.file = "", .budget = 1e6});

@@ -83,6 +83,25 @@ TEST(SolveCommand, LevelsFromOneOnCanBeSolvedAsOneWeightedLevel) {
   EXPECT_NE(text.out.str().find("near, A 1 is 2 too high"), std::string::npos) << text.out.str();
 }
 
+TEST(SolveCommand, WhatXIsToBeCloseToStaysTheLastLevelBelowTheWeightedOne) {
+  const std::string levels =
+      R"({"levels":[{"A":[[1,0]],"b":[1]},{"A":[[1,0],[1,1]],"b":[3,7]},{"A":[[1,1]],"b":[7]}])";
+  const SolveArguments weighted{.file = "", .certify = true, .weighted_from = 2};
+  const CommandRun without(levels + "}", weighted), with(levels + R"(,"x_ref":[0,0]})", weighted);
+  EXPECT_EQ(with.exit_code, 0) << with.err.str();
+  for (const std::size_t i : {0u, 1u})
+    EXPECT_NEAR(with.results[0]["x"][i], without.results[0]["x"][i].get<double>(), 1e-9);
+  EXPECT_EQ(with.results[0]["levels"].size(), 3u);
+  EXPECT_EQ(with.results[0]["strict_residuals"].size(), 4u);
+  EXPECT_NEAR(with.results[0]["strict_residuals"][2].get<double>(), 0.0, 1e-9);
+  const CommandRun more(levels + R"(,"x_ref":[0,0]})",
+                        {.file = "", .weighted_from = 2, .weights = {1.0, 1.0, 1.0}});
+  EXPECT_NE(more.err.str().find("with 3 weights; expected at most 2"), std::string::npos)
+      << more.err.str();
+  const CommandRun below(levels + R"(,"x_ref":[0,0]})", {.file = "", .weighted_from = 4});
+  EXPECT_NE(below.err.str().find("expected 1 to 3"), std::string::npos) << below.err.str();
+}
+
 TEST(SolveCommand, WeightedFromALevelThatIsNotThereIsWrongInput) {
   const std::string line = R"({"levels":[{"A":[[1]],"b":[1]},{"A":[[1]],"b":[2]}]})";
   const CommandRun run(line, {.file = "", .weighted_from = 3});

@@ -15,6 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::RowVector2d;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Small integers, so that nothing is nearly dependent.
@@ -100,6 +101,118 @@ TEST(EvenUnits, GiveTheOptimumWhateverTheUnitsOfTheUnknowns) {
         worst_as_given, difference(residuals(solve<LexicographicSolver>(4, given)), expected));
   }
   EXPECT_GE(worst_as_given, 1e-2) << "units matter";
+}
+
+template <typename Solver>
+Solution solve_evenly(Index unknowns, const HierarchyData& levels) {
+  return solve_in_even_units<Solver>(make_hierarchy(unknowns, levels), Options<Solver>{});
+}
+
+template <typename Solver>
+class InEvenUnits : public testing::Test {};
+TYPED_TEST_SUITE(InEvenUnits, Solvers);
+
+TYPED_TEST(InEvenUnits, ALowerLevelDoesNotChangeAHigherResidual) {
+  int num_uneven = 0;
+  for (int seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = integer_levels(random);
+    const VectorXd d = random_units(random, 4, 12);
+    for (LevelData& level : levels)  // some in these units, some not
+      level.A = level.A * (random.chance(0.7) ? d : VectorXd::Ones(4)).asDiagonal();
+    num_uneven += even_units(make_hierarchy(4, levels)) == VectorXd::Ones(4) ? 0 : 1;
+    const Solution all = solve_evenly<TypeParam>(4, levels);
+    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+      const HierarchyData part(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      const double residual = solve_evenly<TypeParam>(4, part).levels[k].residual;
+      ASSERT_NEAR(all.levels[k].residual, residual, 1e-6 * (1.0 + residual)) << "level " << k;
+    }
+  }
+  EXPECT_GE(num_uneven, 200);
+}
+
+// [A | e A] with e from 1e-4 to 1e-14, and a level below over unknowns of like sizes.
+TYPED_TEST(InEvenUnits, ALowerLevelOfOtherUnitsDoesNotChangeAHigherResidual) {
+  for (int seed = 0; seed < 3000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    const auto integer = [&] { return static_cast<double>(random.integer(-2, 2)); };
+    const double small = std::ldexp(1.0, -random.integer(13, 46));
+    const MatrixXd A{{integer(), small * integer()}, {integer(), small * integer()}};
+    const HierarchyData above{equalities(A, Vector2d(integer(), integer()))};
+    const HierarchyData levels{above[0],
+                               equalities(RowVector2d(integer(), integer()), number(1.0))};
+    const double residual = solve_evenly<TypeParam>(2, above).levels[0].residual;
+    ASSERT_NEAR(solve_evenly<TypeParam>(2, levels).levels[0].residual, residual,
+                1e-6 * (1.0 + residual));
+  }
+}
+
+TYPED_TEST(InEvenUnits, ALowerLevelDoesNotChangeARankThatHangsOnTheUnit) {
+  for (const double small : {2e-14, 1e-11}) {
+    const LevelData level = equalities(MatrixXd{{-1.0, -small}, {2.0, small}}, Vector2d(3.0, 2.0));
+    for (const RowVector2d& below : {RowVector2d(1.0, -1.0), RowVector2d(0.0, 1.0)}) {
+      const HierarchyData levels{level, equalities(below, number(1.0))};
+      const Solution all =
+          solve_in_even_units<TypeParam>(make_hierarchy(2, levels), Options<TypeParam>{});
+      EXPECT_LE(all.levels[0].residual, 1e-9);
+      EXPECT_NEAR(all.x[1] * small, -8.0, 1e-9);
+    }
+  }
+}
+
+TYPED_TEST(InEvenUnits, AnOrthogonalChangeOfUnknownsCarriesOver) {
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMatrices random(static_cast<std::uint64_t>(seed));
+    HierarchyData levels = random_levels(random, {.unknowns = 6});
+    levels.push_back(close_to(random.vector(6)));
+    const MatrixXd Q = random.rotation(6);
+    const Options<TypeParam> options{};
+    HierarchyData turned = over(levels, random_units(random, 6, 4));
+    const Solution before = solve_in_even_units<TypeParam>(make_hierarchy(6, turned), options);
+    for (LevelData& level : turned) level.A = level.A * Q.transpose();
+    const Solution after = solve_in_even_units<TypeParam>(make_hierarchy(6, turned), options);
+    ASSERT_LE((after.x - Q * before.x).norm(), 1e-7 * (1.0 + before.x.norm()));
+  }
+}
+
+TEST(EvenUnits, AreThoseThatARankAboveHangsOn) {
+  const LevelData above = equalities(MatrixXd{{-1.0, -1e-11}, {2.0, 1e-11}}, Vector2d(3.0, 2.0));
+  const LevelData below = equalities(RowVector2d(1.0, -1.0), number(1.0));
+  const VectorXd units = even_units(make_hierarchy(2, {above}));
+  EXPECT_GE(units[1] / units[0], 1e10);
+  EXPECT_EQ(even_units(make_hierarchy(2, {above, below, below, below})), units);
+}
+
+TEST(EvenUnits, AreNotThoseOfOneSmallElementThatNoRankHangsOn) {
+  const LevelData above = equalities(Eigen::RowVector4d(-3.0, -2.0, 3.0, 1e-12), number(2.0));
+  const LevelData below = equalities(MatrixXd{{2, 3, 3, 1}, {0, -3, -1, -3}}, Vector2d(4, -2));
+  EXPECT_NE(even_units(make_hierarchy(4, {above})), VectorXd::Ones(4));
+  EXPECT_EQ(even_units(make_hierarchy(4, {above, below})), VectorXd::Ones(4));
+}
+
+TEST(Certificate, SeesTheRoundingOfALevelInUnitsThatSuitOneAbove) {
+  // x0 + x1 = 2 is missed by 1 / 256: in the units of the first level that is rounding.
+  const double small = std::ldexp(1.0, -43);
+  const Hierarchy hierarchy = make_hierarchy(
+      2, {at_most(MatrixXd{{-3.0, small}, {-1.0, -small}, {-1.0, small}}, Vector3d(4.0, 2.0, 1.0)),
+          equalities(RowVector2d(1.0, 1.0), number(2.0))});
+  ASSERT_GE(even_units(hierarchy)[1] / even_units(hierarchy)[0], 1e10);
+  EXPECT_NE(verdict(certify(hierarchy, Vector2d(1.0, 1.0 + 1.0 / 256.0))), Verdict::proven);
+}
+
+TEST(EvenUnits, AddUpOverLevelsThatEachNeedNone) {
+  HierarchyData levels;
+  for (Index j = 0; j < 5; ++j) {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(6);
+    row[j] = 1.0;
+    row[j + 1] = std::ldexp(1.0, -11);
+    levels.push_back(equalities(row, number(1.0)));
+  }
+  const VectorXd units = even_units(make_hierarchy(6, levels));
+  EXPECT_GE(units.maxCoeff() / units.minCoeff(), std::ldexp(1.0, 40));
 }
 
 TEST(EvenUnits, LeaveTheAnswerAsItIsToTheBitWhereTheyAreNotNeeded) {
