@@ -1,6 +1,4 @@
-#include "surefoot/planning/foothold_planner.hpp"
-
-#include "surefoot/math/rotation.hpp"
+#include "tests/planning/foothold_walker.hpp"
 #include "tests/support/random_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -13,71 +11,14 @@
 namespace surefoot {
 namespace {
 
+using test::command;
+using test::kCycle;
+using test::kOrder;
 using test::Random;
+using test::turned;
+using test::Walker;
 
-constexpr double kCycle = 4.0;  // [s]
-constexpr std::array kOrder{Leg::LH, Leg::LF, Leg::RH, Leg::RF};
 const FootholdOptions kWithoutPrints{.hind_use_front_prints = false};
-
-Vec2 turned(double angle, const Vec2& v) {
-  return rotation_about_z(angle).topLeftCorner<2, 2>() * v;
-}
-
-UserCommand command(double forward, double lateral = 0.0, double yaw_rate = 0.0) {
-  return {.walk = true, .velocity = {forward, lateral}, .yaw_rate = yaw_rate};
-}
-
-/// Footholds that a planner leads over level ground.
-struct Walker {
-  explicit Walker(const FootholdOptions& options, const StanceOptions& stance_options = {})
-      : stance(stance_options), planner(stance_options, options) {}
-
-  void stand(const Vec2& center, double heading) {
-    yaw = heading;
-    for (const Leg leg : kLegs) {
-      feet[index(leg)] << center + turned(yaw, nominal_offset(stance, leg)), ground;
-    }
-  }
-  [[nodiscard]] TerrainPlane plane() const { return {Vec3::UnitZ(), Vec3(0, 0, ground)}; }
-  [[nodiscard]] Vec3 next(Leg leg, const UserCommand& user) const {
-    return planner.foothold(leg, feet, plane(), yaw, user, kCycle);
-  }
-  /// One leg goes, a quarter of the cycle passes.
-  void step(const UserCommand& user) {
-    const Leg leg = kOrder[static_cast<std::size_t>(steps++) % kOrder.size()];
-    const Vec3 goal = next(leg, user);
-    last_step = goal - feet[index(leg)];
-    feet[index(leg)] = goal;
-    planner.remember(leg, goal);
-    yaw += 0.25 * kCycle * user.yaw_rate;
-  }
-  void walk(int count, const UserCommand& user) {
-    for (int i = 0; i < count; ++i) step(user);
-  }
-  /// Where the stance's middle is, from a foot's own place in it.
-  [[nodiscard]] Vec2 center_by(Leg leg) const {
-    return feet[index(leg)].head<2>() - turned(yaw, nominal_offset(stance, leg));
-  }
-  [[nodiscard]] Vec2 center() const {
-    Vec2 sum = Vec2::Zero();
-    for (const Leg leg : kLegs) sum += 0.25 * center_by(leg);
-    return sum;
-  }
-  /// Largest distance of a foot from its nominal place.
-  [[nodiscard]] double distortion() const {
-    double largest = 0.0;
-    for (const Leg leg : kLegs) largest = std::max(largest, (center_by(leg) - center()).norm());
-    return largest;
-  }
-
-  StanceOptions stance;
-  FootholdPlanner planner;
-  PerLeg<Vec3> feet;
-  double yaw = 0.0;
-  double ground = 0.031;
-  int steps = 0;
-  Vec3 last_step = Vec3::Zero();
-};
 
 TEST(FootholdPlanner, TheNominalStanceIsARectangle) {
   const StanceOptions stance{.half_length = 0.3, .half_width = 0.2};
@@ -385,76 +326,6 @@ TEST(FootholdPlanner, StepsOnTheSpotWhereNothingElseIsLeftAndTriesAgainLater) {
 
 TEST(FootholdPlanner, AHipOutOfReachAllowsNoStride) {
   EXPECT_EQ(share(command(0.1), {}, {.reach = 0.0, .length = 1.0}), 0.0);
-}
-
-/// Feet of a stance that stands with its front feet `rise` above its hind feet, the last stride of
-/// which led there over an edge; what its left front foot expects a stride further on.
-struct OnTwoLevels {
-  explicit OnTwoLevels(double rise, bool bounded = true)
-      : planner({}, {.bounded_by_feet = bounded}) {
-    for (const Leg leg : kLegs) {
-      const double z = is_front(leg) ? rise : 0.0;
-      feet[index(leg)] << nominal_offset({}, leg), z;
-      planner.remember(leg, feet[index(leg)] - Vec3(0.15, 0.0, z));
-      planner.remember(leg, feet[index(leg)]);
-    }
-  }
-  [[nodiscard]] double expected() const {
-    const Vec2 place = feet[index(Leg::LF)].head<2>() + Vec2(0.2, 0.0);
-    return planner.expected_height(Leg::LF, place, feet, fit_terrain_plane(feet, 0.35));
-  }
-  FootholdPlanner planner;
-  PerLeg<Vec3> feet;
-};
-
-TEST(FootholdPlanner, BehindAnEdgeGroundIsExpectedNoHigherThanTheFeetStand) {
-  for (const double rise : {0.2, 0.168, 0.14}) {
-    EXPECT_NEAR(OnTwoLevels(rise).expected(), rise, 1e-12);
-    EXPECT_GT(OnTwoLevels(rise, false).expected(), 1.2 * rise) << "the plane";
-  }
-}
-
-TEST(FootholdPlanner, BehindAnEdgeSoIsThatOfAnotherPlaceThanOneWithoutGround) {
-  OnTwoLevels feet(0.2);
-  const TerrainPlane plane = fit_terrain_plane(feet.feet, 0.35);
-  const auto next = [&] {
-    return feet.planner.foothold(Leg::LF, feet.feet, plane, 0.0, command(0.04), kCycle);
-  };
-  const Vec3 first = next();
-  feet.planner.avoid(first);
-  const Vec3 other = next();
-  EXPECT_GT((other - first).norm(), 0.0);
-  EXPECT_GT(plane.height(other.head<2>()), 0.2);
-  EXPECT_NEAR(other.z(), 0.2, 1e-12);
-}
-
-TEST(FootholdPlanner, BehindAnEdgeDownwardGroundIsExpectedOnThePlane) {
-  for (const double rise : {-0.2, -0.14}) {
-    EXPECT_EQ(OnTwoLevels(rise).expected(), OnTwoLevels(rise, false).expected());
-  }
-}
-
-TEST(FootholdPlanner, OnASlopeInAnyDirectionGroundIsExpectedWhereItIs) {
-  Random random(11);
-  for (int trial = 0; trial < 50; ++trial) {
-    const double yaw = random.uniform(-3.0, 3.0);
-    const Vec2 slope = random.uniform(0.05, 0.35) * turned(random.uniform(-3.0, 3.0), {1.0, 0.0});
-    const auto on_slope = [&](const Vec2& p) { return Vec3(p.x(), p.y(), slope.dot(p)); };
-    FootholdPlanner planner({}, {});
-    PerLeg<Vec3> feet;
-    for (const Leg leg : kLegs) {
-      const Vec2 place = turned(yaw, nominal_offset({}, leg));
-      planner.remember(leg, on_slope(place - turned(yaw, {0.12, 0.0})));
-      feet[index(leg)] = on_slope(place);
-      planner.remember(leg, feet[index(leg)]);
-    }
-    for (const Leg leg : kLegs) {
-      const Vec2 next = feet[index(leg)].head<2>() + turned(yaw, {random.uniform(0.1, 0.3), 0.0});
-      EXPECT_NEAR(planner.expected_height(leg, next, feet, fit_terrain_plane(feet, 0.35)),
-                  slope.dot(next), 1e-9)
-          << trial;
-    }
-  }
 }
 
 }  // namespace
