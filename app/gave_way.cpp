@@ -256,6 +256,25 @@ std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation) {
   return rows;
 }
 
+std::vector<MissedEquality> missed_rows(const TickExplanation& explanation) {
+  const HierarchyReport& report = explanation.tick.hierarchy;
+  const auto solved = solved_levels(explanation.tick, explanation.order);
+  std::vector<MissedEquality> rows;
+  std::copy_if(report.missed.begin(), report.missed.begin() + report.num_missed,
+               std::back_inserter(rows), [&](const MissedEquality& row) {
+                 return std::ranges::find(solved, row.level) != solved.end();
+               });
+  return rows;
+}
+
+LevelStatus level_status(const TickExplanation& explanation, std::size_t place) {
+  const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
+  if (place == solved) return LevelStatus::cut_off;
+  if (place > solved) return LevelStatus::not_reached;
+  return level_status(
+      explanation.tick.hierarchy.levels[static_cast<std::size_t>(explanation.order[place])]);
+}
+
 std::string gave_way_sentence(const TickExplanation& explanation) {
   if (!was_used(explanation.tick)) return without_solution(explanation.tick);
   if (!explanation.blend) return outcome(explanation) + estimates(explanation);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tick_explanation.hpp"
+#include "surefoot/logging/level_status.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ struct LevelThatGaveWay {
 
 /// Rows at or beyond a bound, of the levels that were solved.
 [[nodiscard]] std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation);
+
+/// Equality rows that were missed, of the levels that were solved.
+[[nodiscard]] std::vector<MissedEquality> missed_rows(const TickExplanation& explanation);
+
+/// Of the level at this place of the tick's order, where the solution was used.
+[[nodiscard]] LevelStatus level_status(const TickExplanation& explanation, std::size_t place);
 
 /// In one sentence: "com_xy gave way by 0.31 m/s² to torque_limits LF_KFE (0.2) and friction_cone
 /// RH (0.1)." Of a solve that was cut off also where. Of a blend of two hierarchies that it is one,

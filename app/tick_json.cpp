@@ -81,6 +81,7 @@ Json levels_json(const TickExplanation& explanation) {
     };
     list.push_back({{"name", explanation.header.level_name(number_of_level)},
                     {"unit", explanation.header.level_unit(number_of_level)},
+                    {"status", name_of(level_status(explanation, list.size()))},
                     {"residual", known(number(level.residual))},
                     {"rows", known(level.num_rows)},
                     {"at_bound", known(level.num_active)},
@@ -91,17 +92,38 @@ Json levels_json(const TickExplanation& explanation) {
   return list;
 }
 
-/// Of the levels that were solved; null where none was.
-Json limits_json(const TickExplanation& explanation) {
+/// Rows have something to say; otherwise null.
+bool is_any_level_solved(const TickExplanation& explanation) {
   const bool is_any_solved = !solved_levels(explanation.tick, explanation.order).empty();
-  if (!was_used(explanation.tick) || (!is_any_solved && !explanation.order.empty())) return {};
+  return was_used(explanation.tick) && (is_any_solved || explanation.order.empty());
+}
+
+Json row_json(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
+  const auto found = explanation.row_names.find({level, id});
+  return {{"level", explanation.header.level_name(level)},
+          {"row", found == explanation.row_names.end() ? "" : found->second}};
+}
+
+/// Of the levels that were solved.
+Json missed_json(const TickExplanation& explanation) {
+  if (!is_any_level_solved(explanation)) return {};
+  Json list = Json::array();
+  for (const MissedEquality& row : missed_rows(explanation)) {
+    list.push_back(row_json(explanation, row.level, row.id));
+    list.back()["by"] = number(row.by);
+  }
+  return list;
+}
+
+/// The same.
+Json limits_json(const TickExplanation& explanation) {
+  if (!is_any_level_solved(explanation)) return {};
   Json list = Json::array();
   for (const ActiveRow& row : rows_at_bounds(explanation)) {
-    const auto found = explanation.row_names.find({row.level, row.id});
-    list.push_back({{"level", explanation.header.level_name(row.level)},
-                    {"row", found == explanation.row_names.end() ? "" : found->second},
-                    {"bound", row.state < 0 ? "lower" : "upper"},
-                    {"beyond", std::abs(row.state) > 1}});
+    list.push_back(row_json(explanation, row.level, row.id));
+    list.back()["bound"] = row.state < 0 ? "lower" : "upper";
+    list.back()["beyond"] = std::abs(row.state) > 1;
+    list.back()["by"] = number(row.by);
   }
   return list;
 }
@@ -163,6 +185,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"feet", feet_json(explanation)},
                {"levels", levels_json(explanation)},
                {"limits", limits_json(explanation)},
+               {"missed", missed_json(explanation)},
                {"events", events_json(explanation)},
                {"why_stopped", text_of_stop(tick)},
                {"readings", message(tick.reading)},

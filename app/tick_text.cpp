@@ -153,34 +153,56 @@ std::string feet_table(const TickExplanation& explanation) {
                      : "");
 }
 
-/// As the sentence has it: from 100 on all digits before the point.
+/// Of a level's rows, as the sentence has it: from 100 on all digits before the point.
+std::string amount(const TickExplanation& explanation, std::int16_t level, double value) {
+  const std::string unit = explanation.header.level_unit(level);
+  return formatted(std::abs(value) < 100.0 ? "%.3g" : "%.0f", value) +
+         (unit.empty() ? "" : " " + unit);
+}
+
 std::string residual(const TickExplanation& explanation, std::int16_t level) {
   const double value = explanation.tick.hierarchy.levels[static_cast<std::size_t>(level)].residual;
-  if (!(value > kResidualRounding)) return "0";
-  const std::string unit = explanation.header.level_unit(level);
-  return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
+  return value > kResidualRounding ? amount(explanation, level, value) : "0";
+}
+
+/// Of a level that is to be as small as can be, and never content, in the page's words.
+std::string status_of(const TickExplanation& explanation, std::size_t place) {
+  const LevelStatus status = level_status(explanation, place);
+  const LogHeader& header = explanation.header;
+  const std::int16_t level = explanation.order[place];
+  const bool is_restless =
+      std::isnan(visible_residual(header.level_name(level), header.level_unit(level)));
+  return status == LevelStatus::missed && is_restless ? "minimised" : std::string(name_of(status));
 }
 
 std::string level_table(const TickExplanation& explanation) {
   const HierarchyReport& report = explanation.tick.hierarchy;
   const std::size_t solved = solved_levels(explanation.tick, explanation.order).size();
-  Table table{{"level", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
+  Table table{
+      {"level", "status", "residual", "rows", "at a bound", "freedom left", "iterations", "time"}};
   for (std::size_t place = 0; place < explanation.order.size(); ++place) {
     const std::int16_t number = explanation.order[place];
     const std::string name =
         std::to_string(place + 1) + " " + explanation.header.level_name(number);
+    const std::string status = status_of(explanation, place);
     if (place >= solved) {
-      table.push_back({name, "not solved", "–", "–", "–", "–", "–"});
+      table.push_back({name, status, "–", "–", "–", "–", "–", "–"});
       continue;
     }
     const auto k = static_cast<std::size_t>(number);
     const LevelReport& level = report.levels[k];
     table.push_back(
-        {name, residual(explanation, number), std::to_string(level.num_rows),
+        {name, status, residual(explanation, number), std::to_string(level.num_rows),
          std::to_string(level.num_active), std::to_string(level.degrees_of_freedom_left),
          std::to_string(level.iterations), known(level_time(explanation, k), "%.1f µs")});
   }
   return aligned(table);
+}
+
+std::string row_name(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
+  const auto found = explanation.row_names.find({level, id});
+  return explanation.header.level_name(level) + " " +
+         (found == explanation.row_names.end() ? std::to_string(id) : found->second);
 }
 
 std::string at_bounds(const TickExplanation& explanation) {
@@ -193,13 +215,30 @@ std::string at_bounds(const TickExplanation& explanation) {
   std::string out =
       is_all ? "Limits that act:\n" : "Limits that act in the levels that were solved:\n";
   for (const ActiveRow& row : rows) {
-    const auto found = explanation.row_names.find({row.level, row.id});
-    out += "  " + explanation.header.level_name(row.level) + " " +
-           (found == explanation.row_names.end() ? std::to_string(row.id) : found->second) +
-           (std::abs(row.state) > 1 ? ", beyond its " : ", at its ") +
-           (row.state < 0 ? "lower bound\n" : "upper bound\n");
+    const bool is_beyond = std::abs(row.state) > 1;
+    out += "  " + row_name(explanation, row.level, row.id) +
+           (is_beyond ? ", beyond its " : ", at its ") +
+           (row.state < 0 ? "lower bound" : "upper bound") +
+           (is_beyond && !std::isnan(row.by)
+                ? " by " + amount(explanation, row.level, std::abs(row.by))
+                : "") +
+           "\n";
   }
   return out;
+}
+
+/// Of levels that gave way; those that are never content miss their rows always.
+std::string missed(const TickExplanation& explanation) {
+  std::string out;
+  for (const MissedEquality& row : missed_rows(explanation)) {
+    const LogHeader& header = explanation.header;
+    const double visible =
+        visible_residual(header.level_name(row.level), header.level_unit(row.level));
+    if (!(std::abs(row.by) > visible)) continue;
+    out += "  " + row_name(explanation, row.level, row.id) + ", by " +
+           amount(explanation, row.level, row.by) + "\n";
+  }
+  return out.empty() ? "" : "Rows that were missed:\n" + out;
 }
 
 std::string events(const TickExplanation& explanation) {
@@ -226,7 +265,7 @@ std::string tick_text(const std::string& path, const TickExplanation& explanatio
   if (was_used(explanation.tick)) {
     out += feet_table(explanation) + "\n";
     if (explanation.tick.hierarchy.num_levels > 0) out += level_table(explanation) + "\n";
-    out += at_bounds(explanation);
+    out += at_bounds(explanation) + missed(explanation);
   } else if (explanation.truth) {
     out += true_feet_table(*explanation.truth) + "\n";
   }

@@ -31,7 +31,8 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
   for (const logged::Row& row : hierarchy.active) {
     frame.active.push_back({.level = number_of(row.level, channels),
                             .state = static_cast<std::int8_t>(row.state),
-                            .row = static_cast<std::uint16_t>(row.id)});
+                            .row = static_cast<std::uint16_t>(row.id),
+                            .by = static_cast<float>(row.by)});
   }
   frame.blocking.clear();
   for (const logged::BlockingRow& row : hierarchy.blocked_by) {

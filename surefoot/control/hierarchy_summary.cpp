@@ -1,28 +1,71 @@
 #include "surefoot/control/hierarchy_summary.hpp"
 
+#include "surefoot/solver/row_states.hpp"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace surefoot {
 namespace {
 
-constexpr std::size_t kMostBlockers = 3;  // of a level
-constexpr double kSmallestShare = 0.1;    // of the cost of the dearest
+constexpr std::size_t kMostOfLevel = 3;  // blockers, or equalities that it missed
+constexpr double kSmallestShare = 0.1;   // of the cost of the dearest, of the miss of the worst
+
+static_assert(kMaxReportedMisses >= kMostOfLevel * kMaxLevels);
+
+double violation(const Level& level, Eigen::Index row, const Eigen::VectorXd& x) {
+  return signed_violation(level.A().row(row).dot(x), level.lower()[row], level.upper()[row]);
+}
+
+bool is_beyond(RowState state) {
+  return state == RowState::below_lower || state == RowState::above_upper;
+}
 
 void add_active_rows(const LevelResult& result, const Level& level, std::size_t index,
-                     HierarchyReport& report) {
+                     const Eigen::VectorXd& x, HierarchyReport& report) {
   const Eigen::Index rows = std::min(result.num_rows, level.num_rows());
   for (Eigen::Index i = 0; i < rows; ++i) {
     const RowState state = result.rows[static_cast<std::size_t>(i)];
     if (state == RowState::inactive || state == RowState::equality) continue;
     if (report.num_active == static_cast<std::int32_t>(kMaxReportedRows)) return;
     report.active[static_cast<std::size_t>(report.num_active++)] = {
-        static_cast<std::int16_t>(index), static_cast<std::int16_t>(state), level.id(i)};
+        static_cast<std::int16_t>(index), static_cast<std::int16_t>(state), level.id(i),
+        is_beyond(state) ? violation(level, i, x) : 0.0};
   }
+}
+
+/// The worst first.
+struct WorstMisses {
+  std::array<MissedEquality, kMostOfLevel + 1> rows{};  // the last is one too many
+  std::size_t count = 0;
+
+  void add(const MissedEquality& row) {
+    std::size_t at = count;
+    for (; at > 0 && std::abs(rows[at - 1].by) < std::abs(row.by); --at) rows[at] = rows[at - 1];
+    rows[at] = row;
+    count = std::min(count + 1, kMostOfLevel);
+  }
+};
+
+void add_missed_rows(const LevelResult& result, const Level& level, std::size_t index,
+                     const Eigen::VectorXd& x, HierarchyReport& report) {
+  if (!(result.residual > kResidualRounding)) return;
+  WorstMisses worst;
+  const Eigen::Index rows = std::min(result.num_rows, level.num_rows());
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (result.rows[static_cast<std::size_t>(i)] != RowState::equality) continue;
+    worst.add({static_cast<std::int16_t>(index), level.id(i), violation(level, i, x)});
+  }
+  const double least =
+      std::max(kResidualRounding, kSmallestShare * std::abs(worst.rows.front().by));
+  for (std::size_t i = 0; i < worst.count && std::abs(worst.rows[i].by) >= least; ++i)
+    report.missed[static_cast<std::size_t>(report.num_missed++)] = worst.rows[i];
 }
 
 void add_blockers(const LevelBlockers& blockers, const Hierarchy& hierarchy, std::size_t level,
                   HierarchyReport& report) {
-  for (std::size_t i = 0; i < std::min(blockers.count, kMostBlockers); ++i) {
+  for (std::size_t i = 0; i < std::min(blockers.count, kMostOfLevel); ++i) {
     const Blocker& blocker = blockers.dearest[i];
     if (i > 0 && blocker.cost < kSmallestShare * blockers.dearest[0].cost) return;
     if (report.num_blocking == static_cast<std::int32_t>(kMaxReportedBlockers)) return;
@@ -46,7 +89,8 @@ void summarise(const Solution& solution, const Hierarchy& hierarchy,
     report.levels[i] = {result.residual, static_cast<std::int32_t>(result.degrees_of_freedom_left),
                         result.iterations, static_cast<std::int32_t>(result.num_rows),
                         result.num_active()};
-    add_active_rows(result, hierarchy.level(i), i, report);
+    add_active_rows(result, hierarchy.level(i), i, solution.x, report);
+    add_missed_rows(result, hierarchy.level(i), i, solution.x, report);
   }
 }
 

@@ -9,8 +9,9 @@
 
 namespace surefoot {
 
-/// Residuals and active inequality rows of a solution as plain data, for the log. Does not
-/// allocate.
+/// Residuals of a solution, its active inequality rows and by how much they are beyond their
+/// bounds, and the equality rows that were missed, as plain data, for the log: of these at most
+/// three a level, the worst, and those that miss at least a tenth of it. Does not allocate.
 void summarise(const Solution& solution, const Hierarchy& hierarchy,
                HierarchyReport& report) noexcept;
 

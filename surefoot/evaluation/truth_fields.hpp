@@ -22,7 +22,7 @@ void fields(Archive& field, T& contact) {
 
 template <typename Archive, Is<GroundTruth> T>
 void fields(Archive& field, T& truth) {
-  field("time", truth.time, "[s]");
+  field("time", truth.time, "of the simulation [s]");
   field("p_WB", truth.p_WB, "base position in W [m]");
   field("q_WB", truth.q_WB, "base orientation as quaternion w, x, y, z; takes B coordinates to W");
   field("v_WB", truth.v_WB, "base velocity in W [m/s]");
@@ -31,9 +31,9 @@ void fields(Archive& field, T& truth) {
   field("qd", truth.qd, "joint velocities [rad/s]");
   field("torque", truth.torque, "applied at the joints, behind the actuator model [N·m]");
   field("p_WCom", truth.p_WCom, "centre of mass of everything that moves, in W [m]");
-  field("v_WCom", truth.v_WCom, "[m/s]");
+  field("v_WCom", truth.v_WCom, "its velocity, in W [m/s]");
   field("p_WF", truth.p_WF, "centres of the foot spheres in W [m]");
-  field("v_WF", truth.v_WF, "[m/s]");
+  field("v_WF", truth.v_WF, "velocities of these centres, in W [m/s]");
   field("feet", truth.feet, "contact of each foot");
   field("body_contact_force", truth.body_contact_force,
         "largest on any other part than a foot [N]");

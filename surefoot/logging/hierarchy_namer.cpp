@@ -24,6 +24,7 @@ const logged::Hierarchy& HierarchyNamer::name(const HierarchyReport& report) {
   named_.levels.resize(count(report.num_levels, kMaxLevels));
   for (std::size_t i = 0; i < named_.levels.size(); ++i) {
     named_.levels[i].name = names_.level(static_cast<int>(i));
+    named_.levels[i].status = level_status(report, i);
     named_.levels[i].report = report.levels[i];
   }
   named_.blocking_is_known = report.blocking_is_known;
@@ -37,7 +38,13 @@ void HierarchyNamer::name_rows(const HierarchyReport& report) {
   named_.active.resize(count(report.num_active, kMaxReportedRows));
   for (std::size_t i = 0; i < named_.active.size(); ++i) {
     const ActiveRow& row = report.active[i];
-    named_.active[i] = {names_.level(row.level), names_.row(row.level, row.id), row.id, row.state};
+    named_.active[i] = {names_.level(row.level), names_.row(row.level, row.id), row.id, row.state,
+                        row.by};
+  }
+  named_.missed.resize(count(report.num_missed, kMaxReportedMisses));
+  for (std::size_t i = 0; i < named_.missed.size(); ++i) {
+    const MissedEquality& row = report.missed[i];
+    named_.missed[i] = {names_.level(row.level), names_.row(row.level, row.id), row.id, row.by};
   }
   named_.blocked_by.resize(count(report.num_blocking, kMaxReportedBlockers));
   for (std::size_t i = 0; i < named_.blocked_by.size(); ++i) {

@@ -234,7 +234,13 @@ HierarchyReport without_names(const logged::Hierarchy& named,
     const logged::Row& row = named.active[i];
     report.active[i] = {.level = numbers.of(row.level),
                         .state = static_cast<std::int16_t>(row.state),
-                        .id = row.id};
+                        .id = row.id,
+                        .by = row.by};
+  }
+  report.num_missed = static_cast<std::int32_t>(std::min(named.missed.size(), kMaxReportedMisses));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_missed); ++i) {
+    const logged::MissedRow& row = named.missed[i];
+    report.missed[i] = {.level = numbers.of(row.level), .id = row.id, .by = row.by};
   }
   forget_unsolved(named, numbers, report);
   add_blockers(named, numbers, report);
@@ -375,6 +381,10 @@ bool LogReader::take(const McapMessage& message, TickRecord& tick) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_active); ++i) {
       const ActiveRow& row = tick.hierarchy.active[i];
       row_names_.try_emplace({row.level, row.id}, named.active[i].row);
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_missed); ++i) {
+      const MissedEquality& row = tick.hierarchy.missed[i];
+      row_names_.try_emplace({row.level, row.id}, named.missed[i].row);
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(tick.hierarchy.num_blocking); ++i) {
       const BlockingRow& row = tick.hierarchy.blocking[i];

@@ -52,7 +52,7 @@ class LogReader {
   /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
   /// one.
   [[nodiscard]] std::string summary() const;
-  /// Names of the inequality rows that were active in the ticks read so far.
+  /// Names of the rows that were active, missed or held something back in the ticks read so far.
   [[nodiscard]] const std::map<RowKey, std::string>& row_names() const { return row_names_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] std::string problem() const { return file_.problem(); }

@@ -16,9 +16,9 @@ concept Number = std::same_as<T, bool> || std::integral<T> || std::floating_poin
 template <typename T>
 concept Matrix = requires { T::RowsAtCompileTime; };
 template <typename T>
-concept Name =
-    std::same_as<T, LegPhase> || std::same_as<T, CommandMode> || std::same_as<T, StopCause> ||
-    std::same_as<T, SampleFault> || std::same_as<T, CalibrationStage>;
+concept Name = std::same_as<T, LegPhase> || std::same_as<T, CommandMode> ||
+               std::same_as<T, StopCause> || std::same_as<T, SampleFault> ||
+               std::same_as<T, CalibrationStage> || std::same_as<T, LevelStatus>;
 
 template <typename T>
 inline constexpr bool kIsPerLeg = false;
@@ -35,6 +35,7 @@ inline const auto& names(CommandMode) { return kModeNames; }
 inline const auto& names(StopCause) { return kCauseNames; }
 inline const auto& names(SampleFault) { return kFaultNames; }
 inline const auto& names(CalibrationStage) { return kCalibrationNames; }
+inline const auto& names(LevelStatus) { return kLevelStatusNames; }
 
 /// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z, what
 /// belongs to legs as an object of LF, RF, LH and RH, enumerations as names.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/logging/level_status.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
 #include <array>
@@ -16,6 +17,7 @@ namespace surefoot::logged {
 /// One level of the hierarchy, under its name.
 struct Level {
   std::string name;
+  LevelStatus status = LevelStatus::not_solved;
   LevelReport report;
 };
 
@@ -36,6 +38,14 @@ struct Row {
   std::string level, row;
   std::int32_t id = 0;
   std::int32_t state = 0;
+  double by = kNaN;  ///< logs before 2.9 have it not
+};
+
+/// MissedEquality, with names.
+struct MissedRow {
+  std::string level, row;
+  std::int32_t id = 0;
+  double by = 0.0;
 };
 
 /// A row that kept a lower level from a smaller residual, with names.
@@ -68,6 +78,7 @@ struct Hierarchy {
   std::int32_t status = 0, failed_level = -1;
   std::vector<Level> levels;
   std::vector<Row> active;
+  std::vector<MissedRow> missed;
   bool blocking_is_known = false;
   std::vector<BlockingRow> blocked_by;
   double transition_share = 1.0;
@@ -115,7 +126,7 @@ void fields(Archive& field, T& group) {
 template <typename Archive, Is<SensorHealth> T>
 void fields(Archive& field, T& health) {
   field("encoders", health.encoders, "of the joint angles");
-  field("joint_torques", health.joint_torques, "");
+  field("joint_torques", health.joint_torques, "of the torque sensors");
   field("imu", health.imu, "of gyroscope and accelerometer");
 }
 
@@ -123,14 +134,14 @@ template <typename Archive, Is<UserCommand> T>
 void fields(Archive& field, T& user) {
   field("walk", user.walk, "false: stand on four feet");
   field("velocity", user.velocity, "forward and lateral, in C [m/s]");
-  field("yaw_rate", user.yaw_rate, "[rad/s]");
+  field("yaw_rate", user.yaw_rate, "about the z axis of C, to the left [rad/s]");
   field("height", user.height, "offset to the nominal torso height [m]");
   field("calibrate", user.calibrate, "begin the estimate anew, once all feet stand");
 }
 
 template <typename Archive, Is<RobotState> T>
 void fields(Archive& field, T& state) {
-  field("time", state.time, "[s]");
+  field("time", state.time, "that the state is of [s]");
   field("p_WB", state.p_WB, "base position in W [m]");
   field("q_WB", state.q_WB, "base orientation as quaternion w, x, y, z; takes B coordinates to W");
   field("v_WB", state.v_WB, "base velocity in W [m/s]");
@@ -153,8 +164,8 @@ void fields(Archive& field, T& foot) {
   field("phase", foot.phase, "what the leg is doing; stance and unloading carry force");
   field("p_WF", foot.p_WF,
         "reference of the foot sphere's centre in W; of a stance foot its foothold [m]");
-  field("v_WF", foot.v_WF, "[m/s]");
-  field("a_WF", foot.a_WF, "[m/s²]");
+  field("v_WF", foot.v_WF, "reference of its velocity, in W [m/s]");
+  field("a_WF", foot.a_WF, "reference of its acceleration, in W [m/s²]");
   field("force_min", foot.force_min, "lower limit of the normal force, Eq. (30) [N]");
   field("force_max", foot.force_max, "upper limit of the normal force, Eq. (30) [N]");
   field("friction", foot.friction, "coefficient that the contact force may use");
@@ -166,8 +177,8 @@ void fields(Archive& field, T& torso) {
   field("w_WB", torso.w_WB, "desired angular velocity, in W [rad/s]");
   field("wdot_WB", torso.wdot_WB, "desired angular acceleration, in W [rad/s²]");
   field("height", torso.height, "desired z of the base in W [m]");
-  field("height_rate", torso.height_rate, "[m/s]");
-  field("height_acceleration", torso.height_acceleration, "[m/s²]");
+  field("height_rate", torso.height_rate, "how fast the desired height changes [m/s]");
+  field("height_acceleration", torso.height_acceleration, "and how fast that does [m/s²]");
 }
 
 template <typename Archive, Is<ComPlan> T>
@@ -180,7 +191,7 @@ void fields(Archive& field, T& com) {
 
 template <typename Archive, Is<MotionPlan> T>
 void fields(Archive& field, T& plan) {
-  field("time", plan.time, "[s]");
+  field("time", plan.time, "that the plan is for [s]");
   field("feet", plan.feet, "reference of each foot");
   field("torso", plan.torso, "reference of the torso");
   field("com", plan.com, "reference of the centre of mass");
@@ -198,7 +209,7 @@ template <typename Archive, Is<ModelRecord> T>
 void fields(Archive& field, T& model) {
   field("p_WCom", model.p_WCom,
         "centre of mass in W, of the believed state; null where nothing was solved [m]");
-  field("v_WCom", model.v_WCom, "[m/s]");
+  field("v_WCom", model.v_WCom, "velocity of the centre of mass, in W [m/s]");
   field("p_WF", model.p_WF, "centres of the foot spheres in W [m]");
   field("p_WH", model.p_WH, "hips in W [m]");
   field("force", model.force, "contact forces of the solution, on each foot in W [N]");
@@ -207,12 +218,15 @@ void fields(Archive& field, T& model) {
 template <typename Archive, Is<Level> T>
 void fields(Archive& field, T& level) {
   field("name", level.name, "of the level, highest priority first");
+  field("status", level.status,
+        "missed: its residual is more than rounding; cut off: the solve ended early in it, and "
+        "reached none below it");
   field("residual", level.report.residual,
         "root of the summed squared violations, in the rows' unit; null where nothing was solved");
   field("degrees_of_freedom_left", level.report.degrees_of_freedom_left,
         "of the null space below this level");
   field("iterations", level.report.iterations, "of the active-set method");
-  field("num_rows", level.report.num_rows, "");
+  field("num_rows", level.report.num_rows, "equalities and inequalities");
   field("num_active", level.report.num_active, "inequality rows at or beyond a bound");
 }
 
@@ -222,6 +236,17 @@ void fields(Archive& field, T& row) {
   field("row", row.row, "name of the row");
   field("id", row.id, "identifies the row across ticks");
   field("state", row.state, "-1 and 1: held at its lower or upper bound; -3 and 3: beyond it");
+  field("by", row.by,
+        "how far beyond its bound, in the unit of the level's rows: positive above the upper one, "
+        "negative below the lower one, 0 at it");
+}
+
+template <typename Archive, Is<MissedRow> T>
+void fields(Archive& field, T& row) {
+  field("level", row.level, "name of its level");
+  field("row", row.row, "name of the row");
+  field("id", row.id, "identifies the row across ticks");
+  field("by", row.by, "what it has beyond what it asks for, in the unit of the level's rows");
 }
 
 template <typename Archive, Is<BlockingRow> T>
@@ -230,8 +255,10 @@ void fields(Archive& field, T& blocking) {
   field("by", blocking.by, "name of the level that the row belongs to");
   field("row", blocking.row, "name of the row");
   field("id", blocking.report.id, "identifies the row across ticks");
-  field("multiplier", blocking.report.multiplier,
-        "how fast half the squared residual falls as the row's bound gives way");
+  field(
+      "multiplier", blocking.report.multiplier,
+      "how fast half the squared residual falls as the row's bound gives way: in the square of the "
+      "level's unit by the unit of the row");
   field("cost", blocking.report.cost,
         "what the residual falls by if this row alone gives way, in the unit of the level's rows");
 }
@@ -240,7 +267,7 @@ template <typename Archive, Is<LevelSwitch> T>
 void fields(Archive& field, T& change) {
   field("add", change.add, "names of the levels that come");
   field("remove", change.remove, "names of the levels that go");
-  field("duration", change.duration, "[s]");
+  field("duration", change.duration, "in which they come and go [s]");
 }
 
 template <typename Archive, Is<Hierarchy> T>
@@ -251,6 +278,9 @@ void fields(Archive& field, T& hierarchy) {
         "index of the level that ended early, counted from 0; -1: none");
   field("levels", hierarchy.levels, "how each level came out");
   field("active", hierarchy.active, "inequality rows at or beyond a bound");
+  field("missed", hierarchy.missed,
+        "equality rows that their level could not reach, worst first: at most three a level, and "
+        "none below a tenth of the worst");
   field("blocking_is_known", hierarchy.blocking_is_known,
         "whether blocked_by speaks of all levels");
   field("blocked_by", hierarchy.blocked_by,
@@ -280,7 +310,7 @@ void fields(Archive& field, T& change) {
 
 template <typename Archive, Is<JointCommand> T>
 void fields(Archive& field, T& command) {
-  field("time", command.time, "[s]");
+  field("time", command.time, "of the tick that made the command [s]");
   field("torque", command.torque, "joint torques [N·m]");
   field("mode", command.mode, "rung of the safety ladder that made the command");
   field("cause", command.cause, "what took the controller off its optimum for good");
@@ -293,11 +323,11 @@ template <typename Archive, Is<TickTiming> T>
 void fields(Archive& field, T& timing) {
   field("time", timing.time, "of the tick [s]");
   field("estimate", timing.estimate, "wall-clock time of the stage [µs]");
-  field("plan", timing.plan, "[µs]");
-  field("model", timing.model, "[µs]");
-  field("stack", timing.stack, "[µs]");
-  field("solve", timing.solve, "[µs]");
-  field("total", timing.total, "[µs]");
+  field("plan", timing.plan, "of feet, torso and centre of mass [µs]");
+  field("model", timing.model, "kinematics and dynamics of the robot [µs]");
+  field("stack", timing.stack, "rows of all tasks [µs]");
+  field("solve", timing.solve, "of the hierarchy [µs]");
+  field("total", timing.total, "of the tick, from the readings to the command [µs]");
 }
 
 template <typename Archive, Is<LevelTime> T>

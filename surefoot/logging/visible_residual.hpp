@@ -1,14 +1,12 @@
 #pragma once
 
 #include "surefoot/logging/log_header.hpp"
+#include "surefoot/signals/hierarchy_report.hpp"
 
 #include <string_view>
 #include <vector>
 
 namespace surefoot {
-
-/// Below it a residual, or what a row costs a level, is the solver's rounding, in every unit.
-inline constexpr double kResidualRounding = 1e-6;
 
 /// From this residual on a level gave way, in its unit: what is less is nothing that people should
 /// see. NaN: the level asks for no force or torque at all, is never content, and gives way to none.

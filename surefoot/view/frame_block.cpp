@@ -62,6 +62,7 @@ ViewFrame read_frame(Bytes& block, std::size_t frame_floats) {
     row.level = bytes.number<std::uint8_t>();
     row.state = bytes.number<std::int8_t>();
     row.row = bytes.number<std::uint16_t>();
+    row.by = bytes.number<float>();
   }
   for (FrameBlocking& row : frame.blocking) {
     row.level = bytes.number<std::uint8_t>();
@@ -97,6 +98,7 @@ void pack(const ViewFrame& frame, std::string& out) {
     put(row.level, out);
     put(row.state, out);
     put(row.row, out);
+    put(row.by, out);
   }
   for (const FrameBlocking& row : frame.blocking) {
     put(row.level, out);

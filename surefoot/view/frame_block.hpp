@@ -15,6 +15,7 @@ struct FrameActive {
   std::uint8_t level = 0;
   std::int8_t state = 0;  ///< ±1 at a bound, ±3 beyond it
   std::uint16_t row = 0;  ///< in the session's `rows[level]`
+  float by = 0.0F;        ///< beyond the bound: above the upper one, negative below the lower one
 };
 
 /// A row that keeps a level from a smaller residual.

@@ -95,6 +95,7 @@ TickExplanation pushed_over() {
   }
   HierarchyReport& report = tick.hierarchy;
   report.num_levels = 3;
+  for (LevelReport& level : report.levels) level.num_rows = 2;
   report.blocking_is_known = true;
   for (const std::int16_t level : std::array<std::int16_t, 2>{1, 2}) {
     report.levels[static_cast<std::size_t>(level)].residual = 30.0 + level;
@@ -250,11 +251,12 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
   const std::string text = tick_text("run.mcap", cut_off());
   for (const char* told : {"The solver was cut off in torso_yaw", "71", "friction_cone row_of_0"})
     EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
-  for (const char* level : {"2 torso_yaw", "3 com_xy"}) {
+  for (const auto& [level, status] :
+       {std::pair("2 torso_yaw", "cut off"), std::pair("3 com_xy", "not reached")}) {
     const std::size_t begin = text.find(level);
     ASSERT_NE(begin, std::string::npos) << text;
-    EXPECT_NE(text.substr(begin, text.find('\n', begin) - begin).find("not solved"),
-              std::string::npos);
+    EXPECT_NE(text.substr(begin, text.find('\n', begin) - begin).find(status), std::string::npos)
+        << text;
   }
   for (const char* absent : {"gave way", "32 rad", "72", "73", "row_of_1", "row_of_2"})
     EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
@@ -262,6 +264,8 @@ TEST(TickText, OfASolveThatWasCutOffNothingIsToldOfTheLevelItWasInAndThoseBelow)
   EXPECT_TRUE(json.at("gave_way").empty());
   EXPECT_EQ(json.at("limits").size(), 1u);
   EXPECT_EQ(json.at("levels").at(0).at("rows"), 71);
+  EXPECT_EQ(json.at("levels").at(1).at("status"), "cut off");
+  EXPECT_EQ(json.at("levels").at(2).at("status"), "not reached");
   for (const std::size_t place : {1u, 2u})
     for (const char* member : {"residual", "rows", "at_bound", "freedom_left", "iterations"})
       EXPECT_TRUE(json.at("levels").at(place).at(member).is_null()) << member;
@@ -308,8 +312,38 @@ TEST(TickText, AResidualHasTheSameDigitsInTheSentenceAndInTheTable) {
   TickExplanation explanation = pushed_over();
   explanation.tick.hierarchy.levels[1].residual = 1064.3;
   EXPECT_NE(gave_way_sentence(explanation).find("gave way by 1064 m/s²"), std::string::npos);
-  EXPECT_NE(tick_text("x", explanation).find("2 com_xy          1064 m/s²"), std::string::npos)
+  EXPECT_NE(tick_text("x", explanation).find("2 com_xy          missed   1064 m/s²"),
+            std::string::npos)
       << tick_text("x", explanation);
+}
+
+TEST(TickText, RowsSayByHowMuchTheyAreBeyondABoundOrWereMissed) {
+  TickExplanation explanation = pushed_over();
+  HierarchyReport& report = explanation.tick.hierarchy;
+  report.num_active = 3;
+  report.active[0] = {.level = 0, .state = 1, .id = 0};
+  report.active[1] = {.level = 0, .state = -3, .id = 1, .by = -12.5};
+  report.active[2] = {.level = 0, .state = 3, .id = 1, .by = kNaN};  // of a log before 2.9
+  report.num_missed = 2;
+  report.missed[0] = {.level = 1, .id = 0, .by = -30.5};
+  report.missed[1] = {.level = 2, .id = 0, .by = 0.001};  // nothing that one sees
+  explanation.row_names[{1, 0}] = "x";
+  const std::string text = tick_text("run.mcap", explanation);
+  EXPECT_NE(text.find("  friction_cone LF +x, at its upper bound\n"
+                      "  friction_cone RH −y, beyond its lower bound by 12.5 N\n"
+                      "  friction_cone RH −y, beyond its upper bound\n"
+                      "Rows that were missed:\n"
+                      "  com_xy x, by -30.5 m/s²\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("0.001"), std::string::npos) << text;
+  const auto json = tick_json("run.mcap", explanation);
+  EXPECT_EQ(json.at("limits").at(1).at("by"), -12.5);
+  EXPECT_TRUE(json.at("limits").at(2).at("by").is_null());
+  EXPECT_EQ(json.at("missed").at(0).at("row"), "x");
+  EXPECT_EQ(json.at("missed").at(0).at("by"), -30.5);
+  EXPECT_EQ(json.at("levels").at(0).at("status"), "met");
+  EXPECT_EQ(json.at("levels").at(1).at("status"), "missed");
 }
 
 }  // namespace

@@ -46,7 +46,9 @@ HierarchyReport stale_report() {
   report.num_levels = 99;
   report.num_active = 99;
   report.levels.fill({77.0, 77, 77, 77, 77});
-  report.active.fill({7, 7, 77});
+  report.active.fill({7, 7, 77, 7.0});
+  report.num_missed = 77;
+  report.missed.fill({7, 77, 7.0});
   return report;
 }
 
@@ -82,6 +84,62 @@ TEST(HierarchySummary, NamesTheActiveInequalitiesByTheirIds) {
   EXPECT_EQ(state_of(0, 10), RowState::inactive) << "an equality is not listed";
   EXPECT_EQ(report.num_active, report.levels[1].num_active);
   EXPECT_EQ(report.num_active, 2);
+}
+
+TEST(HierarchySummary, SaysByHowMuchARowIsBeyondItsBoundAndAnEqualityWasMissed) {
+  const Example example;
+  HierarchyReport report = stale_report();
+  summarise(example.solution, example.hierarchy, report);
+  ASSERT_EQ(report.num_active, 2);
+  EXPECT_EQ(report.active[0].id, 20);
+  EXPECT_NEAR(report.active[0].by, 0.75, 1e-9);
+  EXPECT_EQ(report.active[1].by, 0.0) << "held at its bound";
+  ASSERT_EQ(report.num_missed, 1) << "the first level's is met";
+  EXPECT_EQ(report.missed[0].level, 2);
+  EXPECT_EQ(report.missed[0].id, 50);
+  EXPECT_NEAR(report.missed[0].by, -2.0, 1e-9);
+}
+
+TEST(HierarchySummary, ARowBelowItsLowerBoundIsBeyondItByLessThanNothing) {
+  Hierarchy hierarchy(1);
+  hierarchy.add_level("most", 1);
+  hierarchy.add_level("least", 1);
+  for (const std::size_t level : {0u, 1u}) {
+    Rows rows = hierarchy.level(level).add(1, 0);
+    rows.A(0, 0) = 1.0;
+    rows.lower[0] = level == 0 ? -kInfinity : 5.0;
+    rows.upper[0] = level == 0 ? 3.0 : kInfinity;
+  }
+  CascadeSolver solver(hierarchy);
+  HierarchyReport report;
+  summarise(solver.solve(hierarchy), hierarchy, report);
+  ASSERT_EQ(report.num_active, 2);
+  EXPECT_EQ(report.active[1].state, static_cast<int>(RowState::below_lower));
+  EXPECT_NEAR(report.active[1].by, -2.0, 1e-9);
+}
+
+TEST(HierarchySummary, OfTheEqualitiesThatALevelMissedListsTheWorstThree) {
+  Hierarchy hierarchy(5);
+  hierarchy.add_level("zero", 5);
+  hierarchy.add_level("wish", 5);
+  const Eigen::VectorXd wishes = Eigen::VectorXd{{1.0, -40.0, 0.1, 30.0, 20.0}};
+  for (const std::size_t level : {0u, 1u}) {
+    Rows rows = hierarchy.level(level).add(5, 10);
+    rows.A.setIdentity();
+    for (int i = 0; i < 5; ++i) rows.set_equal(i, level == 0 ? 0.0 : wishes[i]);
+  }
+  CascadeSolver solver(hierarchy);
+  HierarchyReport report;
+  summarise(solver.solve(hierarchy), hierarchy, report);
+  ASSERT_EQ(report.num_missed, 3);
+  EXPECT_EQ(report.missed[0].id, 11);
+  EXPECT_NEAR(report.missed[0].by, 40.0, 1e-9);
+  EXPECT_EQ(report.missed[1].id, 13);
+  EXPECT_NEAR(report.missed[1].by, -30.0, 1e-9);
+  EXPECT_EQ(report.missed[2].id, 14);
+  hierarchy.level(1).rows(4).set_equal(0, 3.9);
+  summarise(solver.solve(hierarchy), hierarchy, report);
+  EXPECT_EQ(report.num_missed, 2) << "below a tenth of the worst";
 }
 
 TEST(HierarchySummary, ListsNoMoreRowsThanItHasPlaceFor) {

@@ -77,8 +77,9 @@ TEST(Messages, EveryMessageIsWhatItsSchemaSays) {
   expect_conforming(run.tick.command);
   expect_conforming(run.timing);
   expect_conforming(logged::Hierarchy{.status = 0,
-                                      .levels = {{"COM", {}}},
-                                      .active = {{"COM", "row", 3, -1}},
+                                      .levels = {{"COM", LevelStatus::missed, {}}},
+                                      .active = {{"COM", "row", 3, -3, -0.25}},
+                                      .missed = {{"COM", "x", 0, 0.5}},
                                       .blocked_by = {{"COM", "limits", "row", {}}},
                                       .level_switches = {{{"COM"}, {"yaw", "height"}, 0.5}}});
 }
@@ -99,6 +100,7 @@ TEST(Messages, PhasesAndModesAreWords) {
   EXPECT_EQ(encoded(command).at("mode"), "damping");
   EXPECT_EQ(encoded(command).at("cause"), "imu");
   EXPECT_EQ(encoded(GroupHealth{.fault = SampleFault::repeats}).at("fault"), "repeats");
+  EXPECT_EQ(encoded(logged::Level{"COM", LevelStatus::cut_off, {}}).at("status"), "cut off");
 }
 
 TEST(Messages, AQuaternionBeginsWithItsScalarAndAMatrixGoesRowByRow) {

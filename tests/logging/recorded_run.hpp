@@ -78,6 +78,13 @@ inline void expect_same(const TickRecord& a, const TickRecord& b) {
     ASSERT_EQ(a.hierarchy.active[i].level, b.hierarchy.active[i].level);
     ASSERT_EQ(a.hierarchy.active[i].id, b.hierarchy.active[i].id);
     ASSERT_EQ(a.hierarchy.active[i].state, b.hierarchy.active[i].state);
+    ASSERT_EQ(a.hierarchy.active[i].by, b.hierarchy.active[i].by);
+  }
+  ASSERT_EQ(a.hierarchy.num_missed, b.hierarchy.num_missed);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.hierarchy.num_missed); ++i) {
+    ASSERT_EQ(a.hierarchy.missed[i].level, b.hierarchy.missed[i].level);
+    ASSERT_EQ(a.hierarchy.missed[i].id, b.hierarchy.missed[i].id);
+    ASSERT_EQ(a.hierarchy.missed[i].by, b.hierarchy.missed[i].by);
   }
   expect_same_blockers(a.hierarchy, b.hierarchy);
 }

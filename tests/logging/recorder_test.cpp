@@ -178,6 +178,31 @@ TEST(Recorder, ActiveRowsCarryTheNamesOfLevelAndRow) {
                                           "limb limits: RF extension"}));
 }
 
+TEST(Recorder, LevelsSayHowTheyCameOutAndRowsByHowMuch) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", 1000);
+  McapReader reader(folder / "run.mcap");
+  McapMessage message;
+  bool has_active = false, has_missed = false;
+  while (reader.next(message)) {
+    if (message.channel->topic != "/hierarchy") continue;
+    const json hierarchy = json::parse(message.data);
+    for (const json& level : hierarchy.at("levels"))
+      ASSERT_EQ(level.at("status"), level.at("residual") > 1e-6 ? "missed" : "met");
+    for (const json& row : hierarchy.at("active")) {
+      has_active = true;
+      ASSERT_TRUE(row.at("by").is_number());
+    }
+    for (const json& row : hierarchy.at("missed")) {
+      has_missed = true;
+      ASSERT_EQ(row.at("level"), row.at("id") == 2 ? "roll and pitch" : "height");
+      ASSERT_EQ(row.at("row"), row.at("id") == 2 ? "LH slip forward" : "LF slip forward");
+      ASSERT_EQ(row.at("by") < 0.0, row.at("id") == 2);
+    }
+  }
+  EXPECT_TRUE(has_active && has_missed);
+}
+
 TEST(Recorder, AnotherChannelsMessagesStandInTheOrderTheyCame) {
   const TemporaryFolder folder;
   {

@@ -202,7 +202,7 @@ class SyntheticRun {
     const double a = adaptation();
     const auto activate = [&](int level, int id) {
       report.active[static_cast<std::size_t>(report.num_active++)] = {
-          static_cast<std::int16_t>(level), 1, id};
+          static_cast<std::int16_t>(level), 3, id, 0.3 * a};
       ++report.levels[static_cast<std::size_t>(level)].num_active;
     };
     if (a > 0.2) activate(6, 1);
@@ -210,6 +210,9 @@ class SyntheticRun {
     if (std::sin(3.0 * time_) > 0.9) activate(3, 1);
     report.levels[8].residual += 2.0 * a * a * a;
     report.levels[9].residual += 8.0 * a;
+    report.num_missed = a > 0.5 ? 2 : 0;
+    report.missed[0] = {9, 2, -8.0 * a};
+    report.missed[1] = {8, 0, 2.0 * a * a * a};
     report.blocking_is_known = true;
     report.num_blocking = a > 0.2 ? 1 : 0;
     report.blocking[0] = {9, 6, 1, 3.0 * a, 8.0 * a};

@@ -210,8 +210,8 @@ class Frames:
                 self.floats.append(struct.unpack_from(f"<{session['frame_floats']}f", block, place + 16))
                 rows = place + 16 + 4 * session["frame_floats"]
                 active, blocking = struct.unpack_from("<HH", block, rows)
-                self.active.append([struct.unpack_from("<BbH", block, rows + 4 + 4 * i) for i in range(active)])
-                rows += 4 + 4 * active
+                self.active.append([struct.unpack_from("<BbHf", block, rows + 4 + 8 * i) for i in range(active)])
+                rows += 4 + 8 * active
                 self.blocking.append([struct.unpack_from("<BBHf", block, rows + 8 * i) for i in range(blocking)])
                 place += size
             assert place == len(block)

@@ -73,7 +73,8 @@ TEST(ViewChannels, levels_have_their_channels_by_name_whatever_their_order) {
   table.level_names = {"first", "second", "third"};
   logged::ChannelLister(table).add("hierarchy", logged::Hierarchy());
   logged::Hierarchy hierarchy;
-  hierarchy.levels = {{"second", {.residual = 2.0}}, {"first", {.residual = 1.0}}};
+  hierarchy.levels = {{.name = "second", .report = {.residual = 2.0}},
+                      {.name = "first", .report = {.residual = 1.0}}};
   std::vector<float> floats(table.floats);
   logged::ChannelWriter(table, floats).add(hierarchy);
   const auto residual = [&](const std::string& level) {

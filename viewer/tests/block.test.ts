@@ -18,7 +18,7 @@ test("what is written into a block is read from it", () => {
   for (let run = 0; run < 200; ++run) {
     const frames: RawFrame[] = Array.from({ length: whole(6) }, (_, k) => ({
       tick: k, time: 0.0025 * k, values: [random(), random(), random()].map(Math.fround),
-      active: Array.from({ length: whole(4) }, () => [whole(9), [-3, -1, 1, 3][whole(4)] as number, whole(60000)]),
+      active: Array.from({ length: whole(4) }, () => [whole(9), [-3, -1, 1, 3][whole(4)] as number, whole(60000), Math.fround(random())]),
       blocking: Array.from({ length: whole(3) }, () => [whole(9), whole(9), whole(60000), Math.fround(random())]),
     }));
     const table = tableOf(blockOf(frames, 7, 3));
@@ -28,7 +28,7 @@ test("what is written into a block is read from it", () => {
       assert.equal(read.tick, frame.tick);
       assert.equal(read.time, frame.time);
       assert.deepEqual([...read.values], frame.values);
-      assert.deepEqual(read.active.map((row) => [row.level, row.state, row.row]), frame.active);
+      assert.deepEqual(read.active.map((row) => [row.level, row.state, row.row, row.by]), frame.active);
       assert.deepEqual(read.blocking.map((row) => [row.level, row.by, row.row, row.cost]), frame.blocking);
     });
   }

@@ -35,7 +35,7 @@ test("levels that reach what they ask for are met", () => {
 test("a level with a row at its bound is at its limit", () => {
   const [first, second] = levelStates(frameOf([0, 0], { active: [[0, 1, 1]] }));
   assert.equal(first?.status, "at limit");
-  assert.deepEqual(first?.active, [{ name: "b", level: 0, state: 1 }]);
+  assert.deepEqual(first?.active, [{ name: "b", level: 0, state: 1, by: 0 }]);
   assert.equal(second?.status, "met");
 });
 

@@ -18,14 +18,14 @@ export interface RawFrame {
   tick: number;
   time: number;
   values: number[];
-  active?: [level: number, state: number, row: number][];
+  active?: [level: number, state: number, row: number, by?: number][];
   blocking?: [level: number, by: number, row: number, cost: number][];
 }
 
 /** A block's bytes, written by what docs/view_protocol.md says. */
 export function blockOf(frames: RawFrame[], dropped = 0, generation = 0): ArrayBuffer {
   const sizes = frames.map(({ values, active = [], blocking = [] }) => {
-    const bytes = 16 + 4 * values.length + 4 + 4 * active.length + 8 * blocking.length;
+    const bytes = 16 + 4 * values.length + 4 + 8 * (active.length + blocking.length);
     return bytes + ((8 - (bytes % 8)) % 8);
   });
   const buffer = new ArrayBuffer(16 + sizes.reduce((sum, size) => sum + size, 0));
@@ -43,11 +43,12 @@ export function blockOf(frames: RawFrame[], dropped = 0, generation = 0): ArrayB
     view.setUint16(at, active.length, true);
     view.setUint16(at + 2, blocking.length, true);
     at += 4;
-    for (const [level, state, row] of active) {
+    for (const [level, state, row, by = 0] of active) {
       view.setUint8(at, level);
       view.setInt8(at + 1, state);
       view.setUint16(at + 2, row, true);
-      at += 4;
+      view.setFloat32(at + 4, by, true);
+      at += 8;
     }
     for (const [level, by, row, cost] of blocking) {
       view.setUint8(at, level);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
-import { boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
+import { amountOf, boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
 import { speedText } from "../src/data/lag.ts";
 import { changeText } from "../src/data/change_words.ts";
 import { modeText } from "../src/panels/head.ts";
@@ -39,7 +39,7 @@ test("the friction that was given and what the controller believes are two thing
 
 test("a level's second line says what matters most: who holds it back, its limits, its size", () => {
   assert.equal(briefOf(level, [above, level]), "2 rows");
-  const active = [{ name: "LF_KFE", level: 1, state: 1 }, { name: "RF_KFE", level: 1, state: -1 }];
+  const active = [{ name: "LF_KFE", level: 1, state: 1, by: 0 }, { name: "RF_KFE", level: 1, state: -1, by: 0 }];
   assert.equal(briefOf({ ...level, status: "at limit", active }, [above, level]), "2 rows: LF_KFE (upper), …");
   const blocked = [{ by: 0, row: "LF 1", cost: 1 }, { by: 0, row: "LF 2", cost: 0.5 }];
   assert.equal(briefOf({ ...level, status: "gives way", active, blocked }, [above, level]), "to friction cone", "as it gives way");
@@ -117,4 +117,9 @@ test("a limit of lengths or angles keeps something from going beyond it, one of 
   assert.deepEqual([1, -1, 3, -3].map((bound) => words(bound, true)),
     ["kept below its upper bound", "kept above its lower bound", "not kept below its upper bound", "not kept above its lower bound"]);
   assert.deepEqual([1, -1, 3, -3].map((bound) => words(bound, false)), ["at its upper bound", "at its lower bound", "above its bound", "below its bound"]);
+});
+
+test("a row beyond its bound says by how much, where that is known", () => {
+  assert.deepEqual([{ state: -3, by: -12.5 }, { state: 3, by: 0.3 }, { state: 1, by: 0 }, { state: 3, by: NaN }].map((row) => amountOf(row, "N")),
+    [" by 12.5 N", " by 0.300 N", "", ""]);
 });

@@ -5,6 +5,8 @@ export interface ActiveRow {
   level: number;
   state: number;
   row: number;
+  /** How far beyond the bound, in the level's unit: negative below the lower one, 0 at it; NaN: not known. */
+  by: number;
 }
 
 /** A row of level `by` that keeps `level` from a residual smaller by `cost`. */

@@ -12,6 +12,8 @@ export interface RowNote {
   name: string;
   level: number;
   state: number;
+  /** How far beyond its bound; 0 at it, NaN: not known. */
+  by: number;
 }
 
 export interface BlockNote {
@@ -51,7 +53,7 @@ export function levelStates(frame: Frame): LevelState[] {
     const unit = schema.units[level] ?? "";
     const active = frame.active
       .filter((row) => row.level === level)
-      .map(({ row, state }) => ({ name: schema.rowName(level, row), level, state }));
+      .map(({ row, state, by }) => ({ name: schema.rowName(level, row), level, state, by }));
     const blocked = frame.blocking
       .filter((row) => row.level === level)
       .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));

@@ -111,8 +111,13 @@ export function unpackRows(rows: Uint8Array | undefined): { active: ActiveRow[];
   const actives = view.getUint16(0, true);
   const blockings = view.getUint16(2, true);
   let at = 4;
-  for (let k = 0; k < actives; ++k, at += 4)
-    active.push({ level: view.getUint8(at), state: view.getInt8(at + 1), row: view.getUint16(at + 2, true) });
+  for (let k = 0; k < actives; ++k, at += 8)
+    active.push({
+      level: view.getUint8(at),
+      state: view.getInt8(at + 1),
+      row: view.getUint16(at + 2, true),
+      by: view.getFloat32(at + 4, true),
+    });
   for (let k = 0; k < blockings; ++k, at += 8)
     blocking.push({
       level: view.getUint8(at),

@@ -1,4 +1,4 @@
-import { nameOf, type LevelState } from "../data/hierarchy.ts";
+import { nameOf, type LevelState, type RowNote } from "../data/hierarchy.ts";
 import { counted, quantity, withoutRoundOff } from "../data/numbers.ts";
 import { h, plain, say } from "./dom.ts";
 
@@ -75,7 +75,7 @@ export class LevelCard {
     say(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));
-    say(this.rows, state.active.map(({ name, state: bound }) => `${name} ${words(bound, boundsMotion(state))}`).join(", "));
+    say(this.rows, state.active.map((row) => `${row.name} ${words(row.state, boundsMotion(state))}${amountOf(row, state.unit)}`).join(", "));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
       `held back by ${nameOf(all, by)}: ${row} costs about ${quantity(cost, state.unit)}`).join("; "));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
@@ -129,4 +129,9 @@ export function words(bound: number, isMotion: boolean): string {
   const side = bound < 0 ? "above its lower bound" : "below its upper bound";
   if (isMotion) return Math.abs(bound) >= 3 ? `not kept ${side}` : `kept ${side}`;
   return bound <= -3 ? "below its bound" : bound >= 3 ? "above its bound" : bound < 0 ? "at its lower bound" : "at its upper bound";
+}
+
+/** Of a row beyond its bound, by how much. */
+export function amountOf({ state, by }: Pick<RowNote, "state" | "by">, unit: string): string {
+  return Math.abs(state) < 3 || Number.isNaN(by) ? "" : ` by ${quantity(Math.abs(by), unit)}`;
 }

@@ -52,7 +52,7 @@ export function readBlock(buffer: ArrayBuffer, frameFloats: number, sink: FrameS
 }
 
 function copyRows(view: DataView, at: number, end: number): Uint8Array | undefined {
-  const size = 4 * view.getUint16(at, true) + 8 * view.getUint16(at + 2, true);
+  const size = 8 * (view.getUint16(at, true) + view.getUint16(at + 2, true));
   if (at + 4 + size > end) throw new Error("a frame's list of rows is cut off");
   return size === 0 ? undefined : new Uint8Array(view.buffer.slice(at, at + 4 + size));
 }

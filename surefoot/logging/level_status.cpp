@@ -1,0 +1,21 @@
+#include "surefoot/logging/level_status.hpp"
+
+namespace surefoot {
+
+LevelStatus level_status(const LevelReport& level) {
+  if (level.num_rows == 0) return LevelStatus::no_rows;
+  return level.residual > kResidualRounding ? LevelStatus::missed : LevelStatus::met;
+}
+
+LevelStatus level_status(const HierarchyReport& report, std::size_t place) {
+  constexpr std::int32_t kIterationCap = 1, kInvalidInput = 2;  // as the log's schema has them
+  if (report.status == kInvalidInput) return LevelStatus::not_solved;
+  if (report.status == kIterationCap && report.failed_level >= 0) {
+    const auto failed = static_cast<std::size_t>(report.failed_level);
+    if (place == failed) return LevelStatus::cut_off;
+    if (place > failed) return LevelStatus::not_reached;
+  }
+  return level_status(report.levels[place]);
+}
+
+}  // namespace surefoot
