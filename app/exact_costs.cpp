@@ -96,9 +96,12 @@ std::string find_all(LogReplay& replay, const std::vector<Wanted>& list) {
     if (replay.logged().reading.time < time - kHalfNanosecond) continue;
     *next.costs = costs_of(replay.controller(), replay.header(), *next.tick,
                            solved_levels(*next.tick, *next.order));
-    if (!*next.costs)
-      return "this program's controller makes another hierarchy of " + formatted("%.4f s", time) +
-             "; the log was recorded by another version";
+    if (!*next.costs) {
+      const std::string tick = formatted("%.4f s", time);
+      return replay.is_same() ? "solved once more, the levels of " + tick + " come out otherwise"
+                              : "this program's controller makes another hierarchy of " + tick +
+                                    "; the log was recorded by another version";
+    }
     ++found;
   }
   if (found == list.size()) return "";

@@ -187,8 +187,8 @@ std::string multiplier_unit(const LevelAccount& level, const LevelAccount& by) {
   };
   if (!is_one(level.unit) || !is_one(by.unit)) return "";
   if (level.unit == by.unit) return level.unit;
-  const bool is_product = level.unit.find_first_of("/^ ") != std::string::npos ||
-                          level.unit.find("·") != std::string::npos;
+  const auto has = [&](const char* part) { return level.unit.find(part) != std::string::npos; };
+  const bool is_product = has("/") || has("^") || has(" ") || has("·") || has("²") || has("³");
   return (is_product ? "(" + level.unit + ")²" : level.unit + "²") + " per " + by.unit;
 }
 

@@ -208,7 +208,7 @@ void add_report(CLI::App& app, Command& chosen) {
   const auto log = std::make_shared<std::string>();
   const auto folder = std::make_shared<std::string>();
   report->add_option("log", *log, "Log of a run (MCAP)")->required();
-  report->add_option("--out", *folder, "Folder to write into")->required();
+  report->add_option("--out", *folder, "Folder to write into")->required()->check(some_name());
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
       std::cout << write_illustrated_report(*log, *folder, tell_pictures_come) << "\n";
@@ -266,7 +266,8 @@ void add_dump(CLI::App& app, Command& chosen) {
                    "Time before which it ends [s]; by default the run's end");
   dump->add_option("--every", arguments->every, "Of this many ticks, write one; 1 by default")
       ->check(whole_number(1));
-  dump->add_option("--out", arguments->out, "File to write; standard output by default");
+  dump->add_option("--out", arguments->out, "File to write; standard output by default")
+      ->check(some_name());
   dump->add_option("--seed", arguments->seed, "Seed of a scenario; 0 (default) draws nothing")
       ->check(whole_number(0));
   dump->add_option("--set", arguments->assignments,
@@ -283,7 +284,8 @@ void add_demo(CLI::App& app, Command& chosen) {
       app.add_subcommand("demo", "Run the paper's experiments and print them beside its numbers");
   demo->footer(demo_footer());
   const auto arguments = std::make_shared<DemoArguments>();
-  demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default");
+  demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default")
+      ->check(some_name());
   demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
       ->check(whole_number(1))
       ->capture_default_str();

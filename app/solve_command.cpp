@@ -342,7 +342,8 @@ class SolveCommand {
 
   void tell_cut_off(const std::string& place, std::size_t finished, std::size_t num_levels,
                     bool is_budget_spent) {
-    const std::string what = arguments_.certify ? ": not proven, cut off" : ": cut off";
+    const bool is_unproven = arguments_.certify && finished < num_levels;
+    const std::string what = is_unproven ? ": not proven, cut off" : ": cut off";
     err_ << place << what;
     if (finished < num_levels) err_ << " in level " << finished + 1 << " of " << num_levels;
     err_ << " " << what_ended(is_budget_spent) << "; ";
@@ -354,12 +355,13 @@ class SolveCommand {
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 
+  /// Of the first level that isn't: what is said of those below hangs on it.
   void tell_unproven(const std::string& place, const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                      const std::vector<LevelCertificate>& levels) {
-    const auto worst = std::ranges::max_element(
-        levels, {}, [](const LevelCertificate& level) { return level.stationarity; });
-    err_ << place << ": not proven: level " << worst - levels.begin() + 1 << " is "
-         << worst->stationarity
+    const auto level = std::ranges::find(levels, Verdict::not_proven,
+                                         [](const LevelCertificate& of) { return verdict(of); });
+    err_ << place << ": not proven: level " << level - levels.begin() + 1 << " is "
+         << level->stationarity
          << " from its optimality conditions, relative to its rows and 1 + ‖x‖ = " << 1.0 + x.norm()
          << "; at most " << kProvenStationarity << " is rounding";
     const double ratio = worst_ratio(hierarchy);
@@ -382,7 +384,9 @@ class SolveCommand {
                                          [](const LevelCertificate& of) { return verdict(of); });
     err_ << place << ": not judged: level " << level - levels.begin() + 1
          << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
-    if (level->doubt.residual > kSameResidual)
+    if (!std::isfinite(level->doubt.stationarity))
+      err_ << "it can't be computed how far it is from them";
+    else if (level->doubt.residual > kSameResidual)
       err_ << level->doubt.residual << " of its residual and bounds is in doubt";
     else
       err_ << "its rows are " << level->doubt.stationarity << " from them";

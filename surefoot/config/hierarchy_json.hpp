@@ -29,10 +29,10 @@ struct NamedHierarchy {
 /// "A_ids" and "D_ids", by which rows are known from line to line (Level::id) and none of which a
 /// level has twice, else they are counted; and its rows a "unit"; "A_weights" and "D_weights", by
 /// which each row and its bounds are multiplied (`Rows::weigh`: all that is told of a row is of the
-/// weighted one); and a "damping"
-/// (`add_damping`, its rows are called "damping 1", …). Beside the levels "x_ref" is what x is to
-/// be close to: a last level of this name, with the rows "x 1", … (`add_reference`), and what
-/// damping pulls to instead of 0. The number of unknowns is the length of the rows. `place`
+/// weighted one); and a "damping" (`add_damping`, its rows are called "damping 1", …). Beside the
+/// levels "x_ref" is what x is to be close to: a last level of this name, with the rows "x 1", …
+/// (`add_reference`), and what damping pulls to instead of 0. The number of unknowns is the length
+/// of the rows. `place`
 /// ("file:line") starts the message of the FileError that is thrown for anything else, also for
 /// other members. Numbers are finite and from −1e100 to 1e100, all of which are bounds: only null
 /// is none. A row of A or D is zero or has an element of at least 1e-100, either way.

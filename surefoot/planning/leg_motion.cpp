@@ -90,7 +90,7 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   return observe_stance(time, seen);
 }
 
-// After a hard landing the estimated force lags and says little; the foot's way says more. (A foot
+// After a hard landing the estimated force lags and says little; the foot's way says more. (A swing
 // that comes down in its own time and then moves has slid off an edge, and its force says enough.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
   if (!curve_.target().straight || since(time) > kFliesWithin) return false;

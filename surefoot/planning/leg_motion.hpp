@@ -55,7 +55,8 @@ class LegMotion {
 
  private:
   [[nodiscard]] LegEvent observe_stance(double time, const LegObservation& seen);
-  /// Is a foot that was put down at once in the air again: it rebounded, or there was no ground?
+  /// Is a foot that was put down at once, or that searched from where it was, in the air again: it
+  /// rebounded, or there was no ground?
   [[nodiscard]] bool flies(double time, const LegObservation& seen) const;
   [[nodiscard]] LegEvent observe_swing(double time, const LegObservation& seen);
   /// How little the torques say of a force, by the leg's posture: a factor from 1 on.

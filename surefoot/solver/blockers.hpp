@@ -41,7 +41,8 @@ struct LevelBlockers {
 ///
 /// This is what the residual falls by if row i gives way and everything else stays what it is. It
 /// is the cost that `explain` finds as long as that is so: less if the direction meets a row that
-/// is inactive here, more if another active row or a violated row of the level lets go on the way.
+/// is inactive here, more if another active row or a violated row of the level lets go on the way,
+/// or a violated limit above it comes nearer to its bound.
 ///
 /// Where several rows hold the same direction none of them has a cost by itself. Rows that are held
 /// only for levels below k hold nothing for k.

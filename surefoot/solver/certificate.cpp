@@ -24,6 +24,7 @@ std::vector<LevelCertificate> certify_in_units(const Hierarchy& hierarchy, const
   const std::size_t num_levels = std::min(hierarchy.num_levels(), options.levels);
   if (!x.allFinite()) {
     certificates.assign(num_levels, {kNaN, kInfinity});
+    for (std::size_t k = 1; k < num_levels; ++k) certificates[k].rests_on = 0;
     return certificates;
   }
   RowSet fixed(hierarchy.unknowns());

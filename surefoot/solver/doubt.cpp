@@ -155,7 +155,8 @@ bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const
 ///
 ///     min √(rᵀ (Mᵀ M + Wᵀ W)⁻¹ r + ‖ν‖²)
 ///
-/// with W beyond all rounding, so that there is an inverse.
+/// with W beyond all rounding, so that there is an inverse. ∞ where a square is beyond the range of
+/// doubles.
 double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const WideVector& g,
             const WideMatrix& W) {
   const Index n = M.cols();
@@ -171,7 +172,8 @@ double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const
   A.bottomRightCorner(S.rows(), S.rows()).setIdentity();
   WideVector b = WideVector::Zero(A.rows());
   b.head(n) = columns.rightCols(1);
-  return static_cast<double>((A * non_negative_least_squares<Wide>(A, b) - b).norm());
+  const auto result = static_cast<double>((A * non_negative_least_squares<Wide>(A, b) - b).norm());
+  return std::isfinite(result) ? result : kInfinity;
 }
 
 /// A level's rows in what the levels above leave free, and what x makes of them.

@@ -130,6 +130,7 @@ std::vector<int> kinds_of_rows(const MatrixXd& rows) {
   MatrixXd basis(rows.cols(), std::min(rows.rows(), rows.cols()));
   Index rank = 0;
   for (Index i = 0; i < rows.rows(); ++i) {
+    const VectorXd along = rows.topRows(i) * rows.row(i).transpose();
     VectorXd left = rows.row(i).transpose();
     for (int twice = 0; twice < 2; ++twice)
       left -= basis.leftCols(rank) * (basis.leftCols(rank).transpose() * left);
@@ -137,8 +138,9 @@ std::vector<int> kinds_of_rows(const MatrixXd& rows) {
     if (left.norm() > RankTolerance{}.keep && rank < basis.cols())
       basis.col(rank++) = left.normalized();
     for (Index j = 0; j < i; ++j) {
-      const double along = rows.row(i).dot(rows.row(j));
-      kinds.push_back(kind_of((rows.row(i) - along * rows.row(j)).norm()));
+      const bool is_clear = 1.0 - along[j] * along[j] > 10.0 * kClear * kClear;  // beyond rounding
+      const double of_pair = is_clear ? 1.0 : (rows.row(i) - along[j] * rows.row(j)).norm();
+      kinds.push_back(kind_of(of_pair));
     }
   }
   return kinds;
@@ -181,7 +183,9 @@ VectorXd even_units(const Hierarchy& hierarchy) {
         powers = best;
       } else {
         const ArrayXd moved = Elements(level, powers, joined).even();
-        for (Index j = 0; j < n; ++j) powers[j] += moved[joined[at(j)]];
+        ArrayXd sum = powers;
+        for (Index j = 0; j < n; ++j) sum[j] += moved[joined[at(j)]];
+        if (sum.abs().maxCoeff() <= kMost) powers = sum;
       }
     }
     join(joined, level);

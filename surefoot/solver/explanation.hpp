@@ -56,7 +56,7 @@ struct ExplainOptions {
 /// and what is violated is not violated more). So it is never negative, and the levels between do
 /// not answer for it. Every row that has a cost is named. Rows that say the same are taken away
 /// together; of others that hold the same none has a cost by itself, their level has, and where no
-/// level has either, rows of all of them are named.  Allocates and solves; for the program, tests
+/// level has either, rows of all of them are named. Allocates and solves; for the program, tests
 /// and reports, not for the loop.
 [[nodiscard]] std::vector<LevelExplanation> explain(const Hierarchy& hierarchy,
                                                     const Eigen::VectorXd& x,

@@ -48,6 +48,15 @@ TEST(SolveCommand, OfAnAnswerThatIsNotProvenItTellsWhichLevelByHowMuchAndOfWhatS
   EXPECT_EQ(run.err.str().find("not optimal"), std::string::npos);
 }
 
+TEST(SolveCommand, OfSeveralLevelsThatAreNotProvenTheFirstIsTold) {
+  const CommandRun run(
+      R"({"levels":[{"A":[[1,1],[1,1.0000000001]],"b":[0,1]},{"A":[[1,0]],"b":[1]}]})",
+      {.file = "", .certify = true});
+  for (const std::size_t level : {0u, 1u})
+    ASSERT_EQ(run.results[0]["levels"][level]["verdict"], "not proven") << level;
+  EXPECT_NE(run.err.str().find(":1: not proven: level 1 is "), std::string::npos) << run.err.str();
+}
+
 TEST(SolveCommand, WhatHangsOnARankIsNotJudged) {
   // Rows that are parallel to within 1e-6, weak together: x is 1e7 instead of 1e19.
   const std::string line =
@@ -233,6 +242,7 @@ TEST(SolveCommand, AMultiplierHasTheUnitOfHalfTheSquaredResidualByTheRowsBound) 
   EXPECT_EQ(explained("N", "N"), "N");
   EXPECT_EQ(explained("m/s²", "N"), "N² per m/s²");
   EXPECT_EQ(explained("N", "m/s²"), "(m/s²)² per N");
+  EXPECT_EQ(explained("N", "m²"), "(m²)² per N");
   EXPECT_EQ(explained("N and N·m", "N"), "");
   EXPECT_EQ(explained("", "N"), "");
 }

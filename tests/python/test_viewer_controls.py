@@ -279,8 +279,8 @@ def test_a_bound_that_no_leg_reaches_is_refused_in_words(page):
 
 def test_a_gamepad_that_is_gone_asks_for_nothing_any_more(page):
     page.run("""(() => { window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons: [] };
-      navigator.getGamepads = () => [null, pad]; })()""")
-    time.sleep(0.5)  # it is seen at rest
+      window.looked = 0; navigator.getGamepads = () => { looked += 1; return [null, pad]; }; })()""")
+    page.wait("looked > 1")  # it is seen at rest
     page.run("pad.axes = [0, -0.8, 0, 0]")
     command = "surefoot.status.command"
     page.wait(f"{command}.by === 'operator' && {command}.velocity[0] > 0.1")

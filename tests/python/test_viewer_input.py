@@ -88,8 +88,8 @@ def test_a_gamepad_walks_stands_and_gives_back(browser, played):
     show(browser, played.link)
     browser.run("""(() => {
       window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons: [{ pressed: false }, { pressed: false }] };
-      navigator.getGamepads = () => [null, pad]; })()""")
-    time.sleep(0.5)  # it is seen at rest
+      window.looked = 0; navigator.getGamepads = () => { looked += 1; return [null, pad]; }; })()""")
+    browser.wait("looked > 1")  # it is seen at rest
     browser.run("pad.axes = [0, -0.3, 0.2, 0]")
     command = "surefoot.status.command"
     browser.wait(f"{command}.by === 'operator' && {command}.walk && {command}.velocity[0] > 0.05 && {command}.yaw_rate < -0.02")

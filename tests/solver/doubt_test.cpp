@@ -126,6 +126,13 @@ TEST(Doubt, ALimitThatIsViolatedByRoundingKeepsNothingFromMovingInwards) {
   EXPECT_EQ(verdict_of(1, levels, number(3.0)), Verdict::proven);
 }
 
+TEST(Doubt, WhereSquaresAreBeyondTheRangeOfDoublesItIsInfinite) {
+  const auto certificates =
+      certify(make_hierarchy(1, {equalities(MatrixXd::Ones(1, 1), number(1e100))}), number(1e100));
+  EXPECT_EQ(certificates[0].doubt.stationarity, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(verdict(certificates[0]), Verdict::not_judged);
+}
+
 TEST(Certificate, ALevelBelowOneThatIsNotProvenIsNotProvenEither) {
   HierarchyData levels = nearly_parallel(1e-13);  // the direction is left to the level below
   levels.push_back(equalities(Eigen::RowVector3d(0.0, 0.0, 1.0), number(1.0)));

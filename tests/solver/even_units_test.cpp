@@ -162,6 +162,29 @@ TYPED_TEST(InEvenUnits, ALowerLevelDoesNotChangeARankThatHangsOnTheUnit) {
   }
 }
 
+/// Each level's rank hangs on the unit of an unknown that the next one knows, too.
+HierarchyData chain_of_ranks(Index unknowns) {
+  const double small = std::ldexp(1.0, -45);
+  HierarchyData levels;
+  for (Index j = 0; j + 1 < unknowns; ++j) {
+    MatrixXd A = MatrixXd::Zero(2, unknowns);
+    A.block(0, j, 2, 2) << -1.0, -small, 2.0, small;
+    levels.push_back(equalities(A, Vector2d(-1.0 - small, 2.0 + small)));
+  }
+  return levels;
+}
+
+TYPED_TEST(InEvenUnits, ManyLevelsThatEachMoveAUnitDoNotChangeAHigherResidual) {
+  for (const Index unknowns : {5, 8, 16, 30}) {
+    const HierarchyData levels = chain_of_ranks(unknowns);
+    const VectorXd units = even_units(make_hierarchy(unknowns, levels));
+    EXPECT_LE(units.array().log2().abs().maxCoeff(), 100.0) << unknowns;
+    const Solution solution = solve_evenly<TypeParam>(unknowns, levels);
+    ASSERT_EQ(solution.status, SolveStatus::optimal) << unknowns;
+    EXPECT_LE(solution.levels[0].residual, 1e-9) << unknowns;
+  }
+}
+
 TYPED_TEST(InEvenUnits, AnOrthogonalChangeOfUnknownsCarriesOver) {
   for (int seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
