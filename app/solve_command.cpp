@@ -5,6 +5,8 @@
 #include "app/explanation_text.hpp"
 #include "app/level_account.hpp"
 #include "app/progress.hpp"
+#include "app/verdict_text.hpp"
+#include "app/weighted_question.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
@@ -15,7 +17,6 @@
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/sweep.hpp"
-#include "surefoot/solver/weighted_levels.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <optional>
 
 namespace surefoot {
@@ -60,83 +60,6 @@ void check_size(const Hierarchy& hierarchy, const std::string& place) {
   }
 }
 
-/// Those of the line: what x is to be close to is no level to be weighed.
-std::size_t num_levels_of_line(const NamedHierarchy& question) {
-  return question.hierarchy.num_levels() - (question.has_reference ? 1 : 0);
-}
-
-void append_level(const Level& level, Hierarchy& hierarchy) {
-  hierarchy.level(hierarchy.add_level(level.name(), level.num_rows())).add(level);
-}
-
-Hierarchy first_levels(const Hierarchy& hierarchy, std::size_t count) {
-  Hierarchy result(hierarchy.unknowns());
-  for (std::size_t k = 0; k < count; ++k) append_level(hierarchy.level(k), result);
-  return result;
-}
-
-/// The question with its levels from `first` on, counted from 0, as one. What x is to be close to
-/// stays a last level below it.
-NamedHierarchy weighted(const NamedHierarchy& question, std::size_t first,
-                        const std::vector<double>& weights) {
-  const std::size_t num_levels = num_levels_of_line(question);
-  const Hierarchy of_line = first_levels(question.hierarchy, num_levels);
-  WeightedLevels levels(of_line, first, weights);
-  NamedHierarchy result{levels.update(of_line), {}, {}};
-  const auto weight_of = [&](std::size_t k) {
-    return k < first || k - first >= weights.size() ? 1.0 : weights[k - first];
-  };
-  for (std::size_t k = 0; k < num_levels; ++k) {
-    const std::string of = k < first ? "" : question.hierarchy.level(k).name() + ", ";
-    if (k <= first) {
-      result.row_names.emplace_back();
-      result.weights.emplace_back();
-      result.units.push_back(k < first ? question.units[k] : "");
-    }
-    for (const std::string& row : question.row_names[k])
-      result.row_names.back().push_back(of + row);
-    for (const double weight : question.weights[k])
-      result.weights.back().push_back(weight_of(k) * weight);
-  }
-  if (!question.has_reference) return result;
-  append_level(question.hierarchy.level(num_levels), result.hierarchy);
-  result.row_names.push_back(question.row_names.back());
-  result.weights.push_back(question.weights.back());
-  result.units.push_back(question.units.back());
-  result.has_reference = true;
-  return result;
-}
-
-/// √Σ violation² of each level at x.
-std::vector<double> residuals_at(const Hierarchy& hierarchy, const Eigen::VectorXd& x) {
-  std::vector<double> residuals;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    const Level& level = hierarchy.level(k);
-    const Eigen::ArrayXd value = (level.A() * x).array();
-    const Eigen::ArrayXd by = (value - level.upper().array()).max(level.lower().array() - value);
-    residuals.push_back(by.size() > 0 ? by.max(0.0).matrix().norm() : 0.0);
-  }
-  return residuals;
-}
-
-/// Longest row of a level over its shortest, without zero rows; of the worst level.
-double worst_ratio(const Hierarchy& hierarchy) {
-  double worst = 1.0;
-  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
-    double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
-    for (Index i = 0; i < hierarchy.level(k).num_rows(); ++i) {
-      const double length = hierarchy.level(k).A().row(i).norm();
-      longest = std::max(longest, length);
-      if (length > 0.0) shortest = std::min(shortest, length);
-    }
-    worst = std::max(worst, longest / shortest);
-  }
-  return worst;
-}
-
-/// Rows of a level that differ more in length: a long limit that gives way to short rows of its own
-/// level does so by 1 / ratio² of its length, which is no longer told from holding.
-constexpr double kLargestRatio = 1e4;
 constexpr int kMostNotes = 10;  // on `err`
 
 /// Throws Error for a method that there isn't, and for a budget that it can't keep.
@@ -232,7 +155,10 @@ class SolveCommand {
   void solve_line(const std::string& line, const std::string& place) {
     const NamedHierarchy strict = parse_hierarchy(line, place);
     check_size(strict.hierarchy, place);
-    const NamedHierarchy question = as_asked(strict, place);
+    const NamedHierarchy question =
+        arguments_.weighted_from
+            ? weighted_question(strict, *arguments_.weighted_from, arguments_.weights, place)
+            : strict;
     std::optional<Waiting> waiting(std::in_place, waiting_for(place, question.hierarchy));
     const Solution solution = solve(question.hierarchy);
     if (solution.status == SolveStatus::invalid_input) {
@@ -255,33 +181,14 @@ class SolveCommand {
       out_ << printable(with_notes(answer, question.hierarchy).dump()) << std::endl;
     }
     tell_levels_without_rows(place, question.hierarchy);
-    const Verdict said = verdict(certificates);
-    if (said == Verdict::not_proven)
-      tell_unproven(place, question.hierarchy, solution.x, certificates);
-    if (said == Verdict::not_judged)
-      tell_not_judged(place, question.hierarchy, solution.x, certificates);
+    if (verdict(certificates) != Verdict::proven) {
+      err_ << place << ": " << verdict_text(question.hierarchy, solution.x, certificates) << '\n';
+      exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
+    }
     const bool is_cut_off = solution.status == SolveStatus::iteration_cap;
     const bool is_capped = is_cut_off && !is_budget_spent(solution);
     if (is_capped || (arguments_.certify && finished < num_levels))
       tell_cut_off(place, finished, num_levels, is_budget_spent(solution));
-  }
-
-  [[nodiscard]] NamedHierarchy as_asked(const NamedHierarchy& strict,
-                                        const std::string& place) const {
-    if (!arguments_.weighted_from) return strict;
-    const std::size_t num_levels = num_levels_of_line(strict);
-    const auto from = static_cast<std::size_t>(*arguments_.weighted_from);
-    const std::string given = "--weighted is " + std::to_string(from);
-    if (from > num_levels) {
-      throw FileError(place + ": " + given + "; expected 1 to " + std::to_string(num_levels) +
-                      ", the line's number of levels");
-    }
-    if (arguments_.weights.size() > num_levels - from + 1) {
-      throw FileError(place + ": " + given + " with " + std::to_string(arguments_.weights.size()) +
-                      " weights; expected at most " + std::to_string(num_levels - from + 1) +
-                      ", one for each level from there on");
-    }
-    return weighted(strict, from - 1, arguments_.weights);
   }
 
   [[nodiscard]] Json with_strict_residuals(Json line, const Hierarchy& strict,
@@ -352,56 +259,6 @@ class SolveCommand {
     else
       err_ << "only levels before it "
            << (arguments_.certify ? "have certificates\n" : "are optimal\n");
-    exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
-  }
-
-  /// Of the first level that isn't: what is said of those below hangs on it.
-  void tell_unproven(const std::string& place, const Hierarchy& hierarchy, const Eigen::VectorXd& x,
-                     const std::vector<LevelCertificate>& levels) {
-    const auto level = std::ranges::find(levels, Verdict::not_proven,
-                                         [](const LevelCertificate& of) { return verdict(of); });
-    err_ << place << ": not proven: level " << level - levels.begin() + 1 << " is "
-         << level->stationarity
-         << " from its optimality conditions, relative to its rows and 1 + ‖x‖ = " << 1.0 + x.norm()
-         << "; at most " << kProvenStationarity << " is rounding";
-    const double ratio = worst_ratio(hierarchy);
-    if (ratio > kLargestRatio) {
-      err_ << ", which is promised where rows of one level differ in length by at most "
-           << kLargestRatio << ", and here by " << ratio;
-    } else {
-      err_ << ". Either x is beside the optimum, or rows that hold it are so nearly dependent that "
-              "it can't be told";
-    }
-    err_ << '\n';
-    exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
-  }
-
-  /// Of the first level that isn't: what is said of those below hangs on it.
-  void tell_not_judged(const std::string& place, const Hierarchy& hierarchy,
-                       const Eigen::VectorXd& x, const std::vector<LevelCertificate>& levels) {
-    constexpr double kBorderline = 1e-5, kRoundingOfX = 1e6;  // as what_doubles_hide() has them
-    const auto level = std::ranges::find(levels, Verdict::not_judged,
-                                         [](const LevelCertificate& of) { return verdict(of); });
-    err_ << place << ": not judged: level " << level - levels.begin() + 1
-         << " meets its optimality conditions as far as doubles can tell, but by exact arithmetic ";
-    if (!std::isfinite(level->doubt.stationarity))
-      err_ << "it can't be computed how far it is from them";
-    else if (level->doubt.residual > kSameResidual)
-      err_ << level->doubt.residual << " of its residual and bounds is in doubt";
-    else
-      err_ << "its rows are " << level->doubt.stationarity << " from them";
-    // In the units that it was judged in.
-    const Eigen::VectorXd units = even_units(hierarchy);
-    const double length = x.cwiseQuotient(units).norm();
-    if (level->doubt.weakest < kBorderline)
-      err_ << ": its ranks are borderline, of a row only " << level->doubt.weakest
-           << " of its length is left beside the others";
-    else if (length > kRoundingOfX)
-      err_ << ": ‖x‖ is " << length << ", so rounding of it is as much";
-    else
-      err_ << ": rows of one level differ in length by " << worst_ratio(in_units(hierarchy, units))
-           << ", and rounding of the longest hides what the shortest ask for";
-    err_ << '\n';
     exit_code_ = std::max(exit_code_, static_cast<int>(kFailed));
   }
 

@@ -140,14 +140,15 @@ Counting at_bounds(Counting own, const Level& level, const VectorXd& x) {
 /// False where doubles tell for certain which rows are independent, and what is left to gain.
 bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const RowSet& fixed,
                const RowSet& touching) {
-  constexpr double kLargeX = 1e6, kLargeRatio = 1e3, kClear = 1e-5;
+  constexpr double kLargeRatio = 1e3;
   if (x.norm() > kLargeX || own.ratio > kLargeRatio) return true;
   const auto count = static_cast<Index>(own.rows.size());
   MatrixXd rows(fixed.rows.rows() + touching.rows.rows() + count, x.size());
   rows << fixed.rows, touching.rows, level.A()(own.rows, Eigen::all);
   rows.bottomRows(count).rowwise().normalize();
   const VectorXd left = rows.transpose().colPivHouseholderQr().matrixR().diagonal().cwiseAbs();
-  return std::ranges::any_of(left, [](double size) { return size > kDependent && size < kClear; });
+  return std::ranges::any_of(left,
+                             [](double size) { return size > kDependent && size < kClearRank; });
 }
 
 /// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): what a step d takes

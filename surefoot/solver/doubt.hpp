@@ -7,6 +7,11 @@
 
 namespace surefoot {
 
+/// Where less of a row is left beside the others, relative to its length, ranks are borderline.
+inline constexpr double kClearRank = 1e-5;
+/// Where ‖x‖ is larger, rounding of it counts.
+inline constexpr double kLargeX = 1e6;
+
 /// Of a level that has the rows E and T above it, by numbers of 32 digits (`DoubleDouble`): the
 /// rows as they are given, dependent only where less than 1e-14 of one is left, without any
 /// allowance for rounding. What is at most that much may be rounding of the given numbers, so
