@@ -36,7 +36,10 @@ ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
 
 double ImuCheck::span(int span) const { return period_ * ticks_[static_cast<std::size_t>(span)]; }
 
-void ImuCheck::forget() noexcept { firm_ticks_.fill(0); }
+void ImuCheck::forget() noexcept {
+  firm_ticks_.fill(0);
+  lasts_ = wrong_for_ = 0.0;
+}
 
 const ImuCheck::Moment& ImuCheck::before(int ticks) const {
   const int size = static_cast<int>(moments_.size());

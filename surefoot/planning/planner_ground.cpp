@@ -132,8 +132,10 @@ void Planner::on_unreachable(Leg k, const UserCommand& user, const Dynamics& dyn
   event_ = PlanEvent::no_ground;
   probing_ = false;
   const Vec3& last = leg(k).foothold();
-  const Vec3 sought = leg(k).target().goal;
-  if ((sought - last).norm() > kSamePlace) foothold_planner_.avoid(sought);
+  const SwingTarget& target = leg(k).target();
+  const bool is_own_ground = target.straight && (target.start - last).norm() < kSamePlace;
+  if (!is_own_ground && (target.goal - last).norm() > kSamePlace)
+    foothold_planner_.avoid(target.goal);
   const double duration = options_.gait.swing_duration + (p_WF - last).norm() / kRetreatSpeed;
   swing_again(k, {p_WF, last, plane_.normal, duration, options_.swing.apex}, user, dynamics);
 }

@@ -135,6 +135,21 @@ TEST(SensorConsistency, WhatTheGuardFoundStays) {
   EXPECT_EQ(robot.health.imu.age, 0.01);
 }
 
+TEST(SensorConsistency, WhatTheGuardFindsBehindItStandsAlone) {
+  Standing robot;
+  robot.run(0.5);
+  robot.accelerometer_error = {0.0, 3.0, 0.0};
+  robot.run(0.3);
+  ASSERT_EQ(robot.health.imu.fault, SampleFault::contradicts);
+  robot.is_imu_late = true;
+  robot.tick();
+  EXPECT_EQ(robot.health.imu.fault, SampleFault::late);
+  EXPECT_EQ(robot.health.imu.age, 0.01);
+  robot.torque_error[2] = 20.0;  // torques are judged again
+  robot.run(0.5);
+  EXPECT_EQ(robot.health.joint_torques.fault, SampleFault::contradicts);
+}
+
 TEST(SensorConsistency, SwitchedOffItSaysNothing) {
   SensorConsistencyOptions options;
   options.enabled = false;

@@ -135,6 +135,30 @@ TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
   EXPECT_LT((puppet.plan().R_WC.col(2) - normal).norm(), 0.01);
 }
 
+TEST(Planner, OwnGroundThatIsGoneForAWhileIsNotAvoidedBehindThat) {
+  const auto landings = [](bool is_gone) {
+    Puppet puppet;
+    puppet.run(0.5);
+    const Vec2 place = puppet.foot(Leg::RF).head<2>();
+    if (is_gone) {
+      puppet.ground = [=](const Vec2& p) { return (p - place).norm() < 0.03 ? kNoGround : 0.0; };
+    }
+    puppet.run(2.0);
+    puppet.ground = level_ground();
+    puppet.run(3.0);
+    EXPECT_EQ(puppet.happenings(PlanEvent::no_ground).size(), is_gone ? 1u : 0u);
+    puppet.user = walking();
+    puppet.run(40.0);
+    std::vector<Vec3> result;
+    for (const Happening& h : puppet.happenings(PlanEvent::touchdown))
+      if (h.leg == Leg::RH) result.push_back(h.p);
+    return result;
+  };
+  const std::vector<Vec3> with = landings(true), without = landings(false);
+  ASSERT_GT(std::min(with.size(), without.size()), 5u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_LT((with[i] - without[i]).norm(), 5e-3) << i;
+}
+
 TEST(Planner, AStanceFootThatLosesItsGroundGoesDownForIt) {
   Puppet puppet;
   puppet.run(0.5);
