@@ -193,7 +193,7 @@ export class App {
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
       PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
       x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(),
-      p: (event) => { if (!event.repeat) drive.push(); },  // a key that is held pushes once
+      p: () => drive.push(),
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
     });
   }
