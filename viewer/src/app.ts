@@ -295,7 +295,8 @@ export class App {
     this.hierarchy.clear();
     this.state.clear();
     this.plots.clear();
-    this.tune.changes.clear();
+    this.drive.restart();
+    this.tune.restart();
     this.transport.clear();
     showTime(NaN);
     this.toldLevels = "";
