@@ -82,6 +82,7 @@ export class FakeElement extends EventTarget {
   blur(): void {
     Object.assign(document, { activeElement: null });
   }
+  scrollIntoView(): void {}
 
   /** It and all in it. */
   all(): FakeElement[] {

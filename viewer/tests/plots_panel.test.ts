@@ -25,6 +25,14 @@ test("the menu of the time that plots show says what the wheel made of it, and c
   assert.equal(valueOf(menu), "2");
 });
 
+test("lines for which a plot has no room come into one of their own", () => {
+  const { root } = fakePage();
+  const panel = new PlotsPanel(root as unknown as HTMLElement, player, schemaOf({ big: 20, more: 5 }));
+  const seriesOf = (channel: string, count: number) => Array.from({ length: count }, (_, index) => ({ channel, index }));
+  for (const series of [seriesOf("big", 20), seriesOf("more", 2), seriesOf("more", 5)]) panel["choose"](series);
+  assert.deepEqual(panel["plots"].map(({ series }) => series.length), [22, 3]);
+});
+
 test("numbers that change ten times a second are not read out by themselves", () => {
   const { root } = fakePage();
   new PlotsPanel(root as unknown as HTMLElement, player, schemaOf({ "state.v_WB": 3 }));

@@ -176,13 +176,15 @@ export class PlotsPanel {
       chips.length > 0 && h("div", { class: "chips" }, ...chips));
   }
 
-  /** Into the plot that is added to, or one that is from now on; the list stays for more. */
+  /** Into the plot that is added to, or one that is from now on, also where the former has no room for lines that can be told apart; the list
+   * stays for more. */
   private choose(series: Series[]): void {
     const { target } = this;
     const has = (one: Series): boolean => target?.series.some(({ channel, index }) => channel === one.channel && index === one.index) ?? false;
     const more = series.filter((one) => !has(one));
-    if (target === undefined) this.addTo(this.add(series));
-    else if (more.length > 0 && target.series.length + more.length <= MOST_LINES) target.setSeries([...target.series, ...more]);
+    const count = (target?.series.length ?? 0) + more.length;
+    if (target === undefined || count > MOST_LINES) this.addTo(this.add(more));
+    else if (more.length > 0) target.setSeries([...target.series, ...more]);
     this.target?.root.scrollIntoView({ block: "nearest", inline: "nearest" });
     this.refresh();
   }
