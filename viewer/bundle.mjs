@@ -84,7 +84,7 @@ async function runTests() {
   rmSync(tests, { recursive: true, force: true });
   const entryPoints = readdirSync(path.join(viewer, "tests")).filter((name) => name.endsWith(".test.ts")).map((name) => path.join(viewer, "tests", name));
   if (entryPoints.length === 0) fail(`There are no tests in ${viewer}/tests.`);
-  await esbuild.build({ ...common, entryPoints, outdir: tests, outExtension: { ".js": ".mjs" }, format: "esm", platform: "node", sourcemap: "inline", loader: { ".cpp": "text", ".hpp": "text" } });
+  await esbuild.build({ ...common, entryPoints, outdir: tests, outExtension: { ".js": ".mjs" }, format: "esm", platform: "node", sourcemap: "inline", loader: { ".cpp": "text", ".hpp": "text", ".html": "text" } });
   const files = readdirSync(tests).map((name) => path.join(tests, name));
   const { status } = spawnSync(process.execPath, ["--enable-source-maps", "--test", ...files], { stdio: "inherit" });
   process.exit(status ?? 1);

@@ -25,6 +25,7 @@ import { TunePanel } from "./panels/tune_panel.ts";
 import { Commands } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
+import { NO_CONTEXT, watchContext } from "./scene/context.ts";
 import { missingText } from "./scene/mesh_library.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
@@ -129,6 +130,10 @@ export class App {
   private makeWorld(urdf: string): World | undefined {
     try {
       const world = new World(part("canvas"), part("labels"), [part("view-tools"), part("notes")], this.session, urdf);
+      watchContext(part("canvas"), () => this.notes.keep("context", NO_CONTEXT, "error"), () => {
+        this.notes.take("context");
+        world.invalidate();
+      });
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -193,7 +198,7 @@ export class App {
       d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
       PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
       x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(),
-      p: (event) => { if (!event.repeat) drive.push(); },  // a key that is held pushes once
+      p: () => drive.push(),
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
     });
   }
@@ -295,7 +300,8 @@ export class App {
     this.hierarchy.clear();
     this.state.clear();
     this.plots.clear();
-    this.tune.changes.clear();
+    this.drive.restart();
+    this.tune.restart();
     this.transport.clear();
     showTime(NaN);
     this.toldLevels = "";

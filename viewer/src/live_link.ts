@@ -16,6 +16,9 @@ import { fetchSession, type Session } from "./protocol/session.ts";
 /** Blocks that wait while the session is read again. */
 const MOST_WAITING = 200;
 
+/** A session that could not be read is asked for again after this long [ms]. */
+const AGAIN = 1000;
+
 /** How often it is looked whether the program still says something [ms]. */
 const SILENCE_PERIOD = 500;
 
@@ -30,6 +33,8 @@ export class LiveLink {
   private generation: number;
   private waiting: ArrayBuffer[] = [];
   private reading = false;
+  /** The connection was lost, and nothing is known of what came after that: the program may have another run, or be another one. */
+  private isBehind = false;
   private lostBefore = false;
   /** Which run's end has a mark: the generation with which it began. */
   private ended = NaN;
@@ -88,14 +93,15 @@ export class LiveLink {
   private take(block: ArrayBuffer): void {
     const head = readBlockHead(block);
     this.dropped = head.dropped;
-    if (this.source.isOld(head.generation)) return;
-    if (head.generation !== this.generation || this.reading) {
-      this.waiting.push(block);
-      if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
-      if (!this.reading) void this.readSession();
-      return;
-    }
-    this.read(block);
+    if (this.isBehind || this.reading || head.generation > this.generation) this.wait(block);
+    else if (!this.source.isOld(head.generation)) this.read(block);
+  }
+
+  /** Until the session is read that knows of it. */
+  private wait(block: ArrayBuffer): void {
+    this.waiting.push(block);
+    if (this.waiting.length > MOST_WAITING) this.skipped += readBlockHead(this.waiting.shift() as ArrayBuffer).frames;
+    if (!this.reading) void this.readSession();
   }
 
   private read(block: ArrayBuffer): void {
@@ -107,17 +113,30 @@ export class LiveLink {
     }
   }
 
-  private async readSession(comesBack = false): Promise<void> {
+  private async readSession(): Promise<void> {
     this.reading = true;
     try {
       this.use(await fetchSession());
-      if (comesBack) this.source.begin(this.session.begun, this.session.first_tick, this.openBefore);
+      if (this.isBehind) this.catchUp();
       this.reading = false;
       this.readWaiting();
     } catch (error) {
-      this.reading = false;
       this.app?.notes.say((error as Error).message, "error");
+      setTimeout(() => this.readAgain(), AGAIN);
     }
+  }
+
+  /** Of a connection that is lost the next one asks. */
+  private readAgain(): void {
+    this.reading = false;
+    if (this.connection.state === "open" && (this.isBehind || this.waiting.length > 0)) void this.readSession();
+  }
+
+  /** The session is that of the connection which was opened again: what came meanwhile is asked for. */
+  private catchUp(): void {
+    this.isBehind = false;
+    this.source.begin(this.session.begun, this.session.first_tick, this.openBefore);
+    void this.recall().then(() => this.app?.notes.say("Connected again."));
   }
 
   /** All that this session knows of; what is newer waits for the next. Frames of all generations have the same channels. */
@@ -222,16 +241,19 @@ export class LiveLink {
   private turn(state: ConnectionState): void {
     const app = this.app as App;
     this.showState();
-    if (state === "lost") {
+    if (state !== "open") {
       this.lostBefore = true;
       this.age.forget();
       app.handlers().commands.lost();
+    }
+    if (state === "lost") {
       app.notes.keep("lost", lossText(this.connection.reason), "error");
       void this.lookForAnother();
     } else if (state === "open") {
       app.notes.take("lost");
       app.handlers().commands.greet();
-      void (this.lostBefore ? this.comeBack() : this.recall());
+      if (this.lostBefore) this.comeBack();
+      else void this.recall();
     }
   }
 
@@ -244,17 +266,19 @@ export class LiveLink {
     }
   }
 
-  /** The program may be another one now: everything is read anew, and what came meanwhile is asked for. */
-  private async comeBack(): Promise<void> {
-    await this.readSession(true);
-    await this.recall();
-    this.app?.notes.say("Connected again.");
+  /** The program may be another one now: everything is read anew. */
+  private comeBack(): void {
+    this.isBehind = true;
+    this.waiting = [];
+    void this.readSession();
   }
 
   /** What happened before this page heard of it. */
   private async recall(): Promise<void> {
     try {
+      const { run } = this.source;
       const events = JSON.parse(textOf(await ask("/api/events"))) as RawEvent[];
+      if (this.source.run !== run) return; // of a run before
       const marks = marksOf(events, this.source.schema.events);
       this.source.mark(...marks);
       this.app?.handlers().tune.changes.recall(marks.filter(({ kind }) => kind === "change"));

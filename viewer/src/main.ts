@@ -9,12 +9,8 @@ import { ask, textOf } from "./protocol/ask.ts";
 import { NO_ANSWER } from "./panels/stale.ts";
 import { backoff, silenceOf } from "./protocol/connection.ts";
 import { fetchSession } from "./protocol/session.ts";
+import { followToken, tokenOf } from "./protocol/token.ts";
 import { expose } from "./test_window.ts";
-
-/** The key of this start, from the link's fragment `#token=…`; it is not sent with any request of a page. */
-function tokenOfLink(): string {
-  return new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
-}
 
 function showLost(words: string): void {
   say(part("link-state"), words);
@@ -36,7 +32,7 @@ async function start(): Promise<void> {
       const [session, urdf] = await Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
       clearInterval(waiting);
       for (const key of ["silent", "start"]) notes.take(key);
-      expose(new App(session, urdf, tokenOfLink(), notes));
+      expose(new App(session, urdf, tokenOf(location.hash), notes));
       return;
     } catch (error) {
       console.warn(error);
@@ -49,4 +45,5 @@ async function start(): Promise<void> {
   }
 }
 
+followToken(window);
 void start();

@@ -1,3 +1,22 @@
+const KEY = "surefoot-theme";
+
+/** What was chosen before; a browser that is to keep nothing refuses to be asked. */
+function kept(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+function keep(theme: string): void {
+  try {
+    localStorage.setItem(KEY, theme);
+  } catch {
+    // the next page is as the system has it
+  }
+}
+
 /** Light or dark: as the system has it until somebody chooses. */
 export class Theme {
   onChange: (dark: boolean) => void = () => {};
@@ -5,8 +24,8 @@ export class Theme {
   private chosen: boolean | undefined;
 
   constructor() {
-    const kept = localStorage.getItem("surefoot-theme");
-    if (kept !== null) this.chosen = kept === "dark";
+    const before = kept();
+    if (before !== null) this.chosen = before === "dark";
     this.system.addEventListener("change", () => this.apply());
     this.apply();
   }
@@ -17,7 +36,7 @@ export class Theme {
 
   toggle(): void {
     this.chosen = !this.dark;
-    localStorage.setItem("surefoot-theme", this.chosen ? "dark" : "light");
+    keep(this.chosen ? "dark" : "light");
     this.apply();
   }
 

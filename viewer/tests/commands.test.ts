@@ -6,9 +6,9 @@ import { speedText } from "../src/data/lag.ts";
 import { Commands } from "../src/protocol/commands.ts";
 import { backoff, type Connection } from "../src/protocol/connection.ts";
 
-function connectionOf(open = true): { connection: Connection; sent: Record<string, unknown>[] } {
+function connectionOf(open = true, silence = 0): { connection: Connection; sent: Record<string, unknown>[] } {
   const sent: Record<string, unknown>[] = [];
-  const connection = { send: (message: Record<string, unknown>) => open && sent.push(message) > 0 } as unknown as Connection;
+  const connection = { silence, send: (message: Record<string, unknown>) => open && sent.push(message) > 0 } as unknown as Connection;
   return { connection, sent };
 }
 
@@ -47,6 +47,12 @@ test("of a token that the program does not know is told once, and nothing more i
   await assert.rejects(commands.send("pause"), /can only look/);
   commands.greet();
   assert.deepEqual([told, sent.map(({ type }) => type)], [1, ["hello", "pause"]]);
+});
+
+test("a program that does not answer is asked nothing that it would do whenever it goes on", async () => {
+  const { connection, sent } = connectionOf(true, 5);
+  await assert.rejects(new Commands(connection, "secret").send("push"), /does not answer, so it was not asked/);
+  assert.equal(sent.length, 0);
 });
 
 test("what waits when the connection is lost ends with an error", async () => {

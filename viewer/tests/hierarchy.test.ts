@@ -27,6 +27,11 @@ test("a level has its time from the tick's timing, and none in a log that has no
   assert.deepEqual(levelStates(frameOf([0, 0])).map(({ time }) => time), [NaN, NaN]);
 });
 
+test("of a frame of which nothing is known, as a damaged log's summary has it, no rows are counted", () => {
+  const states = levelStates(frameOf([NaN, NaN], { rows: NaN }));
+  assert.deepEqual(states.map(({ rows, status }) => [rows, status]), [[0, "not solved"], [0, "not solved"]]);
+});
+
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
   assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", first: [], whole: "Every level gets what it asks for.", more: [] });

@@ -84,3 +84,13 @@ test("a log has no newest picture to stay at", () => {
   player.advance(0, 0);
   assert.deepEqual([player.time, player.following], [5, false]);
 });
+
+test("keys that are pressed before the first frame do not make it one of the past", () => {
+  const source = sourceOf(NaN, NaN);
+  const player = new Player(source, true);
+  player.seek(player.time - 0.1);
+  player.step(-1);
+  [source.first, source.last] = [0, 2];
+  player.advance(0.1, 1);
+  assert.deepEqual([player.past, player.playing, player.time], [false, true, 2]);
+});

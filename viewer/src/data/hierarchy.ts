@@ -59,7 +59,7 @@ export function levelStates(frame: Frame): LevelState[] {
       .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
     const state = {
       level, place: index + 1, name, unit, active, blocked,
-      residual: field("residual"), rows: field("num_rows"),
+      residual: field("residual"), rows: field("num_rows") || 0,
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),
     };

@@ -89,6 +89,11 @@ export class LiveSource implements FrameSource {
     this.onRestart();
   }
 
+  /** With which generation the run began that goes on. */
+  get run(): number | undefined {
+    return this.begun;
+  }
+
   /** Whether frames of this generation are of a run before. */
   isOld(generation: number): boolean {
     return this.begun !== undefined && generation < this.begun;

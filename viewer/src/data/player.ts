@@ -49,8 +49,14 @@ export class Player {
     else this.playing = false;
   }
 
+  /** Nothing is there yet that could be looked at instead of what comes first. */
+  private get isEmpty(): boolean {
+    return Number.isNaN(this.source.first);
+  }
+
   /** Shows another time, and stays there unless it plays a log. */
   seek(time: number): void {
+    if (this.isEmpty) return;
     this.time = Math.min(Math.max(time, this.source.first), this.source.last);
     if (this.live) {
       this.following = false;
@@ -59,6 +65,7 @@ export class Player {
   }
 
   step(ticks: number): void {
+    if (this.isEmpty) return;
     this.playing = false;
     this.following = false;
     this.time = this.source.neighbour(this.time, ticks);

@@ -1,20 +1,48 @@
-/** Calls by key; keys that are typed into a field are left alone, but Escape leaves a search. */
+/** What these keys do goes on while they are held; all others count once a press. */
+const GO_ON = new Set([",", ".", "[", "]", "ArrowLeft", "ArrowRight", "w", "s", "a", "d", "q", "e", "PageUp", "PageDown"]);
+/** Keys by which a slider is moved. */
+const SLIDER_KEYS = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"]);
+/** The slider of the run's time: arrows move that time anyway, in steps that the help tells. */
+const TIME_SLIDER = "scrub";
+
+/** Whether what has the focus needs the key itself. */
+export function keeps(focused: Pick<Element, "localName" | "id" | "getAttribute">, key: string): boolean {
+  const { localName, id } = focused;
+  if (localName === "input") {
+    const type = focused.getAttribute("type");
+    if (type === "checkbox") return key === " ";
+    if (type !== "range") return true;
+    return SLIDER_KEYS.has(key) && !(id === TIME_SLIDER && key.startsWith("Arrow"));
+  }
+  if (localName === "select" || localName === "textarea") return true;
+  return key === " " && (localName === "button" || localName === "summary" || focused.getAttribute("role") === "tab");
+}
+
+/** Whether the key is one of the browser's or the system's; on some keyboards brackets need AltGr, which counts as both of its parts. */
+function isForOthers(event: KeyboardEvent): boolean {
+  return event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState("AltGraph"));
+}
+
+/** Calls by key; keys that are typed into a field, or move a slider, are left alone, but Escape leaves a search. */
 export function listenToKeys(actions: Record<string, (event: KeyboardEvent) => void>): void {
+  let byPointer = false;
+  document.addEventListener("pointerdown", () => (byPointer = true), { capture: true });
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    byPointer = false;
+    if (isForOthers(event)) return;
     const target = event.target as HTMLElement;
-    const typing = target.matches("input:not([type=range]):not([type=checkbox]), select, textarea");
     if (event.key === "Escape" && target.matches("input[type=search]")) target.blur();
-    const pressing = event.key === " " && target.matches("button, summary, [role=tab]");
-    if (typing || pressing || document.querySelector("dialog[open]") !== null && event.key !== "?") return;
-    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (keeps(target, event.key) || (document.querySelector("dialog[open]") !== null && event.key !== "?")) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = actions[key];
     if (action === undefined) return;
     event.preventDefault();
-    action(event);
+    if (!event.repeat || GO_ON.has(key)) action(event);
   });
-  // A button that was clicked with a pointer does not keep the space bar for itself.
-  document.addEventListener("click", (event) => {
-    const button = (event.target as HTMLElement).closest<HTMLElement>("button, summary, [role=tab]");
-    if (event.detail > 0) button?.blur();
-  });
+  // What was pressed with a pointer does not keep keys for itself.
+  const leave = (event: Event, what: string): void => {
+    if (byPointer) (event.target as HTMLElement).closest<HTMLElement>(what)?.blur();
+  };
+  document.addEventListener("click", (event) => leave(event, "button, summary, [role=tab], input[type=checkbox]"));
+  document.addEventListener("change", (event) => leave(event, "select"));
 }

@@ -145,6 +145,11 @@ export class DrivePanel {
     this.showValues();
   }
 
+  /** The run begins again, by its scenario's commands. */
+  restart(): void {
+    this.wish.drop();
+  }
+
   giveBack(): void {
     this.wish.drop();
     this.send("walk", { by: "scenario" });

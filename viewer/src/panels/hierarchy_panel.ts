@@ -33,9 +33,10 @@ export class HierarchyPanel {
     this.clear();
   }
 
-  /** Says nothing until the next tick. */
+  /** The run begins again, with the order of its scenario: nothing is said until the next tick. */
   clear(): void {
     this.dragging = false;
+    this.wish.drop();
     this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
   }
 
@@ -66,10 +67,13 @@ export class HierarchyPanel {
 
   private build(states: LevelState[], names: string): void {
     this.names = names;
+    const before = new Map(this.cards.map((card) => [card.name, card]));
     const order = states.map(({ name }) => name);
     this.cards = order.map((name, k) => new LevelCard(name, k, order, this.physics, (one, steps) => this.move(one, steps), (one, at) => this.moveTo(one, at)));
     this.letDrag();
+    const focus = this.cards.map((card) => card.follow(before.get(card.name)));
     this.list.replaceChildren(...this.cards.map((card) => card.root));
+    for (const button of focus) button?.focus();
   }
 
   private letDrag(): void {

@@ -17,11 +17,12 @@ export class LevelCard {
   private readonly blocked = h("p", { class: "blocked" });
   private readonly meta = h("p", { class: "meta" });
   private readonly opener: HTMLButtonElement;
+  private readonly movers: HTMLButtonElement[];
   readonly canMove: boolean;
 
   /** `order`: of all levels; `physics`: those of them that keep the physics, and so their place. */
   constructor(
-    name: string,
+    readonly name: string,
     index: number,
     order: string[],
     physics: ReadonlySet<string>,
@@ -36,19 +37,28 @@ export class LevelCard {
       }, text);
     };
     this.canMove = !physics.has(name);
+    this.movers = [button("↑", -1, "one up"), button("↓", 1, "one down")];
     const title = `${index + 1} ${plain(name)}`;
     this.opener = h("button", { class: "level-name", title: plain(name), "aria-expanded": "false", onclick: () => this.open() }, title);
     this.root = h("li", { class: "level", "data-level": name },
       h("div", { class: "level-head" }, this.sign, this.opener, this.residual),
       h("div", { class: "level-facts" }, this.status, this.brief, this.time),
       this.rows, this.blocked, this.meta,
-      h("span", { class: "movers" }, button("↑", -1, "one up"), button("↓", 1, "one down")),
+      h("span", { class: "movers" }, ...this.movers),
     );
     if (this.canMove) this.drag(name, moveTo);
   }
 
   private open(): void {
     this.opener.setAttribute("aria-expanded", String(this.root.classList.toggle("open")));
+  }
+
+  /** Is as open as the card of the level that it replaces; the button that has the focus in the place of that card's, if one had it. */
+  follow(before: LevelCard | undefined): HTMLButtonElement | undefined {
+    if (before?.root.classList.contains("open")) this.open();
+    if (before?.opener === document.activeElement) return this.opener;
+    const mover = this.movers[before?.movers.indexOf(document.activeElement as HTMLButtonElement) ?? -1];
+    return mover?.disabled ? this.opener : mover;
   }
 
   private drag(name: string, moveTo: (name: string, place: string) => void): void {

@@ -66,7 +66,7 @@ export class Plot {
     say(this.unit, unit ? ` [${unit}]` : "");
     this.showValues(undefined);
     this.lines = series.map((one, k) => ({
-      series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", {}),
+      series: one, style: styles[k] as LineStyle, shown: !hidden.includes(one), value: h("output", { "aria-live": "off" }),
       unit: unit === undefined ? (this.schema.channel(one.channel)?.unit ?? "") : "",
     }));
     this.root.classList.toggle("crowded", series.length > MOST_NUMBERS);

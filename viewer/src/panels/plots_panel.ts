@@ -3,6 +3,7 @@ import type { Player } from "../data/player.ts";
 import type { Schema } from "../data/schema.ts";
 import { hasBodies, LEGS } from "../data/schema.ts";
 import type { Mark, Series } from "../data/source.ts";
+import { digits } from "../data/numbers.ts";
 import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
@@ -12,6 +13,8 @@ import { Plot } from "./plot.ts";
 /** Plots are drawn anew this often while time goes on [s]. */
 const PERIOD = 0.1;
 const LIVE_SPAN = 10;
+/** How much of time can be chosen to be shown [s]; 0: all. */
+const SPANS: readonly [seconds: number, text: string][] = [[2, "2 s"], [10, "10 s"], [30, "30 s"], [120, "2 min"], [0, "all"]];
 const LONGEST_LIST = 60;
 /** Of a channel with more components no single ones are offered until one looks for them. */
 const MOST_CHOICES = 40;
@@ -76,6 +79,8 @@ export class PlotsPanel {
   /** The plot to which lines are added while the list is open; none: what is chosen next gets a plot of its own. */
   private target: Plot | undefined;
   private readonly spanSelect: HTMLSelectElement;
+  /** A span that is none of the menu's, as the wheel makes it. */
+  private readonly otherSpan = h("option", { hidden: true });
   private schema: Schema;
   /** Width of what is shown [s]; 0: all of a log. */
   private span: number;
@@ -95,9 +100,9 @@ export class PlotsPanel {
       oninput: () => this.list(), onfocus: () => this.list(), autocomplete: "off",
     });
     this.spanSelect = h("select", { "aria-label": "time shown in the plots", id: "span", onchange: () => this.setSpan(Number(this.spanSelect.value)) });
-    for (const [seconds, text] of [[2, "2 s"], [10, "10 s"], [30, "30 s"], [120, "2 min"], [0, "all"]] as const)
-      this.spanSelect.append(h("option", { value: seconds }, text));
-    this.spanSelect.value = String(this.span);
+    for (const [seconds, text] of SPANS) this.spanSelect.append(h("option", { value: seconds }, text));
+    this.spanSelect.append(this.otherSpan);
+    this.showSpan();
     this.search.addEventListener("keydown", (event) => {
       if (event.key === "Enter") this.found.querySelector<HTMLElement>(".best")?.click();
     });
@@ -171,13 +176,15 @@ export class PlotsPanel {
       chips.length > 0 && h("div", { class: "chips" }, ...chips));
   }
 
-  /** Into the plot that is added to, or one that is from now on; the list stays for more. */
+  /** Into the plot that is added to, or one that is from now on, also where the former has no room for lines that can be told apart; the list
+   * stays for more. */
   private choose(series: Series[]): void {
     const { target } = this;
     const has = (one: Series): boolean => target?.series.some(({ channel, index }) => channel === one.channel && index === one.index) ?? false;
     const more = series.filter((one) => !has(one));
-    if (target === undefined) this.addTo(this.add(series));
-    else if (more.length > 0 && target.series.length + more.length <= MOST_LINES) target.setSeries([...target.series, ...more]);
+    const count = (target?.series.length ?? 0) + more.length;
+    if (target === undefined || count > MOST_LINES) this.addTo(this.add(more));
+    else if (more.length > 0) target.setSeries([...target.series, ...more]);
     this.target?.root.scrollIntoView({ block: "nearest", inline: "nearest" });
     this.refresh();
   }
@@ -189,6 +196,15 @@ export class PlotsPanel {
     }
     this.closeList();
     this.search.value = "";
+  }
+
+  private showSpan(): void {
+    this.otherSpan.hidden = SPANS.some(([seconds]) => seconds === this.span);
+    if (!this.otherSpan.hidden) {
+      this.otherSpan.value = String(this.span);
+      say(this.otherSpan, `${digits(this.span)} s`);
+    }
+    this.spanSelect.value = String(this.span);
   }
 
   private setSpan(span: number): void {
@@ -205,6 +221,7 @@ export class PlotsPanel {
     this.span = span;
     this.from = Math.min(Math.max(about - ((about - from) / (to - from)) * span, first), last - span);
     this.since = Infinity;
+    this.showSpan();
   }
 
   private range(): [number, number] {

@@ -78,7 +78,7 @@ export class Transport {
   private readonly liveButton: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
   private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
-  private readonly clock = h("output", { class: "clock", id: "clock" });
+  private readonly clock = h("output", { class: "clock", id: "clock", "aria-live": "off" });
   private readonly past = h("span", { class: "past", id: "past" });
   private readonly hint = h("span", { class: "mark-hint", hidden: true });
   private marksSeen = "";

@@ -37,6 +37,8 @@ export class Commands {
   send(type: string, fields: object = {}): Promise<void> {
     if (this.connection === undefined) return Promise.reject(new Error("a log can't be changed"));
     if (!this.allowed) return Promise.reject(new Error(VIEW_ONLY));
+    // What waits in the socket of a program that stands still would be done once it goes on, whenever that is.
+    if (this.connection.silence > 0) return Promise.reject(new Error("the program does not answer, so it was not asked"));
     const id = ++this.id;
     if (!this.connection.send({ type, ...fields, token: this.token, id }))
       return Promise.reject(new Error("there is no connection to the program"));

@@ -92,6 +92,12 @@ export function silenceOf(heard: number, now: number): number {
   return now - heard < SILENCE ? 0 : Math.floor((now - heard) / 1000);
 }
 
+/** A connection that has brought nothing for this long is given up for a new one [ms]: that a machine is gone, or the way to it, a browser that
+ * only listens is told by nobody. */
+const GIVEN_UP = 20000;
+/** How often it is looked for that [ms]. */
+const WATCH_PERIOD = 1000;
+
 /** The socket of a live run; opens again by itself. */
 export class Connection {
   state: ConnectionState = "connecting";
@@ -105,7 +111,9 @@ export class Connection {
   private attempt = 0;
   private heard = performance.now();
 
-  constructor(private readonly url: string) {}
+  constructor(private readonly url: string) {
+    setInterval(() => this.watch(), WATCH_PERIOD);
+  }
 
   /** Whole seconds since something came. */
   get quiet(): number {
@@ -138,6 +146,14 @@ export class Connection {
   private welcome(): void {
     this.attempt = 0;
     this.enter("open");
+  }
+
+  private watch(): void {
+    if (this.state !== "open" || this.socket === undefined || performance.now() - this.heard < GIVEN_UP) return;
+    this.socket.onmessage = this.socket.onclose = null;
+    this.socket.close();
+    this.enter("connecting");
+    this.open();
   }
 
   /** False where there is no connection. */

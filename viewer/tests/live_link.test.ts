@@ -1,0 +1,120 @@
+import assert from "node:assert/strict";
+import { mock, test } from "node:test";
+import type { App } from "../src/app.ts";
+import { LiveSource } from "../src/data/live_source.ts";
+import { LiveLink } from "../src/live_link.ts";
+import { PROTOCOL, type Session } from "../src/protocol/session.ts";
+import { fakePage } from "./fake_page.ts";
+import { fakeSockets, type FakeSocket } from "./fake_socket.ts";
+import { blockOf, schemaOf } from "./make.ts";
+
+const PERIOD = 0.0025;
+
+function sessionOf(more: Partial<Session> = {}): Session {
+  const header = { robot: { mass: 30 }, level_names: [], level_units: [], level_visible: [], event_names: [] };
+  return {
+    protocol: PROTOCOL, start: "this one", generation: 0, begun: 0, first_tick: 0, period: PERIOD, frame_floats: 1, header,
+    channels: [{ name: "x", unit: "", about: "", size: 1, offset: 0 }], orders: [], rows: [], bodies: [], limits: { changes: 200 }, ...more,
+  } as unknown as Session;
+}
+
+/** A page that looks at a run, the program that it asks, and what the page says. */
+function watching() {
+  mock.timers.enable({ apis: ["setInterval", "setTimeout"] });
+  fakePage();
+  const program = { session: sessionOf(), events: [] as object[], fails: false, asked: [] as string[], loads: 0, answer: undefined as Promise<void> | undefined };
+  const fetchFrom = async (url: string): Promise<Response> => {
+    program.asked.push(url);
+    const { fails } = program;
+    await program.answer;
+    return new Response(fails ? "too many connections" : JSON.stringify(url === "/api/events" ? program.events : program.session), { status: fails ? 503 : 200 });
+  };
+  const location = { protocol: "http:", host: "here", reload: () => ++program.loads };
+  for (const [name, value] of Object.entries({ location, fetch: fetchFrom })) Object.defineProperty(globalThis, name, { value, configurable: true });
+  const sockets = fakeSockets();
+  const said: string[] = [], recalled: string[] = [];
+  const { session } = program;
+  const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
+  const link = new LiveLink(source, session);
+  const nothing = (): void => {};
+  const changes = { hear: nothing, recall: (all: { text: string }[]) => recalled.push(...all.map(({ text }) => text)) };
+  const handlers = { commands: { greet: nothing, lost: nothing }, tune: { changes, showStatus: nothing }, drive: { show: nothing } };
+  link.wire({ handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: nothing, take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing } as unknown as App);
+  const newest = (): FakeSocket => sockets.at(-1) as FakeSocket;
+  const hear = (tick: number, generation = 0): void => newest().hear(blockOf([{ tick, time: tick * PERIOD, values: [tick] }], 0, generation));
+  return { program, source, link, said, recalled, newest, hear };
+}
+
+/** What was asked is answered by now. */
+async function answered(): Promise<void> {
+  for (let k = 0; k < 50; ++k) await Promise.resolve();
+  await new Promise((resolve) => setImmediate(resolve));
+}
+
+async function pass(ms: number): Promise<void> {
+  mock.timers.tick(ms);
+  await answered();
+}
+
+const loseAndFind = async ({ newest }: ReturnType<typeof watching>): Promise<void> => {
+  newest().onclose?.({ reason: "" });
+  await pass(1000);
+};
+
+test("another program that comes back is found, however often it can't say at first what it shows", async (t) => {
+  t.after(() => mock.timers.reset());
+  const page = watching();
+  const { program, source, said, hear } = page;
+  hear(7);
+  await answered();
+  program.fails = true;
+  await loseAndFind(page);
+  hear(0);
+  await answered();
+  assert.deepEqual([source.last, program.loads], [7 * PERIOD, 0], "its frames are not taken for those of the run before");
+  assert.ok(!said.includes("Connected again."));
+  program.session = sessionOf({ start: "another" });
+  program.fails = false;
+  await pass(1500);
+  assert.equal(program.loads, 1);
+});
+
+test("the same program that comes back tells what happened meanwhile, and goes on", async (t) => {
+  t.after(() => mock.timers.reset());
+  const page = watching();
+  const { program, source, said, recalled, hear } = page;
+  hear(7);
+  await answered();
+  program.events = [{ time: 0.02, kind: "change", text: "friction 0.5 → 0.4" }];
+  await loseAndFind(page);
+  hear(9);
+  await answered();
+  assert.deepEqual([source.last, said, recalled], [9 * PERIOD, ["Connected again."], ["friction 0.5 → 0.4"]]);
+});
+
+test("what happened in a run that was reset meanwhile is not told of the one that goes on", async (t) => {
+  t.after(() => mock.timers.reset());
+  const { program, source, recalled, newest } = watching();
+  let answer: () => void = () => {};
+  program.answer = new Promise((resolve) => (answer = resolve));
+  program.events = [{ time: 3, kind: "change", text: "friction 0.5 → 0.4" }];
+  newest().hear({ type: "notice", text: "hello" });
+  await answered();
+  assert.deepEqual(program.asked, ["/api/events"]);
+  source.follow(4);
+  answer();
+  await answered();
+  assert.deepEqual([source.marks, recalled], [[], []]);
+});
+
+test("frames of before a change of the control do not ask for the session again", async (t) => {
+  t.after(() => mock.timers.reset());
+  const { program, source, hear } = watching();
+  program.session = sessionOf({ generation: 2 });
+  hear(0, 2);
+  await answered();
+  const { length } = program.asked;
+  hear(1, 1);
+  await answered();
+  assert.deepEqual([source.last, program.asked.length], [PERIOD, length]);
+});
