@@ -34,6 +34,12 @@ void add_rows(const logged::Hierarchy& hierarchy, const ViewChannels& channels, 
                             .row = static_cast<std::uint16_t>(row.id),
                             .by = static_cast<float>(row.by)});
   }
+  for (const logged::MissedRow& row : hierarchy.missed) {
+    frame.active.push_back({.level = number_of(row.level, channels),
+                            .state = kMissedEquality,
+                            .row = static_cast<std::uint16_t>(row.id),
+                            .by = static_cast<float>(row.by)});
+  }
   frame.blocking.clear();
   for (const logged::BlockingRow& row : hierarchy.blocked_by) {
     frame.blocking.push_back({.level = number_of(row.level, channels),

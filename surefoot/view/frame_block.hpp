@@ -10,10 +10,14 @@
 
 namespace surefoot {
 
-/// An inequality row at or beyond a bound; levels by their number in `header.level_names`.
+/// State of an equality row that was missed.
+inline constexpr std::int8_t kMissedEquality = 2;
+
+/// An inequality row at or beyond a bound, or an equality row that was missed; levels by their
+/// number in `header.level_names`.
 struct FrameActive {
   std::uint8_t level = 0;
-  std::int8_t state = 0;  ///< ±1 at a bound, ±3 beyond it
+  std::int8_t state = 0;  ///< ±1 at a bound, ±3 beyond it, or kMissedEquality
   std::uint16_t row = 0;  ///< in the session's `rows[level]`
   float by = 0.0F;        ///< beyond the bound: above the upper one, negative below the lower one
 };

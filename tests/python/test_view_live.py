@@ -33,7 +33,7 @@ def test_every_field_of_the_log_is_a_channel(run, tmp_path):
 
     subprocess.run([PROGRAM, "run", "walk_flat", *LONG[2:], "--set", "duration=0.1", "--record", tmp_path / "run.mcap"], check=False, capture_output=True)
     names = [channel["name"] for channel in run.session()["channels"]]
-    listed = {"active", "blocked_by", "level_switches"}  # entries of a frame, and what is said in words
+    listed = {"active", "missed", "blocked_by", "level_switches"}  # entries of a frame, and what is said in words
     with open(tmp_path / "run.mcap", "rb") as file:
         for schema in {schema.name: schema for schema, *_ in make_reader(file).iter_messages()}.values():
             fields = json.loads(schema.data)["properties"]
@@ -133,6 +133,7 @@ def test_a_page_that_comes_late_can_ask_for_the_last_two_minutes():
         asked = Frames(session, [run.get(f"/api/frames?from={first}&count=200&stride=1")[2]])
         assert asked.ticks == list(range(first, first + 200))
         assert asked.of("truth.p_WB") == sent.of("truth.p_WB")[:200] and asked.active == sent.active[:200]
+        assert any(state == 2 and by != 0 for rows in sent.active for _, state, _, by in rows), "the forces that are minimised are missed equalities"
         span = Frames(session, [run.get(f"/api/frames?from={first}&count=2&stride=100&min_max=1")[2]])
         heights = [p[2] for p in sent.of("truth.p_WB")[:100]]
         assert [p[2] for p in span.of("truth.p_WB")] == [min(heights), max(heights)]

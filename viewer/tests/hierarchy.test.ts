@@ -10,7 +10,7 @@ import { FrameTable } from "../src/data/table.ts";
 
 const FIELDS = ["residual", "num_rows", "degrees_of_freedom_left", "iterations"];
 
-function frameOf(residuals: [number, number], more: { active?: [number, number, number][]; blocking?: [number, number, number, number][]; rows?: number } = {}): Frame {
+function frameOf(residuals: [number, number], more: { active?: [number, number, number, number?][]; blocking?: [number, number, number, number][]; rows?: number } = {}): Frame {
   const schema = schemaOf(Object.fromEntries(["first", "second"].flatMap((level) => FIELDS.map((field) => [`hierarchy.level.${level}.${field}`, 1]))));
   const rows = more.rows ?? 2;
   const table = new FrameTable(schema, 1);
@@ -35,6 +35,12 @@ test("of a frame of which nothing is known, as a damaged log's summary has it, n
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
   assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", first: [], whole: "Every level gets what it asks for.", more: [] });
+});
+
+test("an equality that was missed is no limit", () => {
+  const [first, second] = levelStates(frameOf([0, 0.5], { active: [[1, 2, 0, -0.5]] }));
+  assert.deepEqual(second?.missed, [{ name: "c", level: 1, state: 2, by: -0.5 }]);
+  assert.deepEqual([first?.missed, second?.active, second?.status], [[], [], "gives way"]);
 });
 
 test("a level with a row at its bound is at its limit", () => {

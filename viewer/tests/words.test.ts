@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { LevelState } from "../src/data/hierarchy.ts";
 import { effortOf } from "../src/panels/hierarchy_panel.ts";
-import { amountOf, boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
+import { amountOf, rowsOf, boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
 import { speedText } from "../src/data/lag.ts";
 import { changeText } from "../src/data/change_words.ts";
 import { modeText } from "../src/panels/head.ts";
@@ -11,7 +11,7 @@ import { clockText, courseOf, endedText, newestText, nextSpeed, pastText, playTe
 import { beliefText } from "../src/panels/tune_panel.ts";
 
 const level: LevelState = {
-  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], blocked: [],
+  level: 1, place: 2, name: "com_xy", unit: "m/s²", status: "met", residual: 0, rows: 2, freedom: 24, iterations: 1, time: NaN, active: [], missed: [], blocked: [],
 };
 const above: LevelState = { ...level, level: 0, place: 1, name: "friction_cone" };
 
@@ -122,4 +122,10 @@ test("a limit of lengths or angles keeps something from going beyond it, one of 
 test("a row beyond its bound says by how much, where that is known", () => {
   assert.deepEqual([{ state: -3, by: -12.5 }, { state: 3, by: 0.3 }, { state: 1, by: 0 }, { state: 3, by: NaN }].map((row) => amountOf(row, "N")),
     [" by 12.5 N", " by 0.300 N", "", ""]);
+});
+
+test("a level that gives way says which of its rows it missed, one that is never content does not", () => {
+  const active = [{ name: "RF +x", level: 0, state: 3, by: 0.3 }], missed = [{ name: "x", level: 0, state: 2, by: -0.31 }];
+  assert.equal(rowsOf({ active, missed, status: "gives way", unit: "N" }), "RF +x above its bound by 0.300 N, x missed by 0.310 N");
+  assert.equal(rowsOf({ active: [], missed, status: "minimised", unit: "N" }), "");
 });

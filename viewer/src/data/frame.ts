@@ -1,6 +1,9 @@
 import type { Schema } from "./schema.ts";
 
-/** An inequality row at a bound (-1, 1) or beyond it (-3, 3). */
+/** State of an equality row that was missed. */
+export const MISSED_EQUALITY = 2;
+
+/** An inequality row at a bound (-1, 1) or beyond it (-3, 3), or an equality row that was missed. */
 export interface ActiveRow {
   level: number;
   state: number;

@@ -1,6 +1,6 @@
 import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
-import { scalar, word, type Frame } from "./frame.ts";
+import { MISSED_EQUALITY, scalar, word, type Frame } from "./frame.ts";
 import { stopText } from "./stop.ts";
 
 export type LevelStatus = "met" | "at limit" | "gives way" | "minimised" | "no rows" | "not solved";
@@ -38,6 +38,8 @@ export interface LevelState {
   /** That solving it took [µs]; NaN: not measured. */
   time: number;
   active: RowNote[];
+  /** Equality rows that it could not reach, worst first. */
+  missed: RowNote[];
   blocked: BlockNote[];
 }
 
@@ -51,20 +53,21 @@ export function levelStates(frame: Frame): LevelState[] {
     const name = schema.levels[level] as string;
     const field = (what: string): number => scalar(frame, `hierarchy.level.${name}.${what}`);
     const unit = schema.units[level] ?? "";
-    const active = frame.active
+    const rows = frame.active
       .filter((row) => row.level === level)
       .map(({ row, state, by }) => ({ name: schema.rowName(level, row), level, state, by }));
+    const active = rows.filter(({ state }) => state !== MISSED_EQUALITY), missed = rows.filter(({ state }) => state === MISSED_EQUALITY);
     const blocked = frame.blocking
       .filter((row) => row.level === level)
       .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
     const state = {
-      level, place: index + 1, name, unit, active, blocked,
+      level, place: index + 1, name, unit, active, missed, blocked,
       residual: field("residual"), rows: field("num_rows") || 0,
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),
     };
     if (!solves) return { ...state, status: "not solved" };
-    if (index >= solved) return { ...state, status: "not solved", residual: NaN, rows: 0, active: [], blocked: [] };
+    if (index >= solved) return { ...state, status: "not solved", residual: NaN, rows: 0, active: [], missed: [], blocked: [] };
     return { ...state, status: statusOf(state, schema.visible[level]) };
   });
 }

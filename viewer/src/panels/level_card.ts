@@ -85,7 +85,7 @@ export class LevelCard {
     say(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));
-    say(this.rows, state.active.map((row) => `${row.name} ${words(row.state, boundsMotion(state))}${amountOf(row, state.unit)}`).join(", "));
+    say(this.rows, rowsOf(state));
     say(this.blocked, blockers(state).map(({ by, row, cost }) =>
       `held back by ${nameOf(all, by)}: ${row} costs about ${quantity(cost, state.unit)}`).join("; "));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
@@ -144,4 +144,11 @@ export function words(bound: number, isMotion: boolean): string {
 /** Of a row beyond its bound, by how much. */
 export function amountOf({ state, by }: Pick<RowNote, "state" | "by">, unit: string): string {
   return Math.abs(state) < 3 || Number.isNaN(by) ? "" : ` by ${quantity(Math.abs(by), unit)}`;
+}
+
+/** What its rows do that is worth telling: limits, and what it asked for and did not get. */
+export function rowsOf(state: Pick<LevelState, "active" | "missed" | "status" | "unit">): string {
+  const limits = state.active.map((row) => `${row.name} ${words(row.state, boundsMotion(state))}${amountOf(row, state.unit)}`);
+  const missed = state.status === "gives way" ? state.missed.map(({ name, by }) => `${name} missed by ${quantity(Math.abs(by), state.unit)}`) : [];
+  return [...limits, ...missed].join(", ");
 }
