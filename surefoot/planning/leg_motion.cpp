@@ -20,6 +20,8 @@ constexpr double kOffGround = 0.005;   // … higher than this over where it cam
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
+constexpr double kThrown = 1.0;        // no ground lets a foot slide so fast: it is thrown [m/s] …
+constexpr int kThrownTicks = 2;        // … for so long
 constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
 constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
 constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
@@ -100,7 +102,8 @@ bool LegMotion::flies(double time, const LegObservation& seen) const {
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
-  if (flies(time, seen)) return LegEvent::lost;
+  thrown_ticks_ = seen.foot.v.norm() > kThrown ? thrown_ticks_ + 1 : 0;
+  if (thrown_ticks_ >= kThrownTicks || flies(time, seen)) return LegEvent::lost;
   light_for_ = normal_force_ < touchdown_.lost_force ? light_for_ + period_ : 0.0;
   const bool expected_to_carry = phase_ == LegPhase::stance;
   return expected_to_carry && light_for_ > touchdown_.lost_duration ? LegEvent::lost

@@ -92,6 +92,7 @@ class LegMotion {
   double normal_force_ = 0.0;
   double force_per_torque_ = 0.0;
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
+  int thrown_ticks_ = 0;      // in a row at which a stance foot went faster than any that slides
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
   /// By how much a swinging foot was faster along the normal than its reference, at the last ticks

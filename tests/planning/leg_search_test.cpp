@@ -213,6 +213,16 @@ TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrFliesOffIsLostAtOnce) {
   EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
 }
 
+TEST(LegMotion, AFootThatGoesFasterThanAnyThatSlidesStandsOnNothing) {
+  Bench bench = landed(false);
+  ASSERT_EQ(bench.rest(1.0, 50.0), LegEvent::none);
+  bench.foot_velocity = Vec3(0.8, 0.0, -0.5);
+  EXPECT_EQ(bench.rest(0.5, 5.0), LegEvent::none) << "it slides";
+  bench.foot_velocity = Vec3(-0.8, 0.0, -0.7);
+  EXPECT_EQ(bench.rest(kPeriod, 5.0), LegEvent::none) << "one tick is noise";
+  EXPECT_EQ(bench.rest(kPeriod, 5.0), LegEvent::lost) << "though its force is not nothing";
+}
+
 TEST(LegMotion, OnlyAFootThatWasPutDownAtOnceAndShortlyAgoFlies) {
   EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none);
   Bench bench = landed(true);
