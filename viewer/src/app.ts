@@ -27,6 +27,7 @@ import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
 import { NO_CONTEXT, watchContext } from "./scene/context.ts";
 import { missingText } from "./scene/mesh_library.ts";
+import { NoGraphics, withoutPictureText } from "./scene/stage.ts";
 import { World } from "./scene/world.ts";
 import { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
@@ -138,9 +139,14 @@ export class App {
       return world;
     } catch (error) {
       console.warn(error);
-      part("view").classList.add("no-picture");
+      this.goWithoutPicture(error as Error);
       return undefined;
     }
+  }
+
+  private goWithoutPicture(error: Error): void {
+    part("view").classList.add("no-picture");
+    if (!(error instanceof NoGraphics)) say(part("no-picture"), withoutPictureText(error));
   }
 
   /** The log of a live run; "": it is not recorded. */
