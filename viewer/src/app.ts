@@ -9,6 +9,7 @@ import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
+import { Announcer } from "./panels/announcer.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
 import { endFact, showFacts, showMode } from "./panels/head.ts";
@@ -69,7 +70,9 @@ export class App {
   private sinceNumbers = Infinity;
   /** Whose numbers stand in the panels. */
   private told: Frame | undefined;
-  private toldLevels = "";
+  /** Which levels give way in the picture, in words. */
+  private levels = "";
+  private readonly announcer = new Announcer((text) => say(part("events"), text));
   /** Whether what is asked for comes to effect. */
   private canAct = false;
   private readonly progress: () => string;
@@ -310,7 +313,7 @@ export class App {
     this.tune.restart();
     this.transport.clear();
     showTime(NaN);
-    this.toldLevels = "";
+    this.levels = "";
   }
 
   /** Replies, changes and state of a live run. */
@@ -366,6 +369,7 @@ export class App {
     for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
     this.tellHead(heard);
+    this.announcer.tell(this.levels, performance.now());
   }
 
   /** Why a run has ended stands before what matters less: there is not always room for all. */
@@ -395,14 +399,6 @@ export class App {
     this.hierarchy.show(frame);
     this.state.show(frame, this.player.source);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
-    this.tell(frame);
-  }
-
-  /** To screen readers: which levels give way, when that changes. */
-  private tell(frame: Frame): void {
-    const text = accountAt(frame).line;
-    if (text === this.toldLevels) return;
-    this.toldLevels = text;
-    say(part("events"), text);
+    this.levels = accountAt(frame).line;
   }
 }
