@@ -7,6 +7,7 @@ import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
+import { NumberMenu } from "./number_menu.ts";
 
 /** Marks nearer than this to each other are drawn as one [pixels]. */
 const COLUMN = 4;
@@ -72,9 +73,8 @@ export function playText(player: Pick<Player, "live" | "past">, running: boolean
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
 export class Transport {
   private readonly playButton: HTMLButtonElement;
-  private readonly speedSelect: HTMLSelectElement;
-  /** A speed that is none of the menu's, while the run has it. */
-  private readonly otherSpeed = h("option", { hidden: true });
+  /** The run may have a speed that is none of the menu's. */
+  private readonly speedMenu: NumberMenu;
   private readonly liveButton: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
   private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
@@ -97,13 +97,8 @@ export class Transport {
       h("button", { "aria-label": label, title: label, onclick: run, id }, text);
     this.resetButton = button("↺", RESET, actions.reset, "reset");
     this.playButton = button("❚❚", playText(player, true), actions.pause, "play");
-    this.speedSelect = h("select", {
-      id: "speed", "aria-label": "speed", title: SPEED,
-      onchange: () => this.ask(Number(this.speedSelect.value)),
-    });
-    for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
-    this.speedSelect.append(this.otherSpeed);
-    this.showSpeed(1);
+    this.speedMenu = new NumberMenu({ id: "speed", "aria-label": "speed", title: SPEED }, speeds, speedText, (speed) => this.ask(speed));
+    this.speedMenu.show(1);
     this.liveButton = button("Live", "to the newest picture (l)", () => player.goLive(), "go-live");
     this.slider = h("input", {
       type: "range", id: "scrub", min: 0, max: 1, step: "any", "aria-label": "time of the run in seconds",
@@ -118,7 +113,7 @@ export class Transport {
         button("◂", "one tick back (,)", () => actions.step(-1), "step-back"),
         this.playButton,
         button("▸", "one tick on (.)", () => actions.step(1), "step"),
-        this.speedSelect),
+        this.speedMenu.select),
       bar, h("div", { class: "times" }, this.clock, player.live && this.past),
     );
     if (player.live) root.append(this.liveButton);
@@ -126,24 +121,15 @@ export class Transport {
 
   /** The next speed up or down. */
   faster(steps: number): void {
-    if (this.speedSelect.disabled) return;
-    const next = nextSpeed(this.speeds, Number(this.speedSelect.value), steps);
+    if (this.speedMenu.select.disabled) return;
+    const next = nextSpeed(this.speeds, this.speedMenu.value, steps);
     if (next !== undefined) this.ask(next);
   }
 
   private ask(speed: number): void {
     if (this.player.live && this.player.following) this.wish.ask(speed);
-    this.showSpeed(speed);
+    this.speedMenu.show(speed);
     this.actions.speed(speed);
-  }
-
-  private showSpeed(speed: number): void {
-    this.otherSpeed.hidden = this.speeds.includes(speed);
-    if (!this.otherSpeed.hidden) {
-      this.otherSpeed.value = String(speed);
-      say(this.otherSpeed, speedText(speed));
-    }
-    this.speedSelect.value = String(speed);
   }
 
   /** The time of the picture. */
@@ -173,14 +159,14 @@ export class Transport {
     name(this.playButton, playText(player, running, this.mayCommand, course));
     this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
-    if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
+    if (document.activeElement !== this.speedMenu.select) this.speedMenu.show(speed);
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
     const [newest, title] = newestText(player.past, course);
     say(this.liveButton, newest);
     name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
-    this.forbid(this.speedSelect, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
+    this.forbid(this.speedMenu.select, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
     say(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
