@@ -83,6 +83,9 @@ export class FakeElement extends EventTarget {
     Object.assign(document, { activeElement: null });
   }
   scrollIntoView(): void {}
+  getBoundingClientRect(): { top: number; bottom: number } {
+    return { top: 0, bottom: 0 };
+  }
 
   /** It and all in it. */
   all(): FakeElement[] {
@@ -97,6 +100,12 @@ export class FakeElement extends EventTarget {
   }
   press(): void {
     this.dispatchEvent(new Event("click"));
+  }
+  /** A key is pressed while it has the focus; what holds it hears of that. */
+  strike(key: string): void {
+    const event = Object.assign(new Event("keydown", { cancelable: true }), { key });
+    Object.defineProperty(event, "target", { value: this });
+    for (let at: FakeElement | undefined = this; at !== undefined; at = at.parent) at.dispatchEvent(event);
   }
   /** Somebody types into the field, and is done. */
   enter(text: string): void {
