@@ -82,6 +82,9 @@ export class FakeElement extends EventTarget {
   blur(): void {
     Object.assign(document, { activeElement: null });
   }
+  contains(other: FakeElement): boolean {
+    return this.all().includes(other);
+  }
   scrollIntoView(): void {}
   getBoundingClientRect(): { top: number; bottom: number } {
     return { top: 0, bottom: 0 };
@@ -101,11 +104,14 @@ export class FakeElement extends EventTarget {
   press(): void {
     this.dispatchEvent(new Event("click"));
   }
-  /** A key is pressed while it has the focus; what holds it hears of that. */
-  strike(key: string): void {
-    const event = Object.assign(new Event("keydown", { cancelable: true }), { key });
+  /** It happens here; what holds it hears of that, too. */
+  bubble(event: Event): void {
     Object.defineProperty(event, "target", { value: this });
     for (let at: FakeElement | undefined = this; at !== undefined; at = at.parent) at.dispatchEvent(event);
+  }
+  /** A key is pressed while it has the focus. */
+  strike(key: string): void {
+    this.bubble(Object.assign(new Event("keydown", { cancelable: true }), { key }));
   }
   /** Somebody types into the field, and is done. */
   enter(text: string): void {

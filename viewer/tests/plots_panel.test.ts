@@ -40,3 +40,32 @@ test("numbers that change ten times a second are not read out by themselves", ()
   const outputs = root.all().filter(({ localName }) => localName === "output");
   assert.deepEqual(outputs.map((one) => one.getAttribute("aria-live")), Array(4).fill("off"));
 });
+
+test("the list of found channels is closed by who leaves it and its search by the tab key", () => {
+  const { root } = fakePage();
+  new PlotsPanel(root as unknown as HTMLElement, player, schemaOf({ "state.v_WB": 3 }));
+  const search = root.find({ attribute: ["id", "channel-search"] });
+  const list = root.find({ attribute: ["aria-label", "channels"] });
+  const isOpen = (): boolean => !(list as unknown as HTMLElement).hidden;
+  const leaveFor = (next: FakeElement | null): boolean => {
+    search.bubble(Object.assign(new Event("focusout"), { relatedTarget: next }));
+    return isOpen();
+  };
+  search.dispatchEvent(new Event("focus"));
+  const [channel] = list.all().filter(({ localName }) => localName === "button");
+  assert.deepEqual([isOpen(), leaveFor(channel as FakeElement), leaveFor(null)], [true, true, true], "another window is not the next field");
+  assert.equal(leaveFor(root.find({ attribute: ["id", "span"] })), false);
+});
+
+test("a span that is chosen in the past does not begin before the first frame", () => {
+  const { root } = fakePage();
+  const live = new Player({ first: 5, last: 60, marks: [] } as unknown as FrameSource, true);
+  const panel = new PlotsPanel(root as unknown as HTMLElement, live, schemaOf({ "state.v_WB": 3 }));
+  const spans = root.find({ attribute: ["id", "span"] });
+  live.seek(6);
+  spans.enter("30");
+  assert.deepEqual(panel["range"](), [5, 35]);
+  live.seek(40);
+  spans.enter("10");
+  assert.deepEqual(panel["range"](), [35, 45]);
+});

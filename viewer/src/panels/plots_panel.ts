@@ -77,6 +77,11 @@ export function rangeOfPast(time: number, first: number, last: number, span: num
   return [from, Math.max(last, from + span)];
 }
 
+/** Where a span begins that has this time in its middle, as far as there are frames. */
+function fromAround(time: number, first: number, last: number, span: number): number {
+  return Math.max(first, Math.min(time - 0.5 * span, last - span));
+}
+
 /** Plots of any channel, all over the same stretch of time. */
 export class PlotsPanel {
   private readonly plots: Plot[] = [];
@@ -115,7 +120,8 @@ export class PlotsPanel {
     document.addEventListener("pointerdown", (event) => {
       if (!root.contains(event.target as Node)) this.closeList();
     });
-    root.append(h("div", { class: "plot-tools" }, this.search, this.spans.select, this.progress, this.found), this.row);
+    const chooser: HTMLElement = h("div", { class: "chooser", onfocusout: (event) => this.leave(chooser, event as FocusEvent) }, this.search, this.found);
+    root.append(h("div", { class: "plot-tools" }, chooser, this.spans.select, this.progress), this.row);
     this.addFirst();
   }
 
@@ -152,6 +158,11 @@ export class PlotsPanel {
     plot?.root.classList.add("target");
     this.search.placeholder = plot === undefined ? SEARCH : "add to the framed plot …";
     if (plot !== undefined) this.search.focus();
+  }
+
+  /** The tab key goes from the search through its list, and on to what is behind both. */
+  private leave(chooser: HTMLElement, { relatedTarget }: FocusEvent): void {
+    if (relatedTarget !== null && !chooser.contains(relatedTarget as Node)) this.closeList();
   }
 
   private closeList(): void {
@@ -202,9 +213,9 @@ export class PlotsPanel {
   }
 
   private setSpan(span: number): void {
-    const { past, time } = this.player;
+    const { past, time, source } = this.player;
     this.span = span;
-    this.from = past && span > 0 ? time - 0.5 * span : NaN;
+    this.from = past && span > 0 ? fromAround(time, source.first, source.last, span) : NaN;
     this.since = Infinity;
   }
 
@@ -228,7 +239,7 @@ export class PlotsPanel {
       return [from, from + span];
     }
     if (past && Number.isNaN(this.from)) return rangeOfPast(time, first, last, span);
-    if (Number.isNaN(this.from)) this.from = Math.max(first, Math.min(time - 0.5 * span, last - span));
+    if (Number.isNaN(this.from)) this.from = fromAround(time, first, last, span);
     if (time < this.from || time > this.from + span) this.from = Math.max(first, Math.min(time - 0.1 * span, last - span));
     return [this.from, this.from + span];
   }
