@@ -4,7 +4,7 @@ import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountAt } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
-import { listenToKeys } from "./input/keys.ts";
+import { listenToKeys, type KeyActions } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
@@ -192,8 +192,20 @@ export class App {
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
-  private wireKeys(): void {
+  /** Keys that change a live run: of a log they are the browser's. */
+  private drivingKeys(): KeyActions {
     const { player, drive } = this;
+    return {
+      l: () => player.goLive(),
+      w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
+      d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
+      PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
+      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(), p: () => drive.push(),
+    };
+  }
+
+  private wireKeys(): void {
+    const { player } = this;
     const shift = (seconds: number) => (event: KeyboardEvent) => player.seek(player.time + seconds * (event.shiftKey ? 10 : 1));
     const toggle = (event: KeyboardEvent): void => void this.menu?.toggleByKey(event.key);
     const help = makeHelp(player.live);
@@ -201,14 +213,10 @@ export class App {
       " ": () => this.pause(), ",": () => this.step(-1), ".": () => this.step(1),
       ArrowLeft: shift(-0.1), ArrowRight: shift(0.1),
       "[": () => this.transport.faster(-1), "]": () => this.transport.faster(1),
-      ...(player.live ? { l: () => player.goLive() } : {}), r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
+      r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
-      w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
-      d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
-      PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
-      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(),
-      p: () => drive.push(),
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
+      ...(player.live ? this.drivingKeys() : {}),
     });
   }
 

@@ -28,8 +28,10 @@ function isForOthers(event: KeyboardEvent): boolean {
   return event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState("AltGraph"));
 }
 
+export type KeyActions = Record<string, (event: KeyboardEvent) => void>;
+
 /** Calls by key; keys that are typed into a field, or move a slider, are left alone, but Escape leaves a search. */
-export function listenToKeys(actions: Record<string, (event: KeyboardEvent) => void>): void {
+export function listenToKeys(actions: KeyActions): void {
   let byPointer = false;
   document.addEventListener("pointerdown", () => (byPointer = true), { capture: true });
   document.addEventListener("keydown", (event) => {
