@@ -69,3 +69,18 @@ test("a span that is chosen in the past does not begin before the first frame", 
   spans.enter("10");
   assert.deepEqual(panel["range"](), [35, 45]);
 });
+
+test("marks of the time bar are drawn anew where its size or the page's zoom is another one", () => {
+  const { root } = fakePage();
+  const transport = new Transport(root as unknown as HTMLElement, player, [1], { pause: () => {}, step: () => {}, speed: () => {}, reset: () => {} });
+  const canvas = root.all().find(({ localName }) => localName === "canvas") as FakeElement;
+  let pictures = 0;
+  Object.assign(canvas, { clientWidth: 300, clientHeight: 15, getContext: () => (++pictures, null) });
+  const picturesWith = (zoom: number, height = 15): number => {
+    Object.assign(globalThis, { devicePixelRatio: zoom });
+    Object.assign(canvas, { clientHeight: height });
+    transport.update(undefined, false);
+    return pictures;
+  };
+  assert.deepEqual([picturesWith(1), picturesWith(1), picturesWith(2), picturesWith(2, 20)], [1, 1, 2, 3]);
+});

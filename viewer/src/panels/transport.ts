@@ -151,7 +151,7 @@ export class Transport {
   /** `heard`: the program says how the run goes on. */
   update(status: Status | undefined, heard: boolean): void {
     const { player } = this;
-    const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
+    const size = [this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio].join(); // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
     const course = courseOf(status, heard);
     const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
@@ -173,7 +173,7 @@ export class Transport {
     this.slider.max = String(last);
     this.slider.value = String(player.time);
     this.slider.setAttribute("aria-valuetext", secondsText(player.time));
-    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
+    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${size}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
     this.drawMarks();
