@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Player } from "../src/data/player.ts";
-import type { FrameSource } from "../src/data/source.ts";
+import type { FrameSource, Mark } from "../src/data/source.ts";
 import { PlotsPanel } from "../src/panels/plots_panel.ts";
 import { Transport } from "../src/panels/transport.ts";
 import { type FakeElement, fakePage } from "./fake_page.ts";
@@ -83,4 +83,20 @@ test("marks of the time bar are drawn anew where its size or the page's zoom is 
     return pictures;
   };
   assert.deepEqual([picturesWith(1), picturesWith(1), picturesWith(2), picturesWith(2, 20)], [1, 1, 2, 3]);
+});
+
+test("marks of the time bar are told by their size, too: the more one weighs the higher and wider it is", () => {
+  const { root } = fakePage();
+  Object.assign(globalThis, { devicePixelRatio: 1, getComputedStyle: () => ({ getPropertyValue: (name: string) => name }) });
+  const mark = (time: number, kind: Mark["kind"], text: string): Mark => ({ time, kind, text, leg: "" });
+  const marks = [mark(2, "event", "lift-off"), mark(6, "change", "friction"), mark(10, "force", "push"), mark(14, "mode", "damping")];
+  const run = new Player({ first: 0, last: 20, marks } as unknown as FrameSource, false);
+  const transport = new Transport(root as unknown as HTMLElement, run, [1], { pause: () => {}, step: () => {}, speed: () => {}, reset: () => {} });
+  const sizes: [number, number][] = [];
+  const context = { scale: () => {}, fillRect: (_x: number, _y: number, wide: number, tall: number) => sizes.push([wide, tall]) };
+  const canvas = root.all().find(({ localName }) => localName === "canvas") as FakeElement;
+  Object.assign(canvas, { clientWidth: 300, clientHeight: 20, getContext: () => context });
+  transport.update(undefined, false);
+  assert.equal(sizes.length, 4);
+  for (const side of [0, 1] as const) sizes.slice(1).forEach((size, k) => assert.ok(size[side] > (sizes[k] as [number, number])[side], `${sizes}`));
 });

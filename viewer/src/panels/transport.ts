@@ -11,8 +11,22 @@ import { NumberMenu } from "./number_menu.ts";
 
 /** Marks nearer than this to each other are drawn as one [pixels]. */
 const COLUMN = 4;
-/** None of them a leg's. */
-const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--ink", notable: "--near", grave: "--bad" };
+/** How a mark is drawn: its colour, none of them a leg's, its width [pixels], and its height as a share of the bar's. */
+interface MarkStyle {
+  paint: string;
+  wide: number;
+  tall: number;
+}
+/** The more one weighs the more there is of it, so that it is told by more than its colour. */
+const STYLES: Record<Weight, MarkStyle> = {
+  usual: { paint: "--soft", wide: 1.5, tall: 0.35 }, // and higher where there are several
+  change: { paint: "--ink", wide: 2, tall: 0.7 },
+  notable: { paint: "--near", wide: 2.5, tall: 0.85 },
+  grave: { paint: "--bad", wide: COLUMN, tall: 1 },
+};
+
+/** Of so many usual events that are drawn as one. */
+const tallOf = (usual: number): number => Math.min(STYLES.usual.tall + 0.06 * Math.log2(usual), 0.6);
 
 const RESET = "begin again (r)", SPEED = "speed ([ and ])", PAST_SPEED = "speed of what is played again ([ and ])";
 
@@ -194,15 +208,15 @@ export class Transport {
     if (context === null) return;
     context.scale(devicePixelRatio, devicePixelRatio);
     const style = getComputedStyle(this.canvas);
-    const fill = (paint: string, x: number, wide: number, tall: number): void => {
+    const fill = ({ paint, wide, tall }: MarkStyle, x: number): void => {
       context.fillStyle = style.getPropertyValue(paint);
-      context.fillRect(x, height - tall, wide, tall);
+      context.fillRect(x, height * (1 - tall), wide, height * tall);
     };
     const count = Math.max(1, Math.floor(width / COLUMN));
     for (const { at, usual, other } of columnsOf(marks, first, last, count)) {
       const x = (at * width) / count;
-      if (usual > 0) fill("--soft", x + 0.5, 1.5, height * Math.min(0.35 + 0.06 * Math.log2(usual), 0.6));
-      if (other !== undefined) fill(PAINTS[other.weight], x, 2.5, height);
+      if (usual > 0) fill({ ...STYLES.usual, tall: tallOf(usual) }, x + 0.5);
+      if (other !== undefined) fill(STYLES[other.weight], x);
     }
   }
 
