@@ -108,7 +108,9 @@ export class DrivePanel {
   }
 
   private showDirection(): void {
-    say(this.directionText, worldDirection(Number(this.direction.value)));
+    const text = worldDirection(Number(this.direction.value));
+    say(this.directionText, text);
+    this.direction.setAttribute("aria-valuetext", text);
   }
 
   push(): void {
