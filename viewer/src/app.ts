@@ -30,7 +30,7 @@ import { NO_CONTEXT, watchContext } from "./scene/context.ts";
 import { missingText } from "./scene/mesh_library.ts";
 import { NoGraphics, withoutPictureText } from "./scene/stage.ts";
 import { World } from "./scene/world.ts";
-import { Theme } from "./theme.ts";
+import type { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
@@ -52,7 +52,6 @@ export class App {
   firstPicture = NaN;
   /** Script time of each frame with a picture, until all of it is handed to the graphics [ms]. */
   readonly costs = new Recent(2000);
-  private readonly theme = new Theme();
   private readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
   private readonly tune: TunePanel;
@@ -83,6 +82,7 @@ export class App {
     urdf: string,
     token: string,
     notes: Notes,
+    private readonly theme: Theme,
   ) {
     this.notes = notes;
     const schema = new Schema(session);

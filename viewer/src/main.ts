@@ -12,6 +12,7 @@ import { fetchSession } from "./protocol/session.ts";
 import { followToken, tokenOf } from "./protocol/token.ts";
 import { startPage } from "./start.ts";
 import { expose } from "./test_window.ts";
+import { Theme } from "./theme.ts";
 
 function showLost(words: string): void {
   say(part("link-state"), words);
@@ -56,9 +57,10 @@ class Waiting {
 
 function start(): void {
   const notes = new Notes();
+  const theme = new Theme(); // before the program answers, which may take a while
   const waiting = new Waiting(notes);
   const read = () => Promise.all([fetchSession(), ask("/api/robot.urdf").then(textOf)]);
-  void startPage(read, ([session, urdf]) => expose(new App(session, urdf, tokenOf(location.hash), notes)), notes, waiting);
+  void startPage(read, ([session, urdf]) => expose(new App(session, urdf, tokenOf(location.hash), notes, theme)), notes, waiting);
 }
 
 followToken(window);
