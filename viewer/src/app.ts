@@ -4,11 +4,12 @@ import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
 import { accountAt } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
-import { listenToKeys } from "./input/keys.ts";
+import { listenToKeys, type KeyActions } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
 import { Pull } from "./input/pull.ts";
 import { LiveLink } from "./live_link.ts";
 import { aboutRun } from "./panels/about_run.ts";
+import { Announcer } from "./panels/announcer.ts";
 import { DrivePanel } from "./panels/drive_panel.ts";
 import { h, part, say } from "./panels/dom.ts";
 import { endFact, showFacts, showMode } from "./panels/head.ts";
@@ -27,8 +28,9 @@ import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
 import { NO_CONTEXT, watchContext } from "./scene/context.ts";
 import { missingText } from "./scene/mesh_library.ts";
+import { NoGraphics, withoutPictureText } from "./scene/stage.ts";
 import { World } from "./scene/world.ts";
-import { Theme } from "./theme.ts";
+import type { Theme } from "./theme.ts";
 import { Recent } from "./data/recent.ts";
 import { Wish } from "./data/wish.ts";
 
@@ -50,7 +52,6 @@ export class App {
   firstPicture = NaN;
   /** Script time of each frame with a picture, until all of it is handed to the graphics [ms]. */
   readonly costs = new Recent(2000);
-  private readonly theme = new Theme();
   private readonly commands: Commands;
   private readonly hierarchy: HierarchyPanel;
   private readonly tune: TunePanel;
@@ -68,7 +69,9 @@ export class App {
   private sinceNumbers = Infinity;
   /** Whose numbers stand in the panels. */
   private told: Frame | undefined;
-  private toldLevels = "";
+  /** Which levels give way in the picture, in words. */
+  private levels = "";
+  private readonly announcer = new Announcer((text) => say(part("events"), text));
   /** Whether what is asked for comes to effect. */
   private canAct = false;
   private readonly progress: () => string;
@@ -79,6 +82,7 @@ export class App {
     urdf: string,
     token: string,
     notes: Notes,
+    private readonly theme: Theme,
   ) {
     this.notes = notes;
     const schema = new Schema(session);
@@ -138,9 +142,14 @@ export class App {
       return world;
     } catch (error) {
       console.warn(error);
-      part("view").classList.add("no-picture");
+      this.goWithoutPicture(error as Error);
       return undefined;
     }
+  }
+
+  private goWithoutPicture(error: Error): void {
+    part("view").classList.add("no-picture");
+    if (!(error instanceof NoGraphics)) say(part("no-picture"), withoutPictureText(error));
   }
 
   /** The log of a live run; "": it is not recorded. */
@@ -183,8 +192,20 @@ export class App {
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
-  private wireKeys(): void {
+  /** Keys that change a live run: of a log they are the browser's. */
+  private drivingKeys(): KeyActions {
     const { player, drive } = this;
+    return {
+      l: () => player.goLive(),
+      w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
+      d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
+      PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
+      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(), p: () => drive.push(),
+    };
+  }
+
+  private wireKeys(): void {
+    const { player } = this;
     const shift = (seconds: number) => (event: KeyboardEvent) => player.seek(player.time + seconds * (event.shiftKey ? 10 : 1));
     const toggle = (event: KeyboardEvent): void => void this.menu?.toggleByKey(event.key);
     const help = makeHelp(player.live);
@@ -192,14 +213,10 @@ export class App {
       " ": () => this.pause(), ",": () => this.step(-1), ".": () => this.step(1),
       ArrowLeft: shift(-0.1), ArrowRight: shift(0.1),
       "[": () => this.transport.faster(-1), "]": () => this.transport.faster(1),
-      ...(player.live ? { l: () => player.goLive() } : {}), r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
+      r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
-      w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
-      d: () => drive.nudge("left", -1), q: () => drive.nudge("turn", 1), e: () => drive.nudge("turn", -1),
-      PageUp: () => drive.nudge("height", 1), PageDown: () => drive.nudge("height", -1),
-      x: () => drive.stand(), g: () => drive.giveBack(), u: () => this.tune.undo(),
-      p: () => drive.push(),
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
+      ...(player.live ? this.drivingKeys() : {}),
     });
   }
 
@@ -304,7 +321,7 @@ export class App {
     this.tune.restart();
     this.transport.clear();
     showTime(NaN);
-    this.toldLevels = "";
+    this.levels = "";
   }
 
   /** Replies, changes and state of a live run. */
@@ -360,6 +377,7 @@ export class App {
     for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
     this.tellHead(heard);
+    this.announcer.tell(this.levels, performance.now());
   }
 
   /** Why a run has ended stands before what matters less: there is not always room for all. */
@@ -389,14 +407,6 @@ export class App {
     this.hierarchy.show(frame);
     this.state.show(frame, this.player.source);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
-    this.tell(frame);
-  }
-
-  /** To screen readers: which levels give way, when that changes. */
-  private tell(frame: Frame): void {
-    const text = accountAt(frame).line;
-    if (text === this.toldLevels) return;
-    this.toldLevels = text;
-    say(part("events"), text);
+    this.levels = accountAt(frame).line;
   }
 }

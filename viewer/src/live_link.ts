@@ -9,7 +9,7 @@ import { part, say } from "./panels/dom.ts";
 import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
 import { courseOf, type Course } from "./panels/transport.ts";
 import { linkText, NO_ANSWER, showLink } from "./panels/stale.ts";
-import { readBlock, readBlockHead } from "./protocol/block.ts";
+import { readBlock, readBlockHead, type BlockHead } from "./protocol/block.ts";
 import { Connection, rateOf, type ConnectionState, type ServerMessage, type Status } from "./protocol/connection.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
@@ -84,6 +84,7 @@ export class LiveLink {
     this.connection.onBlock = (block) => this.take(block);
     this.connection.onMessage = (message) => this.hear(message);
     this.connection.onState = (state) => this.turn(state);
+    this.connection.onUnreadable = (error) => app.notes.say(error.message, "error");
     this.source.onRestart = () => this.beginAgain();
     this.source.fetchTicks = (first, ticks) => ask(`/api/frames?from=${first}&count=${ticks}&stride=1`);
     this.source.onFilled = () => app.refresh();
@@ -91,10 +92,21 @@ export class LiveLink {
   }
 
   private take(block: ArrayBuffer): void {
-    const head = readBlockHead(block);
+    const head = this.headOf(block);
+    if (head === undefined) return;
     this.dropped = head.dropped;
     if (this.isBehind || this.reading || head.generation > this.generation) this.wait(block);
     else if (!this.source.isOld(head.generation)) this.read(block);
+  }
+
+  /** Undefined, and told, where what came is no block. */
+  private headOf(block: ArrayBuffer): BlockHead | undefined {
+    try {
+      return readBlockHead(block);
+    } catch (error) {
+      this.app?.notes.keep("block", (error as Error).message, "error");
+      return undefined;
+    }
   }
 
   /** Until the session is read that knows of it. */

@@ -82,7 +82,13 @@ export class FakeElement extends EventTarget {
   blur(): void {
     Object.assign(document, { activeElement: null });
   }
+  contains(other: FakeElement): boolean {
+    return this.all().includes(other);
+  }
   scrollIntoView(): void {}
+  getBoundingClientRect(): { top: number; bottom: number } {
+    return { top: 0, bottom: 0 };
+  }
 
   /** It and all in it. */
   all(): FakeElement[] {
@@ -97,6 +103,15 @@ export class FakeElement extends EventTarget {
   }
   press(): void {
     this.dispatchEvent(new Event("click"));
+  }
+  /** It happens here; what holds it hears of that, too. */
+  bubble(event: Event): void {
+    Object.defineProperty(event, "target", { value: this });
+    for (let at: FakeElement | undefined = this; at !== undefined; at = at.parent) at.dispatchEvent(event);
+  }
+  /** A key is pressed while it has the focus. */
+  strike(key: string): void {
+    this.bubble(Object.assign(new Event("keydown", { cancelable: true }), { key }));
   }
   /** Somebody types into the field, and is done. */
   enter(text: string): void {

@@ -19,7 +19,7 @@ const keepers = (key: string): string[] => (Object.keys(ELEMENTS) as (keyof type
 test("keys belong to what has the focus where it needs them: a box is ticked, a slider moved, a field typed into", () => {
   assert.deepEqual(keepers("w"), ["menu", "number", "search"]);
   assert.deepEqual(keepers(" "), ["button", "tab", "menu", "number", "search", "box"]);
-  assert.deepEqual(keepers("ArrowLeft"), ["menu", "number", "search", "slider"], "the time bar's arrows go 0.1 s, as on all of the page");
+  assert.deepEqual(keepers("ArrowLeft"), ["tab", "menu", "number", "search", "slider"], "the time bar's arrows go 0.1 s, as on all of the page");
   assert.deepEqual(keepers("PageUp"), ["menu", "number", "search", "slider", "time"], "who moves a slider does not lift the torso");
 });
 

@@ -32,17 +32,17 @@ function watching() {
   const location = { protocol: "http:", host: "here", reload: () => ++program.loads };
   for (const [name, value] of Object.entries({ location, fetch: fetchFrom })) Object.defineProperty(globalThis, name, { value, configurable: true });
   const sockets = fakeSockets();
-  const said: string[] = [], recalled: string[] = [];
+  const said: string[] = [], kept: string[] = [], recalled: string[] = [];
   const { session } = program;
   const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
   const link = new LiveLink(source, session);
   const nothing = (): void => {};
   const changes = { hear: nothing, recall: (all: { text: string }[]) => recalled.push(...all.map(({ text }) => text)) };
   const handlers = { commands: { greet: nothing, lost: nothing }, tune: { changes, showStatus: nothing }, drive: { show: nothing } };
-  link.wire({ handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: nothing, take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing } as unknown as App);
+  link.wire({ handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing } as unknown as App);
   const newest = (): FakeSocket => sockets.at(-1) as FakeSocket;
   const hear = (tick: number, generation = 0): void => newest().hear(blockOf([{ tick, time: tick * PERIOD, values: [tick] }], 0, generation));
-  return { program, source, link, said, recalled, newest, hear };
+  return { program, source, link, said, kept, recalled, newest, hear };
 }
 
 /** What was asked is answered by now. */
@@ -117,4 +117,16 @@ test("frames of before a change of the control do not ask for the session again"
   hear(1, 1);
   await answered();
   assert.deepEqual([source.last, program.asked.length], [PERIOD, length]);
+});
+
+test("what can't be read is told, and what comes behind it is read", async (t) => {
+  t.after(() => mock.timers.reset());
+  const { source, said, kept, newest, hear } = watching();
+  hear(7);
+  await answered();
+  for (const data of ["no JSON", "null", "{}", new ArrayBuffer(3)]) newest().onmessage?.({ data });
+  hear(8);
+  const wrong = "what the program said is no message: program and page are of different versions, load the page again";
+  assert.deepEqual([said, kept], [[wrong, wrong, wrong], ["what came is no block of frames: program and page are of different versions, load the page again"]]);
+  assert.equal(source.last, 8 * PERIOD);
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { counted, digits, quantity, rounded } from "../src/data/numbers.ts";
+import { counted, digits, fixed, quantity, rounded } from "../src/data/numbers.ts";
 
 test("numbers stand in plain decimals with the digits that count", () => {
   assert.deepEqual([0, 0.0123, 1.2345, -45.67, 123.4, 3.8e-4, -5.04e-6, 123456, NaN].map(digits), ["0", "0.012", "1.23", "−45.7", "123", "0.00038", "−0.0000050", "123456", "–"]);
@@ -9,6 +9,11 @@ test("numbers stand in plain decimals with the digits that count", () => {
 
 test("numbers are rounded to the digits that are wanted", () => {
   assert.deepEqual([137, 1.4e2, 0.5, 3.8e-4, 9.96, -21.7].map((value) => rounded(value, 2)), ["140", "140", "0.50", "0.00038", "10", "−22"]);
+});
+
+test("what is rounded to nothing has no sign", () => {
+  assert.deepEqual([-0.0004, -0, 0.0004, -0.0006, -10.2].map((value) => fixed(value, 3)), ["0.000", "0.000", "0.000", "−0.001", "−10.200"]);
+  assert.deepEqual([-0.4, -3].map((value) => fixed(value, 0)), ["0", "−3"]);
 });
 
 test("a quantity of nothing has its unit as well", () => {

@@ -71,6 +71,12 @@ test("of velocities it is told whose they are", () => {
   assert.deepEqual([said("stance", undefined).get("Velocity, believed"), said("stance", undefined).has("Velocity, true")], ["5.00 m/s", false]);
 });
 
+test("a base that stands where it began is not told as to the left or right of that by nothing", () => {
+  const schema = schemaOf({ "truth.p_WB": 3, "truth.q_WB": 4 });
+  const frame: Frame = { schema, tick: 0, time: 0, values: Float32Array.of(-1e-5, -0, 0.42, 1, 0, 0, -1e-9), active: [], blocking: [] };
+  assert.equal(new Map(sentences(frame)).get("Base, true"), "x 0.000 m, y 0.000 m, z 0.420 m, heading 0.00°");
+});
+
 /** Pushed by these forces, one a body, of which the first is the world, heading to the left of W. */
 function pushed(...forces: [number, number, number][]): string | undefined {
   const schema = schemaOf({ "truth.q_WB": 4, "truth.xfrc_applied": 6 * forces.length }, { bodies: ["base", "LF_HIP"] });

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { worldDirection } from "../src/data/change_words.ts";
 import { DrivePanel } from "../src/panels/drive_panel.ts";
 import { TunePanel } from "../src/panels/tune_panel.ts";
 import type { Commands } from "../src/protocol/commands.ts";
@@ -77,6 +78,18 @@ test("what is being typed stays, whatever comes meanwhile; no number is told, an
   assert.equal(valueOf(friction), "0.4");
   friction.enter("");
   assert.deepEqual([valueOf(friction), told, sent], ["0.7", ["No change: the friction was no number. It is 0.7 again."], []]);
+});
+
+test("the direction of a push is told in words, also to those who hear", () => {
+  const { root } = fakePage();
+  new DrivePanel(root as unknown as HTMLElement, commandsOf().commands, limits, () => {});
+  const slider = root.find({ attribute: ["id", "push-direction"] });
+  const told = [90, -180].map((degrees) => {
+    Object.assign(slider, { value: String(degrees) });
+    slider.dispatchEvent(new Event("input"));
+    return slider.getAttribute("aria-valuetext");
+  });
+  assert.deepEqual(told, [90, -180].map((degrees) => worldDirection(degrees)));
 });
 
 test("what was asked to walk does not go on in a run that begins again", () => {

@@ -1,5 +1,10 @@
 const minus = (text: string): string => text.replace("-", "−");
 
+/** With so many decimals, where what is rounded to nothing has no sign. */
+export function fixed(value: number, decimals: number): string {
+  return minus(value.toFixed(decimals).replace(/^-(?=[0.]*$)/, ""));
+}
+
 /** In plain decimals with this many digits that count. */
 export function rounded(value: number, count: number): string {
   if (!Number.isFinite(value)) return "–";

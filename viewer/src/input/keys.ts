@@ -5,6 +5,9 @@ const SLIDER_KEYS = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", 
 /** The slider of the run's time: arrows move that time anyway, in steps that the help tells. */
 const TIME_SLIDER = "scrub";
 
+/** Keys by which one goes from tab to tab. */
+const TAB_KEYS = new Set(["ArrowLeft", "ArrowRight", "Home", "End"]);
+
 /** Whether what has the focus needs the key itself. */
 export function keeps(focused: Pick<Element, "localName" | "id" | "getAttribute">, key: string): boolean {
   const { localName, id } = focused;
@@ -15,7 +18,9 @@ export function keeps(focused: Pick<Element, "localName" | "id" | "getAttribute"
     return SLIDER_KEYS.has(key) && !(id === TIME_SLIDER && key.startsWith("Arrow"));
   }
   if (localName === "select" || localName === "textarea") return true;
-  return key === " " && (localName === "button" || localName === "summary" || focused.getAttribute("role") === "tab");
+  const isTab = focused.getAttribute("role") === "tab";
+  if (isTab && TAB_KEYS.has(key)) return true;
+  return key === " " && (localName === "button" || localName === "summary" || isTab);
 }
 
 /** Whether the key is one of the browser's or the system's; on some keyboards brackets need AltGr, which counts as both of its parts. */
@@ -23,8 +28,10 @@ function isForOthers(event: KeyboardEvent): boolean {
   return event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState("AltGraph"));
 }
 
+export type KeyActions = Record<string, (event: KeyboardEvent) => void>;
+
 /** Calls by key; keys that are typed into a field, or move a slider, are left alone, but Escape leaves a search. */
-export function listenToKeys(actions: Record<string, (event: KeyboardEvent) => void>): void {
+export function listenToKeys(actions: KeyActions): void {
   let byPointer = false;
   document.addEventListener("pointerdown", () => (byPointer = true), { capture: true });
   document.addEventListener("keydown", (event) => {

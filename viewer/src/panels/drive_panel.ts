@@ -1,5 +1,6 @@
 import { worldDirection } from "../data/change_words.ts";
 import { asSentence } from "../data/log_words.ts";
+import { fixed } from "../data/numbers.ts";
 import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY, type Commands, type Walk } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
@@ -107,7 +108,9 @@ export class DrivePanel {
   }
 
   private showDirection(): void {
-    say(this.directionText, worldDirection(Number(this.direction.value)));
+    const text = worldDirection(Number(this.direction.value));
+    say(this.directionText, text);
+    this.direction.setAttribute("aria-valuetext", text);
   }
 
   push(): void {
@@ -176,6 +179,6 @@ export class DrivePanel {
   private showValues(): void {
     const { velocity, yaw_rate, height } = this.walk;
     const values = { forward: velocity[0], left: velocity[1], turn: yaw_rate, height };
-    for (const [axis, element] of this.values) say(element, values[axis].toFixed(axis === "height" ? 3 : 2).replace("-", "−"));
+    for (const [axis, element] of this.values) say(element, fixed(values[axis], axis === "height" ? 3 : 2));
   }
 }

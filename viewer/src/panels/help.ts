@@ -5,7 +5,7 @@ type Key = [keys: string, does: string];
 const LOOKING: Key[] = [
   ["space", "pause or go on"],
   [", .", "one tick back or on"],
-  ["← →", "0.1 s back or on; with shift 1 s"],
+  ["← →", "0.1 s back or on; with shift 1 s; on a tab, the panel beside it"],
   ["[ ]", "slower or faster"],
   ["r", "begin again"],
   ["f", "the camera follows the robot, or stays"],

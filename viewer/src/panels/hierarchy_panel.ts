@@ -5,7 +5,7 @@ import { Wish } from "../data/wish.ts";
 import { counted, digits } from "../data/numbers.ts";
 import { AccountView } from "./account_view.ts";
 import { h, say } from "./dom.ts";
-import { LevelCard } from "./level_card.ts";
+import { LevelCard, type Moves } from "./level_card.ts";
 
 /** The levels in order: how each came out, which rows are active, and what held it back. */
 export class HierarchyPanel {
@@ -17,8 +17,15 @@ export class HierarchyPanel {
   private cards: LevelCard[] = [];
   private names = "";
   private reordering = false;
-  /** A level is on its way: all stand still under it. */
-  private dragging = false;
+  /** The level that the pointer has: all stand still under it. */
+  private lifted: string | undefined;
+  private readonly moves: Moves = {
+    move: (name, steps) => this.move(name, steps),
+    lift: (name) => (this.lifted = name),
+    drop: () => (this.lifted = undefined),
+    isLifted: () => this.reordering && this.lifted !== undefined,
+    putAt: (name) => this.putAt(name),
+  };
   private physics: ReadonlySet<string> = new Set();
   /** The order that the program had last, and what was asked of it since. */
   newest: string[] = [];
@@ -28,14 +35,12 @@ export class HierarchyPanel {
 
   constructor(root: HTMLElement) {
     root.append(this.account.root, this.facts, this.list);
-    this.list.addEventListener("dragstart", () => (this.dragging = true));
-    for (const end of ["dragend", "drop"]) this.list.addEventListener(end, () => (this.dragging = false));
     this.clear();
   }
 
   /** The run begins again, with the order of its scenario: nothing is said until the next tick. */
   clear(): void {
-    this.dragging = false;
+    this.lifted = undefined;
     this.wish.drop();
     this.account.root.hidden = this.facts.hidden = this.list.hidden = true;
   }
@@ -55,7 +60,7 @@ export class HierarchyPanel {
   }
 
   show(frame: Frame): void {
-    if (this.dragging) return;
+    if (this.lifted !== undefined) return;
     const states = levelStates(frame);
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
@@ -69,7 +74,7 @@ export class HierarchyPanel {
     this.names = names;
     const before = new Map(this.cards.map((card) => [card.name, card]));
     const order = states.map(({ name }) => name);
-    this.cards = order.map((name, k) => new LevelCard(name, k, order, this.physics, (one, steps) => this.move(one, steps), (one, at) => this.moveTo(one, at)));
+    this.cards = order.map((name, k) => new LevelCard(name, k, order, this.physics, this.moves));
     this.letDrag();
     const focus = this.cards.map((card) => card.follow(before.get(card.name)));
     this.list.replaceChildren(...this.cards.map((card) => card.root));
@@ -91,9 +96,10 @@ export class HierarchyPanel {
     this.onOrder(levels, name);
   }
 
-  private moveTo(name: string, place: string): void {
-    const { order } = this;
-    if (order.includes(place)) this.move(name, order.indexOf(place) - order.indexOf(name));
+  private putAt(place: string): void {
+    const { order, lifted } = this;
+    this.lifted = undefined;
+    if (lifted !== undefined && order.includes(place)) this.move(lifted, order.indexOf(place) - order.indexOf(lifted));
   }
 }
 

@@ -5,6 +5,19 @@ import { h, plain, say } from "./dom.ts";
 /** Sign and word of each status: colour is never the only sign. */
 const SIGNS = { met: "✓", "at limit": "▲", "gives way": "✕", minimised: "·", "no rows": "–", "not solved": "–" } as const;
 
+/** What the card of a level asks of those who know all of them. */
+export interface Moves {
+  /** By so many places down. */
+  move: (name: string, steps: number) => void;
+  /** It is taken by the pointer, and let go again. */
+  lift: (name: string) => void;
+  drop: () => void;
+  /** Whether one is lifted that may be put elsewhere: what else is dragged over a card is no level. */
+  isLifted: () => boolean;
+  /** The one that is lifted comes to where this one is. */
+  putAt: (name: string) => void;
+}
+
 /** A level in two lines: how it came out, and what of it matters most. Open it says all, a line for each kind. */
 export class LevelCard {
   readonly root: HTMLLIElement;
@@ -26,14 +39,13 @@ export class LevelCard {
     index: number,
     order: string[],
     physics: ReadonlySet<string>,
-    move: (name: string, steps: number) => void,
-    moveTo: (name: string, place: string) => void,
+    moves: Moves,
   ) {
     const button = (text: string, steps: number, label: string): HTMLButtonElement => {
       const hindrance = hindranceOf(order, physics, index, steps);
       return h("button", {
         class: "small", "aria-label": `${plain(name)}: ${label}${hindrance === "" ? "" : ` (${hindrance})`}`, title: hindrance || label,
-        disabled: hindrance !== "", onclick: () => move(name, steps),
+        disabled: hindrance !== "", onclick: () => moves.move(name, steps),
       }, text);
     };
     this.canMove = !physics.has(name);
@@ -46,7 +58,7 @@ export class LevelCard {
       this.rows, this.blocked, this.meta,
       h("span", { class: "movers" }, ...this.movers),
     );
-    if (this.canMove) this.drag(name, moveTo);
+    if (this.canMove) this.drag(name, moves);
   }
 
   private open(): void {
@@ -61,17 +73,25 @@ export class LevelCard {
     return mover?.disabled ? this.opener : mover;
   }
 
-  private drag(name: string, moveTo: (name: string, place: string) => void): void {
-    this.root.addEventListener("dragstart", (event) => event.dataTransfer?.setData("text/plain", name));
-    this.root.addEventListener("dragover", (event) => {
-      event.preventDefault();
-      this.root.classList.add("drop");
+  private drag(name: string, moves: Moves): void {
+    const { root } = this;
+    root.addEventListener("dragstart", (event) => {
+      if (event.target !== root) return; // text of an open card, say
+      event.dataTransfer?.setData("text/plain", name);
+      moves.lift(name);
     });
-    this.root.addEventListener("dragleave", () => this.root.classList.remove("drop"));
-    this.root.addEventListener("drop", (event) => {
+    root.addEventListener("dragend", () => moves.drop());
+    root.addEventListener("dragover", (event) => {
+      if (!moves.isLifted()) return;
       event.preventDefault();
-      this.root.classList.remove("drop");
-      moveTo(event.dataTransfer?.getData("text/plain") ?? "", name);
+      root.classList.add("drop");
+    });
+    root.addEventListener("dragleave", () => root.classList.remove("drop"));
+    root.addEventListener("drop", (event) => {
+      root.classList.remove("drop");
+      if (!moves.isLifted()) return;
+      event.preventDefault();
+      moves.putAt(name);
     });
   }
 

@@ -1,6 +1,6 @@
 import { h, part, say } from "./dom.ts";
 
-/** More short messages than this push the oldest of them out. */
+/** More short messages than this push the oldest of them out; errors only where there is nothing else. */
 const MOST_SHORT = 5;
 type Kind = "error" | "plain";
 
@@ -22,7 +22,11 @@ export class Notes {
     note.show(text);
     const said = note;
     note.forget(() => this.drop(said), kind === "error" ? 8000 : 4000);
-    if (this.short.length > MOST_SHORT) this.drop(this.short[0] as Note);
+    if (this.short.length > MOST_SHORT) this.drop(this.leastNeeded);
+  }
+
+  private get leastNeeded(): Note {
+    return this.short.find(({ kind }) => kind === "plain") ?? (this.short[0] as Note);
   }
 
   private drop(note: Note): void {

@@ -8,17 +8,24 @@ import { choicesOf, type Choice } from "../data/channel_names.ts";
 import type { ChannelInfo } from "../protocol/session.ts";
 import { h, say } from "./dom.ts";
 import { MOST_LINES } from "./line_styles.ts";
+import { NumberMenu } from "./number_menu.ts";
 import { Plot } from "./plot.ts";
 
 /** Plots are drawn anew this often while time goes on [s]. */
 const PERIOD = 0.1;
 const LIVE_SPAN = 10;
 /** How much of time can be chosen to be shown [s]; 0: all. */
-const SPANS: readonly [seconds: number, text: string][] = [[2, "2 s"], [10, "10 s"], [30, "30 s"], [120, "2 min"], [0, "all"]];
+const SPANS = [2, 10, 30, 120, 0];
+const SPAN_WORDS: Record<number, string> = { 120: "2 min", 0: "all" };
 const LONGEST_LIST = 60;
 /** Of a channel with more components no single ones are offered until one looks for them. */
 const MOST_CHOICES = 40;
 const SEARCH = "plot a channel …";
+
+function spanText(seconds: number): string {
+  const number = SPANS.includes(seconds) ? String(seconds) : digits(seconds);
+  return SPAN_WORDS[seconds] ?? `${number} s`;
+}
 
 /** A channel as it was searched for: what of it is offered beside all of it, and whether only that was meant. */
 interface Match {
@@ -70,6 +77,11 @@ export function rangeOfPast(time: number, first: number, last: number, span: num
   return [from, Math.max(last, from + span)];
 }
 
+/** Where a span begins that has this time in its middle, as far as there are frames. */
+function fromAround(time: number, first: number, last: number, span: number): number {
+  return Math.max(first, Math.min(time - 0.5 * span, last - span));
+}
+
 /** Plots of any channel, all over the same stretch of time. */
 export class PlotsPanel {
   private readonly plots: Plot[] = [];
@@ -78,9 +90,8 @@ export class PlotsPanel {
   private readonly found = h("ul", { class: "found popover", "aria-label": "channels", hidden: true });
   /** The plot to which lines are added while the list is open; none: what is chosen next gets a plot of its own. */
   private target: Plot | undefined;
-  private readonly spanSelect: HTMLSelectElement;
-  /** A span that is none of the menu's, as the wheel makes it. */
-  private readonly otherSpan = h("option", { hidden: true });
+  /** The wheel makes spans that are none of the menu's. */
+  private readonly spans = new NumberMenu({ "aria-label": "time shown in the plots", id: "span" }, SPANS, spanText, (span) => this.setSpan(span));
   private schema: Schema;
   /** Width of what is shown [s]; 0: all of a log. */
   private span: number;
@@ -99,10 +110,7 @@ export class PlotsPanel {
       type: "search", id: "channel-search", placeholder: SEARCH, "aria-label": "search a channel to plot",
       oninput: () => this.list(), onfocus: () => this.list(), autocomplete: "off",
     });
-    this.spanSelect = h("select", { "aria-label": "time shown in the plots", id: "span", onchange: () => this.setSpan(Number(this.spanSelect.value)) });
-    for (const [seconds, text] of SPANS) this.spanSelect.append(h("option", { value: seconds }, text));
-    this.spanSelect.append(this.otherSpan);
-    this.showSpan();
+    this.spans.show(this.span);
     this.search.addEventListener("keydown", (event) => {
       if (event.key === "Enter") this.found.querySelector<HTMLElement>(".best")?.click();
     });
@@ -112,7 +120,8 @@ export class PlotsPanel {
     document.addEventListener("pointerdown", (event) => {
       if (!root.contains(event.target as Node)) this.closeList();
     });
-    root.append(h("div", { class: "plot-tools" }, this.search, this.spanSelect, this.progress, this.found), this.row);
+    const chooser: HTMLElement = h("div", { class: "chooser", onfocusout: (event) => this.leave(chooser, event as FocusEvent) }, this.search, this.found);
+    root.append(h("div", { class: "plot-tools" }, chooser, this.spans.select, this.progress), this.row);
     this.addFirst();
   }
 
@@ -149,6 +158,11 @@ export class PlotsPanel {
     plot?.root.classList.add("target");
     this.search.placeholder = plot === undefined ? SEARCH : "add to the framed plot …";
     if (plot !== undefined) this.search.focus();
+  }
+
+  /** The tab key goes from the search through its list, and on to what is behind both. */
+  private leave(chooser: HTMLElement, { relatedTarget }: FocusEvent): void {
+    if (relatedTarget !== null && !chooser.contains(relatedTarget as Node)) this.closeList();
   }
 
   private closeList(): void {
@@ -198,19 +212,10 @@ export class PlotsPanel {
     this.search.value = "";
   }
 
-  private showSpan(): void {
-    this.otherSpan.hidden = SPANS.some(([seconds]) => seconds === this.span);
-    if (!this.otherSpan.hidden) {
-      this.otherSpan.value = String(this.span);
-      say(this.otherSpan, `${digits(this.span)} s`);
-    }
-    this.spanSelect.value = String(this.span);
-  }
-
   private setSpan(span: number): void {
-    const { past, time } = this.player;
+    const { past, time, source } = this.player;
     this.span = span;
-    this.from = past && span > 0 ? time - 0.5 * span : NaN;
+    this.from = past && span > 0 ? fromAround(time, source.first, source.last, span) : NaN;
     this.since = Infinity;
   }
 
@@ -221,7 +226,7 @@ export class PlotsPanel {
     this.span = span;
     this.from = Math.min(Math.max(about - ((about - from) / (to - from)) * span, first), last - span);
     this.since = Infinity;
-    this.showSpan();
+    this.spans.show(span);
   }
 
   private range(): [number, number] {
@@ -234,7 +239,7 @@ export class PlotsPanel {
       return [from, from + span];
     }
     if (past && Number.isNaN(this.from)) return rangeOfPast(time, first, last, span);
-    if (Number.isNaN(this.from)) this.from = Math.max(first, Math.min(time - 0.5 * span, last - span));
+    if (Number.isNaN(this.from)) this.from = fromAround(time, first, last, span);
     if (time < this.from || time > this.from + span) this.from = Math.max(first, Math.min(time - 0.1 * span, last - span));
     return [this.from, this.from + span];
   }

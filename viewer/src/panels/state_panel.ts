@@ -7,7 +7,7 @@ import type { FrameSource } from "../data/source.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
-import { digits, secondsText } from "../data/numbers.ts";
+import { digits, fixed, secondsText } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
 import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
@@ -61,8 +61,8 @@ function whereabouts(frame: Frame, topic: string): string {
   const p = [0, 0, 0];
   const q = [1, 0, 0, 0];
   if (!read(frame, `${topic}.p_WB`, p) || !read(frame, `${topic}.q_WB`, q)) return "";
-  const [x, y, z] = p.map((one) => one.toFixed(3).replace("-", "−"));
-  return `x ${x} m, y ${y} m, z ${z} m, heading ${digits((yawOf(q) * 180) / Math.PI)}°`;
+  const [x, y, z] = p.map((one) => fixed(one, 3));
+  return `x ${x} m, y ${y} m, z ${z} m, heading ${fixed((yawOf(q) * 180) / Math.PI, 2)}°`;
 }
 
 /** How far the estimate has drifted since the run's first tick, in words. */

@@ -1,33 +1,76 @@
 import { h, part } from "./dom.ts";
 
-/** Panels of which one is seen at a time. */
+interface Page {
+  tab: HTMLButtonElement;
+  panel: HTMLElement;
+  /** How far it was scrolled when it was left. */
+  scrolled: number;
+}
+
+/** Which tab a key leads to from that at `place`; undefined: the key is none of theirs. */
+export function placeAfter(key: string, place: number, count: number): number | undefined {
+  switch (key) {
+    case "ArrowRight":
+      return (place + 1) % count;
+    case "ArrowLeft":
+      return (place + count - 1) % count;
+    case "Home":
+      return 0;
+    case "End":
+      return count - 1;
+    default:
+      return undefined;
+  }
+}
+
+/** Panels of which one is seen at a time. The tab key goes to the tab of that, arrows from there to others. */
 export class Tabs {
-  private readonly panels = new Map<string, { tab: HTMLButtonElement; panel: HTMLElement }>();
-  private shown = "";
-  /** How far each was scrolled when it was left. */
-  private readonly scrolled = new Map<string, number>();
+  private readonly pages: Page[] = [];
+  private shown: Page | undefined;
+
+  constructor() {
+    part("tabs").addEventListener("keydown", (event) => this.press(event));
+  }
 
   /** An empty panel under a new tab; the first is shown. */
   add(id: string, title: string): HTMLElement {
-    const panel = h("div", { class: "panel", role: "tabpanel", id: `panel-${id}`, "aria-labelledby": `tab-${id}`, hidden: this.panels.size > 0 });
-    const tab = h("button", { role: "tab", id: `tab-${id}`, "aria-controls": `panel-${id}`, "aria-selected": String(this.panels.size === 0), onclick: () => this.show(id) }, title);
-    this.panels.set(id, { tab, panel });
+    const panel = h("div", { class: "panel", role: "tabpanel", id: `panel-${id}`, "aria-labelledby": `tab-${id}`, hidden: true });
+    const tab = h("button", { role: "tab", id: `tab-${id}`, "aria-controls": `panel-${id}`, onclick: () => this.show(page) }, title);
+    const page: Page = { tab, panel, scrolled: 0 };
+    this.pages.push(page);
     part("tabs").append(tab);
     part("panels").append(panel);
-    this.shown ||= id;
+    this.shown ??= page;
+    this.mark();
     return panel;
   }
 
-  show(id: string): void {
-    const room = part("panels");
-    this.scrolled.set(this.shown, room.scrollTop);
-    this.shown = id;
-    for (const [name, { tab, panel }] of this.panels) {
-      panel.hidden = name !== id;
-      tab.setAttribute("aria-selected", String(name === id));
+  /** Which of them is shown. */
+  private mark(): void {
+    for (const page of this.pages) {
+      const isShown = page === this.shown;
+      page.panel.hidden = !isShown;
+      page.tab.setAttribute("aria-selected", String(isShown));
+      page.tab.setAttribute("tabindex", isShown ? "0" : "-1");
     }
-    room.scrollTop = this.scrolled.get(id) ?? 0;
+  }
+
+  private press(event: KeyboardEvent): void {
+    const place = this.pages.findIndex(({ tab }) => tab === event.target);
+    const next = this.pages[placeAfter(event.key, place, this.pages.length) ?? -1];
+    if (place < 0 || next === undefined || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    this.show(next);
+    next.tab.focus();
+  }
+
+  private show(page: Page): void {
+    const room = part("panels");
+    if (this.shown !== undefined) this.shown.scrolled = room.scrollTop;
+    this.shown = page;
+    this.mark();
+    room.scrollTop = page.scrolled;
     const tabs = part("tabs").getBoundingClientRect();
-    if (room.getBoundingClientRect().top < tabs.bottom - 1) room.scrollIntoView({ block: "start" });  // where the page scrolls and not the panel
+    if (room.getBoundingClientRect().top < tabs.bottom - 1) room.scrollIntoView({ block: "start" }); // where the page scrolls and not the panel
   }
 }

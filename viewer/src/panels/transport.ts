@@ -7,11 +7,26 @@ import { Wish } from "../data/wish.ts";
 import { VIEW_ONLY } from "../protocol/commands.ts";
 import type { Status } from "../protocol/connection.ts";
 import { h, say } from "./dom.ts";
+import { NumberMenu } from "./number_menu.ts";
 
 /** Marks nearer than this to each other are drawn as one [pixels]. */
 const COLUMN = 4;
-/** None of them a leg's. */
-const PAINTS: Record<Weight, string> = { usual: "--soft", change: "--ink", notable: "--near", grave: "--bad" };
+/** How a mark is drawn: its colour, none of them a leg's, its width [pixels], and its height as a share of the bar's. */
+interface MarkStyle {
+  paint: string;
+  wide: number;
+  tall: number;
+}
+/** The more one weighs the more there is of it, so that it is told by more than its colour. */
+const STYLES: Record<Weight, MarkStyle> = {
+  usual: { paint: "--soft", wide: 1.5, tall: 0.35 }, // and higher where there are several
+  change: { paint: "--ink", wide: 2, tall: 0.7 },
+  notable: { paint: "--near", wide: 2.5, tall: 0.85 },
+  grave: { paint: "--bad", wide: COLUMN, tall: 1 },
+};
+
+/** Of so many usual events that are drawn as one. */
+const tallOf = (usual: number): number => Math.min(STYLES.usual.tall + 0.06 * Math.log2(usual), 0.6);
 
 const RESET = "begin again (r)", SPEED = "speed ([ and ])", PAST_SPEED = "speed of what is played again ([ and ])";
 
@@ -72,9 +87,8 @@ export function playText(player: Pick<Player, "live" | "past">, running: boolean
 /** Pause, step, speed, and the bar of the run's time with marks of what happened. */
 export class Transport {
   private readonly playButton: HTMLButtonElement;
-  private readonly speedSelect: HTMLSelectElement;
-  /** A speed that is none of the menu's, while the run has it. */
-  private readonly otherSpeed = h("option", { hidden: true });
+  /** The run may have a speed that is none of the menu's. */
+  private readonly speedMenu: NumberMenu;
   private readonly liveButton: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
   private readonly canvas = h("canvas", { class: "marks", "aria-hidden": "true" });
@@ -97,13 +111,8 @@ export class Transport {
       h("button", { "aria-label": label, title: label, onclick: run, id }, text);
     this.resetButton = button("↺", RESET, actions.reset, "reset");
     this.playButton = button("❚❚", playText(player, true), actions.pause, "play");
-    this.speedSelect = h("select", {
-      id: "speed", "aria-label": "speed", title: SPEED,
-      onchange: () => this.ask(Number(this.speedSelect.value)),
-    });
-    for (const speed of speeds) this.speedSelect.append(h("option", { value: speed }, speedText(speed)));
-    this.speedSelect.append(this.otherSpeed);
-    this.showSpeed(1);
+    this.speedMenu = new NumberMenu({ id: "speed", "aria-label": "speed", title: SPEED }, speeds, speedText, (speed) => this.ask(speed));
+    this.speedMenu.show(1);
     this.liveButton = button("Live", "to the newest picture (l)", () => player.goLive(), "go-live");
     this.slider = h("input", {
       type: "range", id: "scrub", min: 0, max: 1, step: "any", "aria-label": "time of the run in seconds",
@@ -118,7 +127,7 @@ export class Transport {
         button("◂", "one tick back (,)", () => actions.step(-1), "step-back"),
         this.playButton,
         button("▸", "one tick on (.)", () => actions.step(1), "step"),
-        this.speedSelect),
+        this.speedMenu.select),
       bar, h("div", { class: "times" }, this.clock, player.live && this.past),
     );
     if (player.live) root.append(this.liveButton);
@@ -126,24 +135,15 @@ export class Transport {
 
   /** The next speed up or down. */
   faster(steps: number): void {
-    if (this.speedSelect.disabled) return;
-    const next = nextSpeed(this.speeds, Number(this.speedSelect.value), steps);
+    if (this.speedMenu.select.disabled) return;
+    const next = nextSpeed(this.speeds, this.speedMenu.value, steps);
     if (next !== undefined) this.ask(next);
   }
 
   private ask(speed: number): void {
     if (this.player.live && this.player.following) this.wish.ask(speed);
-    this.showSpeed(speed);
+    this.speedMenu.show(speed);
     this.actions.speed(speed);
-  }
-
-  private showSpeed(speed: number): void {
-    this.otherSpeed.hidden = this.speeds.includes(speed);
-    if (!this.otherSpeed.hidden) {
-      this.otherSpeed.value = String(speed);
-      say(this.otherSpeed, speedText(speed));
-    }
-    this.speedSelect.value = String(speed);
   }
 
   /** The time of the picture. */
@@ -165,7 +165,7 @@ export class Transport {
   /** `heard`: the program says how the run goes on. */
   update(status: Status | undefined, heard: boolean): void {
     const { player } = this;
-    const width = this.canvas.clientWidth; // before anything changes, so that nothing is laid out twice
+    const size = [this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio].join(); // before anything changes, so that nothing is laid out twice
     const { first, last, marks } = player.source;
     const course = courseOf(status, heard);
     const running = player.following ? course === "runs" || (course === "unheard" && !(status?.paused ?? false)) : player.playing;
@@ -173,21 +173,21 @@ export class Transport {
     name(this.playButton, playText(player, running, this.mayCommand, course));
     this.playButton.disabled = player.following && (course === "ended" || course === "unheard");
     const speed = player.live && player.following ? this.wish.or(status?.speed ?? 1) : player.speed;
-    if (document.activeElement !== this.speedSelect) this.showSpeed(speed);
+    if (document.activeElement !== this.speedMenu.select) this.speedMenu.show(speed);
     this.liveButton.classList.toggle("on", player.following);
     this.liveButton.classList.toggle("primary", player.past);
     const [newest, title] = newestText(player.past, course);
     say(this.liveButton, newest);
     name(this.liveButton, title);
     this.forbid(this.resetButton, player.live && !this.mayCommand, RESET);
-    this.forbid(this.speedSelect, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
+    this.forbid(this.speedMenu.select, player.following && !this.mayCommand, player.past ? PAST_SPEED : SPEED);
     say(this.past, player.past && !Number.isNaN(last) ? pastText(last, course) : "");
     if (Number.isNaN(first)) return;
     this.slider.min = String(first);
     this.slider.max = String(last);
     this.slider.value = String(player.time);
     this.slider.setAttribute("aria-valuetext", secondsText(player.time));
-    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${width}`;
+    const key = `${first.toFixed(1)} ${last.toFixed(1)} ${marks.length} ${size}`;
     if (key === this.marksSeen) return;
     this.marksSeen = key;
     this.drawMarks();
@@ -208,15 +208,15 @@ export class Transport {
     if (context === null) return;
     context.scale(devicePixelRatio, devicePixelRatio);
     const style = getComputedStyle(this.canvas);
-    const fill = (paint: string, x: number, wide: number, tall: number): void => {
+    const fill = ({ paint, wide, tall }: MarkStyle, x: number): void => {
       context.fillStyle = style.getPropertyValue(paint);
-      context.fillRect(x, height - tall, wide, tall);
+      context.fillRect(x, height * (1 - tall), wide, height * tall);
     };
     const count = Math.max(1, Math.floor(width / COLUMN));
     for (const { at, usual, other } of columnsOf(marks, first, last, count)) {
       const x = (at * width) / count;
-      if (usual > 0) fill("--soft", x + 0.5, 1.5, height * Math.min(0.35 + 0.06 * Math.log2(usual), 0.6));
-      if (other !== undefined) fill(PAINTS[other.weight], x, 2.5, height);
+      if (usual > 0) fill({ ...STYLES.usual, tall: tallOf(usual) }, x + 0.5);
+      if (other !== undefined) fill(STYLES[other.weight], x);
     }
   }
 

@@ -20,7 +20,7 @@ export type FrameSink = (
 export function readBlockHead(buffer: ArrayBuffer): BlockHead {
   const view = new DataView(buffer);
   if (buffer.byteLength < BLOCK_HEAD || view.getUint32(0, true) !== MAGIC)
-    throw new Error("what came is no block of frames: program and page are of different versions");
+    throw new Error("what came is no block of frames: program and page are of different versions, load the page again");
   return {
     frames: view.getUint32(4, true),
     dropped: view.getUint32(8, true),

@@ -68,6 +68,21 @@ export interface Events {
 
 export type ServerMessage = Status | Change | Events | Reply | Notice;
 
+/** Reads a text message; an error says that it is none. */
+export function readMessage(text: string): ServerMessage {
+  const message = parsed(text) as Partial<ServerMessage> | null | undefined;
+  if (typeof message?.type !== "string") throw new Error("what the program said is no message: program and page are of different versions, load the page again");
+  return message as ServerMessage;
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
 export type ConnectionState = "connecting" | "open" | "lost";
 
 const FIRST_WAIT = 250;
@@ -104,6 +119,8 @@ export class Connection {
   onBlock: (block: ArrayBuffer) => void = () => {};
   onMessage: (message: ServerMessage) => void = () => {};
   onState: (state: ConnectionState) => void = () => {};
+  /** What came can't be read. */
+  onUnreadable: (error: Error) => void = () => {};
   /** Why the program closed the connection last, in its words; "": it did not say. */
   reason = "";
 
@@ -132,7 +149,7 @@ export class Connection {
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
       this.heard = performance.now();
       if (this.state !== "open") this.welcome();
-      if (typeof data === "string") this.onMessage(JSON.parse(data) as ServerMessage);
+      if (typeof data === "string") this.read(data);
       else this.onBlock(data);
     };
     socket.onclose = ({ reason }) => {
@@ -140,6 +157,16 @@ export class Connection {
       this.enter("lost");
       setTimeout(() => this.open(), backoff(this.attempt++));
     };
+  }
+
+  private read(text: string): void {
+    let message: ServerMessage;
+    try {
+      message = readMessage(text);
+    } catch (error) {
+      return this.onUnreadable(error as Error);
+    }
+    this.onMessage(message);
   }
 
   /** With its first message the program has taken the page: one that it turns away hears none. */

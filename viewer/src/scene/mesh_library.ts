@@ -17,6 +17,21 @@ export function missingText(missing: Map<string, string>): string {
   return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;
 }
 
+const kindOf = (uri: string): string => uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
+
+/** Of other files it is the robot's description that has the materials: each link that uses one may have another. */
+const hasMaterials = (uri: string): boolean => kindOf(uri) === "dae";
+
+function meshesOf(object: THREE.Object3D): THREE.Mesh[] {
+  const meshes: THREE.Mesh[] = [];
+  object.traverse((child) => child instanceof THREE.Mesh && meshes.push(child));
+  return meshes;
+}
+
+function paint(object: THREE.Object3D, material: THREE.Material): void {
+  for (const mesh of meshesOf(object)) mesh.material = material;
+}
+
 /** Loads each mesh of the session once, whoever asks for it; one after the other, so that pictures come between. */
 export class MeshLibrary {
   /** What could not be shown, and why. */
@@ -41,12 +56,13 @@ export class MeshLibrary {
     for (const mesh of meshes) this.byUri.set(mesh.uri, mesh);
   }
 
-  /** A copy that shares geometry and materials; an error where there is no such mesh. */
+  /** A copy that shares its geometry, of `material` unless the file has materials of its own; an error where there is no such mesh. */
   async load(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
     let loading = this.loads.get(uri);
-    if (loading === undefined) this.loads.set(uri, (loading = this.enqueue(() => this.fetch(uri, material))));
+    if (loading === undefined) this.loads.set(uri, (loading = this.enqueue(() => this.fetch(uri))));
     try {
       const object = (await loading).clone();
+      if (!hasMaterials(uri)) paint(object, material);
       this.onLoad();
       return object;
     } catch (error) {
@@ -69,35 +85,28 @@ export class MeshLibrary {
     return result;
   }
 
-  private async fetch(uri: string, material: THREE.Material): Promise<THREE.Object3D> {
+  private async fetch(uri: string): Promise<THREE.Object3D> {
     const info = this.byUri.get(uri);
     if (info === undefined || !info.found) throw new Error("the file is not there");
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
     const breath = new Breath();
-    const read = await this.parse(uri, bytes, material, () => breath.take());
+    const read = await this.parse(uri, bytes, () => breath.take());
     if (this.coarse()) coarsen(read);
     await breath.take();
-    const object = uri.toLowerCase().endsWith(".dae") ? merged(read) : read;
-    object.traverse((child) => {
-      if (child instanceof THREE.Mesh) child.castShadow = child.receiveShadow = true;
-    });
+    const object = hasMaterials(uri) ? merged(read) : read;
+    for (const mesh of meshesOf(object)) mesh.castShadow = mesh.receiveShadow = true;
     return object;
   }
 
-  private async parse(uri: string, bytes: ArrayBuffer, material: THREE.Material, rest: () => Promise<void>): Promise<THREE.Object3D> {
-    const kind = uri.slice(uri.lastIndexOf(".") + 1).toLowerCase();
+  private async parse(uri: string, bytes: ArrayBuffer, rest: () => Promise<void>): Promise<THREE.Object3D> {
+    const kind = kindOf(uri);
     switch (kind) {
       case "dae":
         return this.collada(uri, textOf(bytes), rest);
       case "stl":
-        return new THREE.Mesh(new STLLoader().parse(bytes), material);
-      case "obj": {
-        const object = new OBJLoader().parse(textOf(bytes));
-        object.traverse((child) => {
-          if (child instanceof THREE.Mesh) child.material = material;
-        });
-        return object;
-      }
+        return new THREE.Mesh(new STLLoader().parse(bytes));
+      case "obj":
+        return new OBJLoader().parse(textOf(bytes));
       default:
         throw new Error(`files of kind .${kind} can't be read; .dae, .stl and .obj can`);
     }

@@ -6,6 +6,22 @@ THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
 /** How far the shadows reach around what the camera follows [m]. */
 const SHADOW_REACH = 1.6;
 
+/** The browser has no WebGL. */
+export class NoGraphics extends Error {}
+
+function makeRenderer(canvas: HTMLCanvasElement, antialias: boolean): THREE.WebGLRenderer {
+  try {
+    return new THREE.WebGLRenderer({ canvas, antialias });
+  } catch (error) {
+    throw new NoGraphics((error as Error).message);
+  }
+}
+
+/** Why there is no picture, where that is not for want of WebGL. */
+export function withoutPictureText(error: Error): string {
+  return `There is no picture, as the robot can't be shown: ${error.message}. All else works.`;
+}
+
 /** Renderer, lights and camera. */
 export class Stage {
   readonly scene = new THREE.Scene();
@@ -20,10 +36,10 @@ export class Stage {
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.4);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0xb8bec4, 1.5);
 
-  /** An error where the browser has no WebGL. */
+  /** `NoGraphics` where the browser has no WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     const software = drawsInSoftware();
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !software });
+    this.renderer = makeRenderer(canvas, !software);
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.quality = new Quality(this.renderer, () => this.resize(), software);
     this.sun.castShadow = true;

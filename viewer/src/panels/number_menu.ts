@@ -1,0 +1,28 @@
+import { h, say } from "./dom.ts";
+
+type Attributes = Record<string, string>;
+
+/** A menu of numbers, which also says one that is none of its own while it is that one. */
+export class NumberMenu {
+  readonly select: HTMLSelectElement;
+  private readonly other = h("option", { hidden: true });
+
+  /** `textOf`: of a number, as the menu has it; `ask`: somebody chooses it. */
+  constructor(attributes: Attributes, private readonly numbers: readonly number[], private readonly textOf: (value: number) => string, ask: (value: number) => void) {
+    this.select = h("select", { ...attributes, onchange: () => ask(this.value) },
+      ...numbers.map((value) => h("option", { value }, textOf(value))), this.other);
+  }
+
+  get value(): number {
+    return Number(this.select.value);
+  }
+
+  show(value: number): void {
+    this.other.hidden = this.numbers.includes(value);
+    if (!this.other.hidden) {
+      this.other.value = String(value);
+      say(this.other, this.textOf(value));
+    }
+    this.select.value = String(value);
+  }
+}
