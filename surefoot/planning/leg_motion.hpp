@@ -87,12 +87,12 @@ class LegMotion {
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
   Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
+  Vec3 stood_ = Vec3::Zero();   // where a stance foot last went slowly, or came down, in W [m]
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
   double force_per_torque_ = 0.0;
   double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
-  int thrown_ticks_ = 0;      // in a row at which a stance foot went faster than any that slides
   double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
   double stuck_for_ = 0.0;    // how long it has waited [s]
   /// By how much a swinging foot was faster along the normal than its reference, at the last ticks
