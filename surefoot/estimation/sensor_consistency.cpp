@@ -34,14 +34,15 @@ void SensorConsistency::update(const SensorReading& given, const ConsistencyInpu
   encoder_time_ = reading.encoder_time;
   // What is filled in says nothing.
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
-  const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques);
-  if (moves_well && is_well(health.imu)) {
+  const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
+             turns_well = is_well(health.imu);
+  if (moves_well && turns_well) {
     imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   } else {
     imu_.forget();
   }
   if (moves_well) frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
-  if (moves_well && loads_well && imu_.wrong_for() == 0.0) {
+  if (moves_well && loads_well && turns_well && imu_.wrong_for() == 0.0) {
     torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   } else {
     torques_.forget();
