@@ -69,10 +69,21 @@ TEST(LiveView, the_frames_say_what_the_log_says) {
     ASSERT_EQ(mode[i], static_cast<int>(tick.command.mode));
     ASSERT_EQ(residual[i], static_cast<float>(tick.hierarchy.levels[com].residual));
     ASSERT_EQ(knee[i], static_cast<float>(tick.command.torque[5]));
-    ASSERT_EQ(static_cast<std::int32_t>(run.frames[i].active.size()), tick.hierarchy.num_active);
-    for (std::size_t k = 0; k < run.frames[i].active.size(); ++k) {
-      ASSERT_EQ(run.frames[i].active[k].level, tick.hierarchy.active[k].level);
-      ASSERT_EQ(run.frames[i].active[k].row, tick.hierarchy.active[k].id);
+    const std::vector<FrameActive>& rows = run.frames[i].active;
+    const auto num_active = static_cast<std::size_t>(tick.hierarchy.num_active);
+    ASSERT_EQ(rows.size(), num_active + static_cast<std::size_t>(tick.hierarchy.num_missed));
+    for (std::size_t k = 0; k < num_active; ++k) {
+      const ActiveRow& row = tick.hierarchy.active[k];
+      ASSERT_EQ(rows[k].level, row.level);
+      ASSERT_EQ(rows[k].row, row.id);
+      ASSERT_EQ(rows[k].by, static_cast<float>(row.by));
+    }
+    for (std::size_t k = num_active; k < rows.size(); ++k) {
+      const MissedEquality& row = tick.hierarchy.missed[k - num_active];
+      ASSERT_EQ(rows[k].state, kMissedEquality);
+      ASSERT_EQ(rows[k].level, row.level);
+      ASSERT_EQ(rows[k].row, row.id);
+      ASSERT_EQ(rows[k].by, static_cast<float>(row.by));
     }
     ASSERT_EQ(static_cast<std::int32_t>(run.frames[i].blocking.size()),
               tick.hierarchy.num_blocking);
