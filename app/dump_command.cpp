@@ -153,6 +153,7 @@ void write(const DumpArguments& arguments, bool log, std::ostream& out, std::ost
 
 /// The file has its name only once it is whole.
 void write_to_file(const DumpArguments& arguments, bool log, std::ostream& err) {
+  check_not_the_input(arguments.out, arguments.source);
   check_writable_file(arguments.out);
   const std::string partial = partial_path(arguments.out);
   try {

@@ -60,6 +60,7 @@ class LiveFeed final : public WebContent {
   [[nodiscard]] std::vector<ViewMesh> meshes() const { return robot_.meshes(); }
 
   // Of the server's thread.
+  [[nodiscard]] std::string start() const override { return session_.start; }
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
   [[nodiscard]] bool is_live() const override { return true; }
   [[nodiscard]] std::vector<SharedBlock> welcome() override;

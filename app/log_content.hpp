@@ -16,6 +16,7 @@ class LogContent final : public WebContent {
   /// Throws FileError on a file that can't be shown.
   explicit LogContent(const std::string& path);
 
+  [[nodiscard]] std::string start() const override { return session_.start; }
   [[nodiscard]] WebAnswer get(std::string_view path, const Query& query) override;
 
   /// Lines that the user should know of.

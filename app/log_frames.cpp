@@ -99,7 +99,8 @@ std::uint32_t LogFrames::tick_at(std::uint64_t time) const {
 bool LogFrames::has_wrong_times(std::size_t chunk) const {
   const std::vector<McapChunk>& all = file_.chunks();
   const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
-  if (!mcap::can_be_times(first, last) || seconds(last) / period_ >= kMostTicks) return true;
+  const bool can_be = all[chunk].has_sure_times || mcap::can_be_times(first, last);
+  if (!can_be || seconds(last) / period_ >= kMostTicks) return true;
   if (!all[chunk].is_bare || first != last || first < mcap::kLongestChunk) return false;
   const std::uint64_t least = first - mcap::kLongestChunk;
   if (!places_.empty()) return places_.back().last < least;

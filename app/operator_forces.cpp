@@ -8,8 +8,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kRunsOut = 0.2;    // in which a pull at the store's limit would empty it [s]
-constexpr double kRounding = 1e-6;  // [N, N·s, s]
+constexpr double kRunsOut = 0.2;          // in which a pull at the store's limit would empty it [s]
+constexpr double kRounding = 1e-6;        // [N, N·s, s]
+constexpr std::size_t kMostPushes = 100;  // that act at one time, however small
 
 double end_of(const Push& push) { return push.time + push.duration; }
 
@@ -39,6 +40,10 @@ void OperatorForces::advance(double time) {
 std::string OperatorForces::push(const Push& push) {
   const double force = push.force.norm(), impulse = force * push.duration;
   const std::string what = formatted("the push of %.3g N·s, %.3g N is left out: ", impulse, force);
+  if (pushes_.size() >= kMostPushes) {
+    return what + std::to_string(kMostPushes) +
+           " pushes act already or wait for the next tick; valid is one when they have ended";
+  }
   if (force > limits_.push_force - pushing() + kRounding) {
     return what + formatted(
                       "pushes of %.3g N act already or wait for the next tick; valid is up to "

@@ -56,9 +56,12 @@ void check_writable_file(const fs::path& file) {
 
 void check_not_the_input(const fs::path& output, const fs::path& input) {
   std::error_code none_yet;
-  if (!fs::equivalent(output, input, none_yet)) return;
-  throw FileError(output.string() +
-                  ": is the log itself, which would be lost; another name would be valid");
+  for (const fs::path& written : {output, fs::path(partial_path(output.string()))}) {
+    if (!fs::equivalent(written, input, none_yet)) continue;
+    const char* what = written == output ? "is the log itself" : "is made by way of the log itself";
+    throw FileError(output.string() + ": " + what +
+                    ", which would be lost; another name would be valid");
+  }
 }
 
 void prepare_folder(const fs::path& folder) {

@@ -10,7 +10,8 @@ namespace surefoot {
 /// behind.
 void check_writable_file(const std::filesystem::path& file);
 
-/// Throws FileError if both are the same file, which would be lost.
+/// Throws FileError if both are the same file, or the input has the name under which the output is
+/// written first: it would be lost.
 void check_not_the_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// Makes the folder if there is none. Throws FileError, with the reason, if files could not be

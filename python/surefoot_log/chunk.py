@@ -13,6 +13,7 @@ from mcap.records import Channel, Schema
 HEAD = struct.Struct("<BQ")
 MESSAGE = struct.Struct("<HIQQ")
 LARGEST = 1 << 30  # bytes of a chunk
+MOST_SHRUNK = 1 << 15  # by zstd, some 20 000 times: a run of zeros
 
 
 class Damaged(Exception):
@@ -25,15 +26,24 @@ class Message(NamedTuple):
     data: memoryview
 
 
+def decompressed(data, size):
+    """There is room for what its record says, whatever the compressed bytes say."""
+    if size // MOST_SHRUNK > len(data):
+        raise Damaged("a chunk claims to be too large")
+    try:
+        if zstandard.frame_content_size(data) not in (-1, size):
+            raise Damaged("a chunk can't be decompressed")
+        return zstandard.ZstdDecompressor().decompress(data, size)
+    except zstandard.ZstdError:
+        raise Damaged("a chunk can't be decompressed") from None
+
+
 def opened(chunk):
     if chunk.uncompressed_size > LARGEST:
         raise Damaged("a chunk claims to be larger than 1 GiB")
     if chunk.compression not in ("", "zstd"):
         raise Damaged("a chunk is not compressed with zstd")
-    try:
-        data = chunk.data if chunk.compression == "" else zstandard.ZstdDecompressor().decompress(chunk.data, chunk.uncompressed_size)
-    except zstandard.ZstdError:
-        raise Damaged("a chunk can't be decompressed") from None
+    data = chunk.data if chunk.compression == "" else decompressed(chunk.data, chunk.uncompressed_size)
     if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
         raise Damaged("the checksum of a chunk is wrong")
     return data

@@ -11,6 +11,7 @@ import time
 from surefoot_campaign.command_line import Parser, interrupt, whole_number
 from surefoot_campaign.errors import InputError, valid_names
 from surefoot_log.log_file import LogFile
+from surefoot_log.whole_file import partial_name
 
 DONE, WRONG_INPUT = 0, 2
 LARGEST = (3840, 2160)  # pixels
@@ -90,7 +91,7 @@ def check_writable(path, log):
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     try:
-        partial = path.with_name(path.name + ".partial")
+        partial = pathlib.Path(partial_name(path))
         partial.touch()
         partial.unlink()
     except OSError as error:

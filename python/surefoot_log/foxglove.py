@@ -210,7 +210,7 @@ class Scene:
 
 
 class Copies:
-    """Writes the log's own messages, every so manieth of each topic."""
+    """Writes the log's own messages, every so manieth of each topic; of what was changed from outside, which is of no tick, all."""
 
     def __init__(self, file, log, topics, every):
         self._file, self._log, self._topics, self._every, self._counts = file, log, topics, every, {}
@@ -220,6 +220,6 @@ class Copies:
             if self._topics is not None and topic not in self._topics:
                 continue
             self._counts[topic] = self._counts.get(topic, -1) + 1
-            if self._counts[topic] % self._every == 0:
+            if topic == "/changes" or self._counts[topic] % self._every == 0:
                 schema = self._log.schema_record(topic)
                 self._file.write(topic, schema.name, schema.data, time, bytes(data))

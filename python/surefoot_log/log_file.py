@@ -26,6 +26,7 @@ VERSION_SOURCE = ROOT / "surefoot/logging/log_header.hpp"
 MAGIC = b"\x89MCAP0\r\n"
 APART = {"/timings"}  # topics behind all ticks (docs/log.md)
 HEADER, SUMMARY = "header.json", "summary.json"
+PARTS = {"scenario": str, "seed": int, "control_period": (int, float), "level_names": list, "event_names": list, "robot": dict}
 HEAD = struct.Struct("<BQ")
 ZSTD = b"\x04\0\0\0zstd"
 BEFORE_COMPRESSION, LONGEST_NAME = 28, 16  # of a chunk's content, of its compression's name [bytes]
@@ -160,16 +161,31 @@ def summary_of(file):
     return summary if summary is not None and summary.chunk_indexes else None
 
 
+def name_in(content):
+    """Of an attachment, as far as it can be told: what is damaged may be its name."""
+    length = int.from_bytes(content[16:20], "little")
+    name = content[20 : 20 + length].decode("ascii", "replace")
+    return f"the attachment {name}" if 0 < length < 80 and re.fullmatch("[!-~]+", name) else "an attachment"
+
+
+def check_attachment(content):
+    """By the checksum at its end, where it has one: the package does not look at that."""
+    if int.from_bytes(content[-4:], "little") not in (0, zlib.crc32(content[:-4])):
+        raise chunk.Damaged(f"the checksum of {name_in(content)} is wrong")
+
+
 def read_record(opcode, file, length):
     """A record of those that matter here, of a message its bytes; None of the others."""
     if opcode == Opcode.MESSAGE:
         return file.read(length)
     if opcode not in KINDS:
         return None
-    stream = ReadDataStream(io.BytesIO(file.read(length)))
+    content = file.read(length)
+    if opcode == Opcode.ATTACHMENT:
+        check_attachment(content)
     try:
-        return KINDS[opcode].read(stream)
-    except (McapError, EOFError, ValueError) as error:
+        return KINDS[opcode].read(ReadDataStream(io.BytesIO(content)))
+    except (McapError, EOFError, ValueError, OverflowError, struct.error) as error:
         raise chunk.Damaged(str(error) or "a record is shorter than it says") from None
 
 
@@ -227,11 +243,15 @@ class LogFile:
         try:
             header = json.loads(text)
             version = str(header["log_version"])
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             raise InputError(f"{self.path}: its {HEADER}, which says what run it is, is damaged; {elsewhere}") from None
         if version.split(".")[0] != log_version().split(".")[0]:
             raise InputError(f"{self.path}: log version {version}; this program reads {log_version()}. "
                              "Read it with the version of surefoot that made it, or record the run anew")
+        for name, kind in PARTS.items():
+            if not isinstance(header.get(name), kind):
+                raise InputError(f"{self.path}: its {HEADER}, which says what run it is, lacks {name}, or has something else in its place; "
+                                 f"{elsewhere}")
         return header
 
     def _records(self):
@@ -391,5 +411,13 @@ class LogFile:
     def text(self, name):
         """An attachment. Throws InputError if the log has none of that name."""
         if name not in self.attachments:
-            raise InputError(f"{self.path}: has no attachment {name}, which this needs; record the run anew")
+            raise InputError(f"{self.path}: has no attachment {name}, which this needs; record the run anew"
+                             f"{'; ' + self.problem if self.problem else ''}")
         return self.attachments[name].decode()
+
+    def decoded(self, topic, data):
+        """What a message says. Throws InputError where it says nothing."""
+        try:
+            return json.loads(bytes(data))
+        except (ValueError, RecursionError) as error:
+            raise InputError(f"{self.path}: a message on {topic} is not what it should be: {error}") from None

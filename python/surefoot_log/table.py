@@ -39,7 +39,7 @@ def first_messages(log, topics):
     """Of each topic its first message, which has the sizes of lists. Throws InputError on unknown topics, and where the log holds
     no tick."""
     check_topics(topics, log.topics())
-    first = {topic: json.loads(bytes(message.data)) for topic, message in log.first_messages().items()}
+    first = {topic: log.decoded(topic, message.data) for topic, message in log.first_messages().items()}
     if TICK not in first:
         raise InputError(f"{log.path}: the log holds no tick, so there is nothing to export{'; ' + log.problem if log.problem else ''}")
     check_topics(topics, first)
@@ -73,7 +73,7 @@ class Table:
         while ticks := list(islice(all_ticks, PART)):
             arrays = [pa.array([1e-9 * time for time, _ in ticks], pa.float64())]
             for topic, flattener in self._flatteners.items():
-                rows = [flattener.values(json.loads(bytes(found[topic])) if topic in found else None) for _, found in ticks]
+                rows = [flattener.values(self._log.decoded(topic, found[topic]) if topic in found else None) for _, found in ticks]
                 arrays += [pa.array(values, TYPES[channel.kind]) for channel, values in zip(flattener.channels, zip(*rows))]
             yield pa.RecordBatch.from_arrays(arrays, schema=self.schema)
 

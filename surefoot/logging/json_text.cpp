@@ -10,6 +10,25 @@ namespace {
 
 bool needs_escape(char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }
 
+bool is_plain(char c) { return !needs_escape(c) && static_cast<unsigned char>(c) < 0x80; }
+
+/// Bytes of the character that a text begins with, in UTF-8; 0 where they are none.
+std::size_t character(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80U) return 1;
+  if (first < 0xC2U || first > 0xF4U) return 0;
+  const std::size_t length = first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  // Longer than it need be, half of a pair, or beyond U+10FFFF.
+  const bool is_none = (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU) ||
+                       (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
+  return is_none ? 0 : length;
+}
+
 }  // namespace
 
 JsonText& JsonText::key(std::string_view name) {
@@ -68,12 +87,25 @@ void JsonText::separate() {
 
 void JsonText::quote(std::string_view text) {
   out_ += '"';
-  if (std::none_of(text.begin(), text.end(), needs_escape)) {
+  if (std::all_of(text.begin(), text.end(), is_plain)) {
     out_ += text;
   } else {
-    for (const char c : text) escape(c);
+    quote_each(text);
   }
   out_ += '"';
+}
+
+void JsonText::quote_each(std::string_view text) {
+  constexpr std::string_view kReplacement = "\uFFFD";
+  while (!text.empty()) {
+    const std::size_t length = character(text);
+    if (length == 1) {
+      escape(text.front());
+    } else {
+      out_ += length == 0 ? kReplacement : text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
 }
 
 void JsonText::escape(char c) {

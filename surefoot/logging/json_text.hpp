@@ -9,7 +9,8 @@
 namespace surefoot {
 
 /// Appends compact JSON to a string. Numbers are the shortest text that reads back to the same
-/// double; NaN and infinities, which JSON has not, become null.
+/// double; NaN and infinities, which JSON has not, become null, and bytes of a text that are no
+/// UTF-8, as file names may have, U+FFFD.
 ///
 ///     JsonText(out).object().member("time", 0.25).member("name", "LF").end_object();
 class JsonText {
@@ -48,6 +49,7 @@ class JsonText {
   JsonText& plain(std::string_view text);
   void separate();
   void quote(std::string_view text);
+  void quote_each(std::string_view text);
   void escape(char c);
 
   std::string& out_;

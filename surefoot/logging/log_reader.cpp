@@ -120,6 +120,16 @@ int second_number(std::string_view version) {
   return std::atoi(std::string(version.substr(point + 1)).c_str());
 }
 
+/// What reads and writes JSON calls itself for each bracket: of a header that is deeper than any of
+/// ours the stack would run out.
+json parse_flat(const std::string& text) {
+  constexpr int kDeepest = 100;
+  return json::parse(text, [](int depth, json::parse_event_t, const json&) {
+    if (depth > kDeepest) throw BadMember{"an end of its brackets"};
+    return true;
+  });
+}
+
 /// A log's header, of a version that can be read. Throws FileError, with what can still be done.
 LogHeader read_header(const std::string& path, const std::string& text) {
   const auto refuse = [&](const std::string& what) -> LogHeader {
@@ -128,7 +138,7 @@ LogHeader read_header(const std::string& path, const std::string& text) {
                     "surefoot: record the run anew");
   };
   try {
-    const json header = json::parse(text);
+    const json header = parse_flat(text);
     const auto version = member<std::string>(header, "log_version");
     if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
       throw FileError(

@@ -5,6 +5,7 @@
 #include "surefoot/logging/mcap_format.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -42,6 +43,7 @@ void McapChunks::find_chunks() {
       const auto first = cursor.number<std::uint64_t>();
       const auto last = cursor.number<std::uint64_t>();
       chunks_.push_back({file_.offset(), kRecordHead + file_.length(), first, last});
+      if (!mcap::can_be_times(first, last)) learn_times(chunks_.back());
     }
     if (file_.opcode() == Opcode::message) add_bare_message();
     if (file_.opcode() == Opcode::attachment)
@@ -94,6 +96,29 @@ void McapChunks::learn_channel() {
     keep(mcap::channel_record(file_.content()));
   } catch (const Malformed&) {  // then its messages in the chunks tell it
   }
+}
+
+void McapChunks::learn_times(McapChunk& chunk) {
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max(), last = 0;
+  try {
+    const std::string bytes = records(chunk);
+    for (Cursor cursor(bytes); !cursor.rest().empty();) {
+      const auto [opcode, length] = mcap::take_head(cursor);
+      const std::string_view content = cursor.bytes(length);
+      if (opcode != Opcode::message) continue;
+      const std::uint64_t time = mcap::message_record(content).log_time;
+      first = std::min(first, time);
+      last = std::max(last, time);
+    }
+  } catch (const Malformed&) {  // then it can't be read at all
+    return;
+  } catch (const mcap::OtherCompression&) {
+    return;
+  }
+  if (first > last) return;
+  chunk.first_time = first;
+  chunk.last_time = last;
+  chunk.has_sure_times = true;
 }
 
 void McapChunks::keep(const mcap::ChannelRecord& channel) {

@@ -18,10 +18,13 @@ struct McapChunk {
   std::uint64_t offset = 0, size = 0;           ///< of its record, or records, in the file [bytes]
   std::uint64_t first_time = 0, last_time = 0;  ///< of its messages [ns]
   bool is_bare = false;                         ///< its messages stand outside of chunks
+  bool has_sure_times = false;                  ///< they were read of its messages
 };
 
 /// Reads an MCAP file chunk by chunk, in any order: of a file of any size only one chunk is in
-/// memory. Where the chunks lie is found without reading them, also in a file that was cut off.
+/// memory. Where the chunks lie is found without reading them, also in a file that was cut off; a
+/// chunk whose head has times that a recorder gives none is read for those of its messages: another
+/// writer's may be longer, and a damaged head says anything.
 class McapChunks {
  public:
   using Take = std::function<void(const McapMessage&)>;
@@ -58,6 +61,7 @@ class McapChunks {
 
   void find_chunks();
   void learn_channel();
+  void learn_times(McapChunk& chunk);
   void add_bare_message();
   [[nodiscard]] std::string records(const McapChunk& chunk);
   void keep(const mcap::ChannelRecord& channel);

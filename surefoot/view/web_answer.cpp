@@ -56,7 +56,7 @@ WebAnswer answer_for(std::string_view target, WebContent& content) {
   if (!parts) return refusal(404, "there is nothing under this name; the page is at /");
   const auto& [path, query] = *parts;
   if (!path.starts_with(kApi)) return page_file(path);
-  if (path == "/api/alive") return {.body = "yes\n"};
+  if (path == "/api/alive") return {.body = content.start() + "\n"};
   try {
     return content.get(path, query);
   } catch (const std::exception& error) {

@@ -36,7 +36,9 @@ class WebContent {
   WebContent& operator=(const WebContent&) = delete;
   virtual ~WebContent() = default;
 
-  /// The answer for a path below /api/.
+  /// Names this start of the program: where it is another one, something else is shown.
+  [[nodiscard]] virtual std::string start() const { return ""; }
+  /// The answer for a path below /api/, but for `/api/alive`, which gives the start.
   [[nodiscard]] virtual WebAnswer get(std::string_view path, const Query& query) = 0;
   /// Whether there is anything live at all.
   [[nodiscard]] virtual bool is_live() const { return false; }

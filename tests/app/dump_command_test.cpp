@@ -130,6 +130,19 @@ TEST(DumpCommand, AFileHasItsNameOnlyOnceItIsWhole) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(DumpCommand, WhatIsReadIsNotWrittenOver) {
+  const TemporaryFolder folder;
+  for (const auto& [source, out] :
+       {std::pair("run.mcap", "run.mcap"), std::pair("cut.mcap.partial", "cut.mcap")}) {
+    DumpArguments arguments;
+    arguments.source = folder / source;
+    arguments.out = folder / out;
+    write_file(arguments.source, "a run");
+    EXPECT_NE(complaint(arguments).find("the log itself"), std::string::npos);
+    EXPECT_EQ(contents(arguments.source), "a run");
+  }
+}
+
 TEST(DumpCommand, TellsWhatIsWrongWithTheRange) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(complaint(from_to(5.0, 6.0)).find("the last tick is at 0.1975 s"), std::string::npos)

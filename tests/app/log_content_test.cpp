@@ -17,6 +17,8 @@ using test::SyntheticRun;
 
 TEST_F(DamagedLog, a_whole_one_has_no_damage_and_all_its_ticks) {
   LogContent content(path());
+  EXPECT_EQ(session(content).at("start"), content.start());
+  EXPECT_NE(content.start(), LogContent(path()).start()) << "each start has its own";
   const json session = whole_session(content);
   EXPECT_EQ(session.at("ticks"), kTicks);
   EXPECT_EQ(session.at("damage"), json::array());
@@ -122,13 +124,35 @@ TEST_F(DamagedLog, damaged_timings_cost_no_tick) {
   EXPECT_EQ(session.at("damage")[0].get<std::string>().find("timings of"), 0u);
 }
 
-TEST_F(DamagedLog, a_chunk_whose_times_are_wrong_does_not_take_the_others_with_it) {
-  damage(2, 15);  // the last time's highest byte
+TEST_F(DamagedLog, a_chunk_whose_times_are_wrong_is_found_by_its_messages) {
+  damage(2, 15);  // of its first time
   LogContent content(path());
-  EXPECT_EQ(whole_session(content).at("damage").size(), 1u);
-  const auto read = frames(content, 0, kTicks);
-  EXPECT_GT(read.size(), kTicks / 2);
-  EXPECT_EQ(read.back().tick, kTicks - 1);
+  EXPECT_EQ(whole_session(content).at("damage").size(), 0u);
+  EXPECT_EQ(frames(content, 0, kTicks).size(), kTicks);
+}
+
+TEST_F(DamagedLog, one_that_another_writer_put_into_one_long_chunk_has_all_its_ticks) {
+  record(4800);  // 12 s
+  const std::string rewritten = folder_ / "one_chunk.mcap";
+  {
+    McapWriter writer(
+        rewritten, {.profile = "", .chunk_bytes = 1U << 30U, .chunk_nanoseconds = UINT64_MAX / 2});
+    const McapReader source(path());
+    for (const auto& [name, data] : source.attachments())
+      writer.attach(name, "application/json", data);
+    std::map<std::string, std::uint16_t> channels;
+    for (const auto& [topic, data, time] : messages()) {
+      if (!channels.contains(topic))
+        channels[topic] =
+            writer.add_channel(topic, writer.add_schema(topic, "jsonschema", "{}"), "json");
+      writer.write(channels[topic], time, data);
+    }
+    writer.close();
+  }
+  ASSERT_EQ(McapChunks(rewritten).chunks().size(), 1u);
+  LogContent content(rewritten);
+  EXPECT_EQ(session(content).at("ticks"), 4800);
+  EXPECT_EQ(frames(content, 800, 4000).size(), 4000u);
 }
 
 TEST_F(DamagedLog, a_message_that_is_no_signal_costs_its_tick_and_no_more) {

@@ -17,6 +17,21 @@ Push push(double time, double force, double duration, const std::string& body = 
   return {.body = body, .time = time, .duration = duration, .force = Vec3(0.0, force, 0.0)};
 }
 
+TEST(OperatorForces, pushes_that_are_too_small_for_the_limits_are_not_taken_without_end) {
+  OperatorForces forces(ViewLimits(), {"base"});
+  int taken = 0;
+  std::string problem;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string told = forces.push(push(0.0, 1e-9, 0.001));
+    taken += told.empty() ? 1 : 0;
+    if (!told.empty()) problem = told;
+  }
+  EXPECT_EQ(taken, 100);
+  EXPECT_TRUE(test::holds(problem, "100 pushes act already")) << problem;
+  forces.advance(0.0025);
+  EXPECT_EQ(forces.push(push(0.0025, 1e-9, 0.001)), "");
+}
+
 TEST(OperatorForces, whatever_is_asked_for_the_limits_hold_at_each_time_and_over_each_window) {
   const ViewLimits limits;
   for (unsigned seed = 1; seed <= 30; ++seed) {

@@ -34,6 +34,18 @@ TEST(OutputFiles, checking_leaves_nothing_behind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(OutputFiles, what_is_read_is_neither_written_nor_in_the_way_of_what_is) {
+  const test::TemporaryFolder folder;
+  for (const char* log : {"run.mcap", "cut.mcap.partial"}) test::write_file(folder / log, "a run");
+  const auto told = [&](const char* output, const char* input) {
+    return message_of([&] { check_not_the_input(folder / output, folder / input); });
+  };
+  EXPECT_TRUE(holds(told("run.mcap", "run.mcap"), "is the log itself"));
+  EXPECT_TRUE(holds(told("cut.mcap", "cut.mcap.partial"), "by way of the log itself"));
+  EXPECT_NO_THROW(check_not_the_input(folder / "ticks.csv", folder / "run.mcap"));
+  EXPECT_NO_THROW(check_not_the_input(folder / "ticks.csv", "walk_flat"));
+}
+
 TEST(OutputFiles, a_place_without_room_is_told_and_nothing_is_left_there) {
   const test::TemporaryFolder folder;
   rlimit before{};

@@ -35,6 +35,23 @@ TEST(Json, EveryFiniteNumberIsReadBackBitByBit) {
   }
 }
 
+TEST(Json, ATextIsJsonWhateverItsBytesAre) {
+  const auto quoted = [](std::string_view text) {
+    std::string out;
+    JsonText(out).value(text);
+    return out;
+  };
+  for (const char* text : {"plain", "N·m", "ä\u20AC\U0001F916", "\"\\\n\x7f"}) {
+    EXPECT_EQ(nlohmann::json::parse(quoted(text)).get<std::string>(), text);
+    EXPECT_EQ(JsonCursor(quoted(text)).string(), text);
+  }
+  for (const char* bytes :
+       {"\xe4", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"}) {
+    const std::string text = nlohmann::json::parse(quoted("a" + std::string(bytes) + "\"b"));
+    EXPECT_TRUE(text.starts_with("a\uFFFD") && text.ends_with("\"b")) << text;
+  }
+}
+
 TEST(Json, NegativeZeroKeepsItsSignInOtherReadersToo) {
   EXPECT_TRUE(std::signbit(JsonCursor(written(-0.0)).number()));
   EXPECT_TRUE(std::signbit(nlohmann::json::parse(written(-0.0)).get<double>()));

@@ -240,6 +240,15 @@ TEST(LogReader, ADamagedHeaderIsToldInWordsWithWhatCanStillBeDone) {
   }
 }
 
+TEST(LogReader, AHeaderThatIsDeeperThanAStackIsRefused) {
+  const std::string whole = to_json(SyntheticRun::header());
+  const std::string options = "\"options\":";
+  std::string deep = whole.substr(0, whole.find(options) + options.size());
+  deep += std::string(300000, '[') + std::string(300000, ']') + "}";
+  const std::string told = refusal_of(deep);
+  EXPECT_NE(told.find("lacks an end of its brackets"), std::string::npos) << told;
+}
+
 TEST(LogReader, AnMcapFileOfSomebodyElseIsRefused) {
   const TemporaryFolder folder;
   {

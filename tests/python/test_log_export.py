@@ -162,6 +162,16 @@ def test_the_log_itself_is_never_written_over(log, tmp_path, command):
     assert copy.read_bytes() == pathlib.Path(log).read_bytes()
 
 
+@pytest.mark.parametrize("command", [("export", "--csv"), ("export", "--parquet"), ("export", "--foxglove")])
+def test_the_log_of_an_interrupted_run_is_never_in_the_way_of_what_is_written(log, tmp_path, command):
+    name, option = command
+    cut, out = tmp_path / "run.mcap.partial", tmp_path / "run.mcap"
+    cut.write_bytes(pathlib.Path(log).read_bytes())
+    exported(cut, option, out, "--topics", "command", "--every", 100)
+    assert cut.read_bytes() == pathlib.Path(log).read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == [out.name, cut.name]
+
+
 def test_a_log_with_another_compression_is_refused_with_what_to_do(log, tmp_path):
     file = in_other_chunks(log, tmp_path, compression=CompressionType.LZ4)
     with pytest.raises(InputError, match="compressed with lz4; .* `mcap compress LOG -o NEW.mcap --compression zstd` rewrites it"):

@@ -5,11 +5,13 @@ import struct
 
 import pyarrow.parquet
 import pytest
-from damaged_logs import HEAD, bare_messages, cut, damaged_at, in_other_chunks, tick_chunks, without_chunk
+import zstandard
+from damaged_logs import HEAD, attachment_place, bare_messages, cut, damaged_at, in_other_chunks, rewritten, tick_chunks, without_chunk
 from log_file import attachment
-from log_tools import TICKS, exported
+from log_tools import TICKS, complaint_of, exported
 from mcap.opcode import Opcode
 from mcap.reader import make_reader
+from mcap.records import Chunk
 from surefoot_campaign.errors import InputError
 from surefoot_log import chunk
 from surefoot_log.log_file import LogFile
@@ -133,3 +135,46 @@ def test_an_index_whose_checksum_is_wrong_is_not_followed(log, tmp_path):
     assert LogFile(log).topics() is not None and read.topics() is None
     first = {topic: message.time for topic, message in read.first_messages().items()}
     assert first == {topic: message.time for topic, message in LogFile(log).first_messages().items()}
+
+
+def data_length_place(log, name):
+    """Where the highest byte of the length of an attachment's data is."""
+    data, place = log.read_bytes(), attachment_place(log, name) + HEAD.size + 16
+    for _ in ("name", "media type"):
+        place += 4 + struct.unpack_from("<I", data, place)[0]
+    return place + 7
+
+
+@pytest.mark.parametrize("where", [lambda log: attachment_place(log, "robot.urdf") + 2000, lambda log: data_length_place(log, "robot.urdf")])
+def test_an_attachment_whose_checksum_is_wrong_is_lost_and_told(log, tmp_path, where):
+    file = damaged_at(log, tmp_path, where(log))
+    read = LogFile(file)
+    assert sum(message.topic == "/plan" for message in read.messages()) == TICKS
+    told = f"the checksum of the attachment robot.urdf is wrong at byte {attachment_place(log, 'robot.urdf')} of "
+    assert read.problem.startswith(told) and not read.complete
+    line = complaint_of("export", file, "--foxglove", tmp_path / "scene.mcap")
+    assert "has no attachment robot.urdf" in line and told in line
+
+
+def test_a_header_that_lacks_something_is_told(log, tmp_path):
+    header = json.loads(attachment(log, "header.json"))
+    for name in ("robot", "level_names", "control_period"):
+        other = {key: value for key, value in header.items() if key != name}
+        file = rewritten(log, tmp_path / "other.mcap", attachments={"header.json": json.dumps(other).encode()})
+        assert f"lacks {name}, or has something else" in complaint_of("export", file, "--csv", tmp_path / "run.csv")
+    deep = b'{"log_version":"2.9","options":' + 100000 * b"[" + 100000 * b"]" + b"}"
+    file = rewritten(log, tmp_path / "deep.mcap", attachments={"header.json": deep})
+    assert "is damaged" in complaint_of("export", file, "--csv", tmp_path / "run.csv")
+
+
+def test_a_message_that_is_no_json_is_told_and_leaves_nothing_behind(log, tmp_path):
+    file = rewritten(log, tmp_path / "other.mcap", lambda channel, number, data: b'{"no' if (channel.topic, number) == ("/plan", 5) else data)
+    assert "a message on /plan is not what it should be" in complaint_of("export", file, "--csv", tmp_path / "run.csv", "--topics", "plan")
+    assert [path.name for path in tmp_path.iterdir()] == ["other.mcap"]
+
+
+@pytest.mark.parametrize("size", [100, 1 << 30])
+def test_a_chunk_gets_no_more_room_than_its_record_says_and_that_can_be(size):
+    data = zstandard.ZstdCompressor().compress(bytes(1 << 24))
+    with pytest.raises(chunk.Damaged):
+        chunk.opened(Chunk(compression="zstd", data=data, message_end_time=0, message_start_time=0, uncompressed_crc=0, uncompressed_size=size))

@@ -73,6 +73,11 @@ def test_events_tell_what_the_operator_did(log, tmp_path):
     assert "planner" in {by for *_, by, _ in told}
 
 
+def test_no_change_is_left_out_however_few_ticks_are_copied(log, tmp_path):
+    exported(steered(log, tmp_path, OPERATOR), "--foxglove", tmp_path / "scene.mcap", "--every", 100)
+    assert [change["text"] for change in messages(tmp_path / "scene.mcap", "/changes")] == [change["text"] for change in OPERATOR]
+
+
 def test_events_of_the_planner_stand_at_their_ticks(log, tmp_path):
     names = json.loads(attachment(log, "header.json"))["event_names"]
     happened = [(plan["time"], names[plan["event"]]) for plan in messages(log, "/plan") if plan["event"]]

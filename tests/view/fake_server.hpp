@@ -21,6 +21,7 @@ class FakeContent final : public WebContent {
     if (bytes != query.end()) return {.body = std::string(std::stoul(bytes->second), 'x')};
     return {200, "text/plain", std::string(path) + (value == query.end() ? "" : value->second)};
   }
+  [[nodiscard]] std::string start() const override { return "this one"; }
   [[nodiscard]] bool is_live() const override { return true; }
   std::vector<SharedBlock> blocks() override {
     ++calls;

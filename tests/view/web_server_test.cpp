@@ -268,8 +268,8 @@ TEST_F(WebServerTest, a_place_that_gets_free_is_for_the_next_page) {
   EXPECT_TRUE(taken);
 }
 
-TEST_F(WebServerTest, says_that_it_is_there) {
-  EXPECT_EQ(test::status_of(get("/api/alive", host())), 200);
+TEST_F(WebServerTest, says_that_it_is_there_and_which_start_of_the_program_it_is) {
+  EXPECT_TRUE(get("/api/alive", host()).ends_with("\r\n\r\nthis one\n"));
   EXPECT_EQ(test::status_of(get("/api/alive", "evil.example")), 421);
 }
 

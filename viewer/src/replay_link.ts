@@ -70,9 +70,12 @@ export class ReplayLink {
     return ask(url);
   }
 
+  /** Between two looks one program may have ended and another begun, with another log. */
   private async lookForServer(): Promise<void> {
     try {
-      await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
+      const answer = await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
+      const start = (await answer.text()).trim();
+      if (answer.ok && start !== this.session.start) return location.reload();
     } catch {
       await this.awaitServer();
     }
@@ -107,6 +110,7 @@ export class ReplayLink {
   private async summarise(): Promise<void> {
     const app = this.app as App;
     for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
+      if (session.start !== this.session.start) return location.reload();
       const { summarised, damage, orders } = session;
       this.summarised = summarised;
       this.source.summarise(summarised);
