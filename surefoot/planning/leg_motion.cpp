@@ -20,9 +20,6 @@ constexpr double kOffGround = 0.005;   // … higher than this over where it cam
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
-constexpr double kThrown = 1.0;        // no ground lets a foot slide so fast: it is thrown [m/s] …
-constexpr double kThrownFrom = 0.04;   // … and does not come back, so far from where it stood [m] …
-constexpr double kStands = 0.3;        // … or went no faster than this [m/s]
 constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
 constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
 constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
@@ -42,7 +39,7 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   phase_ = LegPhase::stance;
   begin_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = std::numeric_limits<double>::infinity();
-  foothold_ = landed_ = stood_ = p_WF;
+  foothold_ = landed_ = p_WF;
   light_for_ = 0.0;
 }
 
@@ -103,10 +100,7 @@ bool LegMotion::flies(double time, const LegObservation& seen) const {
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
-  const double speed = seen.foot.v.norm();
-  if (speed < kStands) stood_ = seen.foot.p;
-  const bool is_thrown = speed > kThrown && (seen.foot.p - stood_).norm() > kThrownFrom;
-  if (is_thrown || flies(time, seen)) return LegEvent::lost;
+  if (flies(time, seen)) return LegEvent::lost;
   light_for_ = normal_force_ < touchdown_.lost_force ? light_for_ + period_ : 0.0;
   const bool expected_to_carry = phase_ == LegPhase::stance;
   return expected_to_carry && light_for_ > touchdown_.lost_duration ? LegEvent::lost

@@ -87,7 +87,6 @@ class LegMotion {
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
   Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
-  Vec3 stood_ = Vec3::Zero();   // where a stance foot last went slowly, or came down, in W [m]
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;

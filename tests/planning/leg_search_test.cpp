@@ -213,23 +213,6 @@ TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrFliesOffIsLostAtOnce) {
   EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
 }
 
-TEST(LegMotion, AFootThatIsThrownFromWhereItStoodStandsOnNothing) {
-  Bench bench = landed(false);
-  ASSERT_EQ(bench.rest(1.0, 50.0), LegEvent::none);
-  const auto goes = [&](double speed, double distance) {
-    Bench after = bench;
-    after.foot_velocity = speed * Vec3(-0.8, 0.0, -0.6);
-    after.p += distance * Vec3(-0.8, 0.0, -0.6);
-    return after.rest(kPeriod, 5.0);
-  };
-  EXPECT_EQ(goes(1.1, 0.05), LegEvent::lost) << "though its force is not nothing";
-  EXPECT_EQ(goes(0.9, 0.05), LegEvent::none) << "it slides";
-  EXPECT_EQ(goes(1.1, 0.03), LegEvent::none) << "it bounces, and comes back";
-  bench.p -= 0.1 * Vec3::UnitX();
-  ASSERT_EQ(bench.rest(kPeriod, 5.0), LegEvent::none) << "it stands again";
-  EXPECT_EQ(goes(1.1, 0.03), LegEvent::none);
-}
-
 TEST(LegMotion, OnlyAFootThatWasPutDownAtOnceAndShortlyAgoFlies) {
   EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none);
   Bench bench = landed(true);
