@@ -51,14 +51,13 @@ HITS = [
 
 def test_what_another_stack_asks_behind_a_fall_or_a_stop_is_marked(tmp_path):
     ways = {check_marks(tmp_path / f"hit_{number}.mcap", changes) for number, changes in enumerate(HITS)}
-    assert ways == {"its controller stopped for safety: ", "its torso came to the ground", "no foot touched the ground any more"}
+    assert ways - {None} == {"its controller stopped for safety: ", "its torso came to the ground", "no foot touched the ground any more"}
 
 
 def check_marks(file, changes):
-    """How the walk ended, by its log."""
+    """How the walk ended, by its log; None: it went on to its end."""
     surefoot("run", "push", "--set", "duration=6", "--record", file, *(word for one in changes for word in ("--set", one)))
     found = of_json("replay", file, "--stack", "regular")
-    end = found["walk_end"]
     truths = messages(file, "/truth")
     stood = [k for k, truth in enumerate(truths) if any(foot["touching"] for foot in truth["feet"].values())]
     ends = {
@@ -67,7 +66,10 @@ def check_marks(file, changes):
         "no foot touched the ground any more": [truth["time"] for truth in truths[stood[-1] + 1 :]],
     }
     first = {why: times[0] for why, times in ends.items() if times}
-    why = min(first, key=first.get)
+    assert ("walk_end" in found) == bool(first)
+    if not first:
+        return None
+    end, why = found["walk_end"], min(first, key=first.get)
     assert end["why"].startswith(why)
     assert end["time"] == pytest.approx(first[why], abs=1e-9)
     text = answer("replay", file, "--stack", "regular")
