@@ -39,6 +39,10 @@ class Scheduler(Protocol):
         """Starts the tasks in their order and yields each result as it comes; closing the iterator ends what runs."""
 
 
+# The kernel tells of a parent's end only to a child that has asked for it: one whose parent ended before goes no further.
+TIED_TO_PARENT = ["setpriv", "--pdeathsig", "KILL", "--", "sh", "-c", '[ "$PPID" = "$0" ] || exit 1; exec "$@"']
+
+
 class Process:
     """A task that runs. Its output goes to files, so that nobody must read it meanwhile."""
 
@@ -47,7 +51,7 @@ class Process:
         self.out, self.err = tempfile.TemporaryFile(), tempfile.TemporaryFile()
         self.started = time.monotonic()
         # A process group of its own: ^C is for us to handle. It ends with its parent, however that ends.
-        guard = ["setpriv", "--pdeathsig", "KILL", "--"] if shutil.which("setpriv") else []
+        guard = [*TIED_TO_PARENT, str(os.getpid())] if shutil.which("setpriv") else []
         self.process = subprocess.Popen(
             [*guard, *task.command],
             stdin=subprocess.DEVNULL,

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 import pathlib
 import shlex
 import signal
@@ -382,3 +383,12 @@ def test_a_check_tells_what_a_run_would_and_runs_nothing():
     assert call("--check").returncode == 0
     wrong = ["--set", "terrain.frction=1"]
     assert call("--check", *wrong).stderr == call(*wrong).stderr != ""
+
+
+def test_a_run_whose_campaign_ended_before_it_could_ask_for_that_does_not_begin(tmp_path):
+    from surefoot_campaign.scheduler import TIED_TO_PARENT
+
+    for parent, runs in ((os.getpid(), True), (1, False)):
+        made = tmp_path / str(parent)
+        done = subprocess.run([*TIED_TO_PARENT, str(parent), "touch", made], check=False)
+        assert (done.returncode == 0) == made.exists() == runs
