@@ -19,11 +19,6 @@ std::string number(double value) {
   return formatted(std::abs(value) < 99.5 ? "%.2g" : "%.0f", value);
 }
 
-std::string row_name(const TickExplanation& explanation, const BlockingRow& row) {
-  const auto found = explanation.row_names.find({row.by_level, row.id});
-  return found == explanation.row_names.end() ? "row " + std::to_string(row.id) : found->second;
-}
-
 std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
   if (explanation.exact) return explanation.exact->at(level);
   std::vector<CostlyRow> rows;
@@ -31,8 +26,10 @@ std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t 
   for (std::int32_t i = 0; i < report.num_blocking; ++i) {
     const BlockingRow& row = report.blocking[static_cast<std::size_t>(i)];
     if (row.level != level) continue;
-    rows.push_back(
-        {explanation.header.level_name(row.by_level), row_name(explanation, row), row.cost, {}});
+    rows.push_back({explanation.header.level_name(row.by_level),
+                    row_name(explanation, row.by_level, row.id),
+                    row.cost,
+                    {}});
   }
   return rows;
 }
@@ -225,6 +222,11 @@ std::string estimates(const TickExplanation& explanation) {
 }
 
 }  // namespace
+
+std::string row_name(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
+  const auto found = explanation.row_names.find({level, id});
+  return found == explanation.row_names.end() ? "row " + std::to_string(id) : found->second;
+}
 
 std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation) {
   std::vector<LevelThatGaveWay> levels;

@@ -20,6 +20,10 @@ struct LevelThatGaveWay {
 /// `visible_residual` is left out.
 [[nodiscard]] std::vector<LevelThatGaveWay> gave_way(const TickExplanation& explanation);
 
+/// "row 17" where the log does not name it.
+[[nodiscard]] std::string row_name(const TickExplanation& explanation, std::int16_t level,
+                                   std::int32_t id);
+
 /// Rows at or beyond a bound, of the levels that were solved.
 [[nodiscard]] std::vector<ActiveRow> rows_at_bounds(const TickExplanation& explanation);
 

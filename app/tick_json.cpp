@@ -99,9 +99,8 @@ bool is_any_level_solved(const TickExplanation& explanation) {
 }
 
 Json row_json(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
-  const auto found = explanation.row_names.find({level, id});
   return {{"level", explanation.header.level_name(level)},
-          {"row", found == explanation.row_names.end() ? "" : found->second}};
+          {"row", row_name(explanation, level, id)}};
 }
 
 /// Of the levels that were solved.

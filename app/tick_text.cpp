@@ -199,10 +199,8 @@ std::string level_table(const TickExplanation& explanation) {
   return aligned(table);
 }
 
-std::string row_name(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
-  const auto found = explanation.row_names.find({level, id});
-  return explanation.header.level_name(level) + " " +
-         (found == explanation.row_names.end() ? std::to_string(id) : found->second);
+std::string full_name(const TickExplanation& explanation, std::int16_t level, std::int32_t id) {
+  return explanation.header.level_name(level) + " " + row_name(explanation, level, id);
 }
 
 std::string at_bounds(const TickExplanation& explanation) {
@@ -216,7 +214,7 @@ std::string at_bounds(const TickExplanation& explanation) {
       is_all ? "Limits that act:\n" : "Limits that act in the levels that were solved:\n";
   for (const ActiveRow& row : rows) {
     const bool is_beyond = std::abs(row.state) > 1;
-    out += "  " + row_name(explanation, row.level, row.id) +
+    out += "  " + full_name(explanation, row.level, row.id) +
            (is_beyond ? ", beyond its " : ", at its ") +
            (row.state < 0 ? "lower bound" : "upper bound") +
            (is_beyond && !std::isnan(row.by)
@@ -235,7 +233,7 @@ std::string missed(const TickExplanation& explanation) {
     const double visible =
         visible_residual(header.level_name(row.level), header.level_unit(row.level));
     if (!(std::abs(row.by) > visible)) continue;
-    out += "  " + row_name(explanation, row.level, row.id) + ", by " +
+    out += "  " + full_name(explanation, row.level, row.id) + ", by " +
            amount(explanation, row.level, row.by) + "\n";
   }
   return out.empty() ? "" : "Rows that were missed:\n" + out;

@@ -1,10 +1,9 @@
 #include "surefoot/logging/log_reader.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/log_header_reader.hpp"
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/message_decoder.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,149 +13,8 @@
 namespace surefoot {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::string_view kHeaderName = "header.json";
 constexpr std::string_view kSummaryName = "summary.json";
-
-/// A member of the header that is missing or is not of its kind.
-struct BadMember {
-  std::string name;
-};
-
-double number(const json& value) { return value.is_null() ? kNaN : value.get<double>(); }
-
-/// What `parse` makes of a member.
-auto member(const json& object, const char* name, const auto& parse) {
-  try {
-    return parse(object.at(name));
-  } catch (const json::exception&) {
-    throw BadMember{name};
-  }
-}
-
-template <typename T>
-T member(const json& object, const char* name) {
-  return member(object, name, [](const json& value) { return value.get<T>(); });
-}
-
-double number_member(const json& object, const char* name) { return member(object, name, number); }
-
-LogRobot parse_robot(const json& robot) {
-  LogRobot result;
-  result.name = member<std::string>(robot, "name");
-  const auto names = member<json>(robot, "joint_names");
-  const auto limits = member<json>(robot, "torque_limit");
-  for (std::size_t i = 0; i < kNumJoints; ++i) {
-    result.joint_names[i] = names.at(i).get<std::string>();
-    result.torque_limit[static_cast<Eigen::Index>(i)] = number(limits.at(i));
-  }
-  result.mass = number_member(robot, "mass");
-  result.foot_radius = number_member(robot, "foot_radius");
-  return result;
-}
-
-template <int n>
-Eigen::Matrix<double, n, 1> parse_vector(const json& list) {
-  Eigen::Matrix<double, n, 1> result;
-  for (int i = 0; i < n; ++i) result[i] = number(list.at(static_cast<std::size_t>(i)));
-  return result;
-}
-
-LogTerrain parse_terrain(const json& piece) {
-  const Eigen::Vector4d q = parse_vector<4>(piece.at("q_WT"));
-  return {.shape = piece.at("shape").get<std::string>(),
-          .position = parse_vector<3>(piece.at("position")),
-          .q_WT = Quat(q[0], q[1], q[2], q[3]),
-          .size = parse_vector<3>(piece.at("size")),
-          .columns = piece.at("columns").get<int>(),
-          .rows = piece.at("rows").get<int>(),
-          .heights = piece.at("heights").get<std::vector<double>>()};
-}
-
-// What not all logs have.
-void parse_newer(const json& header, LogHeader& result) {
-  result.commit = header.value("commit", "");
-  result.command = header.value("command", "");
-  result.description = header.value("description", "");
-  result.level_units = header.value("level_units", std::vector<std::string>());
-  result.level_units.resize(result.level_names.size());
-  const json drawn = header.value("drawn", json::array());
-  for (const json& draw : drawn) {
-    result.drawn.push_back({draw.at("path").get<std::string>(), number(draw.at("value"))});
-  }
-  const json terrain = header.value("terrain", json::array());
-  for (const json& piece : terrain) {
-    result.terrain.push_back(parse_terrain(piece));
-  }
-}
-
-LogLimbLimits parse_limb(const json& limb) {
-  return {member<int>(limb, "level"), member<std::string>(limb, "form"), number_member(limb, "min"),
-          number_member(limb, "max")};
-}
-
-LogHeader parse_header(const json& header) {
-  LogHeader result;
-  result.version = member<std::string>(header, "version");
-  result.scenario = member<std::string>(header, "scenario");
-  result.stack = member<std::string>(header, "stack");
-  result.estimation = member<std::string>(header, "estimation");
-  const json options = member<json>(header, "options");
-  if (!options.is_null()) result.options = options.dump();
-  result.seed = member<std::uint64_t>(header, "seed");
-  result.control_period = number_member(header, "control_period");
-  result.level_names = member<std::vector<std::string>>(header, "level_names");
-  result.event_names = member<std::vector<std::string>>(header, "event_names");
-  result.robot = member(header, "robot", parse_robot);
-  result.limb = member(header, "limb", parse_limb);
-  result.notes = member<std::vector<std::string>>(header, "notes");
-  parse_newer(header, result);
-  return result;
-}
-
-int second_number(std::string_view version) {
-  const std::size_t point = std::min(version.find('.'), version.size() - 1);
-  return std::atoi(std::string(version.substr(point + 1)).c_str());
-}
-
-/// What reads and writes JSON calls itself for each bracket: of a header that is deeper than any of
-/// ours the stack would run out.
-json parse_flat(const std::string& text) {
-  constexpr int kDeepest = 100;
-  return json::parse(text, [](int depth, json::parse_event_t, const json&) {
-    if (depth > kDeepest) throw BadMember{"an end of its brackets"};
-    return true;
-  });
-}
-
-/// A log's header, of a version that can be read. Throws FileError, with what can still be done.
-LogHeader read_header(const std::string& path, const std::string& text) {
-  const auto refuse = [&](const std::string& what) -> LogHeader {
-    throw FileError(path + ": its header.json, which says what run it is, " + what +
-                    "; the messages in it can be read by other readers of MCAP, but not by "
-                    "surefoot: record the run anew");
-  };
-  try {
-    const json header = parse_flat(text);
-    const auto version = member<std::string>(header, "log_version");
-    if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
-      throw FileError(
-          path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
-          ". Read it with the version of surefoot that made it, or record the run anew");
-    }
-    LogHeader result = parse_header(header);
-    result.is_older = second_number(version) < second_number(kLogVersion);
-    return result;
-  } catch (const json::parse_error& error) {
-    return refuse("is damaged at its byte " + std::to_string(error.byte) + " of " +
-                  std::to_string(text.size()));
-  } catch (const BadMember& member) {
-    return refuse("lacks " + member.name + ", or has something else in its place");
-  } catch (const json::exception&) {
-    return refuse("has something else in the place of a part of it");
-  }
-}
 
 /// Levels by their numbers in the header, whatever order they had at the tick; those that it does
 /// not have by their place in the message.
@@ -295,7 +153,7 @@ LogReader::LogReader(const std::string& path, Other other)
     : path_(path), file_(path), other_(std::move(other)) {
   const auto header = file_.attachments().find(std::string(kHeaderName));
   if (header == file_.attachments().end()) refuse_without_header();
-  header_ = read_header(path, header->second);
+  header_ = read_log_header(path, header->second);
   clock_ = TickClock(header_.control_period);
   for (const auto& [name, data] : file_.attachments()) {
     if (name != kHeaderName && name != kSummaryName)
