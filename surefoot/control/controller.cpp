@@ -139,7 +139,8 @@ struct Controller::Implementation {
   std::array<double, kMaxLevels> level_times{};      // [s]
   bool explains_levels = false;
   StageObserver* observer = nullptr;
-  double last_time = kNaN;  // of the last state that was believed [s]
+  double tilt_shortfall = 0.0;  // of the last tick [rad/s²]
+  double last_time = kNaN;      // of the last state that was believed [s]
 };
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -214,7 +215,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   calibrate(dynamics);
   model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
-  record.plan = planner.update(user, record.state, dynamics);
+  record.plan = planner.update(user, record.state, dynamics, tilt_shortfall);
   ended(Stage::plan);
   TaskStack& stack = solved->stack;
   HierarchySolver& solver = solved->solver;
@@ -275,6 +276,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
   const TaskStack& stack = solved->stack;
   summarise(solution, stack.hierarchy(), record.hierarchy);
+  tilt_shortfall = is_changing() ? 0.0 : stack.tilt_shortfall(solution);
   level_times.fill(0.0);
   for (std::size_t k = 0; k < std::min(solution.levels.size(), kMaxLevels); ++k) {
     level_times[k] = solution.levels[k].time;
@@ -298,6 +300,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
   record.model = unknown_model();
+  tilt_shortfall = 0.0;
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};

@@ -6,6 +6,7 @@
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace surefoot {
@@ -35,6 +36,7 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
     hierarchy_.add_level(spec.name, spec.damping > 0.0 ? 2 * rows : rows);
     levels_.push_back(std::move(level));
   }
+  torso_tilt_ = level_of("torso_roll_pitch");
 }
 
 const Hierarchy& TaskStack::update(const Dynamics& dynamics, const MotionPlan& plan) noexcept {
@@ -62,6 +64,18 @@ bool TaskStack::is_only(std::size_t level, std::string_view task) const {
   const LevelTasks& only = levels_[level];
   return only.tasks.size() == 1 && only.tasks.front()->name() == task &&
          only.weights.front() == 1.0 && only.damping == 0.0;
+}
+
+std::size_t TaskStack::level_of(std::string_view task) const {
+  std::size_t level = 0;
+  while (level < levels_.size() && !is_only(level, task)) ++level;
+  return level;
+}
+
+double TaskStack::tilt_shortfall(const Solution& solution) const noexcept {
+  if (torso_tilt_ >= solution.levels.size()) return 0.0;
+  const double residual = solution.levels[torso_tilt_].residual;
+  return std::isfinite(residual) ? residual : 0.0;
 }
 
 void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,

@@ -4,6 +4,7 @@
 #include "surefoot/model/support_dynamics.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/soft_levels.hpp"
+#include "surefoot/solver/solution.hpp"
 #include "surefoot/tasks/physics_substitution.hpp"
 #include "surefoot/tasks/task.hpp"
 
@@ -33,6 +34,10 @@ class TaskStack {
   /// these two tasks, each alone in its level, in this order. Allocates nothing.
   [[nodiscard]] const Substitution* substitution(const Dynamics& dynamics) noexcept;
 
+  /// Residual of the torso's roll and pitch in a solution of the last update [rad/s²]: 0 where the
+  /// stack has no level of that task alone, and where it was not solved.
+  [[nodiscard]] double tilt_shortfall(const Solution& solution) const noexcept;
+
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const SupportDynamics& support() const { return support_; }
@@ -56,6 +61,8 @@ class TaskStack {
   };
 
   [[nodiscard]] bool is_only(std::size_t level, std::string_view task) const;
+  /// Of the task alone; the number of levels if there is none.
+  [[nodiscard]] std::size_t level_of(std::string_view task) const;
   void write(const LevelTasks& tasks, const TaskInput& input, Level& level) const noexcept;
 
   RobotDescription robot_;
@@ -64,7 +71,8 @@ class TaskStack {
   Hierarchy hierarchy_;
   PhysicsSubstitution physics_;
   int first_free_level_ = 0;
-  Eigen::VectorXd no_motion_;  // the zeros that damping pulls to
+  std::size_t torso_tilt_ = 0;  // its level
+  Eigen::VectorXd no_motion_;   // the zeros that damping pulls to
 };
 
 }  // namespace surefoot

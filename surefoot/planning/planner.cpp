@@ -20,6 +20,7 @@ constexpr double kStill = 0.02;        // [m/s] and [rad/s]
 constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new COM plan [s]
 constexpr double kLeastHeight = 0.1;   // of the COM over the plane [m]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
+constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
 constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
@@ -45,8 +46,9 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
             LegMotion(options.swing, options.contact, options.force, period, options.reflex)} {}
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
-                                  const Dynamics& dynamics) noexcept {
+                                  const Dynamics& dynamics, double tilt_shortfall) noexcept {
   time_ = state.time;
+  tilt_shortfall_ = tilt_shortfall;
   event_ = PlanEvent::none;
   if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
@@ -184,20 +186,27 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
       mode_ = Mode::stand;
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
-      if (!lets_another_leg_go_first(user, dynamics)) next.unload(lift_time_);
+      if (lets_another_leg_go_first(user, dynamics)) return;
+      tilt_shortfall_on_four_ = tilt_shortfall_;
+      next.unload(lift_time_);
     }
     return;
   }
-  if (time_ < lift_time_) return;
+  const bool holds = !torso_gives_way();
+  if (holds && time_ < lift_time_) return;
   const bool unloaded = next.unloaded() || !options_.force.ramps;
-  if (unloaded && balanced_without(next_leg(), dynamics)) {
+  if (holds && unloaded && balanced_without(next_leg(), dynamics)) {
     lift_off(next_leg(), user, dynamics);
-  } else if (time_ > lift_time_ + kLiftOffPatience) {
+  } else if (!holds || time_ > lift_time_ + kLiftOffPatience) {
     event_ = PlanEvent::lift_off_aborted;
     next.reload(time_);
     begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
+}
+
+bool Planner::torso_gives_way() const {
+  return tilt_shortfall_ > tilt_shortfall_on_four_ + kTiltGivenUp;
 }
 
 void Planner::begin_swing() {

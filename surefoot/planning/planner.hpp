@@ -28,9 +28,10 @@ class Planner {
   /// `weight` of the robot [N]; `period` of the control loop [s].
   Planner(const PlannerOptions& options, double weight, double period);
 
-  /// One tick. Allocates nothing, throws nothing.
+  /// One tick. `tilt_shortfall`: what the last tick left undone of the torso's roll and pitch
+  /// [rad/s²]. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
-                           const Dynamics& dynamics) noexcept;
+                           const Dynamics& dynamics, double tilt_shortfall = 0.0) noexcept;
 
   /// Between two ticks: the friction that every foot is believed to find from now on. Throws Error
   /// unless it is above 0.
@@ -94,6 +95,8 @@ class Planner {
   [[nodiscard]] bool is_calm(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
+  /// Does unloading the next foot let the torso go, as the others can't carry it?
+  [[nodiscard]] bool torso_gives_way() const;
   void begin_swing();
   /// Where the other feet's triangle is too thin to swing the next leg: another leg goes first, if
   /// one can and that widens it.
@@ -165,9 +168,11 @@ class Planner {
   double stands_from_ = 0.0;  // on all feet [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
-  int cursor_ = 0;            // place of the next leg in the gait's order
-  bool backward_ = false;     // the gait's order is mirrored, fore and hind
-  double lift_time_ = 0.0;    // planned lift-off of the next leg [s]
+  int cursor_ = 0;                       // place of the next leg in the gait's order
+  bool backward_ = false;                // the gait's order is mirrored, fore and hind
+  double tilt_shortfall_ = 0.0;          // of the last tick [rad/s²]
+  double tilt_shortfall_on_four_ = 0.0;  // … before the next leg began to unload
+  double lift_time_ = 0.0;               // planned lift-off of the next leg [s]
   double deadline_ = 0.0;     // expected touchdown of the swinging leg; later the gait waits [s]
   double late_time_ = 0.0;    // when a missing touchdown is told [s]
   bool probing_ = false;      // the swinging foot makes its first touch

@@ -14,7 +14,7 @@ enum class PlanEvent : int {
   late = 5,                ///< no ground at the expected time: the gait waits, the foot searches
   no_ground = 6,           ///< none within reach: the foot is taken back
   lost_contact = 7,        ///< a stance foot lost its ground
-  lift_off_aborted = 8,    ///< the leg did not unload or the balance was not over the others
+  lift_off_aborted = 8,    ///< the leg did not unload, or the others could not carry
   collision = 9,           ///< a hind leg met something above the ground that it steps onto
   slowed = 10,             ///< the commanded velocity asks for longer strides than the legs have
   slip = 11,               ///< a standing foot began to slide

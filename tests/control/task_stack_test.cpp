@@ -69,6 +69,21 @@ TEST(TaskStack, TheFirstFreeLevelComesAfterAllThatKeepThePhysics) {
             3);
 }
 
+TEST(TaskStack, TellsWhatASolutionLacksOfTheTorsosTilt) {
+  const auto shortfall = [](const StackOptions& options, double residual) {
+    Solution solution;
+    solution.levels.resize(options.levels.size());
+    solution.levels.back().residual = residual;
+    return TaskStack(options, anymal_b()).tilt_shortfall(solution);
+  };
+  const StackOptions stack = stack_of({level("com_xy"), level("torso_roll_pitch")});
+  EXPECT_EQ(shortfall(stack, 2.5), 2.5);
+  EXPECT_EQ(shortfall(stack, kNaN), 0.0) << "a level that was not solved says nothing";
+  const LevelSpec both{"both", {{"torso_roll_pitch", {}, {}}, {"torso_height", {}, {}}}};
+  EXPECT_EQ(shortfall(stack_of({level("com_xy"), both}), 2.5), 0.0) << "of both together";
+  EXPECT_EQ(shortfall(stack_of({level("com_xy")}), 2.5), 0.0);
+}
+
 TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {
   RobotModel model(anymal_b());
   Random random(1);

@@ -202,6 +202,34 @@ TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
   EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
 }
 
+/// A walk in which the torso's tilt is missed by `always`, and by `missed` more while the left hind
+/// foot unloads and carries little [rad/s²].
+Puppet weak_without_left_hind(double always, double missed, double duration) {
+  Puppet puppet = walker();
+  puppet.run(duration, [&] {
+    const FootPlan& foot = puppet.plan().feet[index(Leg::LH)];
+    const bool light = foot.phase == LegPhase::unloading && foot.force_max < 100.0;
+    puppet.tilt_shortfall = always + (light ? missed : 0.0);
+  });
+  return puppet;
+}
+
+TEST(Planner, AFootWithoutWhichTheOthersLetTheTorsoGoIsLoadedAgain) {
+  for (const double always : {0.0, 40.0}) {
+    const Puppet puppet = weak_without_left_hind(always, 50.0, 12.0);
+    EXPECT_GE(puppet.happenings(PlanEvent::lift_off_aborted).size(), 2u) << "again and again";
+    for (const Happening& lift : puppet.happenings(PlanEvent::lift_off))
+      EXPECT_NE(lift.leg, Leg::LH);
+    EXPECT_EQ(puppet.plan().num_contacts(), 4);
+  }
+}
+
+TEST(Planner, ATorsoThatIsNotWhereItShouldBeOnAllFeetEitherStopsNoLiftOff) {
+  const Puppet puppet = weak_without_left_hind(60.0, 10.0, 12.0);
+  EXPECT_TRUE(puppet.happenings(PlanEvent::lift_off_aborted).empty());
+  EXPECT_GT(puppet.planner().steps_taken(), 4);
+}
+
 TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
   Puppet puppet = walker();
   puppet.com_follows = false;  // stays in the middle, which lies on the triangle's edge

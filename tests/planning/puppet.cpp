@@ -48,7 +48,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
   state_.v_WB.setZero();
   state_.w_WB_B.setZero();
   dynamics_.com.p = state_.p_WB;
-  plan_ = planner_.update(user, state_, dynamics_);
+  plan_ = planner_.update(user, state_, dynamics_, tilt_shortfall);
 }
 
 void Puppet::place(Leg leg, const Vec2& place) {
@@ -71,7 +71,7 @@ void Puppet::tick() {
   move_body();
   for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
   const MotionPlan before = plan_;
-  plan_ = planner_.update(user, state_, dynamics_);
+  plan_ = planner_.update(user, state_, dynamics_, tilt_shortfall);
   note_event(before);
 }
 
