@@ -27,22 +27,19 @@ NamedHierarchy question_of(const Controller& controller) {
                          "the tick's hierarchy");
 }
 
-/// Dearest first, unknown costs last. Where none costs anything alone, all that hold.
+/// Those that cost something or may do so. Where none costs anything alone, all that hold.
 std::vector<CostlyRow> rows_of(const LevelAccount& level, const NamedHierarchy& question) {
   const auto level_name = [&](std::size_t k) { return question.hierarchy.level(k).name(); };
   std::vector<CostlyRow> rows;
   for (const BlockingLevelAccount& by : level.blocked_by) {
     for (const BlockingRowAccount& row : by.rows) {
       if (row.would_gain && row.cost == 0.0) continue;
-      rows.push_back({level_name(by.level), row.name, row.cost, {}});
+      rows.push_back({level_name(by.level), row.name, row.cost, {}, row.is_limit});
       for (const NamedRow& same : row.same)
-        rows.back().same.push_back({level_name(same.level), same.name, 0.0, {}});
+        rows.back().same.push_back({level_name(same.level), same.name, 0.0, {}, false});
     }
   }
-  std::ranges::stable_sort(rows, [](const CostlyRow& a, const CostlyRow& b) {
-    return a.cost > b.cost || (std::isnan(b.cost) && !std::isnan(a.cost));
-  });
-  if (!rows.empty() && rows.front().cost > 0.0)
+  if (std::ranges::any_of(rows, [](const CostlyRow& row) { return row.cost > 0.0; }))
     std::erase_if(rows, [](const CostlyRow& row) { return row.cost == 0.0; });
   return rows;
 }

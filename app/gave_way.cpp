@@ -19,8 +19,14 @@ std::string number(double value) {
   return formatted(std::abs(value) < 99.5 ? "%.2g" : "%.0f", value);
 }
 
-std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
-  if (explanation.exact) return explanation.exact->at(level);
+bool is_limit(const HierarchyReport& report, const BlockingRow& row) {
+  const auto end = report.active.begin() + report.num_active;
+  return std::any_of(report.active.begin(), end, [&](const ActiveRow& active) {
+    return active.level == row.by_level && active.id == row.id;
+  });
+}
+
+std::vector<CostlyRow> estimated_rows(const TickExplanation& explanation, std::int16_t level) {
   std::vector<CostlyRow> rows;
   const HierarchyReport& report = explanation.tick.hierarchy;
   for (std::int32_t i = 0; i < report.num_blocking; ++i) {
@@ -29,8 +35,27 @@ std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t 
     rows.push_back({explanation.header.level_name(row.by_level),
                     row_name(explanation, row.by_level, row.id),
                     row.cost,
-                    {}});
+                    {},
+                    is_limit(report, row)});
   }
+  return rows;
+}
+
+/// As it is told; unknown ones come last.
+double told_cost(const CostlyRow& row) {
+  return std::isnan(row.cost) ? -1.0 : std::stod(number(row.cost));
+}
+
+// Many rows may cost a level the same, each of them all of it: what the foot does and the limit of
+// its leg. Of a limit one learns the most.
+std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
+  std::vector<CostlyRow> rows =
+      explanation.exact ? explanation.exact->at(level) : estimated_rows(explanation, level);
+  std::ranges::stable_sort(rows, [](const CostlyRow& a, const CostlyRow& b) {
+    const double cost_a = told_cost(a), cost_b = told_cost(b);
+    if (cost_a != cost_b) return cost_a > cost_b;
+    return a.is_limit && !b.is_limit;
+  });
   return rows;
 }
 

@@ -12,8 +12,10 @@ namespace surefoot {
 struct LevelThatGaveWay {
   std::string name, unit;
   double residual = 0.0;
-  bool restless = false;      ///< asks for no force or torque at all, and is never content
-  std::vector<CostlyRow> to;  ///< dearest first; empty: nothing above holds it back
+  bool restless = false;  ///< asks for no force or torque at all, and is never content
+  /// Dearest first, and of those whose costs read the same the limits; empty: nothing above holds
+  /// it back.
+  std::vector<CostlyRow> to;
 };
 
 /// Of the levels that were solved, in the order of the tick's hierarchy. What is less than

@@ -149,7 +149,8 @@ class Accountant {
     for (const DistinctBlocker& blocker : explanation.blocked_by) {
       if (blocker.at.level != level) continue;
       const bool is_rounding = blocker.cost <= kRounding * explanation.residual;
-      rows.push_back({name(blocker.at), words(state(blocker.at)), names_of_same(blocker),
+      rows.push_back({name(blocker.at), words(state(blocker.at)),
+                      state(blocker.at) != RowState::equality, names_of_same(blocker),
                       blocker.would_gain, is_rounding ? 0.0 : blocker.cost, blocker.multiplier,
                       blocker.independence});
     }

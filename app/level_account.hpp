@@ -35,6 +35,7 @@ struct NamedRow {
 struct BlockingRowAccount {
   std::string name;
   std::string_view state;      ///< in words: "at its upper bound"
+  bool is_limit = false;       ///< an inequality
   std::vector<NamedRow> same;  ///< others that say the same: the numbers are of all together
   bool would_gain = false;     ///< see `DistinctBlocker`
   double cost = 0.0;  ///< what the level's residual falls by without this row alone; NaN: not known

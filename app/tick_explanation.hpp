@@ -29,9 +29,10 @@ struct CostlyRow {
   std::string level, row;
   double cost = 0.0;  ///< in the unit of the level that gave way; 0: nothing alone; NaN: not known
   std::vector<CostlyRow> same;  ///< others that say the same: the cost is of all together
+  bool is_limit = false;        ///< an inequality
 };
 
-/// What held each level of a tick back, by its number in the header; dearest first.
+/// What held each level of a tick back, by its number in the header.
 using ExactCosts = std::map<std::int16_t, std::vector<CostlyRow>>;
 
 /// A tick beside another.

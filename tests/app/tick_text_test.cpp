@@ -118,6 +118,25 @@ TEST(TickText, LevelsThatGaveWayToTheSameRowsAreToldOnceWithThem) {
             "rad/s² to the same; rows without a number cost nothing alone.");
 }
 
+TEST(TickText, OfRowsWhoseCostsReadTheSameTheLimitsAreToldFirst) {
+  TickExplanation explanation = pushed_over();
+  explanation.exact = ExactCosts{{1,
+                                  {{"swing_foot", "LF x", 31.002, {}, false},
+                                   {"swing_foot", "LF y", kNaN, {}, false},
+                                   {"friction_cone", "RH −y", 12.0, {}, true},
+                                   {"limb_extension_limits", "LF extension", 31.001, {}, true}}},
+                                 {2, {}}};
+  explanation.tick.hierarchy.levels[2].residual = 0.0;
+  EXPECT_EQ(gave_way_sentence(explanation),
+            "com_xy gave way by 31 m/s² to limb_extension_limits LF extension (31 m/s²), "
+            "swing_foot LF x (31 m/s²), friction_cone RH −y (12 m/s²) and 1 more.");
+  explanation.exact.reset();
+  HierarchyReport& report = explanation.tick.hierarchy;
+  report.active[0] = {.level = 0, .state = 1, .id = 1, .by = 0.0};
+  report.num_active = 1;
+  EXPECT_EQ(gave_way(explanation).front().to.front().row, "RH −y") << "of estimates, too";
+}
+
 TEST(TickText, AForceBeyondItsLimitsIsToldAsAWish) {
   TickExplanation explanation = pushed_over();
   const std::string text = tick_text("run.mcap", explanation);
