@@ -2,6 +2,7 @@
 
 #include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
+#include "app/interrupt.hpp"
 #include "app/level_account.hpp"
 #include "app/log_replay.hpp"
 #include "surefoot/base/error.hpp"
@@ -88,6 +89,7 @@ std::string find_all(LogReplay& replay, const std::vector<Wanted>& list) {
   replay.explain_levels(false);
   std::size_t found = 0;
   while (found < list.size() && replay.step()) {
+    if (interrupted()) return "interrupted";
     const Wanted& next = list[found];
     const double time = next.tick->reading.time;
     if (replay.logged().reading.time < time - kHalfNanosecond) continue;

@@ -45,7 +45,8 @@ LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(pat
 LogContent::LogContent(const std::string& path, const LogHeader& header)
     : frames_(path, header),
       summary_(path, header),
-      robot_(urdf_of(header), robot_package_directory()) {
+      robot_(urdf_of(header), robot_package_directory()),
+      explainer_(path, frames_.period()) {
   describe(path, header);
   const std::string missing = missing_meshes_text(session_.meshes);
   if (!missing.empty()) notes_.push_back(missing);
@@ -88,10 +89,23 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
 WebAnswer LogContent::get(std::string_view path, const Query& query) {
   if (path == "/api/session") return {200, "application/json", session()};
   if (path == "/api/events") return {200, "application/json", summary_.events_json()};
+  if (path == "/api/explain") return explained(query);
   if (path != "/api/frames") return robot_.get(path);
   return answer_frames(query, [this](const FrameRequest& asked) {
     return asked.min_max ? ranges(asked) : plain_frames(asked);
   });
+}
+
+WebAnswer LogContent::explained(const Query& query) {
+  if (!query.contains("tick")) return refusal(400, "tick is missing: the number of a tick");
+  std::uint32_t tick = 0;
+  try {
+    read_number(query, "tick", frames_.first_tick(), frames_.end_tick() - 1, tick);
+  } catch (const Error& error) {
+    return refusal(400, error.what());
+  }
+  const std::optional<std::string> answer = explainer_.ask(tick);
+  return {answer ? 200 : 202, "application/json", answer.value_or("null")};
 }
 
 std::string LogContent::session() {

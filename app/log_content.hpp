@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/log_summary.hpp"
+#include "app/tick_explainer.hpp"
 #include "app/view_robot.hpp"
 #include "surefoot/view/frame_range.hpp"
 #include "surefoot/view/frame_request.hpp"
@@ -28,6 +29,7 @@ class LogContent final : public WebContent {
   LogContent(const std::string& path, const LogHeader& header);
   void describe(const std::string& path, const LogHeader& header);
   [[nodiscard]] std::string session();
+  [[nodiscard]] WebAnswer explained(const Query& query);
   [[nodiscard]] std::string plain_frames(const FrameRequest& asked);
   [[nodiscard]] std::string kept_frames(const FrameRequest& asked);
   [[nodiscard]] std::string ranges(const FrameRequest& asked);
@@ -38,6 +40,7 @@ class LogContent final : public WebContent {
   ViewRobot robot_;
   ViewSession session_;
   FrameRange range_;
+  TickExplainer explainer_;
   std::vector<std::string> notes_;
 };
 

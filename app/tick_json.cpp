@@ -27,7 +27,7 @@ Json message(const Signal& signal) {
 /// NaN is null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json gave_way_json(const TickExplanation& explanation) {
+Json yielding_levels(const TickExplanation& explanation) {
   Json list = Json::array();
   for (const LevelThatGaveWay& level : gave_way(explanation)) {
     Json to = Json::array();
@@ -164,6 +164,14 @@ Json applied_json(const TickExplanation& explanation) {
 
 }  // namespace
 
+Json gave_way_json(const TickExplanation& explanation) {
+  return {{"time", explanation.tick.reading.time},
+          {"sentence", gave_way_sentence(explanation)},
+          {"gave_way", yielding_levels(explanation)},
+          {"costs_are_exact", explanation.exact.has_value()},
+          {"why_estimates", explanation.why_estimates}};
+}
+
 Json tick_json(const std::string& path, const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   const bool is_solved = was_used(tick);
@@ -176,7 +184,7 @@ Json tick_json(const std::string& path, const TickExplanation& explanation) {
                {"time", tick.reading.time},
                {"solved", is_solved},
                {"sentence", gave_way_sentence(explanation)},
-               {"gave_way", gave_way_json(explanation)},
+               {"gave_way", yielding_levels(explanation)},
                {"costs_are_exact", explanation.exact.has_value()},
                {"blocking_is_known", tick.hierarchy.blocking_is_known || explanation.exact},
                {"blend", blend_json(explanation)},

@@ -17,4 +17,8 @@ namespace surefoot {
 [[nodiscard]] nlohmann::ordered_json tick_json(const std::string& path,
                                                const TickExplanation& explanation);
 
+/// Of that what gave way to what: `time`, `sentence`, `gave_way`, `costs_are_exact` and
+/// `why_estimates`.
+[[nodiscard]] nlohmann::ordered_json gave_way_json(const TickExplanation& explanation);
+
 }  // namespace surefoot

@@ -1,8 +1,10 @@
 #include "surefoot/view/web_answer.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/view/page_files.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <exception>
 
 namespace surefoot {
@@ -39,6 +41,18 @@ WebAnswer page_file(std::string_view path) {
 }
 
 }  // namespace
+
+void read_number(const WebContent::Query& query, const char* key, std::uint32_t min,
+                 std::uint32_t max, std::uint32_t& value) {
+  const auto found = query.find(key);
+  if (found == query.end()) return;
+  const std::string& text = found->second;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && value >= min && value <= max)
+    return;
+  throw Error(std::string(key) + " is \"" + text + "\"; valid is a whole number from " +
+              std::to_string(min) + " to " + std::to_string(max));
+}
 
 WebAnswer refusal(int status, std::string why) {
   return {.status = status, .body = std::move(why) + "\n"};

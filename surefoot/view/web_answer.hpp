@@ -29,6 +29,11 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kW
 /// The answer for a target: a file of the page, or what the content says.
 [[nodiscard]] WebAnswer answer_for(std::string_view target, WebContent& content);
 
+/// Reads a whole number from a query; keeps `value` where it is not given. Throws Error, with what
+/// is valid.
+void read_number(const WebContent::Query& query, const char* key, std::uint32_t min,
+                 std::uint32_t max, std::uint32_t& value);
+
 /// A line of text with a status.
 [[nodiscard]] WebAnswer refusal(int status, std::string why);
 

@@ -26,6 +26,30 @@ TEST_F(DamagedLog, a_whole_one_has_no_damage_and_all_its_ticks) {
   EXPECT_EQ(marks_of_damage(content), 0u);
 }
 
+TEST_F(DamagedLog, a_tick_is_explained_once_it_was_asked_for) {
+  record(400);
+  LogContent content(path());
+  const auto ask = [&](const std::string& tick) {
+    return content.get("/api/explain", {{"tick", tick}});
+  };
+  WebAnswer answer = ask("150");
+  EXPECT_EQ(answer.status, 202) << "it takes its time";
+  (void)ask("250");
+  for (int i = 0; answer.status == 202 && i < 1000; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    answer = ask("150");
+  }
+  ASSERT_EQ(answer.status, 200);
+  const json told = json::parse(answer.body);
+  EXPECT_NEAR(told.at("time"), 150 * SyntheticRun::header().control_period, 1e-9);
+  EXPECT_FALSE(told.at("sentence").get<std::string>().empty());
+  for (const char* wrong : {"-1", "400", "x", "1e2", ""}) {
+    EXPECT_EQ(ask(wrong).status, 400) << wrong;
+    EXPECT_NE(ask(wrong).body.find("0 to 399"), std::string::npos) << ask(wrong).body;
+  }
+  EXPECT_EQ(content.get("/api/explain", {}).status, 400);
+}
+
 TEST_F(DamagedLog, why_a_run_does_not_end_where_it_should_is_told) {
   const std::string unknown =
       "how the run ended is not known: the log's file is whole, but has no summary";

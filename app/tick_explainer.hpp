@@ -1,0 +1,41 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace surefoot {
+
+/// Explains ticks of a log to pages that show them, on a thread of its own, as that takes about as
+/// long as a replay up to the tick. Only the tick that was asked for last waits its turn: whoever
+/// asks for another does not want it any more.
+class TickExplainer {
+ public:
+  /// `period`: of the log's ticks [s].
+  TickExplainer(std::string path, double period);
+  ~TickExplainer();
+  TickExplainer(const TickExplainer&) = delete;
+  TickExplainer& operator=(const TickExplainer&) = delete;
+
+  /// `gave_way_json` of a tick, with exact costs; or why not, as `problem`. None: not yet.
+  [[nodiscard]] std::optional<std::string> ask(std::uint32_t tick);
+
+ private:
+  void run();
+  [[nodiscard]] std::string explained(std::uint32_t tick) const;
+
+  const std::string path_;
+  const double period_;
+  std::mutex mutex_;
+  std::condition_variable wakes_;
+  std::map<std::uint32_t, std::string> known_;
+  std::optional<std::uint32_t> wanted_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace surefoot
