@@ -170,16 +170,16 @@ Pinned pinned(const Hierarchy& hierarchy, const VectorXd& x, const RowSet& fixed
   return result;
 }
 
-/// Of each row of E, then of each of T; that of a row of T that doesn't push is 1.
-VectorXd independences(const RowSet& fixed, const RowSet& touching, const VectorXd& mu) {
-  const Index num_fixed = fixed.rows.rows();
-  const std::vector<Index> held = pushing(mu);
-  Eigen::MatrixXd rows(num_fixed + static_cast<Index>(held.size()), fixed.rows.cols());
-  rows << fixed.rows, touching.rows(held, Eigen::all);
-  const VectorXd of_rows = independence(rows.transpose());
-  VectorXd result = VectorXd::Ones(num_fixed + mu.size());
-  result.head(num_fixed) = of_rows.head(num_fixed);
-  result.tail(mu.size())(held) = of_rows.tail(of_rows.size() - num_fixed);
+auto same_as(RowIndex at) {
+  return [at](RowIndex other) { return other.level == at.level && other.row == at.row; };
+}
+
+/// Of all that hold or are at their bound, whether they push or not, without those that say the
+/// same as one before.
+RowSet held_rows(const RowSet& fixed, const RowSet& touching, const Hierarchy& hierarchy,
+                 const VectorXd& x) {
+  RowSet result = distinct_fixed(fixed, hierarchy, x).rows;
+  result.add(distinct_touching(touching, hierarchy, x).rows);
   return result;
 }
 
@@ -212,8 +212,7 @@ VectorXd noise(const Level& level, const VectorXd& x, const RowSet& fixed, const
 }
 
 bool is_of(const DistinctBlocker& blocker, RowIndex at) {
-  const auto is_it = [&](RowIndex of) { return of.level == at.level && of.row == at.row; };
-  return is_it(blocker.at) || std::ranges::any_of(blocker.same, is_it);
+  return same_as(at)(blocker.at) || std::ranges::any_of(blocker.same, same_as(at));
 }
 
 struct Candidate {
@@ -228,7 +227,6 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
                                   const Distinct& touching, bool all) {
   std::vector<Candidate> result;
   const Multipliers found = multipliers(level, fixed.rows, touching.rows, kTolerances.rank);
-  const VectorXd independence = independences(fixed.rows, touching.rows, found.touching);
   const VectorXd least = noise(hierarchy.level(k), x, fixed.rows, touching.rows, found.touching);
   const auto add = [&](const Distinct& of, const VectorXd& strength, Index first, bool is_fixed) {
     for (Index i = 0; i < strength.size(); ++i) {
@@ -238,9 +236,7 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
       const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
       const bool gains = is_fixed && would_gain(of.rows, i, strength[i], hierarchy, x);
-      result.push_back({{{.at = at,
-                          .multiplier = std::abs(strength[i]) / size,
-                          .independence = independence[first + i]},
+      result.push_back({{{.at = at, .multiplier = std::abs(strength[i]) / size},
                          of.same[static_cast<std::size_t>(i)],
                          gains},
                         is_certain});
@@ -341,12 +337,16 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
       const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
       return fall < 0.0 ? 0.0 : fall;
     };
+    const RowSet held = held_rows(fixed, touching, hierarchy, x);
+    const VectorXd own = independence(held.rows.transpose());
     const auto add = [&](const std::vector<Candidate>& list) {
       double done = 0.0;
       for (const auto& [candidate, is_certain] : list) {
         if (options.progress)
           options.progress(static_cast<double>(k) + done++ / static_cast<double>(list.size()));
         DistinctBlocker blocker = candidate;
+        const auto place = std::ranges::find_if(held.origin, same_as(blocker.at));
+        blocker.independence = place == held.origin.end() ? 0.0 : own[place - held.origin.begin()];
         blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
         if (!is_certain && !(blocker.cost > kCosts * level.residual)) continue;
         double& of_level = result.cost_of_level[blocker.at.level];
@@ -364,8 +364,7 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
     if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
     const auto costs = [&](double of) { return !(of <= kCosts * level.residual); };  // NaN too
     const auto row_costs = [&](const Blocker& row) { return costs(row.cost); };
-    if (!result.blocked_by.empty() && std::ranges::none_of(result.cost_of_level, costs) &&
-        std::ranges::none_of(result.blocked_by, row_costs))
+    if (!result.blocked_by.empty() && std::ranges::none_of(result.blocked_by, row_costs))
       add(others_that_hold(hierarchy, k, x, level, fixed, touching, result.blocked_by));
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
                      [](const Blocker& a, const Blocker& b) {

@@ -17,9 +17,10 @@ struct Blocker {
   /// By how much the residual of the blocked level falls without this row, in the unit of its rows;
   /// NaN where the level could not be solved without it.
   double cost = 0.0;
-  /// What of the row, relative to its length, no other row that is fixed or pushes has as well; 1
-  /// where they are orthogonal. A multiplier is known to about ε over it, so of nearly dependent
-  /// rows multipliers say little.
+  /// What of the row, relative to its length, no other row above that is fixed or at its bound has
+  /// as well, rows that say the same counted as one; 1 where they are orthogonal. A multiplier is
+  /// known to about ε over it, and others may stand in for the row: of nearly dependent rows
+  /// multipliers say little.
   double independence = 1.0;
 };
 

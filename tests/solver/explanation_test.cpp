@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot::test {
@@ -99,6 +101,36 @@ TEST(Explanation, RowsThatSayTheSameAreTakenAwayTogetherAndToldOnce) {
       EXPECT_NEAR(explained.cost_of_level[0], num_above == 1 ? 2.0 : 0.0, 1e-12);
     }
   }
+}
+
+// Above the wish x = 3 stand x = 1, or x = y = 1, and a limit that says no more: it holds as soon
+// as they don't.
+TEST(Explanation, ARowThatALimitStandsInForHasNothingOfItsOwn) {
+  const auto own = [](const HierarchyData& levels) {
+    const LevelExplanation explained = explanation(2, levels).back();
+    EXPECT_FALSE(explained.blocked_by.empty());
+    double most = 0.0;
+    for (const DistinctBlocker& row : explained.blocked_by) most = std::max(most, row.independence);
+    return most;
+  };
+  const LevelData fact = equalities(RowVector2d(1.0, 0.0), number(1.0));
+  const LevelData wish = equalities(RowVector2d(1.0, 0.0), number(3.0));
+  EXPECT_LT(own({fact, at_most(RowVector2d(1.0, 0.0), number(1.0)), wish}), 1e-12);
+  const LevelData both = equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0));
+  EXPECT_LT(own({both, at_most(RowVector2d(1.0, 1.0), number(2.0)), wish}), 1e-12);
+  EXPECT_NEAR(own({both, at_most(RowVector2d(1.0, 1.0), number(5.0)), wish}), 1.0, 1e-12);
+}
+
+TEST(Explanation, WhatALevelCostsThoughNoRowOfItDoesAloneIsToldWithAllThatHold) {
+  const LevelExplanation explained =
+      explanation(2, {equalities(MatrixXd::Identity(2, 2), Vector2d(1.0, 1.0)),
+                      at_most(RowVector2d(1.0, 1.0), number(2.0)),
+                      equalities(RowVector2d(1.0, 0.0), number(3.0))})
+          .back();
+  EXPECT_NEAR(explained.cost_of_level[0], 2.0, 1e-12);
+  std::set<std::pair<std::size_t, Index>> rows;
+  for (const DistinctBlocker& row : explained.blocked_by) rows.insert({row.at.level, row.at.row});
+  EXPECT_TRUE(rows.contains({0, 0}) && rows.contains({0, 1})) << "x and y: without both it gains";
 }
 
 TEST(Explanation, AnEqualityTheOtherWayRoundSaysTheSame) {
