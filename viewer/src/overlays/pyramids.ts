@@ -10,7 +10,7 @@ import { vector, type Overlay, type Picture } from "./overlay.ts";
 /** Sides as triangles: tip 0, corners 1 … 4. */
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
 /** How dense the sides are: the more is used, the denser. */
-const DENSITY = { good: 0.18, near: 0.35, bad: 0.75 };
+const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
 /** The corner that points outward of each leg, where its number stands. */
 const OUTWARD = [0, 3, 1, 2];
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
