@@ -7,7 +7,7 @@ import type { FrameSource } from "../data/source.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
-import { digits, fixed, secondsText } from "../data/numbers.ts";
+import { digits, fixed, secondsText, seen } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
 import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
@@ -53,7 +53,7 @@ function feetText(frame: Frame): string {
 /** Velocity of the base in the plane. */
 function speedText(frame: Frame, topic: string): string {
   const v = [0, 0];
-  return read(frame, `${topic}.v_WB`, v) ? `${digits(Math.hypot(...v))} m/s` : "";
+  return read(frame, `${topic}.v_WB`, v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
 }
 
 /** Position and heading of a base in words; "" where they aren't known. */
