@@ -96,7 +96,7 @@ export class App {
 
     const tabs = new Tabs();
     const report = (text: string, kind?: "error" | "plain"): void => notes.say(text, kind);
-    this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"));
+    this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"), session.cut !== "");
     this.state = new StatePanel(tabs.add("state", "State"), this.aboutRun(), session.header.notes);
     this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), this.commands, session.limits, report);
     this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, session.limits.changes, report);
@@ -169,7 +169,7 @@ export class App {
   private aboutRun(): [string, string][] {
     const { link, recording, hasEnded } = this;
     const ended = link === undefined ? this.ending : endedText(this.ending, courseOf(link.status, link.isHeard));
-    return aboutRun(this.session, { recording, hasEnded, ended, isSteered: this.player.source.marks.some(({ kind }) => kind === "change") });
+    return aboutRun(this.session, { recording, hasEnded, ended, isSteered: this.player.source.marks.some(({ kind }) => kind === "change"), missing: missingText(this.world?.library.missing) });
   }
 
   private wire(): void {
@@ -384,7 +384,7 @@ export class App {
   private tellHead(heard: boolean): void {
     const quality = this.world?.stage.quality;
     const rate = heard || !this.player.live ? quality?.rate : "";
-    const end = endFact(this.ending);
+    const end = endFact(this.ending, this.session.cut);
     showFacts([this.session.source, end, ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""], end);
     if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard));
   }

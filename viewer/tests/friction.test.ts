@@ -74,7 +74,8 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   overlay.update(picture as unknown as Picture);
   assert.deepEqual(put, [["RF 93 %", "use leg1 bad"]]);
   assert.deepEqual(spared.map((points) => points.length), [5], "where next to all is used the pyramid itself is to be seen");
-  const [sides] = overlay.root.children[0]?.children as [THREE.Mesh];
+  const [sides] = overlay.root.children[1]?.children as [THREE.Mesh<THREE.BufferGeometry, THREE.Material>];
+  assert.deepEqual([...overlay.root.children.map(({ visible }) => visible), sides.material.depthTest], [false, true, false], "seen through the leg that it stands at");
   const drawn = sides.geometry.getAttribute("position").array.slice(0, 15);
   const tip = [1, 2, 2.97];
   [tip, ...pyramidCorners(q_WP, 0.3, 0.4).map((corner) => corner.map((one, i) => one + (tip[i] as number)))].flat().forEach((one, i) =>

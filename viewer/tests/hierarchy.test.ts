@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Frame } from "../src/data/frame.ts";
-import { accountAt, accountOf, blendShare, detailsOf, levelStates, type LevelState } from "../src/data/hierarchy.ts";
+import { accountAt, accountOf, blendShare, detailsOf, levelStates, type Account, type LevelState } from "../src/data/hierarchy.ts";
 import unusedWords from "../../tests/support/unused_words.json";
 import { blockOf, schemaOf } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
@@ -80,15 +80,37 @@ test("of a level that is minimised and held back nobody says that it gets what i
   assert.deepEqual(more, ["second is as small as it can be, held back by first (b)."]);
 });
 
+/** The account of levels that give way, each to the levels that are named, mostly to the one with the longest name. */
+function accountOfYielding(...yielding: [name: string, above: string[]][]): Account {
+  const level = levelStates(frameOf([0, 0.5]))[1] as LevelState;
+  const above = [...new Set(yielding.flatMap(([, names]) => names))];
+  const states = [...above, ...yielding.map(([name]) => name)].map((name, k): LevelState => ({ ...level, level: k, name, status: "met" }));
+  yielding.forEach(([, names], k) => Object.assign(states[above.length + k] as LevelState, {
+    status: "gives way", blocked: names.flatMap((name) => Array.from({ length: 30 }, (_, row) => ({ by: above.indexOf(name), row: `b${row}`, cost: name.length / (1 + row) }))),
+  }));
+  return accountOf(states, "");
+}
+
+test("the line says what gives way to what, also of several levels", () => {
+  const lineOf = (...yielding: [string, string[]][]): string => accountOfYielding(...yielding).line;
+  assert.equal(lineOf(["torso_height", ["com_xy"]]), "torso height gives way to com xy.");
+  assert.equal(lineOf(["torso_height", ["limb_extension_limits"]], ["torso_roll_pitch", ["limb_extension_limits"]]), "torso height and torso roll pitch give way to limb extension limits.");
+  assert.equal(lineOf(["com_xy", ["torque_limits"]], ["torso_yaw", ["com_xy", "torque_limits"]]), "com xy gives way to torque limits; torso yaw to com xy and torque limits.");
+  assert.equal(lineOf(["com_xy", []], ["torso_yaw", ["com_xy"]]), "com xy gives way; torso yaw to com xy.");
+  assert.equal(lineOf(["com_xy", ["torque_limits"]], ["torso_yaw", []]), "com xy gives way to torque limits; torso yaw gives way.");
+  assert.equal(lineOf(["com_xy", []], ["torso_yaw", []]), "com xy and torso yaw give way.");
+  assert.equal(lineOf(["torso_height", ["swing_foot", "limb_extension_limits"]], ["torso_roll_pitch", ["com_xy", "swing_foot", "limb_extension_limits"]]),
+    "torso height and torso roll pitch give way mostly to limb extension limits.", "there is no room for all");
+  assert.equal(lineOf(["torso_height", ["com_xy"]], ["torso_roll_pitch", ["swing_foot", "torso_yaw", "com_xy"]]), "torso height gives way to com xy; torso roll pitch mostly to swing foot.");
+  assert.equal(lineOf(["a", ["x"]], ["b", ["y"]], ["c", ["x"]]), "a and c give way to x; b to y.", "those that give way to the same are told together");
+});
+
 test("however many levels give way, to however many rows, the account is one line", () => {
-  const level = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }))[1] as LevelState;
-  const many = (count: number): LevelState[] =>
-    Array.from({ length: count }, (_, k) => ({ ...level, name: `level_${k}`, blocked: Array.from({ length: 30 }, () => ({ by: 0, row: "b", cost: 1 })) }));
-  assert.equal(accountOf(many(1), "").line, "level 0 gives way to a level above.");
-  assert.equal(accountOf(many(2), "").line, "level 0 and level 1 give way.");
-  assert.equal(accountOf(many(3), "").line, "3 levels give way, the first of them level 0.");
-  assert.equal(accountOf(many(3), "").whole, "level 0 gives way to a level above; level 1 to a level above; level 2 to a level above.");
-  assert.equal(accountOf(many(11), "").more.length, 11);
+  const many = (count: number): Account => accountOfYielding(...Array.from({ length: count }, (_, k): [string, string[]] => [`task_of_a_long_name_${k}`, [`limits_of_a_long_name_${k}`]]));
+  assert.equal(many(2).line, "2 levels give way, the first of them task of a long name 0 to limits of a long name 0.");
+  assert.equal(many(3).line, "3 levels give way, the first of them task of a long name 0 to limits of a long name 0.");
+  assert.equal(many(2).whole, "task of a long name 0 gives way to limits of a long name 0; task of a long name 1 to limits of a long name 1.");
+  assert.equal(many(11).more.length, 11);
 });
 
 test("a residual is told with the digits of the level's card", () => {

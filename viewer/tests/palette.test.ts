@@ -57,3 +57,12 @@ test("margins have no leg's colour, and the less is left the further they are fr
     assert.deepEqual(contrast, contrast.toSorted((a, b) => a - b));
   }
 });
+
+test("what is nearly used up is seen before the ground and before bodies, whatever their brightness and whatever eyes", () => {
+  for (const dark of [false, true]) {
+    const { margin, alarmEdge, background, ground } = paletteOf(dark);
+    const apart = (a: number, b: number, eyes: Colour[]): number => Math.abs(seen(a, eyes)[0] - seen(b, eyes)[0]);
+    for (const eyes of Object.values(EYES)) for (const behind of [background, ground, 0x000000, 0x5a5f66, 0xffffff])
+      assert.ok(Math.max(apart(margin.bad, behind, eyes), apart(alarmEdge, behind, eyes)) > 0.3, `${behind.toString(16)}, ${dark ? "dark" : "light"}`);
+  }
+});

@@ -123,6 +123,23 @@ test("an arrow begins at the body that is pushed, in the line in which the force
   assert.deepEqual(starts.map((start) => start.map((one) => Number(one.toFixed(6)))), [[0.2, 0, 0.4], [1, 0, 0.4]]);
 });
 
+test("a push that falls between two pictures is drawn in the next one, and for a second", () => {
+  const schema = schemaOf({ "truth.p_WCom": 3, "truth.xfrc_applied": 12 }, { bodies: BODIES, period: 0.0025 });
+  const frame = (time: number, force: number): Frame => ({ schema, tick: 0, time, values: Float32Array.from([0, 0, 0.5, 0, 0, 0, 0, 0, 0, 0, force, 0, 0, 0, 0]), active: [], blocking: [] });
+  const force: ForceMark = { kind: "push", body: "base", begins: true, duration: 0.2 };
+  const source = { schema, marks: [{ time: 1, text: "", leg: "", kind: "change", force }], at: (time: number) => frame(time, time >= 1 && time < 1.2 ? 75 : 0) } as unknown as FrameSource;
+  const centreOf = (_: string, out: THREE.Vector3): boolean => (out.set(0, 0, 0.4), true);
+  const overlay = new OutsideForce();
+  const told = (time: number): string[] => {
+    const texts: string[] = [];
+    overlay.update({ frame: source.at(time), source, labels: { put: (_: unknown, text: string) => texts.push(text) }, newton: 0.005, centreOf } as unknown as Picture);
+    return texts;
+  };
+  assert.deepEqual([0.9, 1.1, 1.25, 2.19, 2.3].map(told), [[], ["push 75 N"], ["pushed 75 N for 0.2 s"], ["pushed 75 N for 0.2 s"], []]);
+  assert.deepEqual([0.9, 3, 3].map(told), [[], ["pushed 75 N for 0.2 s"], []], "however slowly pictures are drawn");
+  assert.deepEqual([0.9, 9].map(told), [[], []], "of another time that is looked at nothing old is told");
+});
+
 test("an arrow that would leave the picture is cut short, with two heads, and keeps its number", () => {
   const names = ["touching", "force", "point"].flatMap((field) => LEGS.map((leg) => [`truth.feet.${leg}.${field}`, field === "touching" ? 1 : 3] as const));
   const schema = schemaOf(Object.fromEntries(names));

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { LiveSource } from "../src/data/live_source.ts";
 import { marksOf, type RawEvent } from "../src/data/marks.ts";
 import type { ForceMark, Mark } from "../src/data/source.ts";
-import { forceText, toldForces } from "../src/data/told_forces.ts";
+import { forceText, spentForces, spentText, toldForces } from "../src/data/told_forces.ts";
 import { schemaOf } from "./make.ts";
 
 const PERIOD = 0.0025;
@@ -46,4 +46,17 @@ test("beside an arrow stands whose force it is: of a pull alone with what it giv
   assert.equal(forceText("LF_SHANK", "7 N", forces), "push 7 N");
   assert.equal(forceText("base", "140 N", { ...forces, pushed: new Set(["LF_SHANK"]) }), "pull 140 N (of 40.0 N·s in all)");
   assert.equal(forceText("base", "140 N", { ...forces, pushed: new Set(["base"]) }), "pull and push 140 N");
+});
+
+test("a push is told of for a while after its end, of each body the latest; what still acts, or is to come, is not over", () => {
+  const spentAt = (all: Mark[], time: number, since = time - 1): [string, number, number][] =>
+    spentForces(all, since, time, PERIOD).map(({ body, begin, end }) => [body, begin, Number(end.toFixed(6))]);
+  for (const [time, spent] of [[0.9, []], [1.1, []], [1.2, []], [1.2 + PERIOD, [["base", 1, 1.2]]], [2.1, [["base", 1, 1.2]]], [2.2, []], [3.1, []], [4.5, [["LF_SHANK", 4, 4.2]]]] as const)
+    assert.deepEqual(spentAt(steered, time), spent, `${time} s`);
+  assert.deepEqual(spentAt(steered, 3.5, 0.9), [["base", 1, 1.2]], "that nobody has seen yet");
+  const scenarios = marks(scenario(7, "base"), push(7.1, "LF_SHANK"), scenario(7.5, "base", false), push(7.6, "base"));
+  assert.deepEqual(spentAt(scenarios, 7.4), [["LF_SHANK", 7.1, 7.3]]);
+  assert.deepEqual(spentAt(scenarios, 7.7), [["LF_SHANK", 7.1, 7.3], ["base", 7, 7.5]]);
+  assert.deepEqual(spentAt(scenarios, 8), [["LF_SHANK", 7.1, 7.3], ["base", 7.6, 7.8]]);
+  assert.equal(spentText("75 N", { body: "base", begin: 1.0025, end: 1.2025 }), "pushed 75 N for 0.2 s");
 });

@@ -1,5 +1,5 @@
 import type { ChannelInfo } from "../protocol/session.ts";
-import { digits, withoutRoundOff } from "./numbers.ts";
+import { digits, seen } from "./numbers.ts";
 import { hasBodies, LEGS, type Schema } from "./schema.ts";
 import type { Mark, Series } from "./source.ts";
 
@@ -53,7 +53,8 @@ export function wordsOf(series: Series[], schema: Schema): string[] | undefined 
 
 /** A number of a line as people read it: its word, where it stands for one. */
 export function valueText({ channel }: Series, value: number, schema: Schema): string {
-  return schema.channel(channel)?.values?.[value] ?? digits(withoutRoundOff(value));
+  const info = schema.channel(channel);
+  return info?.values?.[value] ?? digits(seen(value, info?.unit ?? ""));
 }
 
 /** Some lines that can be chosen together, as a user calls them. */

@@ -181,19 +181,35 @@ function aboveOf({ blocked }: LevelState, states: LevelState[]): string {
   return listed([...new Set(blocked.map(({ by }) => nameOf(states, by)))]);
 }
 
-function yieldingText(yielding: LevelState[], states: LevelState[]): string {
-  const parts = yielding.map((state, k) => {
-    const above = aboveOf(state, states);
-    return `${plainName(state)}${k === 0 ? " gives way" : ""}${above === "" ? "" : ` to ${above}`}`;
+/** Each gives way to what `to` says of it, "": nobody knows; those that give way to the same are told once with it. */
+function yieldingBy(to: (state: LevelState) => string, yielding: LevelState[]): string {
+  const groups = new Map<string, LevelState[]>();
+  for (const state of yielding) groups.set(to(state), [...(groups.get(to(state)) ?? []), state]);
+  const parts = [...groups].map(([above, states], k) => {
+    const verb = k > 0 && above !== "" ? "" : states.length > 1 ? " give way" : " gives way";
+    return `${listed(states.map(plainName))}${verb}${above === "" ? "" : ` ${above}`}`;
   });
   return `${parts.join("; ")}.`;
 }
 
+function yieldingText(yielding: LevelState[], states: LevelState[]): string {
+  const to = (state: LevelState): string => (state.blocked.length === 0 ? "" : `to ${aboveOf(state, states)}`);
+  return yieldingBy(to, yielding);
+}
+
+/** As much is read at a glance, in two lines beside the button for more [letters]. */
+const GLANCE = 78;
+
+/** What gives way to what. Where that is too long of several levels, each to the one whose row costs it most; then how many they are, and the highest. */
 function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
-  const names = yielding.map(plainName);
-  if (yielding.length > 2) return `${yielding.length} levels give way, the first of them ${names[0]}.`;
-  if (yielding.length === 2) return `${listed(names)} give way.`;
-  return yieldingText(yielding, states);
+  const mostly = (state: LevelState): string => {
+    const [most] = state.blocked.toSorted((a, b) => b.cost - a.cost);
+    return most === undefined ? "" : `${state.blocked.every(({ by }) => by === most.by) ? "" : "mostly "}to ${nameOf(states, most.by)}`;
+  };
+  const [first] = yielding as [LevelState];
+  const whole = yieldingText(yielding, states), short = yieldingBy(mostly, yielding);
+  if (yielding.length === 1 || whole.length <= GLANCE) return whole;
+  return short.length <= GLANCE ? short : `${yielding.length} levels give way, the first of them ${plainName(first)} ${mostly(first)}`.trimEnd() + ".";
 }
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {

@@ -40,6 +40,15 @@ export function withoutRoundOff(value: number): number {
   return Math.abs(value) < ROUND_OFF ? 0 : value;
 }
 
+/** Of lengths, angles and forces, and of what they are made into, less than this is nothing to anybody. */
+const LEAST_SEEN = 1e-6;
+const MECHANICAL = /^(m|rad|N)(?!\p{L})/u;
+
+/** A measure in this unit; 0 where it is too small to mean anything. */
+export function seen(value: number, unit: string): number {
+  return MECHANICAL.test(unit) && Math.abs(value) < LEAST_SEEN ? 0 : withoutRoundOff(value);
+}
+
 export function quantity(value: number, unit: string): string {
   return unit === "" ? digits(value) : `${digits(value)} ${unit}`;
 }

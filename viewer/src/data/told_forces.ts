@@ -38,6 +38,31 @@ export function toldForces(marks: Mark[], time: number, period: number): ToldFor
   return told;
 }
 
+/** A push of the operator or the scenario that is over. */
+export interface SpentForce {
+  body: string;
+  begin: number;
+  end: number;
+}
+
+/** Of each body the latest push that ended after `since` and does not act any more in the frame at `time`. */
+export function spentForces(marks: Mark[], since: number, time: number, period: number): SpentForce[] {
+  const spent = new Map<string, SpentForce>(), begun = new Map<string, number>();
+  for (const { force, time: at } of marks) {
+    if (force === undefined || force.kind === "pull") continue;
+    const { kind, body, begins, duration = 0 } = force;
+    if (kind === "scenario" && begins) begun.set(body, at);
+    const [begin, end] = kind === "push" ? [at, at + duration] : [begun.get(body) ?? at, begins ? Infinity : at];
+    if (end > since && end <= time - 0.5 * period) spent.set(body, { body, begin, end });
+  }
+  return [...spent.values()];
+}
+
+/** What stands beside the arrow of a push that is over. */
+export function spentText(size: string, { begin, end }: SpentForce): string {
+  return `pushed ${size} for ${Number((end - begin).toFixed(3))} s`;
+}
+
 /** What stands beside the arrow of the force on a body. */
 export function forceText(body: string, size: string, { pulled, given, pushed }: ToldForces): string {
   if (pulled !== body) return `push ${size}`;

@@ -51,7 +51,7 @@ export class Labels {
   /** `over`: what lies over the picture at its upper edge. */
   constructor(
     private readonly layer: HTMLElement,
-    over: HTMLElement[],
+    over: Element[],
     private readonly camera: THREE.Camera,
   ) {
     const look = (): void => void (this.covers = over.flatMap((one) => this.coverOf(one)));
@@ -60,7 +60,7 @@ export class Labels {
   }
 
   /** What of the picture it covers; nothing where it is empty, or beside the picture. */
-  private coverOf(one: HTMLElement): Box[] {
+  private coverOf(one: Element): Box[] {
     const picture = this.layer.getBoundingClientRect(), box = one.getBoundingClientRect();
     if (box.height === 0 || box.top > picture.top + 0.5 * picture.height) return [];
     const [left, top, right, bottom] = [box.left - picture.left - AROUND, box.top - picture.top, box.right - picture.left + AROUND, box.bottom - picture.top + AROUND];

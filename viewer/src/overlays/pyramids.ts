@@ -25,16 +25,18 @@ class Pyramids {
   private readonly edges = new THREE.BufferGeometry();
   private count = 0;
 
-  constructor(private readonly capacity: number) {
+  /** `over`: no body hides them. */
+  constructor(private readonly capacity: number, over = false) {
     this.points = attribute(5 * capacity, 3);
     this.sideColours = attribute(5 * capacity, 4);
     this.edgeColours = attribute(5 * capacity, 3);
     const each = (list: number[]): number[] => Array.from({ length: capacity }, (_, k) => list.map((corner) => 5 * k + corner)).flat();
     this.sides.setAttribute("position", this.points).setAttribute("color", this.sideColours).setIndex(each(SIDES));
     this.edges.setAttribute("position", this.points).setAttribute("color", this.edgeColours).setIndex(each(EDGES));
-    const fill = new THREE.MeshBasicMaterial({ ...SEEN_THROUGH, vertexColors: true, fog: false });
+    const fill = new THREE.MeshBasicMaterial({ ...SEEN_THROUGH, vertexColors: true, fog: false, depthTest: !over });
     const mesh = new THREE.Mesh(this.sides, fill);
-    const lines = new THREE.LineSegments(this.edges, new THREE.LineBasicMaterial({ vertexColors: true, fog: false }));
+    const lines = new THREE.LineSegments(this.edges, new THREE.LineBasicMaterial({ vertexColors: true, fog: false, depthTest: !over, transparent: over }));
+    if (over) mesh.renderOrder = lines.renderOrder = 1;
     mesh.frustumCulled = lines.frustumCulled = mesh.matrixAutoUpdate = lines.matrixAutoUpdate = false;
     this.root.add(mesh, lines);
   }
@@ -43,14 +45,14 @@ class Pyramids {
     this.count = 0;
   }
 
-  add(tip: THREE.Vector3, corners: number[][], colour: THREE.Color, density: number): void {
+  add(tip: THREE.Vector3, corners: number[][], colour: THREE.Color, density: number, edge = colour): void {
     if (this.count === this.capacity) return;
     const first = 5 * this.count++;
     this.points.setXYZ(first, tip.x, tip.y, tip.z);
     corners.forEach(([x, y, z], k) => this.points.setXYZ(first + 1 + k, tip.x + (x as number), tip.y + (y as number), tip.z + (z as number)));
     for (let k = first; k < first + 5; ++k) {
       this.sideColours.setXYZW(k, colour.r, colour.g, colour.b, density);
-      this.edgeColours.setXYZ(k, colour.r, colour.g, colour.b);
+      this.edgeColours.setXYZ(k, edge.r, edge.g, edge.b);
     }
   }
 
@@ -68,28 +70,33 @@ function attribute(count: number, size: number): THREE.BufferAttribute {
 
 /**
  * The friction pyramids that held the solution's forces, as high as the normal force, within what can be seen: where the tip of a force lies in
- * the square, or inside, friction holds it. Coloured and numbered by the share of the pyramid that is used.
+ * the square, or inside, friction holds it. Coloured and numbered by the share of the pyramid that is used; those that are nearly used up are seen
+ * through the leg that they stand at.
  */
 export class FrictionPyramids implements Overlay {
   readonly space = "belief";
   readonly root = new THREE.Group();
   private readonly pyramids = new Pyramids(LEGS.length);
+  private readonly alarms = new Pyramids(LEGS.length, true);
   private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
+  private readonly alarmEdge = new THREE.Color();
   private readonly tip = new THREE.Vector3();
   private readonly corner = new THREE.Vector3();
   private readonly outline = Array.from({ length: 5 }, () => new THREE.Vector3());
   private readonly q_WP = [1, 0, 0, 0];
 
   constructor() {
-    this.root.add(this.pyramids.root);
+    this.root.add(this.pyramids.root, this.alarms.root);
   }
 
   wear(palette: Palette): void {
     for (const use of ["good", "near", "bad"] as const) this.colours[use].set(palette.margin[use]);
+    this.alarmEdge.set(palette.alarmEdge);
   }
 
   update({ frame, header, labels, newton, beliefToWorld }: Picture): void {
     this.pyramids.begin();
+    this.alarms.begin();
     LEGS.forEach((leg, k) => {
       const use = pyramidUse(frame, k);
       if (Number.isNaN(use)) return;
@@ -98,12 +105,14 @@ export class FrictionPyramids implements Overlay {
       const height = pyramidHeight(scalar(frame, LEG_CHANNELS.normalForce[k] as string), frame.schema.weight, newton);
       const corners = pyramidCorners(this.q_WP, scalar(frame, LEG_CHANNELS.pyramidFriction[k] as string), height);
       const kind = useClass(use);
-      this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
+      if (kind === "bad") this.alarms.add(this.tip, corners, this.colours[kind], DENSITY[kind], this.alarmEdge);
+      else this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
       this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
       if (kind === "bad") labels.spare(this.outlineOf(corners, beliefToWorld));
       labels.put(this.corner, `${leg} ${percent(use)}`, `use leg${k} ${kind}`);
     });
     this.pyramids.end();
+    this.alarms.end();
   }
 
   /** Tip and corners, where they are drawn. */

@@ -10,15 +10,17 @@ export interface Progress {
   ended: string;
   /** Something was changed from outside. */
   isSteered: boolean;
+  /** Which meshes of the robot are missing, in words. */
+  missing: string;
 }
 
 /** What a run is, in names and texts; "": not known. */
-export function aboutRun({ header, version, source, cut, damage }: Session, { recording, hasEnded, ended, isSteered }: Progress): [string, string][] {
+export function aboutRun({ header, version, source, cut, damage }: Session, { recording, hasEnded, ended, isSteered, missing }: Progress): [string, string][] {
   const isLog = source !== "";
   return [
     ["Scenario", `${header.scenario}: ${header.description}`], ["Seed", String(header.seed)], ["Stack", header.stack],
     ["Robot", `${header.robot.name}, ${header.robot.mass.toFixed(1)} kg`], ["Estimation", header.estimation],
     ["Log", !isLog ? recordingText(recording, hasEnded) : logText(source, cut, damage)],
-    ["Ended", ended], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
+    ["Ended", cut === "" ? ended : "not known, as the end of its log is missing"], ["Meshes", missing], ["Again", againText(header.command, source || recording, cut === "", isSteered, isLog || hasEnded)], ["Version", version],
   ];
 }

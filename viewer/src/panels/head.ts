@@ -17,8 +17,11 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
   badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 
-/** Why a run has ended; "": it has not, or nobody knows. */
-export const endFact = (why: string): string => (why === "" ? "" : endingText(why));
+/** Why a run has ended, or that its log has no end; "": it has not, or nobody knows. */
+export function endFact(why: string, cut: string): string {
+  if (cut !== "") return "never closed, or cut off";
+  return why === "" ? "" : endingText(why);
+}
 
 /** What is to be known beside it; where there is no room for all, it is told to a pointer. `end`: the one of how a run ended, which is to be seen. */
 export function showFacts(facts: string[], end: string): void {

@@ -33,7 +33,8 @@ export class HierarchyPanel {
   /** Whether the run stands, so that no order comes to effect. */
   paused = false;
 
-  constructor(root: HTMLElement) {
+  /** `isCut`: of a log without its end, which has the times of all ticks. */
+  constructor(root: HTMLElement, private readonly isCut = false) {
     root.append(this.account.root, this.facts, this.list);
     this.clear();
   }
@@ -67,7 +68,7 @@ export class HierarchyPanel {
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
     this.account.show(accountAt(frame, states));
-    say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states));
+    say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
   }
 
   private build(states: LevelState[], names: string): void {
@@ -103,10 +104,12 @@ export class HierarchyPanel {
   }
 }
 
-/** What the tick cost: `solve` and `total` [µs], NaN where they aren't known. */
-export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[]): string {
+const NO_TIMES = "no times: they stand at a log's end, and this one has none";
+
+/** What the tick cost: `solve` and `total` [µs], NaN where they aren't known; `isCut`: as the log has no end. */
+export function effortOf(solve: number, total: number, states: Pick<LevelState, "rows" | "iterations">[], isCut = false): string {
   if (states.every(({ rows }) => rows === 0)) return Number.isNaN(total) ? "" : `Tick: ${digits(total)} µs`;
   const iterations = counted(states.reduce((sum, state) => sum + (state.iterations || 0), 0), "iteration");
-  if (Number.isNaN(solve + total)) return iterations;
+  if (Number.isNaN(solve + total)) return isCut ? `${iterations} · ${NO_TIMES}` : iterations;
   return `All levels: ${digits(solve)} µs, ${iterations} · tick: ${digits(total)} µs`;
 }

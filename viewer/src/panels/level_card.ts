@@ -1,5 +1,5 @@
 import { nameOf, type LevelState, type RowNote } from "../data/hierarchy.ts";
-import { counted, quantity, withoutRoundOff } from "../data/numbers.ts";
+import { counted, quantity, seen } from "../data/numbers.ts";
 import { h, plain, say } from "./dom.ts";
 
 /** Sign and word of each status: colour is never the only sign. */
@@ -101,7 +101,7 @@ export class LevelCard {
     this.root.classList.toggle("held", blockers(state).length > 0);
     say(this.sign, SIGNS[state.status]);
     say(this.status, state.status);
-    say(this.residual, state.rows === 0 ? "" : quantity(withoutRoundOff(state.residual), state.unit));
+    say(this.residual, state.rows === 0 ? "" : quantity(seen(state.residual, state.unit), state.unit));
     say(this.brief, briefOf(state, all));
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));

@@ -4,7 +4,7 @@ import { Envelope } from "../data/envelope.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import type { FrameSource, Series } from "../data/source.ts";
 import type { Schema } from "../data/schema.ts";
-import { withoutRoundOff } from "../data/numbers.ts";
+import { ticksOf, tickTexts } from "../data/ticks.ts";
 import { h, say } from "./dom.ts";
 import { stylesOf, type LineStyle } from "./line_styles.ts";
 
@@ -18,6 +18,9 @@ interface Line {
   unit: string;
   value: HTMLElement;
 }
+
+/** Height of the axis of the time, and of a number of the other one [pixels]. */
+const TIMES_HEIGHT = 22, TICK_HEIGHT = 22;
 
 /** Some channels over time, with the time of the picture as a line. */
 export class Plot {
@@ -112,7 +115,7 @@ export class Plot {
       width: Math.max(width, 120), height: Math.max(height, 60),
       cursor: { sync: { key: "surefoot" }, drag: { setScale: false, x: false, y: false }, points: { size: 5 } },
       scales: { x: { time: false, range: (_u, low, high) => [low, high] } },
-      axes: [{ ...axis, size: 22, gap: 2, values: (_u, marks) => marks.map((t) => `${+t.toFixed(3)} s`) },
+      axes: [{ ...axis, size: TIMES_HEIGHT, gap: 2, values: (_u, marks) => marks.map((t) => `${+t.toFixed(3)} s`) },
              { ...axis, gap: 3, ...this.valueAxis() }],
       legend: { show: false },
       series: [{}, ...this.shown.map(({ style: line }) => ({ stroke: colour(line.colour), dash: line.dash, width: 1.4, points: { show: false } }))],
@@ -124,7 +127,10 @@ export class Plot {
   /** Of numbers, or of the words that they stand for. */
   private valueAxis(): Pick<uPlot.Axis, "size" | "space" | "splits" | "values"> {
     const words = wordsOf(this.shown.map(({ series }) => series), this.schema);
-    if (words === undefined) return { size: 52, space: 22, values: (_u, marks) => marks.map((y) => `${withoutRoundOff(+y.toPrecision(4))}`.replace("-", "−")) };
+    if (words === undefined) return {
+      size: 52, values: (_u, ticks) => tickTexts(ticks),
+      splits: (u, _axis, low, high) => ticksOf(low, high, Math.floor((u.height - TIMES_HEIGHT) / TICK_HEIGHT)),
+    };
     const longest = Math.max(...words.map((one) => one.length));
     return {
       size: Math.min(16 + 6 * longest, 120),

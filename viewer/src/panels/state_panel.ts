@@ -7,7 +7,7 @@ import type { FrameSource } from "../data/source.ts";
 import { pushesOf } from "../data/pushes.ts";
 import { pyramidUse } from "../data/pyramid_use.ts";
 import { yawOf } from "../math/geometry.ts";
-import { digits, fixed, secondsText } from "../data/numbers.ts";
+import { digits, fixed, secondsText, seen } from "../data/numbers.ts";
 import { commandText, faultsText } from "../data/stop.ts";
 import { wishesText } from "../data/wished_forces.ts";
 import { percent } from "../math/friction.ts";
@@ -53,7 +53,7 @@ function feetText(frame: Frame): string {
 /** Velocity of the base in the plane. */
 function speedText(frame: Frame, topic: string): string {
   const v = [0, 0];
-  return read(frame, `${topic}.v_WB`, v) ? `${digits(Math.hypot(...v))} m/s` : "";
+  return read(frame, `${topic}.v_WB`, v) ? `${digits(seen(Math.hypot(...v), "m/s"))} m/s` : "";
 }
 
 /** Position and heading of a base in words; "" where they aren't known. */
@@ -138,24 +138,26 @@ export function sentences(frame: Frame, touch = touchOf(frame)): [string, string
 export class StatePanel {
   private readonly list = h("dl", { id: "state", "aria-live": "off" });
   private readonly rows = new Map<string, { name: HTMLElement; text: HTMLElement }>();
-  private readonly facts = new Map<string, HTMLElement>();
+  private readonly facts = new Map<string, { name: HTMLElement; text: HTMLElement }>();
 
   constructor(root: HTMLElement, facts: [string, string][], notes: string[]) {
     const about = h("dl", {});
     for (const [name, text] of facts) {
-      if (text === "") continue;
-      const row = h("dd", {}, text);
+      const row = { name: h("dt", {}, name), text: h("dd", {}) };
       this.facts.set(name, row);
-      about.append(h("dt", {}, name), row);
+      about.append(row.name, row.text);
+      this.fact(name, text);
     }
     root.append(h("h2", {}, "Now"), this.list, h("h2", {}, "Run"), about);
     if (notes.length > 0) root.append(h("h2", {}, "Notes"), h("ul", {}, ...notes.map((note) => h("li", {}, note))));
   }
 
-  /** What the run is, where that has become known only later. */
+  /** What the run is, where that has become known only later; "": nothing is known of it. */
   fact(name: string, text: string): void {
     const row = this.facts.get(name);
-    if (row !== undefined) say(row, text);
+    if (row === undefined) return;
+    row.name.hidden = row.text.hidden = text === "";
+    say(row.text, text);
   }
 
   clear(): void {

@@ -10,8 +10,9 @@ import type { MeshInfo } from "../protocol/session.ts";
 /** A mesh is asked for again this long after the connection was lost [ms]. */
 const AGAIN = 1000;
 
-/** What of the robot is shown by primitives, and where to look; `missing`: why, by address. */
-export function missingText(missing: Map<string, string>): string {
+/** What of the robot is shown by primitives, and where to look; `missing`: why, by address; "": nothing. */
+export function missingText(missing: Map<string, string> = new Map()): string {
+  if (missing.size === 0) return "";
   const names = [...missing.keys()].map((uri) => uri.slice(uri.lastIndexOf("/") + 1));
   const list = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
   return `Shown by primitives, as these meshes are missing: ${list}. $SUREFOOT_ROBOT_PACKAGES of the program says where they are looked for.`;

@@ -9,6 +9,8 @@ export interface Palette {
   legs: [number, number, number, number];
   /** What is left of a limit: the less, the stronger, and of no leg's hue. */
   margin: { good: number; near: number; bad: number };
+  /** About what is nearly used up: as bright as the ground, so that it is seen before dark bodies and bright ones. */
+  alarmEdge: number;
   com: number;
   /** Of the centre of mass. */
   plan: number;
@@ -28,7 +30,8 @@ const LIGHT: Palette = {
   groundLine: 0xc3c9ce,
   edge: 0x7b848c,
   legs: [0x0072b2, 0xd55e00, 0x009e73, 0xaa4499],
-  margin: { good: 0xa9b3bc, near: 0xc9a100, bad: 0x000000 },
+  margin: { good: 0xa9b3bc, near: 0xc9a100, bad: 0xe4003a },
+  alarmEdge: 0xffffff,
   com: 0x1c1f23,
   plan: 0x5226d8,
   zmp: 0xcc0032,
@@ -48,6 +51,7 @@ const DARK: Palette = {
   edge: 0x7b868f,
   legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xd070c0],
   margin: { good: 0x66717b, near: 0xd9a800, bad: 0xffffff },
+  alarmEdge: 0x000000,
   com: 0xf2f4f6,
   plan: 0x8c65ff,
   zmp: 0xe05151,

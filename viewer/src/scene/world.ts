@@ -2,6 +2,7 @@ import * as THREE from "three";
 import { read, type Frame } from "../data/frame.ts";
 import { newtonsOf } from "../data/schema.ts";
 import type { FrameSource } from "../data/source.ts";
+import { Axes } from "../overlays/axes.ts";
 import { Labels } from "../overlays/labels.ts";
 import { OverlaySet } from "../overlays/set.ts";
 import type { Session } from "../protocol/session.ts";
@@ -34,6 +35,7 @@ export class World {
   palette: Palette = paletteOf(false);
   /** The body that the pointer holds. */
   held: string | undefined;
+  private readonly axes = new Axes();
   private readonly terrain: Terrain;
   private readonly ghostPaint = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.3 });
   private sinceTrails = Infinity;
@@ -61,7 +63,8 @@ export class World {
   ) {
     this.stage = new Stage(canvas);
     this.camera = new FollowCamera(this.stage.camera, canvas);
-    this.labels = new Labels(labelLayer, over, this.stage.camera);
+    labelLayer.after(this.axes.root);
+    this.labels = new Labels(labelLayer, [...over, this.axes.root], this.stage.camera);
     this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
@@ -142,6 +145,7 @@ export class World {
     if (this.first) this.overlays.root.visible = false;
     extras();
     this.view.copy(this.stage.camera.matrixWorld);
+    this.axes.turn(this.stage.camera);
     this.stage.render();
     if (frame !== undefined) this.completed();
     this.labels.end();

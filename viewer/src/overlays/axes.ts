@@ -1,0 +1,48 @@
+import type * as THREE from "three";
+
+/** Where an axis of W goes in the picture: to the right, up, and towards who looks; at most 1 each. */
+export type Course = [right: number, up: number, nearer: number];
+
+/** Those of x, y and z, as a camera sees them. */
+export function coursesOf(camera: THREE.Camera): Course[] {
+  const { elements } = camera.matrixWorldInverse;
+  return [0, 4, 8].map((column) => [elements[column], elements[column + 1], elements[column + 2]] as Course);
+}
+
+/** Lengths in the drawing, which is as large in the page [pixels]. */
+const SIZE = 60, MIDDLE = 0.5 * SIZE, ARM = 18, LETTER = 25;
+
+const NAMES = ["x", "y", "z"];
+
+function element(name: string, attributes: Record<string, string>): SVGElement {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  return made;
+}
+
+/** The world's axes in a corner of the picture: directions of pushes are told by them. */
+export class Axes {
+  readonly root = element("svg", { id: "axes", viewBox: `0 0 ${SIZE} ${SIZE}`, "aria-hidden": "true" });
+  private readonly arms = NAMES.map(() => element("path", {}));
+  private readonly letters = NAMES.map(() => element("text", { "text-anchor": "middle", "dominant-baseline": "central" }));
+  private drawn = "";
+
+  constructor() {
+    NAMES.forEach((name, k) => (this.letters[k] as Element).append(name));
+    this.root.append(...this.arms, ...this.letters);
+  }
+
+  turn(camera: THREE.Camera): void {
+    const places = coursesOf(camera).map(([right, up, nearer]) => [right.toFixed(3), (-up).toFixed(3), nearer < -0.3 ? "away" : ""] as const);
+    if (places.join() === this.drawn) return;
+    this.drawn = places.join();
+    places.forEach(([x, y, kind], k) => {
+      const at = (length: number): [string, string] => [(MIDDLE + length * Number(x)).toFixed(1), (MIDDLE + length * Number(y)).toFixed(1)];
+      const letter = this.letters[k] as Element, [left, top] = at(LETTER);
+      (this.arms[k] as Element).setAttribute("d", `M${MIDDLE} ${MIDDLE}L${at(ARM).join(" ")}`);
+      letter.setAttribute("x", left);
+      letter.setAttribute("y", top);
+      for (const part of [letter, this.arms[k] as Element]) part.setAttribute("class", kind);
+    });
+  }
+}
