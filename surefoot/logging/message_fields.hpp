@@ -260,7 +260,8 @@ void fields(Archive& field, T& blocking) {
       "how fast half the squared residual falls as the row's bound gives way: in the square of the "
       "level's unit by the unit of the row");
   field("cost", blocking.report.cost,
-        "what the residual falls by if this row alone gives way, in the unit of the level's rows");
+        "what the residual falls by if this row alone gives way, as the control loop estimates it, "
+        "in the unit of the level's rows; 0: nothing, or it can't say");
 }
 
 template <typename Archive, Is<LevelSwitch> T>

@@ -46,7 +46,7 @@ struct BlockingRow {
   std::int16_t by_level = 0;  ///< of the row
   std::int32_t id = 0;        ///< of the row in its level
   double multiplier = 0.0;    ///< ∂ ½ residual² / ∂ bound of the row, its size
-  double cost = 0.0;  ///< what the residual falls by if this row alone gives way (BlockerSearch)
+  double cost = 0.0;          ///< estimate of what the residual falls by without it (BlockerSearch)
 };
 
 /// What happens to a level from a tick on.

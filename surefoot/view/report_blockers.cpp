@@ -60,7 +60,9 @@ std::string note(const RunData& run) {
   const double share = 100.0 * run.num_explained_ticks / static_cast<double>(run.ticks.size());
   std::string text =
       "Rows of higher levels that kept a level from what it asked for, dearest over the run first. "
-      "The cost is what the level's residual would fall by if that row alone gave way.";
+      "The cost is what the level's residual would fall by if that row alone gave way, as the "
+      "control loop estimates it: mostly too much, and 0 where it can't say. "
+      "<code>surefoot explain</code> tells the exact ones of a recorded run's tick.";
   if (run.num_explained_ticks < static_cast<int>(run.ticks.size()))
     text += " Known at " + plot::decimal(share, 1) + " % of the ticks, of which the shares are.";
   return "<p class=\"soft\">" + text + "</p>\n";

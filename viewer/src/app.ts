@@ -2,7 +2,6 @@ import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
-import { accountAt } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys, type KeyActions } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
@@ -404,9 +403,8 @@ export class App {
     this.told = frame;
     this.transport.tell(frame);
     showTime(frame.time);
-    this.hierarchy.show(frame);
+    this.levels = this.hierarchy.show(frame, this.player.source.explained?.(frame.tick));
     this.state.show(frame, this.player.source);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
-    this.levels = accountAt(frame).line;
   }
 }

@@ -1,4 +1,5 @@
 import type { App } from "./app.ts";
+import { Explainer, type ExplainAnswer } from "./data/explained.ts";
 import { endOf, marksOf, type RawEvent } from "./data/marks.ts";
 import { ReplaySource } from "./data/replay_source.ts";
 import type { Schema } from "./data/schema.ts";
@@ -34,7 +35,9 @@ export class ReplayLink {
     private readonly session: Session,
   ) {
     const { period, first_tick, ticks } = session;
-    this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url));
+    const explainer = new Explainer(async (tick) => (JSON.parse(textOf(await ask(`/api/explain?tick=${tick}`))) as ExplainAnswer | null) ?? undefined, schema);
+    explainer.onAnswer = () => this.app?.refresh();
+    this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url), explainer);
   }
 
   wire(app: App): void {

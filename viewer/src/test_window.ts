@@ -119,7 +119,7 @@ export function expose(app: App): void {
       const info = app.frame?.schema.channel(name);
       return info && [...(app.frame?.values.subarray(info.offset, info.offset + info.size) ?? [])];
     },
-    levels: () => (app.frame === undefined ? [] : levelStates(app.frame)),
+    levels: () => (app.frame === undefined ? [] : levelStates(app.frame, app.player.source.explained?.(app.frame.tick))),
     repeatOverlays: (robots) => app.world?.repeatOverlays(robots),
     pixel: (p_W) => app.world?.pixel(p_W),
     pixelAt: (x, y) => app.world?.pixelAt(x, y),

@@ -7,6 +7,7 @@ import { blockOf, schemaOf } from "./make.ts";
 import { quantity } from "../src/data/numbers.ts";
 import { readBlock } from "../src/protocol/block.ts";
 import { FrameTable } from "../src/data/table.ts";
+import { heldText } from "../src/panels/level_card.ts";
 
 const FIELDS = ["residual", "num_rows", "degrees_of_freedom_left", "iterations"];
 
@@ -35,6 +36,15 @@ test("of a frame of which nothing is known, as a damaged log's summary has it, n
 test("levels that reach what they ask for are met", () => {
   assert.deepEqual(levelStates(frameOf([1e-12, 0])).map((level) => level.status), ["met", "met"]);
   assert.deepEqual(accountOf(levelStates(frameOf([0, 0])), ""), { kind: "good", line: "Every level gets what it asks for.", first: [], whole: "Every level gets what it asks for.", more: [] });
+});
+
+test("what is exactly known of a tick stands in the place of the control loop's estimates", () => {
+  const frame = frameOf([0, 2], { blocking: [[1, 0, 7, 0]] });
+  const [, estimated] = levelStates(frame);
+  assert.match(heldText(estimated as LevelState, levelStates(frame)), /^held back by first: [^:]* \(the control loop's estimate\)$/);
+  const states = levelStates(frame, new Map([["second", { rows: [{ by: 0, row: "LF extension", cost: 2 }, { by: 0, row: "LF x", cost: NaN }], others: 3 }]]));
+  assert.equal(heldText(states[1] as LevelState, states), "held back by first: LF extension costs 2.00 m/s²; first: LF x at a cost that is not known; 3 more");
+  assert.deepEqual(detailsOf(accountAt(frame, states)), ["second gives way to first (LF extension), first (LF x) and 3 more, 2.00 m/s² short."]);
 });
 
 test("an equality that was missed is no limit", () => {

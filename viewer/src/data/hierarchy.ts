@@ -1,5 +1,6 @@
 import { quantity } from "./numbers.ts";
 import { percent } from "../math/friction.ts";
+import type { Explained } from "./explained.ts";
 import { MISSED_EQUALITY, scalar, word, type Frame } from "./frame.ts";
 import { stopText } from "./stop.ts";
 
@@ -41,10 +42,12 @@ export interface LevelState {
   /** Equality rows that it could not reach, worst first. */
   missed: RowNote[];
   blocked: BlockNote[];
+  /** How many rows hold it back besides; undefined: the costs are the control loop's estimates. */
+  others?: number;
 }
 
-/** What each level of the frame's hierarchy did, highest priority first. */
-export function levelStates(frame: Frame): LevelState[] {
+/** What each level of the frame's hierarchy did, highest priority first; `explained`: exactly what holds back which, where that is known. */
+export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
   const { schema } = frame;
   const order = schema.order(frame.tick);
   const solves = order.some((level) => scalar(frame, `hierarchy.level.${schema.levels[level]}.num_rows`) > 0);
@@ -57,11 +60,13 @@ export function levelStates(frame: Frame): LevelState[] {
       .filter((row) => row.level === level)
       .map(({ row, state, by }) => ({ name: schema.rowName(level, row), level, state, by }));
     const active = rows.filter(({ state }) => state !== MISSED_EQUALITY), missed = rows.filter(({ state }) => state === MISSED_EQUALITY);
-    const blocked = frame.blocking
+    const estimated = frame.blocking
       .filter((row) => row.level === level)
       .map(({ by, row, cost }) => ({ by, row: schema.rowName(by, row), cost }));
+    const exact = explained?.get(name);
+    const { rows: blocked, others } = exact ?? { rows: estimated, others: undefined };
     const state = {
-      level, place: index + 1, name, unit, active, missed, blocked,
+      level, place: index + 1, name, unit, active, missed, blocked, ...(others === undefined ? {} : { others }),
       residual: field("residual"), rows: field("num_rows") || 0,
       freedom: field("degrees_of_freedom_left"), iterations: field("iterations"),
       time: scalar(frame, `timings.level.${name}.solve`),
@@ -213,7 +218,8 @@ function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
 }
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {
-  const rows = listed(state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`));
+  const told = state.blocked.map(({ by, row }) => `${nameOf(states, by)} (${row})`);
+  const rows = listed(state.others ? [...told, `${state.others} more`] : told);
   if (state.status === "minimised") return `${plainName(state)} is as small as it can be, held back by ${rows}.`;
   return `${plainName(state)} gives way${rows === "" ? "" : ` to ${rows}`}, ${quantity(state.residual, state.unit)} short.`;
 }

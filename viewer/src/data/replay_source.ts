@@ -1,4 +1,5 @@
 import { Envelope } from "./envelope.ts";
+import type { Explained, Explainer } from "./explained.ts";
 import type { Frame } from "./frame.ts";
 import { fillFrom } from "./live_source.ts";
 import type { Schema } from "./schema.ts";
@@ -24,6 +25,7 @@ export class ReplaySource implements FrameSource {
     private readonly firstTick: number,
     private readonly ticks: number,
     fetchBlock: FetchBlock,
+    private readonly explainer?: Explainer,
   ) {
     this.cache = new TileCache(schema, CACHE_BYTES, fetchBlock, firstTick);
     this.coarseStride = Math.max(1, Math.ceil(ticks / TILE_FRAMES));
@@ -40,6 +42,10 @@ export class ReplaySource implements FrameSource {
   summarise(ticks: number): void {
     this.cache.renewUnfinished();
     this.cache.summarised = ticks >= this.ticks ? Infinity : ticks;
+  }
+
+  explained(tick: number): Explained | undefined {
+    return this.explainer?.at(tick);
   }
 
   private tick(time: number): number {

@@ -1,3 +1,4 @@
+import type { Explained } from "./explained.ts";
 import type { Frame } from "./frame.ts";
 import type { Envelope } from "./envelope.ts";
 import type { Schema } from "./schema.ts";
@@ -42,6 +43,8 @@ export interface FrameSource {
   neighbour(time: number, steps: number): number;
   /** Of a log: whether the tick at `time` can't be read, as far as is known; another is shown then. */
   isUnreadable?(time: number): boolean;
+  /** Exactly what holds back which level at a tick that is looked at, once that is known: of a log. */
+  explained?(tick: number): Explained | undefined;
   /** Fills the envelope with what is here, and asks for the rest. */
   fill(envelope: Envelope, series: Series[]): void;
   /** Frames within [from, to] that are here, at most about `count` of them. */

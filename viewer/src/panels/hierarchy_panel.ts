@@ -1,3 +1,4 @@
+import type { Explained } from "../data/explained.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
@@ -60,15 +61,18 @@ export class HierarchyPanel {
     this.names = "";
   }
 
-  show(frame: Frame): void {
-    if (this.lifted !== undefined) return;
-    const states = levelStates(frame);
+  /** `explained`: exactly what holds back which level, where that is known. Gives the line over the levels. */
+  show(frame: Frame, explained?: Explained): string {
+    const states = levelStates(frame, explained);
+    const account = accountAt(frame, states);
+    if (this.lifted !== undefined) return account.line;
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);
     states.forEach((state, k) => this.cards[k]?.show(state, states));
     this.account.root.hidden = this.facts.hidden = this.list.hidden = false;
-    this.account.show(accountAt(frame, states));
+    this.account.show(account);
     say(this.facts, effortOf(scalar(frame, "timings.solve"), scalar(frame, "timings.total"), states, this.isCut));
+    return account.line;
   }
 
   private build(states: LevelState[], names: string): void {

@@ -106,8 +106,7 @@ export class LevelCard {
     if (this.brief.title !== this.brief.textContent) this.brief.title = this.brief.textContent ?? "";
     say(this.time, timeOf(state));
     say(this.rows, rowsOf(state));
-    say(this.blocked, blockers(state).map(({ by, row, cost }) =>
-      `held back by ${nameOf(all, by)}: ${row} costs about ${quantity(cost, state.unit)}`).join("; "));
+    say(this.blocked, heldText(state, all));
     say(this.meta, state.rows === 0 ? "" : metaOf(state));
   }
 }
@@ -123,6 +122,17 @@ export function hindranceOf(order: string[], physics: ReadonlySet<string>, index
 /** What holds a level back that wants more than it gets. */
 function blockers({ status, blocked }: LevelState): LevelState["blocked"] {
   return status === "gives way" || status === "minimised" ? blocked : [];
+}
+
+/** What holds a level back, and at what cost. While nothing else is known, as the control loop estimates it: of where many limits act it can't say. */
+export function heldText(state: LevelState, all: LevelState[]): string {
+  const rows = blockers(state), { others, unit } = state;
+  if (rows.length === 0) return "";
+  const isExact = others !== undefined;
+  const amount = (cost: number): string => (Number.isNaN(cost) ? " at a cost that is not known" : cost > 0 ? ` costs ${isExact ? "" : "about "}${quantity(cost, unit)}` : isExact ? " costs nothing alone" : "");
+  const told = rows.map(({ by, row, cost }) => `${nameOf(all, by)}: ${row}${amount(cost)}`);
+  const whole = `held back by ${[...told, ...(others ? [`${others} more`] : [])].join("; ")}`;
+  return isExact ? whole : `${whole} (the control loop's estimate)`;
 }
 
 /** Of a level what matters most, in a few words. */

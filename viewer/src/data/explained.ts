@@ -1,0 +1,87 @@
+import type { Schema } from "./schema.ts";
+
+/** What `/api/explain` answers of a tick (docs/view_protocol.md). */
+export interface ExplainAnswer {
+  gave_way?: { level: string; to: ToldRow[] }[];
+  costs_are_exact?: boolean;
+}
+
+interface ToldRow {
+  level: string;
+  row: string;
+  cost: number | null;
+  same?: { level: string; row: string }[];
+}
+
+/** A row that holds a level back, and what the level would gain without it; NaN: not known. */
+export interface ExactRow {
+  by: number;
+  row: string;
+  cost: number;
+}
+
+/** Exactly what holds each level back, by its name; the dearest first. */
+export type Explained = ReadonlyMap<string, { rows: ExactRow[]; others: number }>;
+
+/** Of a level so many rows are told, and none that costs less than this share of the dearest. */
+const MOST = 4, LEAST = 0.1;
+
+/** None where the costs are estimates, as those of the frames. */
+export function readExplained(answer: ExplainAnswer, schema: Pick<Schema, "levels">): Explained | undefined {
+  if (answer.costs_are_exact !== true) return undefined;
+  return new Map((answer.gave_way ?? []).map(({ level, to }) => {
+    const rows = to.map(({ level: by, row, cost, same }) => ({
+      by: schema.levels.indexOf(by), cost: cost ?? NaN,
+      row: [row, ...(same ?? []).map((other) => (other.level === by ? other.row : `${other.level} ${other.row}`))].join(" with "),
+    }));
+    const least = LEAST * (rows[0]?.cost ?? 0);
+    const cheap = rows.findIndex(({ cost }) => least > 0 && !(cost >= least));
+    const told = rows.slice(0, Math.min(MOST, cheap < 0 ? rows.length : cheap));
+    return [level, { rows: told, others: rows.length - told.length }];
+  }));
+}
+
+/** How long a tick is looked at until it is asked for, and again while the answer is computed [ms]. */
+const STILL = 300, AGAIN = 400;
+/** So many are kept. */
+const KEPT = 64;
+
+/** Has ticks explained at which the page stands still. */
+export class Explainer {
+  /** An answer has come. */
+  onAnswer: () => void = () => {};
+  private readonly known = new Map<number, Explained | undefined>();
+  private tick = -1;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** `ask`: undefined while it is computed. */
+  constructor(private readonly ask: (tick: number) => Promise<ExplainAnswer | undefined>, private readonly schema: Pick<Schema, "levels">) {}
+
+  /** What is known of the tick that is looked at; asks for it if it is looked at for long. */
+  at(tick: number): Explained | undefined {
+    if (tick !== this.tick) this.look(tick);
+    return this.known.get(tick);
+  }
+
+  private look(tick: number): void {
+    this.tick = tick;
+    clearTimeout(this.timer);
+    if (!this.known.has(tick)) this.timer = setTimeout(() => void this.fetch(tick), STILL);
+  }
+
+  private async fetch(tick: number): Promise<void> {
+    let answer: ExplainAnswer | undefined;
+    try {
+      answer = await this.ask(tick);
+    } catch {
+      return; // the frames' estimates stay
+    }
+    if (answer !== undefined) {
+      if (this.known.size >= KEPT) this.known.clear();
+      this.known.set(tick, readExplained(answer, this.schema));
+      if (tick === this.tick) this.onAnswer();
+    } else if (tick === this.tick) {
+      this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
+    }
+  }
+}

@@ -1,0 +1,66 @@
+import assert from "node:assert/strict";
+import { mock, test } from "node:test";
+import { Explainer, readExplained, type ExplainAnswer } from "../src/data/explained.ts";
+
+const schema = { levels: ["physics", "limb_extension_limits", "torso_height"] };
+
+function answerOf(...costs: (number | null)[]): ExplainAnswer {
+  return { costs_are_exact: true, gave_way: [{ level: "torso_height", to: costs.map((cost, k) => ({ level: "limb_extension_limits", row: `row ${k}`, cost })) }] };
+}
+
+async function answered(): Promise<void> {
+  for (let k = 0; k < 10; ++k) await Promise.resolve();
+}
+
+test("of what holds a level back the dearest rows are told, and how many others there are", () => {
+  const told = (...costs: (number | null)[]) => {
+    const level = readExplained(answerOf(...costs), schema)?.get("torso_height");
+    return [level?.rows.map(({ cost }) => cost), level?.others];
+  };
+  assert.deepEqual(told(9, 8, 0.5), [[9, 8], 1]);
+  assert.deepEqual(told(9, 8, 7, 6, 5, 4), [[9, 8, 7, 6], 2]);
+  assert.deepEqual(told(9, null), [[9], 1]);
+  assert.deepEqual(told(0, 0), [[0, 0], 0], "of rows that cost nothing alone none is cheaper");
+  assert.deepEqual(told(), [[], 0]);
+});
+
+test("a row stands for others that say the same, and for its level by number", () => {
+  const answer = answerOf(2);
+  answer.gave_way![0]!.to[0]!.same = [{ level: "limb_extension_limits", row: "LH" }, { level: "physics", row: "z" }];
+  assert.deepEqual(readExplained(answer, schema)?.get("torso_height")?.rows, [{ by: 1, row: "row 0 with LH with physics z", cost: 2 }]);
+});
+
+test("estimates, and a tick that can't be explained, are no explanation", () => {
+  assert.equal(readExplained({ ...answerOf(1), costs_are_exact: false }, schema), undefined);
+  assert.equal(readExplained({ problem: "no such file" } as ExplainAnswer, schema), undefined);
+});
+
+test("only a tick that is looked at for long is asked for, again until it is explained, and once", async (t) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  t.after(() => mock.timers.reset());
+  const asked: number[] = [];
+  let answer: ExplainAnswer | undefined;
+  let told = 0;
+  const explainer = new Explainer(async (tick) => (asked.push(tick), answer), schema);
+  explainer.onAnswer = () => ++told;
+  const pass = async (ms: number): Promise<void> => {
+    mock.timers.tick(ms);
+    await answered();
+  };
+  for (const tick of [1, 2, 3]) {
+    assert.equal(explainer.at(tick), undefined);
+    await pass(100);
+  }
+  assert.deepEqual(asked, []);
+  await pass(300);
+  await pass(500);
+  assert.deepEqual(asked, [3, 3]);
+  answer = answerOf(4);
+  await pass(500);
+  assert.equal(told, 1);
+  assert.equal(explainer.at(3)?.get("torso_height")?.rows[0]?.cost, 4);
+  explainer.at(5);
+  explainer.at(3);
+  await pass(5000);
+  assert.deepEqual(asked, [3, 3, 3], "what is known is not asked for again, nor what nobody looks at");
+});
