@@ -256,6 +256,18 @@ def test_steering_by_keys_is_told_in_one_note_that_renews_itself(page):
     assert len(page.run(notes)) == 1
 
 
+def test_buttons_that_move_a_level_hide_nothing_that_it_says(page):
+    hidden = """(() => { const level = document.querySelector('[data-level=torso_yaw]'), a = level.querySelector('.movers').getBoundingClientRect();
+      const texts = [...level.querySelectorAll('.level-name, .residual, .status, .brief, .level-time')].filter(one => one.textContent !== '');
+      return [a.width > 0, texts.filter(one => { const b = one.getBoundingClientRect(); return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; })
+        .map(one => one.className)]; })()"""
+    x, y = page.middle("[data-level=torso_yaw]")
+    page.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+    page.wait(f"{hidden}[0]")
+    assert page.run(hidden) == [True, []]
+    page.call("Input.dispatchMouseEvent", type="mouseMoved", x=1, y=1)
+
+
 def test_levels_that_keep_the_physics_have_no_buttons_to_move_them_and_say_why(page):
     movers = """Object.fromEntries([...document.querySelectorAll('.level')].map(level =>
       [level.dataset.level, [...level.querySelectorAll('.movers button')].map(one => [one.disabled, one.title])]))"""

@@ -26,7 +26,7 @@ def push_until_it_falls(browser):
     browser.wait("surefoot.status.ended !== null", 120)
 
 
-def test_after_a_fall_what_is_said_is_a_line_and_more_of_it_when_asked_for(browser):
+def test_after_a_fall_what_is_said_is_short_and_more_of_it_when_asked_for(browser):
     with Viewer(*WALK) as walk:
         show(browser, walk.link)
         browser.wait("surefoot.tick > 100", 60)
@@ -48,6 +48,15 @@ def test_after_a_fall_what_is_said_is_a_line_and_more_of_it_when_asked_for(brows
         assert browser.run(f"{words}.scrollHeight <= {words}.clientHeight + 1"), "all of it"
         browser.run(f"{note}.querySelector('button').click()")
         browser.wait(f"{note} === null")
+
+
+def test_what_a_message_tells_to_do_is_read_without_a_press(browser, log):
+    with Viewer("replay", log) as replay:
+        show(browser, replay.link)
+    words = "document.querySelector('[data-note=server] .note-text')"
+    for look in every_look(browser, "lost"):
+        browser.wait(f"{words} !== null")
+        assert browser.run(f"[{words}.scrollHeight <= {words}.clientHeight + 1, {words}.textContent.includes('surefoot replay')]") == [True, True], look
 
 
 def test_no_label_of_the_picture_covers_another(browser, live):

@@ -117,8 +117,8 @@ test("the line says what gives way to what, also of several levels", () => {
 
 test("however many levels give way, to however many rows, the account is one line", () => {
   const many = (count: number): Account => accountOfYielding(...Array.from({ length: count }, (_, k): [string, string[]] => [`task_of_a_long_name_${k}`, [`limits_of_a_long_name_${k}`]]));
-  assert.equal(many(2).line, "2 levels give way, the first of them task of a long name 0 to limits of a long name 0.");
-  assert.equal(many(3).line, "3 levels give way, the first of them task of a long name 0 to limits of a long name 0.");
+  assert.equal(many(2).line, "2 levels give way, first task of a long name 0 to limits of a long name 0.");
+  assert.equal(many(3).line, "3 levels give way, first task of a long name 0 to limits of a long name 0.");
   assert.equal(many(2).whole, "task of a long name 0 gives way to limits of a long name 0; task of a long name 1 to limits of a long name 1.");
   assert.equal(many(11).more.length, 11);
 });

@@ -214,7 +214,7 @@ function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
   const [first] = yielding as [LevelState];
   const whole = yieldingText(yielding, states), short = yieldingBy(mostly, yielding);
   if (yielding.length === 1 || whole.length <= GLANCE) return whole;
-  return short.length <= GLANCE ? short : `${yielding.length} levels give way, the first of them ${plainName(first)} ${mostly(first)}`.trimEnd() + ".";
+  return short.length <= GLANCE ? short : `${yielding.length} levels give way, first ${plainName(first)} ${mostly(first)}`.trimEnd() + ".";
 }
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {
