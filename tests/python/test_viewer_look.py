@@ -37,8 +37,9 @@ def test_after_a_fall_what_is_said_is_short_and_more_of_it_when_asked_for(browse
             for _ in range(4):
                 browser.press("p")  # refused: the run has ended
             browser.wait(f"{note}?.textContent.includes('the run has ended')")
-            heights = "[...document.querySelectorAll('.note.error, #account')].map(one => one.offsetHeight)"
-            assert [height < 48 for height in browser.run(heights)] == [True, True], look
+            heights = "[document.querySelector('#account'), document.querySelector('.note.error')].map(one => one.offsetHeight)"
+            account, message = browser.run(heights)
+            assert account < 48 and message < 84, look  # two lines, and four
             cut = "[...document.querySelectorAll('.account-line, .facts')].filter(one => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight + 1)"
             assert browser.run(f"{cut}.map(one => one.textContent)") == [], look
         browser.press("p")
