@@ -47,6 +47,13 @@ test("what is exactly known of a tick stands in the place of the control loop's 
   assert.deepEqual(detailsOf(accountAt(frame, states)), ["second gives way to first (LF extension), first (LF x) and 3 more, 2.00 m/s² short."]);
 });
 
+test("of rows that cost the same but for rounding the first is told in the line", () => {
+  const rows = [{ by: 0, row: "LF extension", cost: 2 }, { by: 1, row: "LF x", cost: 2 + 1e-9 }];
+  const states = levelStates(frameOf([3, 2]), new Map(["first", "second"].map((level) => [level, { rows, others: 40 }])));
+  assert.equal(accountAt(frameOf([3, 2]), states.map((state) => ({ ...state, name: `${state.name} of several long names` }))).line,
+    "2 levels give way, first first of several long names mostly to first of several long names.");
+});
+
 test("an equality that was missed is no limit", () => {
   const [first, second] = levelStates(frameOf([0, 0.5], { active: [[1, 2, 0, -0.5]] }));
   assert.deepEqual(second?.missed, [{ name: "c", level: 1, state: 2, by: -0.5 }]);

@@ -41,6 +41,7 @@ export interface LevelState {
   active: RowNote[];
   /** Equality rows that it could not reach, worst first. */
   missed: RowNote[];
+  /** Dearest first, and of those that cost the same limits. */
   blocked: BlockNote[];
   /** How many rows hold it back besides; undefined: the costs are the control loop's estimates. */
   others?: number;
@@ -202,14 +203,18 @@ function yieldingText(yielding: LevelState[], states: LevelState[]): string {
   return yieldingBy(to, yielding);
 }
 
+/** Costs that differ by less are the same: of such rows the first is told [share]. */
+const SAME = 1e-3;
+
 /** As much is read at a glance, in two lines beside the button for more [letters]. */
 const GLANCE = 78;
 
 /** What gives way to what. Where that is too long of several levels, each to the one whose row costs it most; then how many they are, and the highest. */
 function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
   const mostly = (state: LevelState): string => {
-    const [most] = state.blocked.toSorted((a, b) => b.cost - a.cost);
-    return most === undefined ? "" : `${state.blocked.every(({ by }) => by === most.by) ? "" : "mostly "}to ${nameOf(states, most.by)}`;
+    if (state.blocked.length === 0) return "";
+    const most = state.blocked.reduce((dearest, row) => (row.cost > (1 + SAME) * dearest.cost ? row : dearest));
+    return `${state.blocked.every(({ by }) => by === most.by) ? "" : "mostly "}to ${nameOf(states, most.by)}`;
   };
   const [first] = yielding as [LevelState];
   const whole = yieldingText(yielding, states), short = yieldingBy(mostly, yielding);
