@@ -2,6 +2,8 @@
 
 #include "surefoot/base/formatted.hpp"
 
+#include <cmath>
+
 namespace surefoot {
 namespace {
 
@@ -25,5 +27,7 @@ void add_clock(const ClockSkips& clock, nlohmann::ordered_json& json) {
   json["clock"] = {{"begin", clock.begin}, {"skips", clock.count}};
   if (clock.count > 0) json["clock"]["first_skip"] = {clock.from, clock.to};
 }
+
+double to_nanosecond(double time) { return std::round(time * 1e9) / 1e9; }
 
 }  // namespace surefoot

@@ -15,4 +15,8 @@ namespace surefoot {
 /// The same as the member "clock"; nothing where the text is empty.
 void add_clock(const ClockSkips& clock, nlohmann::ordered_json& json);
 
+/// A time as one writes it: 12.405 for what rounding has made 12.405000000000001 of. To the
+/// nanosecond, as messages of a log have it [s].
+[[nodiscard]] double to_nanosecond(double time);
+
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
+#include "surefoot/logging/change_count.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
@@ -98,7 +99,7 @@ class ClosedLoop {
                     .controller = controller_,
                     .header = log_header(scenario_, controller_, plant_, model_),
                     .log_change = [this](const logged::Change& change) {
-                      ++changes_;
+                      changes_.add(change);
                       if (change_log_) change_log_->record(change, controller_);
                     }});
   }
@@ -198,7 +199,7 @@ class ClosedLoop {
     result.notes = run_notes(controller_, plant_);
     if (options_.steering != nullptr) {
       options_.steering->end(plant_.time());
-      result.changes = changes_;
+      result.changes = changes_.count();
     }
     if (recorder_) close_log(result);
     return result;
@@ -228,7 +229,7 @@ class ClosedLoop {
   double stopped_at_ = kNaN;  // time of the safety stop [s]
   double damped_at_ = kNaN;   // … and of the first tick of damping
   std::string why_stopped_;
-  int changes_ = 0;             // from outside
+  ChangeCount changes_;         // from outside
   double next_progress_ = 0.0;  // [s]
 };
 

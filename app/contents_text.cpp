@@ -48,13 +48,11 @@ std::string drawn(const LogHeader& header) {
 }
 
 std::string steered(const LogContents& contents) {
-  for (const TopicContents& topic : contents.topics) {
-    if (topic.topic != "/changes") continue;
-    return (contents.problem.empty() ? "" : "at least ") + std::to_string(topic.messages) +
-           " changes and pushes while it ran (/changes): the command above alone gives another "
-           "run; replay --verify repeats this one";
-  }
-  return "";
+  if (contents.changes == 0) return "";
+  return (contents.problem.empty() ? "" : "at least ") + std::to_string(contents.changes) +
+         (contents.changes == 1 ? " change or push" : " changes and pushes") +
+         " while it ran (/changes): the command above alone gives another run; replay --verify "
+         "repeats this one";
 }
 
 std::string lost(const LogContents& contents) {

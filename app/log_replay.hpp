@@ -19,9 +19,8 @@ enum class ReplayedState {
 
 struct ReplayOptions {
   ReplayedState state = ReplayedState::logged;
-  /// Another task hierarchy, by name or file as `--set stack=` has it; empty: the run's own. The
-  /// log's switches of levels are not made in it.
-  std::string stack;
+  /// Is told of messages that no tick is made of, such as those of the truth; may be none.
+  LogReader::Other observer;
 };
 
 /// Ticks that are lost within a log, or at its begin. A controller can't be computed again behind
@@ -40,7 +39,7 @@ struct LogGap {
 class LogReplay {
  public:
   /// Throws FileError if the file is not a log of ours or lacks what its controller was made
-  /// from, Error if this program can't make sense of that or of the other stack.
+  /// from, Error if this program can't make sense of that.
   explicit LogReplay(const std::string& path, const ReplayOptions& options = {});
 
   /// See `Controller::explain_levels`; a replay does unless it is told not to.
@@ -63,29 +62,21 @@ class LogReplay {
   [[nodiscard]] const std::optional<LogGap>& gap() const { return gap_; }
   /// After the last tick: whether the run may have had more behind all that can be read.
   [[nodiscard]] bool may_go_on() const { return log_.may_go_on(); }
-  /// Of another stack, in the truth of the ticks so far: when the torso first came to the ground,
-  /// and since when no foot has been on it [s].
-  [[nodiscard]] const std::optional<double>& torso_down() const { return torso_down_; }
-  [[nodiscard]] const std::optional<double>& feet_up() const { return feet_up_; }
   [[nodiscard]] const ClockSkips& clock_skips() const { return log_.clock_skips(); }
   /// Whether the controller gave the torques of the log at this tick, bit for bit.
   [[nodiscard]] bool is_same() const;
 
  private:
-  void see_truth(const McapMessage& message);
   void switch_levels(const LevelSwitchReport& logged);
   void apply_changes();
   void pass_over_rest();
 
-  std::vector<logged::Change> changes_;         // that stand before the tick
-  std::optional<double> torso_down_, feet_up_;  // [s]
-  bool was_torso_up_ = false;
+  std::vector<logged::Change> changes_;  // that stand before the tick
   LogReader log_;
   TickRecord tick_;
   std::optional<double> last_time_;  // of the ticks that were computed [s]
   std::optional<LogGap> gap_;
   bool estimates_ = false;
-  bool own_stack_ = true;
   std::unique_ptr<Controller> controller_;
   StackOptions stack_;
 };

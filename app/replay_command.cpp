@@ -1,5 +1,6 @@
 #include "app/replay_command.hpp"
 
+#include "app/clock_text.hpp"
 #include "app/exit_code.hpp"
 #include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
@@ -11,11 +12,12 @@
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/recorder.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <ostream>
 
 namespace surefoot {
@@ -36,13 +38,17 @@ void check(const ReplayArguments& arguments) {
         "--stack don't serve; leave them out");
 }
 
-/// Torques and residuals of both at each tick, as the log's channels are called, with units; those
-/// of the other hierarchy behind "other.".
+/// Shortest text that reads back to the same double.
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// Torques and residuals of both at each tick, and how each came to them, as the log's channels are
+/// called, with units; those of the other hierarchy behind "other.".
 class TickTable {
  public:
-  explicit TickTable(const std::string& path) : path_(path), file_(partial_path(path)) {
-    file_.precision(std::numeric_limits<double>::max_digits10);
-  }
+  explicit TickTable(const std::string& path) : path_(path), file_(partial_path(path)) {}
   ~TickTable() {
     std::error_code ignored;
     fs::remove(partial_path(path_), ignored);
@@ -50,17 +56,25 @@ class TickTable {
   TickTable(const TickTable&) = delete;
   TickTable& operator=(const TickTable&) = delete;
 
-  void add(const LogHeader& header, const TickRecord& logged, const TickRecord& other,
+  /// `other` is null where it was not asked.
+  void add(const LogHeader& header, const TickRecord& logged, const StackAnswer* other,
            const std::vector<OtherLevel>& other_levels) {
     if (!has_head_) write_head(header, other_levels);
     has_head_ = true;
-    file_ << logged.reading.time;
-    for (const TickRecord* tick : {&logged, &other})
-      for (const double torque : tick->command.torque) file_ << ',' << torque;
+    const bool is_answered = other != nullptr && other->is_usable();
+    file_ << shortest(to_nanosecond(logged.reading.time));
+    origin(logged.command, logged.hierarchy);
+    if (other == nullptr)
+      file_ << ",,";
+    else
+      origin(other->command, other->hierarchy);
+    for (const double torque : logged.command.torque) number(torque);
+    for (Eigen::Index i = 0; i < kNumJoints; ++i)
+      number(is_answered ? other->command.torque[i] : std::nan(""));
     for (std::size_t k = 0; k < header.level_names.size(); ++k)
-      residual(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));
+      number(is_of(logged, k) ? logged.hierarchy.levels[k].residual : std::nan(""));
     for (std::size_t k = 0; k < other_levels.size(); ++k)
-      residual(was_used(other) ? computed_residual(other.hierarchy, k) : std::nan(""));
+      number(is_answered ? computed_residual(other->hierarchy, k) : std::nan(""));
     file_ << '\n';
   }
 
@@ -73,6 +87,8 @@ class TickTable {
  private:
   void write_head(const LogHeader& header, const std::vector<OtherLevel>& other_levels) {
     file_ << "time[s]";
+    for (const char* side : {"", "other."})
+      file_ << ',' << side << "command.mode," << side << "hierarchy.status";
     for (const char* side : {"", "other."})
       for (const std::string& joint : header.robot.joint_names)
         file_ << ',' << side << "command.torque." << joint << "[N·m]";
@@ -91,10 +107,16 @@ class TickTable {
     return was_used(tick) && static_cast<std::int32_t>(level) < tick.hierarchy.num_levels;
   }
 
+  /// Which rung of the ladder commands, and how the solve ended.
+  void origin(const JointCommand& command, const HierarchyReport& hierarchy) {
+    file_ << ',' << logged::kModeNames[static_cast<std::size_t>(command.mode)] << ','
+          << hierarchy.status;
+  }
+
   /// NaN is an empty cell.
-  void residual(double value) {
+  void number(double value) {
     file_ << ',';
-    if (!std::isnan(value)) file_ << value;
+    if (!std::isnan(value)) file_ << shortest(value);
   }
 
   std::string path_;
@@ -121,7 +143,7 @@ StackComparison compare(const ReplayArguments& arguments) {
   TickTable table(arguments.csv);
   const StackComparison result =
       compare_stack(arguments.log, arguments.stack,
-                    [&](const TickRecord& logged, const TickRecord& other,
+                    [&](const TickRecord& logged, const StackAnswer* other,
                         const std::vector<OtherLevel>& other_levels) {
                       table.add(header, logged, other, other_levels);
                     });

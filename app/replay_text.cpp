@@ -104,13 +104,20 @@ Json run_json(const std::string& path, const LogHeader& header) {
 
 /// The time is that of the largest; null where there is none.
 Json difference_json(double rms, double largest, double time) {
-  return {{"rms", rms}, {"largest", largest}, {"time", largest == 0.0 ? Json() : Json(time)}};
+  return {{"rms", rms},
+          {"largest", largest},
+          {"time", largest == 0.0 ? Json() : Json(to_nanosecond(time))}};
 }
 
 /// From 100 on all digits before the point.
 std::string residual(double value, const std::string& unit) {
   if (value < kResidualRounding) return "0";
   return formatted(value < 100.0 ? "%.3g" : "%.0f", value) + (unit.empty() ? "" : " " + unit);
+}
+
+/// Below rounding it is nothing, as a residual is.
+std::string torque(const char* format, double value) {
+  return std::abs(value) < kResidualRounding ? "0" : formatted(format, value) + " N·m";
 }
 
 constexpr const char* kMark = " *";
@@ -133,8 +140,10 @@ std::string joint_table(const StackComparison& result) {
   std::vector<std::vector<std::string>> table{{"torque, other − logged", "rms", "largest", "at"}};
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     const JointComparison& joint = result.joints[i];
-    table.push_back({result.header.robot.joint_names[i], formatted("%.3g N·m", joint.rms),
-                     formatted("%+.3g N·m", joint.largest), largest_at(result, joint.time)});
+    const bool is_none = std::abs(joint.largest) < kResidualRounding;
+    table.push_back({result.header.robot.joint_names[i], torque("%.3g", joint.rms),
+                     torque("%+.3g", joint.largest),
+                     is_none ? "–" : largest_at(result, joint.time)});
   }
   return aligned(table);
 }
@@ -158,19 +167,59 @@ std::string level_table(const StackComparison& result) {
   return aligned(table);
 }
 
+std::string number_of_ticks(long ticks) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
+}
+
+/// "3 ticks, first at 1.0000 s".
+std::string counted(const TickCount& count) {
+  return number_of_ticks(count.ticks) +
+         (count.ticks > 0 ? ", first at " + seconds(count.first) : "");
+}
+
+/// Above the tables, what they are made of.
+std::string compared(const StackComparison& result) {
+  if (result.compared == result.ticks) return "Both answered every tick.\n";
+  return "Both answered " + number_of_ticks(result.compared) + " of " +
+         std::to_string(result.ticks) + ", from which the tables are made.\n";
+}
+
+std::string unanswered(const StackComparison& result) {
+  std::string out;
+  if (result.not_asked.ticks > 0)
+    out += "Not asked at " + counted(result.not_asked) +
+           ": the run planned nothing there, as its controller had no state to believe or had lost "
+           "a sensor.\n";
+  if (result.other_unanswered.ticks > 0)
+    out += "No answer of the other hierarchy at " + counted(result.other_unanswered) + ": " +
+           result.other_unanswered.why + ".\n";
+  if (result.other_stopped.ticks > 0)
+    out += "Its controller would have been stopped for safety at " + counted(result.other_stopped) +
+           ": " + result.other_stopped.why + ". The ticks behind are asked all the same.\n";
+  return out;
+}
+
 std::string optimality(const StackComparison& result) {
-  std::string out = "Not optimal: " + std::to_string(result.logged_not_optimal) +
-                    " ticks in the log, " + std::to_string(result.other_not_optimal) +
-                    " of the other hierarchy";
-  if (result.other_not_optimal > 0) out += ", first at " + seconds(result.other_first_not_optimal);
-  out += ".\n";
-  if (result.other_stopped)
-    out += "The other controller stopped for safety at " + seconds(result.other_stopped_at) +
-           ": its torques from then on are not those of its hierarchy.\n";
-  if (!result.same_plan) out += "The plan was not always the same.\n";
+  std::string out = "Not optimal: " + number_of_ticks(result.logged_not_optimal.ticks) +
+                    " in the log, " + counted(result.other_not_optimal) +
+                    (result.other_not_optimal.ticks > 0 ? ", of the other hierarchy.\n"
+                                                        : " of the other hierarchy.\n");
+  out += unanswered(result);
+  if (result.not_reproduced.ticks > 0)
+    out += "This build computes other torques for the run itself at " +
+           counted(result.not_reproduced) +
+           " (replay --verify says more): the plan asked with is the logged one, but the model may "
+           "be another than the run's.\n";
   if (result.logged_switches > 0)
     out += "Levels were switched in the run; the other hierarchy stayed as it was.\n";
   return out;
+}
+
+Json count_json(const TickCount& count) {
+  Json json = {{"ticks", count.ticks}};
+  if (count.ticks > 0) json["first"] = to_nanosecond(count.first);
+  if (!count.why.empty()) json["why"] = count.why;
+  return json;
 }
 
 }  // namespace
@@ -222,19 +271,20 @@ Json verification_json(const std::string& path, const Verification& result) {
 
 std::string comparison_text(const std::string& path, const StackComparison& result) {
   const std::string tables = joint_table(result) + "\n" + level_table(result);
-  return headline(path, result.header) + "Asked at each tick on the same states: stack " +
+  return headline(path, result.header) + "Asked at each tick on the same states and plan: stack " +
          result.other + ". None of its torques moved the robot.\n" +
-         span(result.ticks, result.first_time, result.last_time) + "\n\n" + tables + "\n" +
-         walk_end(result, tables) + optimality(result) + behind_gap(result.gap, "asked") +
-         not_whole(result.problem);
+         span(result.ticks, result.first_time, result.last_time) + "\n" + compared(result) + "\n" +
+         tables + "\n" + walk_end(result, tables) + optimality(result) +
+         behind_gap(result.gap, "asked") + not_whole(result.problem);
 }
 
 Json comparison_json(const std::string& path, const StackComparison& result) {
   Json json = run_json(path, result.header);
   json["other"] = result.other;
   json["ticks"] = result.ticks;
-  json["first_time"] = result.first_time;
-  json["last_time"] = result.last_time;
+  json["first_time"] = to_nanosecond(result.first_time);
+  json["last_time"] = to_nanosecond(result.last_time);
+  json["compared"] = result.compared;
   for (std::size_t i = 0; i < result.joints.size(); ++i) {
     const JointComparison& joint = result.joints[i];
     json["torque_difference"][result.header.robot.joint_names[i]] =
@@ -249,12 +299,16 @@ Json comparison_json(const std::string& path, const StackComparison& result) {
       one["other"] = difference_json(level.other_rms, level.other_max, level.other_time);
     json["levels"].push_back(std::move(one));
   }
-  json["not_optimal"] = {{"logged", result.logged_not_optimal},
-                         {"other", result.other_not_optimal}};
+  json["not_optimal"] = {{"logged", result.logged_not_optimal.ticks},
+                         {"other", result.other_not_optimal.ticks}};
+  json["unanswered"] = {{"logged", count_json(result.logged_unanswered)},
+                        {"other", count_json(result.other_unanswered)}};
+  json["not_asked"] = count_json(result.not_asked);
+  json["other_stopped"] = count_json(result.other_stopped);
+  json["not_reproduced"] = count_json(result.not_reproduced);
   if (result.walk_end)
-    json["walk_end"] = {{"time", result.walk_end->time}, {"why", result.walk_end->why}};
-  if (result.other_stopped) json["other_stopped_at"] = result.other_stopped_at;
-  json["same_plan"] = result.same_plan;
+    json["walk_end"] = {{"time", to_nanosecond(result.walk_end->time)},
+                        {"why", result.walk_end->why}};
   json["logged_switches"] = result.logged_switches;
   if (result.gap) json["gap"] = gap_json(*result.gap);
   if (!result.problem.empty()) json["problem"] = result.problem;

@@ -2,10 +2,9 @@
 
 #include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
-#include "app/log_replay.hpp"
+#include "app/logged_scenario.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
-#include "surefoot/logging/message_codec.hpp"
 #include "surefoot/solver/solution.hpp"
 
 #include <algorithm>
@@ -17,35 +16,39 @@ namespace surefoot {
 namespace {
 
 /// Where a level's numbers are in a report; none where it has none.
-std::optional<std::size_t> place(const TickRecord& tick, const std::vector<std::string>& names,
-                                 const std::string& name) {
+std::optional<std::size_t> place(const HierarchyReport& report,
+                                 const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::ranges::find(names, name);
   const auto level = found - names.begin();
-  if (found == names.end() || level >= tick.hierarchy.num_levels) return std::nullopt;
+  if (found == names.end() || level >= report.num_levels) return std::nullopt;
   return static_cast<std::size_t>(level);
 }
 
-bool is_optimal(const TickRecord& tick) {
-  return tick.command.mode == CommandMode::optimal &&
-         tick.hierarchy.status == static_cast<std::int32_t>(SolveStatus::optimal);
+bool is_optimal(const JointCommand& command, const HierarchyReport& hierarchy) {
+  return command.mode == CommandMode::optimal &&
+         hierarchy.status == static_cast<std::int32_t>(SolveStatus::optimal);
 }
 
-std::string plan_text(const MotionPlan& plan) {
-  std::string text;
-  logged::encode(plan, text);
-  return text;
+bool is_answered(const TickRecord& tick) {
+  return tick.command.mode == CommandMode::optimal || tick.command.mode == CommandMode::degraded;
+}
+
+/// A stack that is asked what it would command where the log's controller, computed again, stands.
+AskedStack asked_stack(const LogReplay& replay, const std::string& name) {
+  const ScratchFolder folder;
+  const Scenario scenario = logged_scenario(replay.header(), folder, name);
+  const ControllerOptions& options = scenario.controller;
+  return {options.stack, options.solver, options.safety, scenario.robot};
 }
 
 /// Sums up, tick by tick.
 class Comparison {
  public:
-  Comparison(const LogReplay& replay, StackComparison& result)
-      : names_(replay.header().level_names),
-        other_names_(replay.controller().level_names()),
-        result_(result) {
+  Comparison(const LogHeader& header, const AskedStack& other, StackComparison& result)
+      : names_(header.level_names), other_names_(other.level_names()), result_(result) {
     for (std::ptrdiff_t k = 0; k < std::ssize(names_); ++k)
-      add_level(replay.header().level_name(k), replay.header().level_unit(k));
-    const std::vector<std::string> other_units = replay.controller().level_units();
+      add_level(header.level_name(k), header.level_unit(k));
+    const std::vector<std::string> other_units = other.level_units();
     for (std::size_t k = 0; k < other_names_.size(); ++k) {
       other_levels_.push_back({other_names_[k], other_units[k]});
       if (std::ranges::find(names_, other_names_[k]) == names_.end())
@@ -54,18 +57,23 @@ class Comparison {
     solved_.resize(result_.levels.size());
   }
 
-  void add(const TickRecord& logged, const TickRecord& other) {
-    if (result_.ticks++ == 0) result_.first_time = logged.reading.time;
-    result_.last_time = logged.reading.time;
-    add_torques(logged, other);
-    if (was_used(logged) && was_used(other)) add_residuals(logged, other);
-    add_modes(logged, other);
-    result_.same_plan = result_.same_plan && plan_text(logged.plan) == plan_text(other.plan);
-    if (logged.hierarchy.level_switch.begins) ++result_.logged_switches;
+  /// `other` is null where it was not asked.
+  void add(const TickRecord& logged, const StackAnswer* other) {
+    const double time = logged.reading.time;
+    if (result_.ticks++ == 0) result_.first_time = time;
+    result_.last_time = time;
+    add_logged(logged);
+    if (other == nullptr) result_.not_asked.add(time);
+    if (other == nullptr) return;
+    add_answer(time, *other);
+    if (!is_answered(logged) || !other->is_usable()) return;
+    ++result_.compared;
+    add_torques(logged, *other);
+    add_residuals(logged, *other);
   }
 
   void finish() {
-    const auto ticks = static_cast<double>(std::max(1L, result_.ticks));
+    const auto ticks = static_cast<double>(std::max(1L, result_.compared));
     for (JointComparison& joint : result_.joints) joint.rms = std::sqrt(joint.rms / ticks);
     for (std::size_t k = 0; k < result_.levels.size(); ++k) {
       LevelComparison& level = result_.levels[k];
@@ -86,7 +94,37 @@ class Comparison {
         {.name = name, .unit = unit, .in_log = is_in(names_), .in_other = is_in(other_names_)});
   }
 
-  void add_torques(const TickRecord& logged, const TickRecord& other) {
+  void add_logged(const TickRecord& logged) {
+    const double time = logged.reading.time;
+    if (!is_optimal(logged.command, logged.hierarchy)) result_.logged_not_optimal.add(time);
+    if (!is_answered(logged)) result_.logged_unanswered.add(time);
+    const bool is_changing = logged.hierarchy.transition_share < 1.0;
+    if (logged.hierarchy.level_switch.begins || (is_changing && !was_changing_))
+      ++result_.logged_switches;
+    was_changing_ = is_changing;
+  }
+
+  void add_answer(double time, const StackAnswer& other) {
+    if (!is_optimal(other.command, other.hierarchy)) result_.other_not_optimal.add(time);
+    if (other.is_usable()) return;
+    result_.other_unanswered.add(time, why_unanswered(other));
+    const JointCommand& command = other.command;
+    if (command.cause != StopCause::none)
+      result_.other_stopped.add(time, text_of_stop(command.cause, command.fault, command.joint));
+  }
+
+  [[nodiscard]] std::string why_unanswered(const StackAnswer& other) const {
+    const auto status = static_cast<SolveStatus>(other.hierarchy.status);
+    if (status == SolveStatus::optimal)
+      return text_of_stop(other.command.cause, SampleFault::none, -1);
+    const auto level = static_cast<std::size_t>(other.hierarchy.failed_level);
+    const std::string where = level < other_names_.size() ? " in " + other_names_[level] : "";
+    return status == SolveStatus::iteration_cap
+               ? "its solve was cut off" + where + ", before all that keeps the physics was solved"
+               : "its rows were no valid input" + where;
+  }
+
+  void add_torques(const TickRecord& logged, const StackAnswer& other) {
     for (std::size_t i = 0; i < result_.joints.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       const double difference = other.command.torque[at] - logged.command.torque[at];
@@ -98,11 +136,11 @@ class Comparison {
     }
   }
 
-  void add_residuals(const TickRecord& logged, const TickRecord& other) {
+  void add_residuals(const TickRecord& logged, const StackAnswer& other) {
     for (std::size_t k = 0; k < result_.levels.size(); ++k) {
       LevelComparison& level = result_.levels[k];
-      const auto in_log = place(logged, names_, level.name);
-      const auto in_other = place(other, other_names_, level.name);
+      const auto in_log = place(logged.hierarchy, names_, level.name);
+      const auto in_other = place(other.hierarchy, other_names_, level.name);
       const double before = in_log ? logged.hierarchy.levels[*in_log].residual : 0.0;
       const double now = in_other ? computed_residual(other.hierarchy, *in_other) : 0.0;
       if (std::isnan(before) || std::isnan(now)) continue;
@@ -120,56 +158,58 @@ class Comparison {
     at = time;
   }
 
-  void add_modes(const TickRecord& logged, const TickRecord& other) {
-    if (!is_optimal(logged)) ++result_.logged_not_optimal;
-    if (!result_.walk_end && logged.command.cause != StopCause::none)
-      result_.walk_end = {logged.reading.time,
-                          "its controller stopped for safety: " + text_of_stop(logged)};
-    if (!is_optimal(other) && result_.other_not_optimal++ == 0)
-      result_.other_first_not_optimal = logged.reading.time;
-    if (result_.other_stopped || other.command.cause == StopCause::none) return;
-    result_.other_stopped = true;
-    result_.other_stopped_at = logged.reading.time;
-  }
-
   const std::vector<std::string> names_, other_names_;
   std::vector<OtherLevel> other_levels_;
   StackComparison& result_;
   std::vector<long> solved_;  // ticks, of each level
+  bool was_changing_ = false;
 };
+
+void check_has_ticks(const std::string& path, const StackComparison& result) {
+  if (result.ticks > 0) return;
+  if (result.gap)
+    throw FileError(path +
+                    ": its first ticks are lost, and behind them no controller can be asked; " +
+                    result.problem);
+  throw FileError(path + ": the log holds no tick, so there is nothing to ask" +
+                  (result.problem.empty() ? "" : "; " + result.problem));
+}
 
 }  // namespace
 
+// The log's own controller is computed again, as its model depends on all ticks before; it does
+// what it did in the run, so its torques are those that the sensors felt. A controller with the
+// other stack would find that they are not its own.
 StackComparison compare_stack(const std::string& path, const std::string& stack,
                               const StackObserver& observer) {
-  LogReplay replay(path, {.state = ReplayedState::logged, .stack = stack});
+  WalkEndWatch walk;
+  LogReplay replay(path, {.state = ReplayedState::logged,
+                          .observer = [&walk](const McapMessage& message) { walk.see(message); }});
+  replay.explain_levels(false);
+  AskedStack other = asked_stack(replay, stack);
   StackComparison result;
   result.header = replay.header();
   result.header.attachments.clear();
   result.other = stack;
-  Comparison comparison(replay, result);
+  Comparison comparison(replay.header(), other, result);
   while (replay.step()) {
     if (interrupted()) throw Error("interrupted: nothing is said of the other stack");
-    const TickRecord& other = replay.controller().record();
-    comparison.add(replay.logged(), other);
-    if (observer) observer(replay.logged(), other, comparison.other_levels());
+    const TickRecord& logged = replay.logged();
+    const Controller& controller = replay.controller();
+    const Dynamics* dynamics = controller.dynamics();
+    const StackAnswer* answer = dynamics == nullptr
+                                    ? nullptr
+                                    : &other.ask(controller.record().state, *dynamics, logged.plan);
+    if (!replay.is_same()) result.not_reproduced.add(logged.reading.time);
+    comparison.add(logged, answer);
+    walk.see(logged);
+    if (observer) observer(logged, answer, comparison.other_levels());
   }
   comparison.finish();
-  const auto ends = [&result](const std::optional<double>& time, const char* why) {
-    if (time && !(result.walk_end && result.walk_end->time <= *time))
-      result.walk_end = {*time, why};
-  };
-  ends(replay.torso_down(), "its torso came to the ground");
-  ends(replay.feet_up(), "no foot touched the ground any more");
+  result.walk_end = walk.end();
   result.problem = replay.problem();
   result.gap = replay.gap();
-  if (result.ticks == 0 && result.gap)
-    throw FileError(path +
-                    ": its first ticks are lost, and behind them no controller can be asked; " +
-                    result.problem);
-  if (result.ticks == 0)
-    throw FileError(path + ": the log holds no tick, so there is nothing to ask" +
-                    (result.problem.empty() ? "" : "; " + result.problem));
+  check_has_ticks(path, result);
   return result;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/log_replay.hpp"
+#include "app/walk_end.hpp"
+#include "surefoot/control/asked_stack.hpp"
 #include "surefoot/logging/log_header.hpp"
 #include "surefoot/signals/leg.hpp"
 
@@ -14,14 +16,15 @@ namespace surefoot {
 
 struct TickRecord;
 
-/// How far the torques of a joint are apart.
+/// How far the torques of a joint are apart, over the ticks that both answered.
 struct JointComparison {
   double rms = 0.0;      ///< [N·m]
   double largest = 0.0;  ///< [N·m], other minus logged
   double time = 0.0;     ///< of the largest [s]
 };
 
-/// Residuals of a level, over the ticks at which both hierarchies were solved as far as it.
+/// Residuals of a level, over the ticks that both answered and at which both hierarchies were
+/// solved as far as it.
 struct LevelComparison {
   std::string name, unit;
   bool in_log = false, in_other = false;
@@ -30,28 +33,40 @@ struct LevelComparison {
   double logged_time = 0.0, other_time = 0.0;  ///< of the largest [s]
 };
 
-/// From when on a run says nothing of its walk.
-struct WalkEnd {
-  double time = 0.0;  ///< [s]
-  std::string why;    ///< "its torso came to the ground", "its controller stopped for safety: …"
+/// Some of the ticks, which have something in common.
+struct TickCount {
+  long ticks = 0;
+  double first = 0.0;  ///< time of the first of them [s]
+  std::string why;     ///< of the first of them
+
+  void add(double time, const std::string& reason = {}) {
+    if (ticks++ > 0) return;
+    first = time;
+    why = reason;
+  }
 };
 
-/// What another hierarchy would have commanded at each tick of a run, on the same states: each tick
-/// is asked for itself, and none of its torques ever moves the robot.
+/// What another hierarchy would have commanded at each tick of a run, on the model and the plan
+/// that the run had there: each tick is asked for itself, and none of its torques ever moves the
+/// robot. A side answers a tick with torques of its hierarchy, be they optimal or degraded.
 struct StackComparison {
   LogHeader header;   ///< of the log, without its attachments
   std::string other;  ///< name of the other stack
   long ticks = 0;
   double first_time = 0.0, last_time = 0.0;  ///< [s]
+  long compared = 0;                         ///< ticks that both answered
   std::array<JointComparison, kNumJoints> joints;
   std::vector<LevelComparison> levels;  ///< those of the log, then those of the other alone
-  long logged_not_optimal = 0, other_not_optimal = 0;  ///< ticks
-  double other_first_not_optimal = 0.0;                ///< [s]
-  bool other_stopped = false;  ///< for good: from then on its torques say nothing of the hierarchy
-  double other_stopped_at = 0.0;  ///< [s]
+  TickCount logged_not_optimal, other_not_optimal;  ///< also where there was no answer
+  TickCount logged_unanswered;
+  TickCount not_asked;  ///< nothing was planned in the run, so there was nothing to ask with
+  TickCount other_unanswered;
+  TickCount other_stopped;  ///< of these: there its controller would have stopped for safety
   std::optional<WalkEnd> walk_end;
-  bool same_plan = true;      ///< both followed the same plan at every tick
-  long logged_switches = 0;   ///< of levels at run time, which the other hierarchy did not make
+  /// Where this build computes other torques for the run itself, so that the model with which the
+  /// other hierarchy was asked may be another than the run's, too.
+  TickCount not_reproduced;
+  long logged_switches = 0;   ///< changes of levels, which the other hierarchy did not make
   std::string problem;        ///< why not all of the log could be read
   std::optional<LogGap> gap;  ///< behind which nothing was asked
 };
@@ -61,12 +76,14 @@ struct OtherLevel {
   std::string name, unit;
 };
 
-/// Is told of each tick: what the log has, and what the other hierarchy commanded.
-using StackObserver = std::function<void(const TickRecord& logged, const TickRecord& other,
+/// Is told of each tick: what the log has, and what the other hierarchy answers; null where it was
+/// not asked.
+using StackObserver = std::function<void(const TickRecord& logged, const StackAnswer* other,
                                          const std::vector<OtherLevel>& other_levels)>;
 
-/// `stack` by name or file, as `--set stack=` has it. Throws Error as `LogReplay`, if the log holds
-/// no tick, and when it is interrupted.
+/// `stack` by name or file, as `--set stack=` has it. Throws Error as `LogReplay`, if there is no
+/// such stack or none that fits the log's scenario, if the log holds no tick, and when it is
+/// interrupted.
 [[nodiscard]] StackComparison compare_stack(const std::string& path, const std::string& stack,
                                             const StackObserver& observer = {});
 

@@ -33,6 +33,14 @@ def described(description):
     return (description, "") if found is None else (UNIT.sub("", description, count=1), found.group(1))
 
 
+def units_of(unit, count):
+    """Of a list's numbers: "[N]" is of all of them, "[m/s, rad/s, …]" goes on as it ends, and "[N, N·m]" begins again."""
+    units = unit.split(", ")
+    if units[-1] == "…":
+        units[-1:] = [units[-2]] * max(0, count - len(units) + 1)
+    return ["" if units[i % len(units)] == "1" else units[i % len(units)] for i in range(count)]
+
+
 def labels_of(name, count, joints):
     if count == len(joints):
         return joints
@@ -107,8 +115,9 @@ class Flattener:
         if kind_of(items) not in ("number", "integer"):
             return None
         labels = labels_of(full, count, self._joints)
-        about = schema.get("description", "")
-        return Node(members=[(i, self._leaf(f"{full}.{label}", kind_of(items), about)) for i, label in enumerate(labels)])
+        about, unit = described(schema.get("description", ""))
+        units = units_of(unit, count)
+        return Node(members=[(i, self._channel(f"{full}.{label}", kind_of(items), units[i], about)) for i, label in enumerate(labels)])
 
     def _matrix(self, full, schema, items):
         rows, columns, about = schema["maxItems"], items["maxItems"], schema.get("description", "")
@@ -129,6 +138,9 @@ class Flattener:
 
     def _leaf(self, name, kind, description):
         about, unit = described(description)
+        return self._channel(name, kind, unit, about)
+
+    def _channel(self, name, kind, unit, about):
         node = Node(channel=Channel(name, ARROW_KINDS[kind], unit, about))
         self.channels.append(node.channel)
         return node

@@ -71,7 +71,7 @@ class Table:
     def parts(self):
         all_ticks = self._ticks()
         while ticks := list(islice(all_ticks, PART)):
-            arrays = [pa.array([1e-9 * time for time, _ in ticks], pa.float64())]
+            arrays = [pa.array([time / 1e9 for time, _ in ticks], pa.float64())]
             for topic, flattener in self._flatteners.items():
                 rows = [flattener.values(self._log.decoded(topic, found[topic]) if topic in found else None) for _, found in ticks]
                 arrays += [pa.array(values, TYPES[channel.kind]) for channel, values in zip(flattener.channels, zip(*rows))]

@@ -138,6 +138,7 @@ struct Controller::Implementation {
   JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
   std::array<double, kMaxLevels> level_times{};      // [s]
   bool explains_levels = false;
+  bool has_solved = false;  // the last tick
   StageObserver* observer = nullptr;
   double tilt_shortfall = 0.0;  // of the last tick [rad/s²]
   double last_time = kNaN;      // of the last state that was believed [s]
@@ -152,6 +153,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   ended(Stage::estimate);
   const Solution* solution = believed ? optimise(record.user) : nullptr;
   if (!believed) describe_refused_state();
+  has_solved = believed;
   record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
   return record.command;
@@ -355,6 +357,10 @@ const std::array<double, kMaxLevels>& Controller::level_times() const {
 
 const Hierarchy& Controller::hierarchy() const {
   return implementation_->solved->stack.hierarchy();
+}
+
+const Dynamics* Controller::dynamics() const {
+  return implementation_->has_solved ? &implementation_->model.dynamics() : nullptr;
 }
 
 std::vector<std::string> Controller::level_names() const {

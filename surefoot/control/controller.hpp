@@ -23,6 +23,8 @@
 
 namespace surefoot {
 
+struct Dynamics;
+
 /// Stages of a tick, in order.
 enum class Stage : int { estimate = 0, model = 1, plan = 2, stack = 3, solve = 4, command = 5 };
 
@@ -88,6 +90,9 @@ class Controller {
   [[nodiscard]] const std::array<double, kMaxLevels>& level_times() const;
   /// The rows of the last tick that was believed, as the solver saw them.
   [[nodiscard]] const Hierarchy& hierarchy() const;
+  /// The model of the last tick, as its hierarchy had it; null where the tick's state was refused,
+  /// or a sensor lost, so that nothing was planned and solved.
+  [[nodiscard]] const Dynamics* dynamics() const;
   /// Names of the levels, highest priority first.
   [[nodiscard]] std::vector<std::string> level_names() const;
   /// Unit of each level's residual, or units, as "m/s² and rad/s²"; empty where rows have weights.

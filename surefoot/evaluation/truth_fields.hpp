@@ -40,12 +40,21 @@ void fields(Archive& field, T& truth) {
   field("torso_contact", truth.torso_contact, "the torso touches the ground");
   field("shank_contacts", truth.shank_contacts,
         "bit k: thigh, knee or shank of leg k touches the ground");
-  field("qpos", truth.qpos, "MuJoCo's mjData.qpos, of the model in Plant::model_xml()");
-  field("qvel", truth.qvel, "mjData.qvel");
-  field("ctrl", truth.ctrl, "mjData.ctrl");
+  // Brackets with several units are read by number: a last "…" repeats the unit before it; where
+  // there is none, all of them begin again.
+  field("qpos", truth.qpos,
+        "MuJoCo's mjData.qpos, of the model in model.xml: base position in W, its quaternion w, x, "
+        "y, z, then the joints' angles in the model's order [m, m, m, 1, 1, 1, 1, rad, …]");
+  field("qvel", truth.qvel,
+        "mjData.qvel: base velocity in W, its angular velocity in B, then the joints' in the "
+        "model's order [m/s, m/s, m/s, rad/s, …]");
+  field("ctrl", truth.ctrl,
+        "mjData.ctrl: torque of each joint's motor, as the actuator model has it, in the model's "
+        "order [N·m]");
   field("xfrc_applied", truth.xfrc_applied,
-        "mjData.xfrc_applied: from outside on each body, one after the other, a force in N and a "
-        "torque in N·m, both in W, six numbers a body; the first six are the world's");
+        "mjData.xfrc_applied: from outside on each body, one after the other in the model's order, "
+        "a force at its centre of mass and a torque, x, y and z, both in W: numbers 6 k to 6 k + 5 "
+        "are body k's, the world's first, the base's from 6 on [N, N, N, N·m, N·m, N·m]");
 }
 
 }  // namespace surefoot::logged

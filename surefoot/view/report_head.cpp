@@ -156,8 +156,8 @@ std::string left_out(const RunData& run, const Outcome& outcome) {
     out += "<p>What of it was changed by hand may be missing here: the log is damaged.</p>\n";
   if (run.num_changes > 0)
     out += "<p>It is without what was changed and pushed by hand (" +
-           std::to_string(run.num_changes) + (run.num_changes == 1 ? " message" : " messages") +
-           " on /changes): <code>replay --verify</code> on the log repeats that.</p>\n";
+           std::to_string(run.num_changes) + (run.num_changes == 1 ? " time" : " times") +
+           ", on /changes): <code>replay --verify</code> on the log repeats that.</p>\n";
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "surefoot/view/run_data.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/change_count.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/logging/visible_residual.hpp"
@@ -185,10 +186,11 @@ RunData read_run(const std::string& log_path) {
   std::vector<TruthSample> truths;
   RunData run;
   AppliedForceWatch forces;
+  ChangeCount changes;
   LogReader log(log_path, [&](const McapMessage& message) {
     if (message.channel->topic == "/truth")
       truths.push_back(truth_sample(message, forces, run.applied));
-    if (message.channel->topic == "/changes") ++run.num_changes;
+    if (message.channel->topic == "/changes") changes.add(message.data);
   });
   run.header = log.header();
   ActiveTimes active(run.header.control_period);
@@ -208,6 +210,7 @@ RunData read_run(const std::string& log_path) {
   run.row_names = log.row_names();
   run.summary = log.summary();
   run.problem = log.problem();
+  run.num_changes = changes.count();
   run.has_truth = merge(truths, run.ticks);
   lay_plans(run);
   for (const AppliedForce& force : forces.acting()) run.applied.push_back(force);

@@ -73,7 +73,7 @@ struct RunData {
   std::string summary;  ///< JSON; empty without one
   std::string problem;  ///< why the log could not be read to its end; empty if it is whole
   bool has_truth = false;
-  int num_changes = 0;                ///< from outside, while it ran
+  int num_changes = 0;                ///< from outside, while it ran; a pull is one
   std::vector<AppliedForce> applied;  ///< forces from outside, in the order of their begin
 };
 

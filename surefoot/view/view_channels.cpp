@@ -7,19 +7,21 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
-/// What stands in the first brackets: "since the start [s]; …" has the unit "s".
+/// What stands in the first brackets: "since the start [s]; …" has the unit "s". A channel whose
+/// numbers have several, "[m/s, rad/s, …]", has none.
 std::string unit_of(std::string_view about) {
   const std::size_t begin = about.find('[');
   const std::size_t end = about.find(']', begin);
   if (begin == std::string_view::npos || end == std::string_view::npos) return "";
-  return std::string(about.substr(begin + 1, end - begin - 1));
+  const std::string_view unit = about.substr(begin + 1, end - begin - 1);
+  return unit.find(", ") == std::string_view::npos ? std::string(unit) : "";
 }
 
-/// The text without these brackets.
+/// The text without these brackets, unless they say something of its numbers.
 std::string without_unit(std::string_view about) {
+  if (unit_of(about).empty()) return std::string(about);
   const std::size_t begin = about.find('[');
   const std::size_t end = about.find(']', begin);
-  if (begin == std::string_view::npos || end == std::string_view::npos) return std::string(about);
   std::string text(about.substr(0, begin));
   while (text.ends_with(' ')) text.pop_back();
   return text + std::string(about.substr(end + 1));

@@ -9,10 +9,7 @@ TEST(ContentsText, SaysOfASteeredRunThatItsCommandAloneGivesAnother) {
   LogContents contents;
   contents.header.command = "bin/surefoot run step_down";
   EXPECT_EQ(contents_text("run.mcap", contents).find("steered"), std::string::npos);
-  TopicContents changes;
-  changes.topic = "/changes";
-  changes.messages = 30;
-  contents.topics = {changes};
+  contents.changes = 30;
   EXPECT_NE(contents_text("run.mcap", contents).find("steered      30 changes and pushes"),
             std::string::npos)
       << contents_text("run.mcap", contents);

@@ -41,15 +41,6 @@ TEST(Verification, BelievesTheLoggedStateWhereTheRunHadTheTruth) {
   EXPECT_TRUE(result.is_same());
 }
 
-TEST(Verification, SaysWhereAnotherStackWouldHaveOtherTorques) {
-  const test::TemporaryFolder folder;
-  record(folder / "run.mcap", kTruth);
-  LogReplay replay(folder / "run.mcap", {.state = ReplayedState::logged, .stack = "crouch_first"});
-  int different = 0;
-  while (replay.step()) different += replay.is_same() ? 0 : 1;
-  EXPECT_GT(different, 100);
-}
-
 TEST(StackComparison, OfTheRunsOwnStackFindsNoDifference) {
   const test::TemporaryFolder folder;
   record(folder / "run.mcap", kTruth);
@@ -64,8 +55,9 @@ TEST(StackComparison, OfTheRunsOwnStackFindsNoDifference) {
     EXPECT_EQ(level.logged_rms, level.other_rms) << level.name;
     EXPECT_EQ(level.logged_max, level.other_max) << level.name;
   }
-  EXPECT_EQ(result.other_not_optimal, result.logged_not_optimal);
-  EXPECT_TRUE(result.same_plan);
+  EXPECT_EQ(result.compared, result.ticks);
+  EXPECT_EQ(result.other_not_optimal.ticks, result.logged_not_optimal.ticks);
+  EXPECT_EQ(result.not_reproduced.ticks, 0);
 }
 
 TEST(StackComparison, NamesTheLevelsThatOnlyOneOfThemHas) {
@@ -80,7 +72,6 @@ TEST(StackComparison, NamesTheLevelsThatOnlyOneOfThemHas) {
   EXPECT_GT(count(true, true), 3);
   EXPECT_GT(count(false, true) + count(true, false), 0);
   EXPECT_EQ(count(false, false), 0);
-  EXPECT_TRUE(result.same_plan);
 }
 
 TEST(StackComparison, TellsItsObserverOfEachTick) {
@@ -90,10 +81,11 @@ TEST(StackComparison, TellsItsObserverOfEachTick) {
   double square = 0.0;
   const StackComparison result = compare_stack(
       folder / "run.mcap", "crouch_first",
-      [&](const TickRecord& logged, const TickRecord& other,
+      [&](const TickRecord& logged, const StackAnswer* other,
           const std::vector<OtherLevel>& levels) {
-        EXPECT_EQ(static_cast<std::int32_t>(levels.size()), other.hierarchy.num_levels);
-        square += std::pow(other.command.torque[4] - logged.command.torque[4], 2);
+        ASSERT_NE(other, nullptr);
+        EXPECT_EQ(static_cast<std::int32_t>(levels.size()), other->hierarchy.num_levels);
+        square += std::pow(other->command.torque[4] - logged.command.torque[4], 2);
         ++ticks;
       });
   EXPECT_EQ(ticks, result.ticks);

@@ -20,7 +20,7 @@ JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HA
 
 def test_a_row_a_tick_with_its_time(table):
     assert table.num_rows == TICKS
-    assert table["time"].to_pylist() == pytest.approx([0.0025 * tick for tick in range(TICKS)], abs=1e-12)
+    assert table["time"].to_pylist() == [round(0.0025 * tick, 9) for tick in range(TICKS)], "as one writes them"
 
 
 def test_every_number_of_a_message_is_in_its_column_to_the_bit(log, table):
@@ -75,6 +75,23 @@ def test_what_is_said_of_all_feet_is_said_of_each(table):
     for name, unit in feet.items():
         metadata = table.schema.field(f"{name}.LH.z").metadata
         assert metadata[b"unit"].decode() == unit, name
+
+
+def test_each_number_of_the_physics_has_its_own_unit(log, table):
+    truth = messages(log, "/truth")[0]
+    joints = len(truth["ctrl"])
+    expected = {
+        "qpos": ["m"] * 3 + [""] * 4 + ["rad"] * joints,
+        "qvel": ["m/s"] * 3 + ["rad/s"] * (3 + joints),
+        "ctrl": ["N·m"] * joints,
+        "xfrc_applied": (["N"] * 3 + ["N·m"] * 3) * (len(truth["xfrc_applied"]) // 6),
+    }
+    for name, units in expected.items():
+        columns = [field for field in table.schema if field.name.startswith(f"truth.{name}.")]
+        assert [field.metadata[b"unit"].decode() for field in columns] == units, name
+        assert len(columns) == len(truth[name]) > 0
+        assert all(b"mjData." + name.encode() in field.metadata[b"about"] for field in columns)
+    assert "numbers 6 k to 6 k + 5 are body k's" in table.schema.field("truth.xfrc_applied.6").metadata[b"about"].decode()
 
 
 def test_a_levels_residual_has_the_unit_of_its_rows(log, table):

@@ -21,7 +21,7 @@ def test_verify_says_that_every_torque_is_the_same(log):
 def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
     file = tmp_path / "ticks.csv"
     found = of_json("replay", log, "--stack", "regular", "--csv", file)
-    assert found["same_plan"] and found["ticks"] == 800
+    assert found["compared"] == found["ticks"] == 800 and found["not_reproduced"] == {"ticks": 0}
     with open(file, newline="") as stream:
         rows = list(csv.DictReader(stream))
     commands = messages(log, "/command")
@@ -34,9 +34,46 @@ def test_another_stack_is_asked_on_the_same_states(log, tmp_path):
     residuals = [level["residual"] for h in messages(log, "/hierarchy") for level in h["levels"] if level["name"] == "contact_force_minimisation"]
     logged = next(level["logged"] for level in found["levels"] if level["name"] == "contact_force_minimisation")
     assert logged["largest"] == pytest.approx(max(residuals), rel=1e-9)
-    assert logged["time"] == messages(log, "/state")[residuals.index(max(residuals))]["time"]
+    assert logged["time"] == round(messages(log, "/state")[residuals.index(max(residuals))]["time"], 9)
     assert "walk_end" not in found
     assert "rms" in answer("replay", log, "--stack", "regular")
+    for row in rows:
+        assert row["time[s]"] == repr(round(float(row["time[s]"]), 9)).removesuffix(".0")
+        for side in ("", "other."):
+            assert (row[f"{side}command.mode"], row[f"{side}hierarchy.status"]) == ("optimal", "0")
+
+
+# Far from the torques that the sensors felt, which in a run are the sign of a drive that fails.
+STIFF = """name: stiff
+description: presses the torso up
+base: terrain_adaptation
+levels: [equations_of_motion, no_contact_motion, torque_limits, friction_cone, {task: torso_height, kp: 4000}]
+"""
+
+
+def test_another_stack_is_asked_at_each_tick_for_itself(tmp_path):
+    """Whatever its torques are, and up to where the run itself planned nothing any more."""
+    stack = tmp_path / "stiff.yaml"
+    stack.write_text(STIFF)
+    fault = ["--set", "planner.calibration.duration=0", "--set", "sensors.faults.one={sensor: imu, kind: nan, time: 2.0}"]
+    run, table = tmp_path / "run.mcap", tmp_path / "ticks.csv"
+    surefoot("run", "step_down", "--seed", 3, "--set", "duration=2.5", "--record", run, *fault)
+    found = of_json("replay", run, "--stack", stack, "--csv", table)
+    commands = messages(run, "/command")
+    stop = next(k for k, command in enumerate(commands) if command["cause"] != "none")
+    assert found["other_stopped"] == found["unanswered"]["other"] == {"ticks": 0}
+    assert found["not_asked"] == {"ticks": len(commands) - stop, "first": round(commands[stop]["time"], 9)}
+    assert found["compared"] == stop > 800
+    with open(table, newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["command.mode"] for row in rows] == [command["mode"] for command in commands]
+    assert all(row["other.command.mode"] == "optimal" and row["other.command.torque.LF_HAA[N·m]"] for row in rows[:stop])
+    assert all(value == "" for row in rows[stop:] for name, value in row.items() if name.startswith("other."))
+    rms = (sum((float(row["other.command.torque.LF_HAA[N·m]"]) - float(row["command.torque.LF_HAA[N·m]"])) ** 2 for row in rows[:stop]) / stop) ** 0.5
+    assert found["torque_difference"]["LF_HAA"]["rms"] == pytest.approx(rms, rel=1e-9) and rms > 5
+    text = answer("replay", run, "--stack", stack)
+    assert f"Both answered {stop} ticks of {len(rows)}, from which the tables are made." in text
+    assert f"Not asked at {len(rows) - stop} ticks, first at {commands[stop]['time']:.4f} s" in text
 
 
 # Unchecked, it falls and is not stopped for torques or an IMU that can't be.
@@ -74,7 +111,7 @@ def check_marks(file, changes):
     assert end["time"] == pytest.approx(first[why], abs=1e-9)
     text = answer("replay", file, "--stack", "regular")
     times = [level[side]["time"] for level in found["levels"] for side in ("logged", "other") if level.get(side, {}).get("largest", 0) >= 1e-6]
-    times += [joint["time"] for joint in found["torque_difference"].values()]
+    times += [joint["time"] for joint in found["torque_difference"].values() if abs(joint["largest"]) >= 1e-6]
     marked = sum(time > end["time"] - 1e-9 for time in times)
     assert text.count(" s *") == marked
     assert f"\n{'* ' if marked else ''}From {end['time']:.4f} s on the run says nothing of its walk: {end['why']}." in text

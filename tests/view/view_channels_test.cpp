@@ -1,5 +1,7 @@
 #include "surefoot/view/view_channels.hpp"
 
+#include "surefoot/evaluation/truth_fields.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +35,18 @@ TEST(ViewChannels, a_field_has_the_logs_name_unit_and_description) {
   EXPECT_EQ(std::ranges::find(table.channels, "plan.time", &ViewChannel::name),
             table.channels.end())
       << "it is the frame's";
+}
+
+TEST(ViewChannels, a_list_whose_numbers_have_several_units_has_none_and_says_which_they_are) {
+  GroundTruth truth;
+  truth.qvel.resize(18);
+  truth.ctrl.resize(kNumJoints);
+  ViewChannels table;
+  logged::ChannelLister(table).add("truth", truth);
+  EXPECT_EQ(channel(table, "truth.qvel").unit, "");
+  EXPECT_NE(channel(table, "truth.qvel").about.find("[m/s, m/s, m/s, rad/s, …]"),
+            std::string::npos);
+  EXPECT_EQ(channel(table, "truth.ctrl").unit, "N·m");
 }
 
 TEST(ViewChannels, channels_lie_one_behind_the_other) {

@@ -1,0 +1,48 @@
+#include "surefoot/control/asked_stack.hpp"
+
+#include "surefoot/control/hierarchy_summary.hpp"
+
+namespace surefoot {
+
+// The lying posture is of no use: where no sensor is said to be at fault, no ladder leads to `sit`.
+AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
+                       const SafetyOptions& safety, const RobotDescription& robot)
+    : solved_(stack, solver, robot),
+      ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero()),
+      ladder_(ladder_at_start_) {
+  at_rest_.before.set();
+  at_rest_.after.set();
+}
+
+const StackAnswer& AskedStack::ask(const RobotState& state, const Dynamics& dynamics,
+                                   const MotionPlan& plan) noexcept {
+  const Hierarchy& hierarchy = solved_.stack.update(dynamics, plan);
+  const Substitution* physics =
+      solved_.solver.wants_substitution() ? solved_.stack.substitution(dynamics) : nullptr;
+  const Solution& solution = solved_.solver.solve(hierarchy, physics, at_rest_);
+  summarise(solution, hierarchy, answer_.hierarchy);
+  command(state, solution);
+  return answer_;
+}
+
+// A stop is latched: the robot would lie there. Who is asked at the next tick stands as the log
+// has it, with a ladder on which nothing has happened.
+void AskedStack::command(const RobotState& state, const Solution& solution) noexcept {
+  answer_.command = ladder_.command(state, &solution);
+  if (answer_.command.cause == StopCause::none) return;
+  Safety anew = ladder_at_start_;
+  const JointCommand first = anew.command(state, &solution);
+  if (first.cause != StopCause::none || first.mode == CommandMode::hold) return;
+  answer_.command = first;
+  ladder_ = anew;
+}
+
+std::vector<std::string> AskedStack::level_names() const {
+  const Hierarchy& hierarchy = solved_.stack.hierarchy();
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k)
+    names.push_back(hierarchy.level(k).name());
+  return names;
+}
+
+}  // namespace surefoot
