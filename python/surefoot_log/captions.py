@@ -33,9 +33,12 @@ def also(others):
     return f"; {' and '.join(words_of(other) for other in others)} {'gives' if len(others) == 1 else 'give'} way too"
 
 
-def told(by, row):
-    """A row by its level's name, without that where it says no more."""
-    return words_of(by) if words_of(by).endswith(f" {words_of(row)}") else f"{words_of(by)} {row}"
+def acting(limits, by):
+    """Of limits that act the first two, by their level's name."""
+    if not limits:
+        return ""
+    rows = ", ".join(limits[:2]) + (", …" if len(limits) > 2 else "")
+    return f" as {words_of(by)} {'act' if by.endswith('s') else 'acts'}: {rows}"
 
 
 def pushes_of(frame):
@@ -49,11 +52,11 @@ def sentence(frame, units):
         return f"the controller has stopped for safety: {frame.stop}"
     if frame.gave_way is None:
         return ""
-    level, residual, row, by, others = frame.gave_way
+    level, residual, limits, by, others = frame.gave_way
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 99.5 else ".0f"
-    to = " between two hierarchies" if by is None else f" to {told(by, row)}"
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit}{to}{also(others)}"
+    why = " between two hierarchies" if by is None else acting(limits, by)
+    return f"{words_of(level)} gives way by {residual:{digits}}{unit}{why}{also(others)}"
 
 
 def wrapped(text, length, room):

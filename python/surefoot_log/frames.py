@@ -56,7 +56,7 @@ class Frame:
     event: str = ""
     mode: str = "optimal"
     stop: str = ""  # why the controller has stopped for safety; empty: it has not
-    gave_way: tuple | None = None  # (level, residual, row that cost most, level of that row, other levels that gave way)
+    gave_way: tuple | None = None  # (level, residual, rows of a level above that are at their limits, that level, other levels that gave way)
 
     @property
     def carrying(self):
@@ -185,21 +185,30 @@ def solved_levels(hierarchy):
 
 
 def gave_way(hierarchy, header):
-    """The highest level that did not get what it asked for, what held it back most, and the other levels that did not. On the way from one
-    hierarchy to another nobody knows what did: None."""
+    """The highest level that did not get what it asked for, the limits of the nearest level above that has some that act, and the other levels
+    that did not. (What each row costs the log only estimates.) On the way from one hierarchy to another nobody knows what acts: None."""
     visible = visible_residuals(header)
-    dearest = {row["level"]: row for row in reversed(hierarchy.get("blocked_by", []))}
     yielding = {}
     for level in solved_levels(hierarchy):
         residual, least = level["residual"] or 0.0, visible.get(level["name"], ROUNDING)
         if least is not None and residual > least:
             yielding[level["name"]] = residual
-    is_blended = hierarchy.get("transition_share", 1.0) < 1.0
-    name = next((name for name in yielding if name in dearest or is_blended), None)
-    if name is None:
+    if not yielding:
         return None
-    row = {"row": None, "by": None} if is_blended else dearest[name]
-    return name, yielding[name], row["row"], row["by"], tuple(other for other in yielding if other != name)
+    name = next(iter(yielding))
+    is_blended = hierarchy.get("transition_share", 1.0) < 1.0
+    limits, by = (None, None) if is_blended else limits_above(name, hierarchy)
+    return name, yielding[name], limits, by, tuple(other for other in yielding if other != name)
+
+
+def limits_above(name, hierarchy):
+    """Rows of the nearest level above that are at their bounds or beyond; and that level. None: ("", ())."""
+    levels = [level["name"] for level in hierarchy["levels"]]
+    for by in reversed(levels[: levels.index(name)]):
+        rows = tuple(row["row"] for row in hierarchy.get("active", []) if row["level"] == by)
+        if rows:
+            return rows, by
+    return (), ""
 
 
 def friction_of(frame):

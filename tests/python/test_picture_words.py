@@ -81,20 +81,18 @@ def test_the_hull_of_points_goes_around_them():
 
 def test_words_on_pictures_stay_inside_and_say_what_gave_way():
     frame = frame_at(0.0, 1.25, phases={"LF": "swing", "RF": "stance", "LH": "search", "RH": "unloading"})
-    frame.gave_way = ("com_xy", 0.314, "LF_KFE", "torque_limits", ())
-    assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² to torque limits LF_KFE"
-    frame.gave_way = ("com_xy", 161.4, "LF_KFE", "torque_limits", ("torso_yaw",))
-    assert captions.sentence(frame, {}) == "com xy gives way by 161 to torque limits LF_KFE; torso yaw gives way too"
+    frame.gave_way = ("com_xy", 0.314, ("LF_KFE",), "torque_limits", ())
+    assert captions.sentence(frame, {"com_xy": "m/s²"}) == "com xy gives way by 0.31 m/s² as torque limits act: LF_KFE"
+    frame.gave_way = ("com_xy", 161.4, ("LF", "RF", "LH"), "friction_cone", ("torso_yaw",))
+    assert captions.sentence(frame, {}) == "com xy gives way by 161 as friction cone acts: LF, RF, …; torso yaw gives way too"
     frame.gave_way = (*frame.gave_way[:4], ("torso_yaw", "torso_height"))
     assert captions.sentence(frame, {}).endswith("; torso yaw and torso height give way too")
     frame.gave_way = (*frame.gave_way[:4], ("a", "b", "c"))
     assert captions.sentence(frame, {}).endswith("; 3 more levels give way too")
     frame.gave_way = ("torso_yaw", 2.0, None, None, ("com_xy",))
     assert captions.sentence(frame, {}) == "torso yaw gives way by 2 between two hierarchies; com xy gives way too"
-    frame.gave_way = ("torso_yaw", 2.0, "height", "torso_height", ())
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to torso height"
-    frame.gave_way = ("torso_yaw", 2.0, "y", "com_xy", ())
-    assert captions.sentence(frame, {}) == "torso yaw gives way by 2 to com xy y"
+    frame.gave_way = ("torso_yaw", 2.0, (), "", ())
+    assert captions.sentence(frame, {}) == "torso yaw gives way by 2"
     frame.stop = "encoder LF_KFE changed too fast"
     assert captions.sentence(frame, {}) == "the controller has stopped for safety: encoder LF_KFE changed too fast"
     header = {"level_names": ["com_xy"], "level_units": ["m/s²"]}
@@ -127,7 +125,7 @@ def test_no_text_of_a_strip_lies_on_a_robot():
     words = captions.Captions(strip.TILE[1], {"level_names": [], "level_units": []}, strip.LETTERS)
     quiet, pushed = frame_at(0.0, 0.0), frame_at(0.0, 0.0)
     pushed.event, pushed.pushes = "pushed in a swing: foot down at once", [(1, np.array([250.0, 0, 0]), np.zeros(3))]
-    pushed.gave_way = ("friction_cone", 2072.0, "RH_KFE", "torque_limits", ("motion",))
+    pushed.gave_way = ("friction_cone", 2072.0, ("RH_KFE",), "torque_limits", ("motion",))
     assert strip.band_over([quiet, quiet], words) == 0
     over = strip.band_over([quiet, pushed], words)
     picture, _ = strip.make_strip(SimpleNamespace(frames=[pushed]), lambda _: Image.new("RGB", strip.TILE, (10, 20, 30)), words)
@@ -138,23 +136,24 @@ def test_no_text_of_a_strip_lies_on_a_robot():
 
 
 def test_a_level_gives_way_from_the_residual_on_that_the_header_tells():
-    header = {"level_names": ["com", "forces_minimisation"], "level_visible": [0.02, None]}
-    levels = [{"name": "com", "residual": 0.01}, {"name": "forces_minimisation", "residual": 9.0}]
-    rows = [{"level": "com", "row": "LF", "by": "limits"}]
-    assert gave_way({"levels": levels, "blocked_by": rows}, header) is None
-    levels[0]["residual"] = 0.03
-    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ())
+    header = {"level_names": ["limits", "com", "forces_minimisation"], "level_visible": [1e-6, 0.02, None]}
+    levels = [{"name": "limits", "residual": 0.0}, {"name": "com", "residual": 0.01}, {"name": "forces_minimisation", "residual": 9.0}]
+    active = [{"level": "limits", "row": "LF"}]
+    assert gave_way({"levels": levels, "active": active}, header) is None
+    levels[1]["residual"] = 0.03
+    assert gave_way({"levels": levels, "active": active}, header) == ("com", 0.03, ("LF",), "limits", ())
+    assert gave_way({"levels": levels, "active": []}, header) == ("com", 0.03, (), "", ())
     levels.append({"name": "torso", "residual": 1.0})
     header["level_visible"].append(0.05)
     header["level_names"].append("torso")
-    assert gave_way({"levels": levels, "blocked_by": rows}, header) == ("com", 0.03, "LF", "limits", ("torso",))
-    levels[0]["residual"] = None
-    assert gave_way({"levels": levels, "blocked_by": rows}, header) is None, "nothing was solved, or what holds it is not known"
-    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 0.3}, header) == ("torso", 1.0, None, None, ())
-    assert gave_way({"levels": levels, "blocked_by": [], "transition_share": 1.0}, header) is None
+    assert gave_way({"levels": levels, "active": active}, header) == ("com", 0.03, ("LF",), "limits", ("torso",))
+    assert gave_way({"levels": levels, "active": [*active, {"level": "torso", "row": "x"}]}, header)[2] == ("LF",), "of levels above alone"
+    assert gave_way({"levels": levels, "active": active, "transition_share": 0.3}, header) == ("com", 0.03, None, None, ("torso",))
+    levels[1]["residual"] = None
+    assert gave_way({"levels": levels, "active": active}, header) == ("torso", 1.0, ("LF",), "limits", ())
     del header["level_visible"]
-    levels[0]["residual"] = 0.01
-    assert gave_way({"levels": levels, "blocked_by": rows}, header)[0] == "com", "an older log"
+    levels[1]["residual"] = 0.01
+    assert gave_way({"levels": levels, "active": active}, header)[0] == "com", "an older log"
 
 
 def test_an_arrow_of_a_push_begins_in_the_line_of_its_force_and_a_leg_in_the_air_does_not_carry():
@@ -182,12 +181,11 @@ def test_a_log_without_truth_is_drawn_with_what_it_knows():
 def test_of_a_solve_that_was_cut_off_nothing_is_told_of_the_level_that_it_was_in_and_those_below():
     header = {"level_names": ["limits", "com", "torso"], "level_visible": [0.5, 0.02, 0.05]}
     levels = [{"name": name, "residual": residual} for name, residual in (("limits", 0.0), ("com", 0.03), ("torso", 7.0))]
-    rows = [{"level": "com", "row": "LF", "by": "limits"}, {"level": "torso", "row": "RF", "by": "limits"}]
-    tick = {"levels": levels, "blocked_by": rows, "status": 1}
+    tick = {"levels": levels, "active": [{"level": "limits", "row": "LF"}], "status": 1}
     told = {failed: gave_way(tick | {"failed_level": failed}, header) for failed in (0, 1, 2, 3, -1)}
     assert told[0] is None and told[1] is None
-    assert told[2] == ("com", 0.03, "LF", "limits", ())
-    assert told[3] == told[-1] == ("com", 0.03, "LF", "limits", ("torso",)), "only x is not the shortest"
+    assert told[2] == ("com", 0.03, ("LF",), "limits", ())
+    assert told[3] == told[-1] == ("com", 0.03, ("LF",), "limits", ("torso",)), "only x is not the shortest"
     assert gave_way(tick | {"status": 2, "failed_level": -1}, header) is None, "nothing was solved"
 
 
