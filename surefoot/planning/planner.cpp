@@ -192,7 +192,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
     }
     return;
   }
-  const bool holds = !torso_gives_way();
+  const bool holds = tilt_shortfall_ <= tilt_shortfall_on_four_ + kTiltGivenUp;
   if (holds && time_ < lift_time_) return;
   const bool unloaded = next.unloaded() || !options_.force.ramps;
   if (holds && unloaded && balanced_without(next_leg(), dynamics)) {
@@ -203,10 +203,6 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
     begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
-}
-
-bool Planner::torso_gives_way() const {
-  return tilt_shortfall_ > tilt_shortfall_on_four_ + kTiltGivenUp;
 }
 
 void Planner::begin_swing() {

@@ -95,8 +95,6 @@ class Planner {
   [[nodiscard]] bool is_calm(const Dynamics& dynamics) const;
   void advance(const UserCommand& user, const Dynamics& dynamics);
   void advance_support(const UserCommand& user, const Dynamics& dynamics);
-  /// Does unloading the next foot let the torso go, as the others can't carry it?
-  [[nodiscard]] bool torso_gives_way() const;
   void begin_swing();
   /// Where the other feet's triangle is too thin to swing the next leg: another leg goes first, if
   /// one can and that widens it.
@@ -171,7 +169,8 @@ class Planner {
   int cursor_ = 0;                       // place of the next leg in the gait's order
   bool backward_ = false;                // the gait's order is mirrored, fore and hind
   double tilt_shortfall_ = 0.0;          // of the last tick [rad/s²]
-  double tilt_shortfall_on_four_ = 0.0;  // … before the next leg began to unload
+  double tilt_shortfall_on_four_ = 0.0;  // … before the next leg began to unload: more of it
+                                         // is the torso let go, as the others can't carry it
   double lift_time_ = 0.0;               // planned lift-off of the next leg [s]
   double deadline_ = 0.0;     // expected touchdown of the swinging leg; later the gait waits [s]
   double late_time_ = 0.0;    // when a missing touchdown is told [s]
