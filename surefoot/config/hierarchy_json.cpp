@@ -85,7 +85,9 @@ std::vector<LevelBlocks> read_levels(const Json& line, std::size_t& unknowns, co
   std::vector<LevelBlocks> levels;
   for (const Json& level : line["levels"]) {
     const std::string name = "level " + std::to_string(levels.size() + 1);
-    levels.push_back(read_level(level, name, unknowns, place.at(name)));
+    const bool is_named = level.is_object() && level.contains("name") && level["name"].is_string();
+    const std::string called = is_named ? " (" + level["name"].get<std::string>() + ")" : "";
+    levels.push_back(read_level(level, name, unknowns, place.at(name + called)));
   }
   return levels;
 }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kBaseCutoffHz = 40.0;  // of the base's acceleration
 constexpr double kMostPeriods = 1e6;
+constexpr double kMostSensed = 1e4;  // no foot bears more [N]
 
 int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 
@@ -63,7 +64,8 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   const JointVector by_ground = missing - tare_.tare();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
-    const bool sensed = options_.use_foot_sensor && std::isfinite(reading.foot_force[k]);
+    const bool sensed =
+        options_.use_foot_sensor && std::abs(reading.foot_force[k]) <= kMostSensed;  // not if NaN
     state.foot_force[k] =
         sensed ? Vec3(reading.foot_force[k] * terrain_normal_W)
                : Vec3(damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *

@@ -10,7 +10,8 @@ namespace surefoot {
 
 struct ContactForceOptions {
   double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
-  /// Take the normal force of a foot force sensor instead, where there is one.
+  /// Take the normal force of a foot force sensor instead, where there is one and it tells a force
+  /// that can be: 10 kN at most.
   bool use_foot_sensor = false;
   SwingTareOptions tare = {};
 };

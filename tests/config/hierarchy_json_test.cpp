@@ -120,8 +120,8 @@ TEST(HierarchyJson, LowerBoundsNeedNoUpperOnes) {
   const Level level = parse(R"({"levels":[{"D":[[1],[2]],"lower":[-1,3]}]})").level(0);
   EXPECT_EQ(level.lower(), Eigen::Vector2d(-1.0, 3.0));
   EXPECT_EQ(level.upper(), Eigen::Vector2d(kInfinity, kInfinity));
-  expect_error(R"({"levels":[{"D":[[1],[2]],"lower":[0,null]}]})",
-               "level 1: row 2 of D has no bound");
+  expect_error(R"({"levels":[{"name":"wish","D":[[1],[2]],"lower":[0,null]}]})",
+               "level 1 (wish): row 2 of D has no bound");
 }
 
 TEST(HierarchyJson, ARowWithoutABoundOrWithBoundsThatCrossIsNamed) {
