@@ -2,7 +2,6 @@
 
 #include "app/gave_way.hpp"
 #include "app/hierarchy_status.hpp"
-#include "app/interrupt.hpp"
 #include "app/level_account.hpp"
 #include "app/log_replay.hpp"
 #include "surefoot/base/error.hpp"
@@ -85,11 +84,12 @@ std::vector<Wanted> wanted(TickExplanation& explanation) {
 }
 
 /// Why not all of them are found; empty: they are.
-std::string find_all(LogReplay& replay, const std::vector<Wanted>& list) {
+std::string find_all(LogReplay& replay, const std::vector<Wanted>& list,
+                     const std::function<bool()>& stops) {
   replay.explain_levels(false);
   std::size_t found = 0;
   while (found < list.size() && replay.step()) {
-    if (interrupted()) return "interrupted";
+    if (stops()) return "interrupted";
     const Wanted& next = list[found];
     const double time = next.tick->reading.time;
     if (replay.logged().reading.time < time - kHalfNanosecond) continue;
@@ -109,13 +109,14 @@ std::string find_all(LogReplay& replay, const std::vector<Wanted>& list) {
 
 }  // namespace
 
-void find_exact_costs(const std::string& path, TickExplanation& explanation) {
+void find_exact_costs(const std::string& path, TickExplanation& explanation,
+                      const std::function<bool()>& stops) {
   const std::vector<Wanted> list = wanted(explanation);
   const bool is_asked = explanation.blend || !gave_way(explanation).empty();
   if (list.empty() || !is_asked) return;
   try {
     LogReplay replay(path);
-    explanation.why_estimates = find_all(replay, list);
+    explanation.why_estimates = find_all(replay, list, stops);
   } catch (const Error& error) {
     explanation.why_estimates = error.what();
   }

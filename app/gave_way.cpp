@@ -54,7 +54,8 @@ std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t 
   std::ranges::stable_sort(rows, [](const CostlyRow& a, const CostlyRow& b) {
     const double cost_a = told_cost(a), cost_b = told_cost(b);
     if (cost_a != cost_b) return cost_a > cost_b;
-    return a.is_limit && !b.is_limit;
+    if (a.is_limit != b.is_limit) return a.is_limit;
+    return a.cost > b.cost;
   });
   return rows;
 }

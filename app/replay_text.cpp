@@ -92,8 +92,8 @@ Json joint_json(const LogHeader& header, const TorqueDifference& difference) {
 }
 
 Json gap_json(const LogGap& gap) {
-  return {{"from", gap.from ? Json(*gap.from) : Json(nullptr)},
-          {"to", gap.to},
+  return {{"from", gap.from ? Json(to_nanosecond(*gap.from)) : Json(nullptr)},
+          {"to", to_nanosecond(gap.to)},
           {"ticks_behind", gap.ticks_behind}};
 }
 

@@ -115,8 +115,10 @@ class Comparison {
 
   [[nodiscard]] std::string why_unanswered(const StackAnswer& other) const {
     const auto status = static_cast<SolveStatus>(other.hierarchy.status);
-    if (status == SolveStatus::optimal)
-      return text_of_stop(other.command.cause, SampleFault::none, -1);
+    const StopCause cause = other.command.cause;
+    const bool is_by_posture = cause != StopCause::none && cause != StopCause::failures;
+    if (status == SolveStatus::optimal || is_by_posture)
+      return text_of_stop(cause, SampleFault::none, -1);
     const auto level = static_cast<std::size_t>(other.hierarchy.failed_level);
     const std::string where = level < other_names_.size() ? " in " + other_names_[level] : "";
     return status == SolveStatus::iteration_cap

@@ -1,6 +1,7 @@
 #include "app/tick_explainer.hpp"
 
 #include "app/exact_costs.hpp"
+#include "app/interrupt.hpp"
 #include "app/tick_text.hpp"
 
 #include <exception>
@@ -10,6 +11,10 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t kMostKept = 256;
+
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -52,16 +57,20 @@ void TickExplainer::run() {
 
 std::string TickExplainer::explained(std::uint32_t tick) const {
   using Json = nlohmann::ordered_json;
-  const auto text = [](const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
   try {
     TickExplanation explanation = read_tick(path_, period_ * tick);
-    find_exact_costs(path_, explanation);
-    return text(gave_way_json(explanation));
+    find_exact_costs(path_, explanation, [this] { return stopping_ || interrupted(); });
+    explanation.why_estimates = without_path(explanation.why_estimates);
+    return text_of(gave_way_json(explanation));
   } catch (const std::exception& error) {
-    return text({{"problem", error.what()}});
+    return text_of(Json{{"problem", without_path(error.what())}});
   }
+}
+
+// What a page is told says nothing of this machine's folders.
+std::string TickExplainer::without_path(const std::string& text) const {
+  const std::string begin = path_ + ": ";
+  return text.starts_with(begin) ? text.substr(begin.size()) : text;
 }
 
 }  // namespace surefoot

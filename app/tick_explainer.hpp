@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <map>
@@ -27,6 +28,7 @@ class TickExplainer {
  private:
   void run();
   [[nodiscard]] std::string explained(std::uint32_t tick) const;
+  [[nodiscard]] std::string without_path(const std::string& text) const;
 
   const std::string path_;
   const double period_;
@@ -34,7 +36,7 @@ class TickExplainer {
   std::condition_variable wakes_;
   std::map<std::uint32_t, std::string> known_;
   std::optional<std::uint32_t> wanted_;
-  bool stopping_ = false;
+  std::atomic<bool> stopping_ = false;
   std::thread thread_;
 };
 

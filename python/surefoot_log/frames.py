@@ -202,7 +202,7 @@ def gave_way(hierarchy, header):
 
 
 def limits_above(name, hierarchy):
-    """Rows of the nearest level above that are at their bounds or beyond; and that level. None: ("", ())."""
+    """Rows of the nearest level above that are at their bounds or beyond; and that level. None: ((), "")."""
     levels = [level["name"] for level in hierarchy["levels"]]
     for by in reversed(levels[: levels.index(name)]):
         rows = tuple(row["row"] for row in hierarchy.get("active", []) if row["level"] == by)

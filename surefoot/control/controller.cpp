@@ -140,8 +140,8 @@ struct Controller::Implementation {
   bool explains_levels = false;
   bool has_solved = false;  // the last tick
   StageObserver* observer = nullptr;
-  double tilt_shortfall = 0.0;  // of the last tick [rad/s²]
-  double last_time = kNaN;      // of the last state that was believed [s]
+  double tilt_shortfall = kNaN;  // of the last tick; NaN: not known [rad/s²]
+  double last_time = kNaN;       // of the last state that was believed [s]
 };
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -278,7 +278,6 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
                                           const Solution& solution) noexcept {
   const TaskStack& stack = solved->stack;
   summarise(solution, stack.hierarchy(), record.hierarchy);
-  tilt_shortfall = is_changing() ? 0.0 : stack.tilt_shortfall(solution);
   level_times.fill(0.0);
   for (std::size_t k = 0; k < std::min(solution.levels.size(), kMaxLevels); ++k) {
     level_times[k] = solution.levels[k].time;
@@ -288,6 +287,8 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
   }
   record.hierarchy.transition_share = is_changing() ? fade->share() : switcher.transition().share;
   record.hierarchy.level_switch = switcher.begun();
+  const bool is_optimum = record.hierarchy.transition_share >= 1.0;
+  tilt_shortfall = is_optimum ? stack.tilt_shortfall(solution) : kNaN;
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   for (const Leg leg : kLegs) {
@@ -302,7 +303,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
   record.model = unknown_model();
-  tilt_shortfall = 0.0;
+  tilt_shortfall = kNaN;
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};

@@ -2,11 +2,11 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/signals/hierarchy_report.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 namespace surefoot {
@@ -73,9 +73,12 @@ std::size_t TaskStack::level_of(std::string_view task) const {
 }
 
 double TaskStack::tilt_shortfall(const Solution& solution) const noexcept {
-  if (torso_tilt_ >= solution.levels.size()) return 0.0;
-  const double residual = solution.levels[torso_tilt_].residual;
-  return std::isfinite(residual) ? residual : 0.0;
+  if (torso_tilt_ >= levels_.size()) return 0.0;
+  const bool is_cut_off = solution.status != SolveStatus::optimal && solution.failed_level >= 0 &&
+                          static_cast<std::size_t>(solution.failed_level) <= torso_tilt_;
+  const bool is_solved = solution.status != SolveStatus::invalid_input && !is_cut_off &&
+                         torso_tilt_ < solution.levels.size();
+  return is_solved ? solution.levels[torso_tilt_].residual : kNaN;
 }
 
 void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,

@@ -34,8 +34,8 @@ class TaskStack {
   /// these two tasks, each alone in its level, in this order. Allocates nothing.
   [[nodiscard]] const Substitution* substitution(const Dynamics& dynamics) noexcept;
 
-  /// Residual of the torso's roll and pitch in a solution of the last update [rad/s²]: 0 where the
-  /// stack has no level of that task alone, and where it was not solved.
+  /// Residual of the torso's roll and pitch in a solution of the last update [rad/s²]: NaN where it
+  /// was not solved, 0 where the stack has no level of that task alone, without weight and damping.
   [[nodiscard]] double tilt_shortfall(const Solution& solution) const noexcept;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }

@@ -192,7 +192,7 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
     }
     return;
   }
-  const bool holds = tilt_shortfall_ <= tilt_shortfall_on_four_ + kTiltGivenUp;
+  const bool holds = !(tilt_shortfall_ > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
   if (holds && time_ < lift_time_) return;
   const bool unloaded = next.unloaded() || !options_.force.ramps;
   if (holds && unloaded && balanced_without(next_leg(), dynamics)) {

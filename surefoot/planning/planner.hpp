@@ -29,7 +29,7 @@ class Planner {
   Planner(const PlannerOptions& options, double weight, double period);
 
   /// One tick. `tilt_shortfall`: what the last tick left undone of the torso's roll and pitch
-  /// [rad/s²]. Allocates nothing, throws nothing.
+  /// [rad/s²]; NaN: not known. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
                            const Dynamics& dynamics, double tilt_shortfall = 0.0) noexcept;
 

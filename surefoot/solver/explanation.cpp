@@ -2,6 +2,7 @@
 
 #include "surefoot/solver/cascade_solver.hpp"
 #include "surefoot/solver/certificate.hpp"
+#include "surefoot/solver/distinct_rows.hpp"
 #include "surefoot/solver/even_units.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
@@ -24,8 +25,6 @@ constexpr double kSmall = 5e4;
 /// Of a residual: what costs less, costs nothing.
 constexpr double kCosts = 1e-9;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-/// Directions that differ by less, of length 1, are the same but for rounding.
-constexpr double kSame = 1e-12;
 
 /// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself. A bound that
 /// is too far for the solvers is none.
@@ -80,49 +79,6 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
   return solution.status == SolveStatus::optimal ? solution.levels[1].residual : std::nan("");
 }
 
-/// Rows without those that say the same as one before, which are listed with it.
-struct Distinct {
-  RowSet rows;
-  std::vector<std::vector<RowIndex>> same;  ///< by row
-};
-
-Distinct distinct(const RowSet& all, const std::function<bool(Index, Index)>& are_same) {
-  Distinct result{.rows = RowSet(all.rows.cols()), .same = {}};
-  std::vector<Index> kept;
-  for (Index i = 0; i < all.rows.rows(); ++i) {
-    const RowIndex at = all.origin[static_cast<std::size_t>(i)];
-    const auto first = std::ranges::find_if(kept, [&](Index j) { return are_same(i, j); });
-    if (first != kept.end()) {
-      result.same[static_cast<std::size_t>(first - kept.begin())].push_back(at);
-      continue;
-    }
-    kept.push_back(i);
-    result.rows.add(all.rows.row(i).transpose(), at);
-    result.same.emplace_back();
-  }
-  return result;
-}
-
-/// By how much a row of a set is beyond its bounds, along the set's row of length 1.
-double missed(const RowSet& set, Index i, const Hierarchy& hierarchy, const VectorXd& x) {
-  const RowIndex at = set.origin[static_cast<std::size_t>(i)];
-  const Level& level = hierarchy.level(at.level);
-  const double value = level.A().row(at.row).dot(x);
-  const double by = value - std::clamp(value, level.lower()[at.row], level.upper()[at.row]);
-  const double along = level.A().row(at.row).dot(set.rows.row(i)) < 0.0 ? -1.0 : 1.0;
-  return along * by / level.A().row(at.row).norm();
-}
-
-/// Of E: rows of the same direction, either way, that are missed alike, if at all.
-Distinct distinct_fixed(const RowSet& fixed, const Hierarchy& hierarchy, const VectorXd& x) {
-  return distinct(fixed, [&](Index i, Index j) {
-    const double along = fixed.rows.row(i).dot(fixed.rows.row(j)) < 0.0 ? -1.0 : 1.0;
-    const double apart = missed(fixed, i, hierarchy, x) - along * missed(fixed, j, hierarchy, x);
-    return (fixed.rows.row(i) - along * fixed.rows.row(j)).norm() <= kSame &&
-           std::abs(apart) <= kTolerances.tight * (1.0 + x.norm());
-  });
-}
-
 /// Whether a row of E is missed for certain and would be less along its force on the level.
 bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hierarchy,
                 const VectorXd& x) {
@@ -132,15 +88,6 @@ bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hie
   const double by = missed(fixed, i, hierarchy, x);
   const double rounding = is_equality ? kTolerances.tight * (1.0 + x.norm()) : 0.0;
   return by * force < 0.0 && std::abs(by) > rounding;
-}
-
-/// Of T: all are at their bound, or are missed alike and hold as they are.
-Distinct distinct_touching(const RowSet& touching, const Hierarchy& hierarchy, const VectorXd& x) {
-  return distinct(touching, [&](Index i, Index j) {
-    const double apart = missed(touching, i, hierarchy, x) - missed(touching, j, hierarchy, x);
-    return (touching.rows.row(i) - touching.rows.row(j)).norm() <= kSame &&
-           std::abs(apart) <= kTolerances.tight * (1.0 + x.norm());
-  });
 }
 
 /// What holds a level, with every row as `copy_pinned` has it: limits that are missed hold only
@@ -167,19 +114,6 @@ Pinned pinned(const Hierarchy& hierarchy, const VectorXd& x, const RowSet& fixed
       result.has_missed_limits = true;
     }
   }
-  return result;
-}
-
-auto same_as(RowIndex at) {
-  return [at](RowIndex other) { return other.level == at.level && other.row == at.row; };
-}
-
-/// Of all that hold or are at their bound, whether they push or not, without those that say the
-/// same as one before.
-RowSet held_rows(const RowSet& fixed, const RowSet& touching, const Hierarchy& hierarchy,
-                 const VectorXd& x) {
-  RowSet result = distinct_fixed(fixed, hierarchy, x).rows;
-  result.add(distinct_touching(touching, hierarchy, x).rows);
   return result;
 }
 
@@ -212,7 +146,7 @@ VectorXd noise(const Level& level, const VectorXd& x, const RowSet& fixed, const
 }
 
 bool is_of(const DistinctBlocker& blocker, RowIndex at) {
-  return same_as(at)(blocker.at) || std::ranges::any_of(blocker.same, same_as(at));
+  return blocker.at == at || std::ranges::find(blocker.same, at) != blocker.same.end();
 }
 
 struct Candidate {
@@ -223,12 +157,13 @@ struct Candidate {
 /// Rows above with a multiplier; those of length 1 become rows of their own length again. `all`:
 /// however small.
 std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
-                                  const LevelConditions& level, const Distinct& fixed,
-                                  const Distinct& touching, bool all) {
+                                  const LevelConditions& level, const DistinctRows& fixed,
+                                  const DistinctRows& touching, bool all) {
   std::vector<Candidate> result;
   const Multipliers found = multipliers(level, fixed.rows, touching.rows, kTolerances.rank);
   const VectorXd least = noise(hierarchy.level(k), x, fixed.rows, touching.rows, found.touching);
-  const auto add = [&](const Distinct& of, const VectorXd& strength, Index first, bool is_fixed) {
+  const auto add = [&](const DistinctRows& of, const VectorXd& strength, Index first,
+                       bool is_fixed) {
     for (Index i = 0; i < strength.size(); ++i) {
       const bool is_certain = std::abs(strength[i]) > kSmall * level.rounding;
       const double enough = all ? 0.0 : kSmall * least[first + i];
@@ -337,16 +272,15 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
       const double fall = level.residual - residual_without(hierarchy, k, x, is_without);
       return fall < 0.0 ? 0.0 : fall;
     };
-    const RowSet held = held_rows(fixed, touching, hierarchy, x);
-    const VectorXd own = independence(held.rows.transpose());
+    const DistinctRows held = held_rows(fixed, touching, hierarchy, x);
+    const VectorXd own = independence(held.rows.rows.transpose());
     const auto add = [&](const std::vector<Candidate>& list) {
       double done = 0.0;
       for (const auto& [candidate, is_certain] : list) {
         if (options.progress)
           options.progress(static_cast<double>(k) + done++ / static_cast<double>(list.size()));
         DistinctBlocker blocker = candidate;
-        const auto place = std::ranges::find_if(held.origin, same_as(blocker.at));
-        blocker.independence = place == held.origin.end() ? 0.0 : own[place - held.origin.begin()];
+        blocker.independence = own[held.place_of(blocker.at)];
         blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
         if (!is_certain && !(blocker.cost > kCosts * level.residual)) continue;
         double& of_level = result.cost_of_level[blocker.at.level];
@@ -362,9 +296,10 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
     // it is not said that nothing above holds it back before that is tried
     const bool may_be_held = k > 0 && result.blocked_by.empty() && is_missed(hierarchy.level(k), x);
     if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
-    const auto costs = [&](double of) { return !(of <= kCosts * level.residual); };  // NaN too
-    const auto row_costs = [&](const Blocker& row) { return costs(row.cost); };
-    if (!result.blocked_by.empty() && std::ranges::none_of(result.blocked_by, row_costs))
+    const auto costs = [&](const Blocker& row) {
+      return !(row.cost <= kCosts * level.residual);  // NaN too
+    };
+    if (!result.blocked_by.empty() && std::ranges::none_of(result.blocked_by, costs))
       add(others_that_hold(hierarchy, k, x, level, fixed, touching, result.blocked_by));
     std::stable_sort(result.blocked_by.begin(), result.blocked_by.end(),
                      [](const Blocker& a, const Blocker& b) {

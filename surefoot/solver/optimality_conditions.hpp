@@ -12,6 +12,8 @@ namespace surefoot {
 struct RowIndex {
   std::size_t level = 0;
   Eigen::Index row = 0;
+
+  friend bool operator==(const RowIndex&, const RowIndex&) = default;
 };
 
 /// Rows of length 1 and where they come from.

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -70,15 +72,21 @@ TEST(TaskStack, TheFirstFreeLevelComesAfterAllThatKeepThePhysics) {
 }
 
 TEST(TaskStack, TellsWhatASolutionLacksOfTheTorsosTilt) {
-  const auto shortfall = [](const StackOptions& options, double residual) {
+  const auto shortfall = [](const StackOptions& options, double residual,
+                            std::pair<SolveStatus, int> ended = {SolveStatus::optimal, -1}) {
     Solution solution;
+    std::tie(solution.status, solution.failed_level) = ended;
     solution.levels.resize(options.levels.size());
     solution.levels.back().residual = residual;
     return TaskStack(options, anymal_b()).tilt_shortfall(solution);
   };
   const StackOptions stack = stack_of({level("com_xy"), level("torso_roll_pitch")});
   EXPECT_EQ(shortfall(stack, 2.5), 2.5);
-  EXPECT_EQ(shortfall(stack, kNaN), 0.0) << "a level that was not solved says nothing";
+  EXPECT_EQ(shortfall(stack, 2.5, {SolveStatus::iteration_cap, 2}), 2.5) << "all are optimal";
+  for (const auto& ended :
+       {std::pair(SolveStatus::iteration_cap, 0), std::pair(SolveStatus::iteration_cap, 1),
+        std::pair(SolveStatus::invalid_input, -1)})
+    EXPECT_TRUE(std::isnan(shortfall(stack, 2.5, ended))) << ended.second;
   const LevelSpec both{"both", {{"torso_roll_pitch", {}, {}}, {"torso_height", {}, {}}}};
   EXPECT_EQ(shortfall(stack_of({level("com_xy"), both}), 2.5), 0.0) << "of both together";
   EXPECT_EQ(shortfall(stack_of({level("com_xy")}), 2.5), 0.0);

@@ -230,6 +230,15 @@ TEST(Planner, ATorsoThatIsNotWhereItShouldBeOnAllFeetEitherStopsNoLiftOff) {
   EXPECT_GT(puppet.planner().steps_taken(), 4);
 }
 
+TEST(Planner, OfATiltThatIsNotKnownNoLiftOffIsTakenBack) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const Puppet before = weak_without_left_hind(kUnknown, 50.0, 6.0);
+  EXPECT_TRUE(before.happenings(PlanEvent::lift_off_aborted).empty());
+  const Puppet after = weak_without_left_hind(0.0, kUnknown, 6.0);
+  EXPECT_TRUE(after.happenings(PlanEvent::lift_off_aborted).empty());
+  EXPECT_GT(after.planner().steps_taken(), 0);
+}
+
 TEST(Planner, NoFootIsLiftedWhileTheBalanceIsNotOverTheOthers) {
   Puppet puppet = walker();
   puppet.com_follows = false;  // stays in the middle, which lies on the triangle's edge

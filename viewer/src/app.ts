@@ -95,7 +95,7 @@ export class App {
 
     const tabs = new Tabs();
     const report = (text: string, kind?: "error" | "plain"): void => notes.say(text, kind);
-    this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"), session.cut !== "");
+    this.hierarchy = new HierarchyPanel(tabs.add("hierarchy", "Hierarchy"), session.cut !== "" && session.ended === "");
     this.state = new StatePanel(tabs.add("state", "State"), this.aboutRun(), session.header.notes);
     this.drive = new DrivePanel(live ? tabs.add("drive", "Drive") : h("div"), this.commands, session.limits, report);
     this.tune = new TunePanel(live ? tabs.add("tune", "Tune") : h("div"), this.commands, session.limits.changes, report);

@@ -17,8 +17,14 @@ function about(session: object, progress: Partial<Progress> = {}): [string, stri
 
 test("of a log without its end the head keeps that, and the state says that nobody knows how the run ended", () => {
   const cut = "the log was never closed, or is cut off (at byte 7): what is left of it is shown";
-  assert.deepEqual([endFact("", cut), endFact("goal reached", ""), endFact("", "")], ["never closed, or cut off", "ended: goal reached", ""]);
-  assert.deepEqual(["", cut].map((one) => new Map(about({ cut: one })).get("Ended")), ["goal reached", "not known, as the end of its log is missing"]);
+  assert.deepEqual([endFact("", cut), endFact("goal reached", ""), endFact("", "")], ["how it ended is not known", "ended: goal reached", ""]);
+  assert.deepEqual([about({}), about({ cut }, { ended: "" })].map((rows) => new Map(rows).get("Ended")), ["goal reached", "not known: see Log"]);
+});
+
+test("of a log that is whole, though its run was interrupted, it is told how it ended", () => {
+  const cut = "the run was interrupted: the log's file is whole, and ends there";
+  assert.equal(endFact("interrupted", cut), "ended: interrupted");
+  assert.equal(new Map(about({ cut }, { ended: "interrupted" })).get("Ended"), "interrupted");
 });
 
 test("why there are no times is said where the log's end is missing, which has them", () => {

@@ -64,3 +64,32 @@ test("only a tick that is looked at for long is asked for, again until it is exp
   await pass(5000);
   assert.deepEqual(asked, [3, 3, 3], "what is known is not asked for again, nor what nobody looks at");
 });
+
+test("a tick that was left is not asked for again, and one whose question was lost is, once the page is told anew", async (t) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  t.after(() => mock.timers.reset());
+  const asked: number[] = [];
+  let isLost = false;
+  let answerLate: (answer?: ExplainAnswer) => void = () => {};
+  const explainer = new Explainer((tick) => {
+    asked.push(tick);
+    return isLost ? Promise.reject(new Error("gone")) : new Promise((resolve) => (answerLate = resolve));
+  }, schema);
+  const pass = async (ms: number): Promise<void> => {
+    mock.timers.tick(ms);
+    await answered();
+  };
+  explainer.at(1);
+  await pass(300);
+  explainer.at(2);
+  answerLate();
+  await answered();
+  explainer.at(1);
+  explainer.at(2);
+  isLost = true;
+  await pass(2000);
+  assert.deepEqual(asked, [1, 2], "of a tick that was left for another nobody waits for the answer");
+  explainer.at(2);
+  await pass(300);
+  assert.deepEqual(asked, [1, 2, 2]);
+});

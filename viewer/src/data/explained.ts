@@ -63,6 +63,12 @@ export class Explainer {
     return this.known.get(tick);
   }
 
+  private keep(tick: number, explained: Explained | undefined): void {
+    const [oldest] = this.known.keys();
+    if (this.known.size >= KEPT && oldest !== undefined) this.known.delete(oldest);
+    this.known.set(tick, explained);
+  }
+
   private look(tick: number): void {
     this.tick = tick;
     clearTimeout(this.timer);
@@ -70,18 +76,18 @@ export class Explainer {
   }
 
   private async fetch(tick: number): Promise<void> {
+    clearTimeout(this.timer); // of a look at it before this one
     let answer: ExplainAnswer | undefined;
     try {
       answer = await this.ask(tick);
     } catch {
-      return; // the frames' estimates stay
+      if (tick === this.tick) this.tick = -1; // the frames' estimates stay; asked for anew when the page is told again
+      return;
     }
-    if (answer !== undefined) {
-      if (this.known.size >= KEPT) this.known.clear();
-      this.known.set(tick, readExplained(answer, this.schema));
-      if (tick === this.tick) this.onAnswer();
-    } else if (tick === this.tick) {
-      this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
-    }
+    if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
+    if (tick !== this.tick) return;
+    if (answer !== undefined) return this.onAnswer();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
   }
 }

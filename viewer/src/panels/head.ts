@@ -17,10 +17,10 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
   badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 
-/** Why a run has ended, or that its log has no end; "": it has not, or nobody knows. */
+/** Why a run has ended, or that its log does not say so; "": it has not. */
 export function endFact(why: string, cut: string): string {
-  if (cut !== "") return "never closed, or cut off";
-  return why === "" ? "" : endingText(why);
+  if (why !== "") return endingText(why);
+  return cut === "" ? "" : "how it ended is not known";
 }
 
 /** What is to be known beside it; where there is no room for all, it is told to a pointer. `end`: the one of how a run ended, which is to be seen. */
