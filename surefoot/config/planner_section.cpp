@@ -107,6 +107,7 @@ void read_contact(Section& section, TouchdownOptions& contact) {
 void read_reflex(Section& section, ReflexOptions& reflex) {
   section.flag("enabled", reflex.enabled);
   section.number("force", reflex.force, kPositive);
+  section.number("hit_force", reflex.hit_force, kPositive);
   section.number("error", reflex.error, kPositive);
   section.number("duration", reflex.duration, kNotNegative);
   section.number("back", reflex.back, kNotNegative);

@@ -140,8 +140,8 @@ struct Controller::Implementation {
   bool explains_levels = false;
   bool has_solved = false;  // the last tick
   StageObserver* observer = nullptr;
-  double tilt_shortfall = kNaN;  // of the last tick; NaN: not known [rad/s²]
-  double last_time = kNaN;       // of the last state that was believed [s]
+  HierarchyOutcome last{.tilt_shortfall = kNaN};
+  double last_time = kNaN;  // of the last state that was believed [s]
 };
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -217,7 +217,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   calibrate(dynamics);
   model.load(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
-  record.plan = planner.update(user, record.state, dynamics, tilt_shortfall);
+  record.plan = planner.update(user, record.state, dynamics, last);
   ended(Stage::plan);
   TaskStack& stack = solved->stack;
   HierarchySolver& solver = solved->solver;
@@ -288,7 +288,8 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
   record.hierarchy.transition_share = is_changing() ? fade->share() : switcher.transition().share;
   record.hierarchy.level_switch = switcher.begun();
   const bool is_optimum = record.hierarchy.transition_share >= 1.0;
-  tilt_shortfall = is_optimum ? stack.tilt_shortfall(solution) : kNaN;
+  last = {.tilt_shortfall = is_optimum ? stack.tilt_shortfall(solution) : kNaN,
+          .upright_pyramids = stack.has_upright_pyramids()};
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   for (const Leg leg : kLegs) {
@@ -303,7 +304,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
   record.model = unknown_model();
-  tilt_shortfall = kNaN;
+  last.tilt_shortfall = kNaN;
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};

@@ -5,6 +5,7 @@
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
+#include "surefoot/tasks/friction_cone.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -25,6 +26,9 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
       check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
       level.tasks.push_back(make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
       Task& task = *level.tasks.back();
+      if (const auto* cone = dynamic_cast<const FrictionCone*>(&task)) {
+        upright_pyramids_ = cone->is_upright();
+      }
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();

@@ -38,6 +38,9 @@ class TaskStack {
   /// was not solved, 0 where the stack has no level of that task alone, without weight and damping.
   [[nodiscard]] double tilt_shortfall(const Solution& solution) const noexcept;
 
+  /// Do the friction pyramids stand upright, whatever the terrain's normal?
+  [[nodiscard]] bool has_upright_pyramids() const { return upright_pyramids_; }
+
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
   [[nodiscard]] const SupportDynamics& support() const { return support_; }
@@ -72,7 +75,8 @@ class TaskStack {
   PhysicsSubstitution physics_;
   int first_free_level_ = 0;
   std::size_t torso_tilt_ = 0;  // its level
-  Eigen::VectorXd no_motion_;   // the zeros that damping pulls to
+  bool upright_pyramids_ = false;
+  Eigen::VectorXd no_motion_;  // the zeros that damping pulls to
 };
 
 }  // namespace surefoot

@@ -146,8 +146,10 @@ bool LegMotion::is_caught(double time, const LegObservation& seen) {
   const Vec3 forward = way(asked);
   const double allowed = reflex_.error + kLag * forward.dot(asked.v);
   const bool behind = forward.dot(asked.p - seen.foot.p) > allowed;
-  const bool held = -forward.dot(seen.force) > reflex_.force * doubt();
-  held_for_ = behind && held ? held_for_ + period_ : 0.0;
+  const double against = -forward.dot(seen.force) / doubt();
+  const bool held = behind && against > reflex_.force;
+  const bool hit = against > reflex_.hit_force;
+  held_for_ = held || hit ? held_for_ + period_ : 0.0;
   return held_for_ > reflex_.duration;
 }
 

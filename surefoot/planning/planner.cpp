@@ -46,9 +46,9 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
             LegMotion(options.swing, options.contact, options.force, period, options.reflex)} {}
 
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
-                                  const Dynamics& dynamics, double tilt_shortfall) noexcept {
+                                  const Dynamics& dynamics, const HierarchyOutcome& last) noexcept {
   time_ = state.time;
-  tilt_shortfall_ = tilt_shortfall;
+  last_ = last;
   event_ = PlanEvent::none;
   if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
@@ -187,12 +187,13 @@ void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics)
       replan_com(user, dynamics);
     } else if (time_ >= lift_time_ - options_.force.ramp_down) {
       if (lets_another_leg_go_first(user, dynamics)) return;
-      tilt_shortfall_on_four_ = tilt_shortfall_;
+      tilt_shortfall_on_four_ = last_.tilt_shortfall;
       next.unload(lift_time_);
     }
     return;
   }
-  const bool holds = !(tilt_shortfall_ > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
+  const bool holds =
+      !(last_.tilt_shortfall > tilt_shortfall_on_four_ + kTiltGivenUp);  // nor if NaN
   if (holds && time_ < lift_time_) return;
   const bool unloaded = next.unloaded() || !options_.force.ramps;
   if (holds && unloaded && balanced_without(next_leg(), dynamics)) {

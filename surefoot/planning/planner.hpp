@@ -19,6 +19,14 @@
 
 namespace surefoot {
 
+/// What the hierarchy tells of the last tick.
+struct HierarchyOutcome {
+  double tilt_shortfall =
+      0.0;  ///< left undone of the torso's roll and pitch [rad/s²]; NaN: not known
+  bool upright_pyramids =
+      false;  ///< friction pyramids stand upright, whatever the terrain's normal
+};
+
 /// The walk: one leg after the other in the gait's order, the COM led through the support regions
 /// by a ZMP plan, the torso along the plane through the footholds. A foot that meets no ground goes
 /// on down while the gait waits. Plans relative to the footholds; nothing depends on where the
@@ -28,10 +36,9 @@ class Planner {
   /// `weight` of the robot [N]; `period` of the control loop [s].
   Planner(const PlannerOptions& options, double weight, double period);
 
-  /// One tick. `tilt_shortfall`: what the last tick left undone of the torso's roll and pitch
-  /// [rad/s²]; NaN: not known. Allocates nothing, throws nothing.
+  /// One tick. Allocates nothing, throws nothing.
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
-                           const Dynamics& dynamics, double tilt_shortfall = 0.0) noexcept;
+                           const Dynamics& dynamics, const HierarchyOutcome& last = {}) noexcept;
 
   /// Between two ticks: the friction that every foot is believed to find from now on. Throws Error
   /// unless it is above 0.
@@ -166,10 +173,10 @@ class Planner {
   double stands_from_ = 0.0;  // on all feet [s]
   double yaw_ = 0.0;
   Mode mode_ = Mode::stand;
-  int cursor_ = 0;                       // place of the next leg in the gait's order
-  bool backward_ = false;                // the gait's order is mirrored, fore and hind
-  double tilt_shortfall_ = 0.0;          // of the last tick [rad/s²]
-  double tilt_shortfall_on_four_ = 0.0;  // … before the next leg began to unload: more of it
+  int cursor_ = 0;         // place of the next leg in the gait's order
+  bool backward_ = false;  // the gait's order is mirrored, fore and hind
+  HierarchyOutcome last_;
+  double tilt_shortfall_on_four_ = 0.0;  // before the next leg began to unload: more of it
                                          // is the torso let go, as the others can't carry it
   double lift_time_ = 0.0;               // planned lift-off of the next leg [s]
   double deadline_ = 0.0;     // expected touchdown of the swinging leg; later the gait waits [s]

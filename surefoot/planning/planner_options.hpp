@@ -100,11 +100,12 @@ struct ReflexOptions {
   bool enabled = true;
   double force =
       4.0;  ///< against the foot's motion; more where contact.torque_error hides it [N] …
-  double error = 0.03;     ///< … and behind its reference along it by this [m] …
-  double duration = 0.02;  ///< … for this long [s]
-  double back = 0.04;      ///< away from it, while the foot rises [m]
-  double beyond = 0.08;    ///< it: no foothold nearer than this, or it stands on an edge [m]
-  int most = 3;            ///< tries of one swing; then the foot comes down before it
+  double error = 0.03;      ///< … and behind its reference along it by this [m] …
+  double hit_force = 20.0;  ///< … or against it by this, wherever the foot is [N] …
+  double duration = 0.02;   ///< … for this long [s]
+  double back = 0.04;       ///< away from it, while the foot rises [m]
+  double beyond = 0.08;     ///< it: no foothold nearer than this, or it stands on an edge [m]
+  int most = 3;             ///< tries of one swing; then the foot comes down before it
 };
 
 /// Two-touch probing: a front foot first touches ahead of its foothold; an edge between is found

@@ -92,6 +92,18 @@ TEST(TaskStack, TellsWhatASolutionLacksOfTheTorsosTilt) {
   EXPECT_EQ(shortfall(stack_of({level("com_xy")}), 2.5), 0.0);
 }
 
+TEST(TaskStack, TellsWhetherItsFrictionPyramidsStandUpright) {
+  const auto upright = [](const std::vector<LevelSpec>& levels) {
+    return TaskStack(stack_of(levels), anymal_b()).has_upright_pyramids();
+  };
+  const auto cone = [](const std::string& axes) {
+    return LevelSpec{"cone", {{"friction_cone", {}, {{"axes", axes}}}}};
+  };
+  EXPECT_TRUE(upright({level("com_xy"), cone("gravity")}));
+  EXPECT_FALSE(upright({cone("control"), level("com_xy")}));
+  EXPECT_FALSE(upright({level("com_xy")}));
+}
+
 TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {
   RobotModel model(anymal_b());
   Random random(1);

@@ -202,6 +202,28 @@ TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
   EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
 }
 
+// On both sides of a step the plane through the feet is no ground: pyramids that stand upright are
+// what a foot slides out of.
+TEST(Planner, TheFrictionOfASlidingFootIsThatOfItsPyramid) {
+  for (const bool upright : {true, false}) {
+    Puppet puppet = walker({}, step_at(0.0, 0.14));
+    puppet.user.walk = false;
+    puppet.last.upright_pyramids = upright;
+    puppet.run(1.0);
+    puppet.slide[index(Leg::LF)] = Vec2(30.0, 0.0);
+    puppet.tick();
+    const Vec3& force = puppet.force(Leg::LF);
+    const double slope = 0.14 / (2.0 * StanceOptions{}.half_length);  // up ahead
+    const double ratio = force.x() / force.z();
+    const double inclined = (ratio + slope) / (1.0 - ratio * slope);
+    const GripOptions grip;
+    const double expected = grip.share * (upright ? ratio : inclined);
+    EXPECT_NEAR(puppet.plan().feet[index(Leg::LF)].friction,
+                std::clamp(expected, grip.friction_min, ForceOptions{}.friction), 1e-9)
+        << upright;
+  }
+}
+
 /// A walk in which the torso's tilt is missed by `always`, and by `missed` more while the left hind
 /// foot unloads and carries little [rad/s²].
 Puppet weak_without_left_hind(double always, double missed, double duration) {
@@ -209,7 +231,7 @@ Puppet weak_without_left_hind(double always, double missed, double duration) {
   puppet.run(duration, [&] {
     const FootPlan& foot = puppet.plan().feet[index(Leg::LH)];
     const bool light = foot.phase == LegPhase::unloading && foot.force_max < 100.0;
-    puppet.tilt_shortfall = always + (light ? missed : 0.0);
+    puppet.last.tilt_shortfall = always + (light ? missed : 0.0);
   });
   return puppet;
 }

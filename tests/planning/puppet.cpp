@@ -33,6 +33,7 @@ Ground step_at(double edge, double height) {
 Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& position, double heading)
     : ground(std::move(terrain)), planner_(of_any_height(options), kWeight, kPeriod) {
   const Mat3 R = rotation_about_z(heading);
+  slide.fill(Vec2::Zero());
   double mean = 0.0;
   for (const Leg leg : kLegs) {
     Vec3& p = dynamics_.foot[index(leg)].p;
@@ -48,7 +49,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
   state_.v_WB.setZero();
   state_.w_WB_B.setZero();
   dynamics_.com.p = state_.p_WB;
-  plan_ = planner_.update(user, state_, dynamics_, tilt_shortfall);
+  plan_ = planner_.update(user, state_, dynamics_, last);
 }
 
 void Puppet::place(Leg leg, const Vec2& place) {
@@ -71,7 +72,7 @@ void Puppet::tick() {
   move_body();
   for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
   const MotionPlan before = plan_;
-  plan_ = planner_.update(user, state_, dynamics_, tilt_shortfall);
+  plan_ = planner_.update(user, state_, dynamics_, last);
   note_event(before);
 }
 
@@ -109,6 +110,8 @@ void Puppet::move_foot(std::size_t k) {
     if (depth > 0.0) p.z() += depth;
     force = std::clamp(kStiffness * depth, 0.0, kCarried);
   }
+  state_.slips[k] = in_contact(reference.phase) && slide[k].norm() > 0.0;
+  if (state_.slips[k]) held = slide[k];
   state_.foot_force[k] << held, force;
   dynamics_.hip[k].p = p + kLegLength * Vec3::UnitZ();
 }

@@ -54,11 +54,12 @@ class Puppet {
 
   UserCommand user;
   Ground ground;
-  PerLeg<bool> sticky{};        ///< this foot carries on, whatever it may
-  Vec3 push = Vec3::Zero();     ///< what is believed to push the robot [N]
-  double tilt_shortfall = 0.0;  ///< what is told of the torso [rad/s²]
-  bool com_follows = true;      ///< otherwise the centre of mass stays where it is
-  double drift = 0.0;           ///< velocity at which the base is believed to go besides [m/s]
+  PerLeg<bool> sticky{};     ///< this foot carries on, whatever it may
+  Vec3 push = Vec3::Zero();  ///< what is believed to push the robot [N]
+  PerLeg<Vec2> slide;     ///< forces along the ground at which these feet slide [N]; 0: they stand
+  HierarchyOutcome last;  ///< what the hierarchy tells
+  bool com_follows = true;  ///< otherwise the centre of mass stays where it is
+  double drift = 0.0;       ///< velocity at which the base is believed to go besides [m/s]
 
  private:
   void move_body();

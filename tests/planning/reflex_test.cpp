@@ -65,8 +65,18 @@ TEST(Reflex, WithoutItNoFootIsCaught) {
 
 TEST(Reflex, AWallIsNoGround) {
   const Vec3 wall = -60.0 * kForward + 30.0 * kUp, ground = -30.0 * kForward + 60.0 * kUp;
-  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), wall), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), 0.3 * wall), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), wall), LegEvent::caught);
   EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), ground), LegEvent::touchdown);
+}
+
+// A riser's edge bears a foot that comes down on it from before, hardly behind its reference.
+TEST(Reflex, AHardHitNeedsNoLag) {
+  const Vec3 edge = -120.0 * kForward + 100.0 * kUp;
+  EXPECT_EQ(Foot().follow(0.5, 0.54, Vec3::Zero(), edge), LegEvent::none) << "an impact is short";
+  EXPECT_EQ(Foot().follow(0.5, 0.56, Vec3::Zero(), edge), LegEvent::caught);
+  EXPECT_EQ(Foot().follow(0.05, 0.3, Vec3::Zero(), -30.0 * kUp), LegEvent::caught);
+  EXPECT_EQ(Foot({.hit_force = 200.0}).follow(0.5, 0.56, Vec3::Zero(), edge), LegEvent::none);
 }
 
 TEST(Reflex, AFootFarBesideItsWayFeelsItsDrivesAndNoGroundUntilItIsAboutToArrive) {
