@@ -150,18 +150,26 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
 // goes where it likes, over the higher of the two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
-  const Vec3* before = nullptr;
-  const Vec3* beyond = nullptr;
   const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
+  const auto last_before = [&](double limit) {
+    const Vec3* last = nullptr;
+    for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
+      const Vec3& print = prints.points[i];
+      if (ahead(print) <= limit && (last == nullptr || ahead(print) > ahead(*last))) last = &print;
+    }
+    return last;
+  };
+  const Vec3* beyond = nullptr;
   for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
     const Vec3& print = prints.points[i];
-    const double distance = ahead(print);
-    if (distance <= 0.0 && (before == nullptr || distance > ahead(*before))) before = &print;
-    if (distance > 0.0 && (beyond == nullptr || distance < ahead(*beyond))) beyond = &print;
+    if (ahead(print) > 0.0 && (beyond == nullptr || ahead(print) < ahead(*beyond))) beyond = &print;
   }
   if (beyond == nullptr) return nominal;
+  const Vec3* before = last_before(0.0);
+  const Vec3* earlier = before == nullptr ? nullptr : last_before(ahead(*before) - kLeastStride);
   const double rise = before == nullptr ? 0.0 : beyond->z() - before->z();
-  const bool edge = std::abs(rise) > options_.same_height;
+  const bool slope = earlier != nullptr && is_slope(*earlier, *before, *beyond);
+  const bool edge = std::abs(rise) > options_.same_height && !slope;
   const double reach = (edge && rise > 0.0 ? kReachUpward : 1.0) * options_.max_step;
   const auto reachable = [&](const Vec3& print) { return (print - from).head<2>().norm() < reach; };
   const bool can_wait = edge && heading.dot((*before - from).head<2>()) > kLeastProgress;
@@ -174,6 +182,14 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   Vec3 between = nominal;
   between.z() = before == nullptr ? beyond->z() : std::max(before->z(), beyond->z());
   return between;
+}
+
+// Evenly, and no steeper than slopes are: stairs rise at once and then not at all.
+bool FootholdPlanner::is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const {
+  const Vec3 stride = second - first, next = third - second;
+  const double slope = stride.z() / stride.head<2>().norm();
+  const double expected = slope * next.head<2>().norm();
+  return std::abs(slope) < kSteepest && std::abs(next.z() - expected) < options_.same_height;
 }
 
 // As far as the leg can.

@@ -68,6 +68,8 @@ class FootholdPlanner {
   [[nodiscard]] Vec2 not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
                                    const Vec2& heading) const;
   [[nodiscard]] Vec3 towards(const Vec3& print, const Vec3& from) const;
+  /// Do three prints, one behind the other, lie on one slope?
+  [[nodiscard]] bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const;
   [[nodiscard]] Vec3 on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                const Vec2& heading) const;
   [[nodiscard]] bool is_void(const Vec2& place) const;
