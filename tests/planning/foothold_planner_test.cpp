@@ -193,6 +193,19 @@ TEST(FootholdPlanner, AnEdgeBetweenTwoPrintsIsSteppedOver) {
   }
 }
 
+TEST(FootholdPlanner, PrintsThatRiseEvenlyAreASlopeAndNoEdge) {
+  const auto goes = [](double first, double second) {
+    return Hind({Vec3(-0.01, 0.0, 0.0), Vec3(0.12, 0.0, first), Vec3(0.25, 0.0, first + second)})
+        .goes()
+        .x();
+  };
+  for (const double rise : {-0.035, 0.035}) {
+    EXPECT_EQ(goes(rise, rise), 0.12) << "the nearest print";
+    EXPECT_EQ(goes(0.0, rise), 0.25) << "over the edge where the slope begins";
+    EXPECT_EQ(goes(3.0 * rise, 3.0 * rise), 0.25) << "stairs";
+  }
+}
+
 TEST(FootholdPlanner, AStepUpMayBeLongerThanOthers) {
   const FootholdOptions shorter{.max_step = 0.22};
   const Vec3 before(0.05, 0.0, 0.0), level(0.23, 0.0, 0.0), higher(0.26, 0.0, 0.14);
