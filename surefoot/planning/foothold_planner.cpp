@@ -13,6 +13,7 @@ constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
 constexpr double kLastReach = 1.25;      // … and one that would not go on otherwise must be
 constexpr double kSteepest = 0.36;       // rise over run of a slope; what is steeper is an edge
+constexpr double kLowestStair = 0.06;    // no slope rises by more in a stride [m]
 constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
@@ -184,12 +185,13 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   return between;
 }
 
-// Evenly, and no steeper than slopes are: stairs rise at once and then not at all.
+// Evenly, and by no more than slopes do: a print on every tread rises evenly, too.
 bool FootholdPlanner::is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const {
   const Vec3 stride = second - first, next = third - second;
   const double slope = stride.z() / stride.head<2>().norm();
   const double expected = slope * next.head<2>().norm();
-  return std::abs(slope) < kSteepest && std::abs(next.z() - expected) < options_.same_height;
+  const bool gentle = std::abs(slope) < kSteepest && std::abs(next.z()) < kLowestStair;
+  return gentle && std::abs(next.z() - expected) < options_.same_height;
 }
 
 // As far as the leg can.
