@@ -41,21 +41,27 @@ std::vector<CostlyRow> estimated_rows(const TickExplanation& explanation, std::i
   return rows;
 }
 
-/// As it is told; unknown ones come last.
-double told_cost(const CostlyRow& row) {
-  return std::isnan(row.cost) ? -1.0 : std::stod(number(row.cost));
+/// Of a level's dearest row so much is worth telling [share].
+constexpr double kWorthTelling = 0.1;
+
+double dearest_cost(const std::vector<CostlyRow>& rows) {
+  double dearest = 0.0;
+  for (const CostlyRow& row : rows) {
+    if (row.cost > dearest) dearest = row.cost;
+  }
+  return dearest;
 }
 
-// Many rows may cost a level the same, each of them all of it: what the foot does and the limit of
-// its leg. Of a limit one learns the most.
+// Many rows may cost a level as much, each of them nearly all of it: what the foot does and the
+// limit of its leg. Of a limit one learns the most, so those that are worth telling come first.
 std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
   std::vector<CostlyRow> rows =
       explanation.exact ? explanation.exact->at(level) : estimated_rows(explanation, level);
-  std::ranges::stable_sort(rows, [](const CostlyRow& a, const CostlyRow& b) {
-    const double cost_a = told_cost(a), cost_b = told_cost(b);
-    if (cost_a != cost_b) return cost_a > cost_b;
-    if (a.is_limit != b.is_limit) return a.is_limit;
-    return a.cost > b.cost;
+  const double least = kWorthTelling * dearest_cost(rows);
+  const auto is_first = [&](const CostlyRow& row) { return row.is_limit && row.cost >= least; };
+  std::ranges::stable_sort(rows, [&](const CostlyRow& a, const CostlyRow& b) {
+    if (is_first(a) != is_first(b)) return is_first(a);
+    return std::isnan(b.cost) ? !std::isnan(a.cost) : a.cost > b.cost;  // unknown ones come last
   });
   return rows;
 }
@@ -77,10 +83,7 @@ std::string named(const CostlyRow& row, const CostlyRow* before) {
   return is_told ? row.row : row.level + " " + row.row;
 }
 
-bool has_costs(const LevelThatGaveWay& level) {
-  return !level.to.empty() &&
-         level.to.front().cost > kResidualRounding;  // the dearest stands first
-}
+bool has_costs(const LevelThatGaveWay& level) { return dearest_cost(level.to) > kResidualRounding; }
 
 bool is_same(const CostlyRow& a, const CostlyRow& b) {
   return a.level == b.level && a.row == b.row;
@@ -106,12 +109,12 @@ std::string to_nobody(Known known) {
                              : "; to what is not known";
 }
 
-/// How many of a level's rows are told: the dearest, and of the others those that cost at least a
-/// tenth of it, at most four.
+/// How many of a level's rows are told: those that are worth it, at most four.
 std::size_t num_told(const LevelThatGaveWay& level) {
   constexpr std::size_t kMost = 4;
   if (!has_costs(level)) return std::min(level.to.size(), kMost);
-  const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= 0.1 * level.to[0].cost); };
+  const double least = kWorthTelling * dearest_cost(level.to);
+  const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= least); };
   const auto end = std::ranges::find_if(level.to, cheap);
   return std::min(static_cast<std::size_t>(end - level.to.begin()), kMost);
 }

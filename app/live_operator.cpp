@@ -205,6 +205,7 @@ void LiveOperator::gain(const ViewCommand& command) {
   const ViewNumber range = view_number(task.task, command.name, number->second, reach_);
   check((task_title(level, task) + " " + command.name).c_str(), command.value, range.min, range.max,
         range.unit == "–" ? "" : range.unit.c_str());
+  if (command.value == number->second) return;
   number->second = command.value;
   (void)make_task(task.task, {task.numbers, task.choices});
   want(std::move(control), command.level + "/" + command.task + "/" + command.name);
@@ -234,6 +235,7 @@ void LiveOperator::order(const ViewCommand& command) {
 
 void LiveOperator::friction(const ViewCommand& command) {
   check("friction", command.value, limits_.friction_min, limits_.friction_max, "");
+  if (command.value == wishes_.control.friction) return;
   WantedControl control = wishes_.control;
   control.friction = command.value;
   want(std::move(control), "friction");

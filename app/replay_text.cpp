@@ -272,7 +272,7 @@ Json verification_json(const std::string& path, const Verification& result) {
 std::string comparison_text(const std::string& path, const StackComparison& result) {
   const std::string tables = joint_table(result) + "\n" + level_table(result);
   return headline(path, result.header) + "Asked at each tick on the same states and plan: stack " +
-         result.other + ". None of its torques moved the robot.\n" +
+         result.other + "; its torques are compared only, those of the log moved the robot.\n" +
          span(result.ticks, result.first_time, result.last_time) + "\n" + compared(result) + "\n" +
          tables + "\n" + walk_end(result, tables) + optimality(result) +
          behind_gap(result.gap, "asked") + not_whole(result.problem);

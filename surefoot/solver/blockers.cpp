@@ -16,6 +16,8 @@ using Eigen::Index;
 
 /// Relative to Σ ‖aᵢ‖ |vᵢ|: a smaller multiplier is one of rounding.
 constexpr double kSmall = 1e-9;
+/// Relative: costs that differ by less are the same, up to rounding.
+constexpr double kSameCost = 1e-6;
 /// Of a direction: the rest is rounding.
 constexpr double kRank = 1e-8;
 
@@ -278,8 +280,13 @@ double BlockerSearch::cost() {
 }
 
 void BlockerSearch::insert(const Blocker& blocker, LevelBlockers& level) const {
-  const auto is_dearer = [](const Blocker& a, const Blocker& b) {
-    return a.cost != b.cost ? a.cost > b.cost : a.multiplier > b.multiplier;
+  const auto is_limit = [&](const Blocker& one) {
+    const auto row = s_->level_begin[one.at.level] + one.at.row;
+    return s_->lower[row] != s_->upper[row];
+  };
+  const auto is_dearer = [&](const Blocker& a, const Blocker& b) {
+    if (std::abs(a.cost - b.cost) > kSameCost * std::max(a.cost, b.cost)) return a.cost > b.cost;
+    return is_limit(a) != is_limit(b) ? is_limit(a) : a.multiplier > b.multiplier;
   };
   std::size_t place = level.count;
   while (place > 0 && is_dearer(blocker, level.dearest[place - 1])) --place;

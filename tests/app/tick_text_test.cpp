@@ -118,18 +118,19 @@ TEST(TickText, LevelsThatGaveWayToTheSameRowsAreToldOnceWithThem) {
             "rad/s² to the same; rows without a number cost nothing alone.");
 }
 
-TEST(TickText, OfRowsWhoseCostsReadTheSameTheLimitsAreToldFirst) {
+TEST(TickText, OfRowsThatAreWorthTellingTheLimitsAreToldFirst) {
   TickExplanation explanation = pushed_over();
   explanation.exact = ExactCosts{{1,
                                   {{"swing_foot", "LF x", 31.002, {}, false},
                                    {"swing_foot", "LF y", kNaN, {}, false},
+                                   {"torque_limits", "LF KFE", 3.0, {}, true},
                                    {"friction_cone", "RH −y", 12.0, {}, true},
                                    {"limb_extension_limits", "LF extension", 31.001, {}, true}}},
                                  {2, {}}};
   explanation.tick.hierarchy.levels[2].residual = 0.0;
   EXPECT_EQ(gave_way_sentence(explanation),
             "com_xy gave way by 31 m/s² to limb_extension_limits LF extension (31 m/s²), "
-            "swing_foot LF x (31 m/s²), friction_cone RH −y (12 m/s²) and 1 more.");
+            "friction_cone RH −y (12 m/s²), swing_foot LF x (31 m/s²) and 2 more.");
   explanation.exact.reset();
   HierarchyReport& report = explanation.tick.hierarchy;
   report.active[0] = {.level = 0, .state = 1, .id = 1, .by = 0.0};

@@ -285,7 +285,7 @@ def test_a_bound_that_no_leg_reaches_is_refused_in_words(page):
     field = "document.querySelector('[data-gain=\"limb_extension_limits.limb_extension_limits.max\"]')"
     before = page.run(f"{field}.value")
     page.run(f"{field}.value = '5.2'; {field}.dispatchEvent(new Event('change'))")
-    page.wait("[...document.querySelectorAll('.note.error')].some(one => one.textContent.includes('limb extension limits max is 5.2 m; valid is 0 to 0.571 m'))")
+    page.wait("[...document.querySelectorAll('.note.error')].some(one => one.textContent.includes('Limb extension limits max is 5.2 m; valid is 0 to 0.571 m'))")
     page.wait(f"{field}.value === '{before}'")
 
 

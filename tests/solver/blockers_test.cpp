@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace surefoot::test {
@@ -103,6 +104,18 @@ TEST(Blockers, OfDuplicatedRowsHaveNoCostByThemselves) {
     EXPECT_EQ(blocker.cost, 0.0);
     EXPECT_GT(blocker.multiplier, 0.0);
   }
+}
+
+TEST(Blockers, OfThoseThatCostTheSameLimitsComeFirst) {
+  const Solved solved(2, with_a_choice(2, {equalities(RowVector2d(-0.1, 0.1), number(0.0)),
+                                           at_most(RowVector2d(1.0, 0.0), number(1.0)),
+                                           equalities(RowVector2d(0.0, 1.0), number(3.0))}));
+  ASSERT_EQ(solved.blockers[3].count, 2u);
+  const auto [limit, equality] =
+      std::tie(solved.blockers[3].dearest[0], solved.blockers[3].dearest[1]);
+  EXPECT_NEAR(limit.cost, equality.cost, 1e-9);
+  EXPECT_LT(limit.multiplier, equality.multiplier) << "which says nothing of what a row costs";
+  EXPECT_EQ(limit.at.level, 2u);
 }
 
 TEST(Blockers, HaveTheMultipliersThatExplainFinds) {

@@ -2,6 +2,7 @@ import { LiveSource } from "./data/live_source.ts";
 import { Player } from "./data/player.ts";
 import { LEG_CHANNELS, Schema } from "./data/schema.ts";
 import { scalar, type Frame } from "./data/frame.ts";
+import { accountAt, levelStates } from "./data/hierarchy.ts";
 import { asSentence, unreadableText } from "./data/log_words.ts";
 import { listenToKeys, type KeyActions } from "./input/keys.ts";
 import { GamepadInput } from "./input/gamepad.ts";
@@ -403,8 +404,11 @@ export class App {
     this.told = frame;
     this.transport.tell(frame);
     showTime(frame.time);
-    this.levels = this.hierarchy.show(frame, this.player.source.explained?.(frame.tick));
-    this.state.show(frame, this.player.source);
+    const { source } = this.player;
+    const states = levelStates(frame, source.explained?.(frame.tick));
+    const account = accountAt(frame, states, source.isComputing?.(frame.tick));
+    this.levels = this.hierarchy.show(frame, states, account);
+    this.state.show(frame, source, account);
     this.tune.showBelief(LEG_CHANNELS.friction.map((name) => scalar(frame, name)));
   }
 }

@@ -7,7 +7,7 @@ import type { Mark } from "./data/source.ts";
 import { damageText, readText } from "./data/log_words.ts";
 import { part, say } from "./panels/dom.ts";
 import { showLink } from "./panels/stale.ts";
-import { ask, NoAnswer, textOf } from "./protocol/ask.ts";
+import { ask, isTimeout, NoAnswer, textOf } from "./protocol/ask.ts";
 import { fetchSession, type Session } from "./protocol/session.ts";
 
 /** How often a log that is being summarised is asked for more [ms]. */
@@ -16,8 +16,8 @@ const SUMMARY_PERIOD = 700;
 const SERVER_PERIOD = 2000;
 /** What takes longer to come than this is told [ms]. */
 const LONG = 1000;
-/** After which it does not answer [ms]. */
-const SERVER_SILENCE = 3000;
+/** After which it is slow [ms], and then does not answer. */
+const SERVER_SILENCE = 3000, PATIENCE = 15000;
 
 /** Fills the source of a log with what the program reads of it, over times in which there is no program. */
 export class ReplayLink {
@@ -36,7 +36,7 @@ export class ReplayLink {
   ) {
     const { period, first_tick, ticks } = session;
     const explainer = new Explainer(async (tick) => (JSON.parse(textOf(await ask(`/api/explain?tick=${tick}`))) as ExplainAnswer | null) ?? undefined, schema);
-    explainer.onAnswer = () => this.app?.refresh();
+    explainer.onChange = () => this.app?.refresh();
     this.source = new ReplaySource(schema, period, first_tick, ticks, (url) => this.askForFrames(url), explainer);
   }
 
@@ -48,7 +48,7 @@ export class ReplayLink {
       app.notes.take("log");
     };
     cache.onError = (error) => {
-      if (error instanceof NoAnswer) void this.awaitServer();
+      if (error instanceof NoAnswer) void this.awaitServer(error.isLate);
       else app.notes.keep("log", `The log can't be read: ${error.message}`, "error");
     };
     showLink("", false);
@@ -79,25 +79,33 @@ export class ReplayLink {
       const answer = await fetch("/api/alive", { signal: AbortSignal.timeout(SERVER_SILENCE) });
       const start = (await answer.text()).trim();
       if (answer.ok && start !== this.session.start) return location.reload();
-    } catch {
-      await this.awaitServer();
+    } catch (error) {
+      await this.awaitServer(isTimeout(error));
     }
     setTimeout(() => void this.lookForServer(), SERVER_PERIOD);
   }
 
-  /** Says that the program which serves the log is gone, until it answers. */
-  private awaitServer(): Promise<void> {
-    return (this.awaited ??= this.findServer().finally(() => (this.awaited = undefined)));
+  /** Says that the program which serves the log is slow or gone, until it answers; `isLate`: it is there, but has not answered in time. */
+  private awaitServer(isLate: boolean): Promise<void> {
+    return (this.awaited ??= this.findServer(isLate).finally(() => (this.awaited = undefined)));
   }
 
-  private async findServer(): Promise<void> {
+  private async findServer(isLate: boolean): Promise<void> {
     const app = this.app as App;
-    app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
+    const since = performance.now();
     const badge = part("link-state");
-    badge.dataset["state"] = "lost";
-    say(badge, "no answer");
+    const tell = (): void => {
+      const isSlow = isLate && performance.now() - since < PATIENCE;
+      badge.dataset["state"] = isSlow ? "slow" : "lost";
+      say(badge, isSlow ? "slow" : "no answer");
+      badge.title = isSlow ? "the program that serves this log takes long to answer" : "";
+      if (!isSlow) app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
+    };
     let session = this.session;
-    while (session === this.session) session = await nextSession(this.session);
+    while (session === this.session) {
+      tell();
+      session = await nextSession(this.session, (late) => (isLate = late));
+    }
     if (session.start !== this.session.start) return location.reload();
     say(badge, "");
     app.notes.take("server");
@@ -112,7 +120,7 @@ export class ReplayLink {
   /** Marks and overviews of a log become known from front to back after it was opened. */
   private async summarise(): Promise<void> {
     const app = this.app as App;
-    for (let session = this.session; ; session = await nextSession(session, () => void this.awaitServer())) {
+    for (let session = this.session; ; session = await nextSession(session, (isLate) => void this.awaitServer(isLate))) {
       if (session.start !== this.session.start) return location.reload();
       const { summarised, damage, orders } = session;
       this.summarised = summarised;
@@ -132,13 +140,13 @@ export class ReplayLink {
   }
 }
 
-/** The session a little later; the one before where it can't be had just now. */
-async function nextSession(before: Session, failed: () => void = () => {}): Promise<Session> {
+/** The session a little later; the one before where it can't be had just now: `failed` is told whether it only did not come in time. */
+async function nextSession(before: Session, failed: (isLate: boolean) => void): Promise<Session> {
   await new Promise((resolve) => setTimeout(resolve, SUMMARY_PERIOD));
   try {
     return await fetchSession();
-  } catch {
-    failed();
+  } catch (error) {
+    failed(error instanceof NoAnswer && error.isLate);
     return before;
   }
 }

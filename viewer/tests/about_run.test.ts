@@ -17,7 +17,7 @@ function about(session: object, progress: Partial<Progress> = {}): [string, stri
 
 test("of a log without its end the head keeps that, and the state says that nobody knows how the run ended", () => {
   const cut = "the log was never closed, or is cut off (at byte 7): what is left of it is shown";
-  assert.deepEqual([endFact("", cut), endFact("goal reached", ""), endFact("", "")], ["how it ended is not known", "ended: goal reached", ""]);
+  assert.deepEqual([endFact("", cut), endFact("goal reached", ""), endFact("", "")], ["cut off or never closed: how it ended is not known", "ended: goal reached", ""]);
   assert.deepEqual([about({}), about({ cut }, { ended: "" })].map((rows) => new Map(rows).get("Ended")), ["goal reached", "not known: see Log"]);
 });
 

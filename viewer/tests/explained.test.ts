@@ -20,6 +20,7 @@ test("of what holds a level back the dearest rows are told, and how many others 
   assert.deepEqual(told(9, 8, 0.5), [[9, 8], 1]);
   assert.deepEqual(told(9, 8, 7, 6, 5, 4), [[9, 8, 7, 6], 2]);
   assert.deepEqual(told(9, null), [[9], 1]);
+  assert.deepEqual(told(3, 9, 0.5), [[3, 9], 1], "limits stand first, though others cost more");
   assert.deepEqual(told(0, 0), [[0, 0], 0], "of rows that cost nothing alone none is cheaper");
   assert.deepEqual(told(), [[], 0]);
 });
@@ -42,7 +43,7 @@ test("only a tick that is looked at for long is asked for, again until it is exp
   let answer: ExplainAnswer | undefined;
   let told = 0;
   const explainer = new Explainer(async (tick) => (asked.push(tick), answer), schema);
-  explainer.onAnswer = () => ++told;
+  explainer.onChange = () => ++told;
   const pass = async (ms: number): Promise<void> => {
     mock.timers.tick(ms);
     await answered();
@@ -55,9 +56,10 @@ test("only a tick that is looked at for long is asked for, again until it is exp
   await pass(300);
   await pass(500);
   assert.deepEqual(asked, [3, 3]);
+  assert.deepEqual([told, explainer.isComputing(3), explainer.isComputing(2)], [1, true, false]);
   answer = answerOf(4);
   await pass(500);
-  assert.equal(told, 1);
+  assert.deepEqual([told, explainer.isComputing(3)], [2, false]);
   assert.equal(explainer.at(3)?.get("torso_height")?.rows[0]?.cost, 4);
   explainer.at(5);
   explainer.at(3);

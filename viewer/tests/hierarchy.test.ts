@@ -70,7 +70,7 @@ test("a level with a row at its bound is at its limit", () => {
 test("a level with a residual that counts gives way, and it is said to what", () => {
   const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
   assert.equal(states[1]?.status, "gives way");
-  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "second gives way to first.", first: [], whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
+  assert.deepEqual(accountOf(states, ""), { kind: "bad", line: "second gives way to first (estimate).", first: ["Which rows hold back what is the control loop's estimate."], whole: "second gives way to first.", more: ["second gives way to first (b), 0.500 m/s² short."] });
 });
 
 test("all rows that hold a level back are named", () => {
@@ -103,7 +103,7 @@ function accountOfYielding(...yielding: [name: string, above: string[]][]): Acco
   const above = [...new Set(yielding.flatMap(([, names]) => names))];
   const states = [...above, ...yielding.map(([name]) => name)].map((name, k): LevelState => ({ ...level, level: k, name, status: "met" }));
   yielding.forEach(([, names], k) => Object.assign(states[above.length + k] as LevelState, {
-    status: "gives way", blocked: names.flatMap((name) => Array.from({ length: 30 }, (_, row) => ({ by: above.indexOf(name), row: `b${row}`, cost: name.length / (1 + row) }))),
+    status: "gives way", others: 0, blocked: names.flatMap((name) => Array.from({ length: 30 }, (_, row) => ({ by: above.indexOf(name), row: `b${row}`, cost: name.length / (1 + row) }))),
   }));
   return accountOf(states, "");
 }
@@ -120,6 +120,17 @@ test("the line says what gives way to what, also of several levels", () => {
     "torso height and torso roll pitch give way mostly to limb extension limits.", "there is no room for all");
   assert.equal(lineOf(["torso_height", ["com_xy"]], ["torso_roll_pitch", ["swing_foot", "torso_yaw", "com_xy"]]), "torso height gives way to com xy; torso roll pitch mostly to swing foot.");
   assert.equal(lineOf(["a", ["x"]], ["b", ["y"]], ["c", ["x"]]), "a and c give way to x; b to y.", "those that give way to the same are told together");
+});
+
+test("what is estimated is told to be, and that it is being computed exactly", () => {
+  const states = levelStates(frameOf([0, 0.5], { active: [[0, 1, 1]], blocking: [[1, 0, 1, 0.4]] }));
+  const told = (computing: boolean): string[] => {
+    const { line, first } = accountOf(states, "", { computing });
+    return [line, ...first];
+  };
+  assert.deepEqual(told(true), ["second gives way to first (computing …).", "Which rows hold back what is the control loop's estimate. It is being computed exactly."]);
+  for (const state of states) state.others = 0;
+  assert.deepEqual(told(false), ["second gives way to first."]);
 });
 
 test("however many levels give way, to however many rows, the account is one line", () => {

@@ -202,7 +202,7 @@ test("where the solve was cut off that is told, and what the levels above gave w
     return new Map(sentences(frame)).get("Hierarchy");
   };
   const cut = "The solver was cut off in third: of it and the levels below it nothing is known.";
-  assert.equal(of(3), `${cut} second gives way to first (a), 3.00 N short.`);
+  assert.equal(of(3), `${cut} Which rows hold back what is the control loop's estimate. second gives way to first (a), 3.00 N short.`);
   assert.equal(of(0), cut);
 });
 

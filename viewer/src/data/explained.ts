@@ -20,7 +20,7 @@ export interface ExactRow {
   cost: number;
 }
 
-/** Exactly what holds each level back, by its name; the dearest first. */
+/** Exactly what holds each level back, by its name; of what costs most limits first, then by cost. */
 export type Explained = ReadonlyMap<string, { rows: ExactRow[]; others: number }>;
 
 /** Of a level so many rows are told, and none that costs less than this share of the dearest. */
@@ -34,7 +34,7 @@ export function readExplained(answer: ExplainAnswer, schema: Pick<Schema, "level
       by: schema.levels.indexOf(by), cost: cost ?? NaN,
       row: [row, ...(same ?? []).map((other) => (other.level === by ? other.row : `${other.level} ${other.row}`))].join(" with "),
     }));
-    const least = LEAST * (rows[0]?.cost ?? 0);
+    const least = LEAST * Math.max(0, ...rows.map(({ cost }) => cost || 0));
     const cheap = rows.findIndex(({ cost }) => least > 0 && !(cost >= least));
     const told = rows.slice(0, Math.min(MOST, cheap < 0 ? rows.length : cheap));
     return [level, { rows: told, others: rows.length - told.length }];
@@ -48,8 +48,9 @@ const KEPT = 64;
 
 /** Has ticks explained at which the page stands still. */
 export class Explainer {
-  /** An answer has come. */
-  onAnswer: () => void = () => {};
+  /** A tick is asked for, or its answer has come. */
+  onChange: () => void = () => {};
+  private asked = false;
   private readonly known = new Map<number, Explained | undefined>();
   private tick = -1;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -63,6 +64,11 @@ export class Explainer {
     return this.known.get(tick);
   }
 
+  /** Whether the tick that is looked at is being explained. */
+  isComputing(tick: number): boolean {
+    return this.asked && tick === this.tick && !this.known.has(tick);
+  }
+
   private keep(tick: number, explained: Explained | undefined): void {
     const [oldest] = this.known.keys();
     if (this.known.size >= KEPT && oldest !== undefined) this.known.delete(oldest);
@@ -71,12 +77,17 @@ export class Explainer {
 
   private look(tick: number): void {
     this.tick = tick;
+    this.asked = false;
     clearTimeout(this.timer);
     if (!this.known.has(tick)) this.timer = setTimeout(() => void this.fetch(tick), STILL);
   }
 
   private async fetch(tick: number): Promise<void> {
     clearTimeout(this.timer); // of a look at it before this one
+    if (!this.asked) {
+      this.asked = true;
+      this.onChange();
+    }
     let answer: ExplainAnswer | undefined;
     try {
       answer = await this.ask(tick);
@@ -86,7 +97,7 @@ export class Explainer {
     }
     if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));
     if (tick !== this.tick) return;
-    if (answer !== undefined) return this.onAnswer();
+    if (answer !== undefined) return this.onChange();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
   }

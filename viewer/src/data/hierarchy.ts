@@ -135,6 +135,8 @@ export function blendShare(frame: Frame): number {
 }
 
 export interface Circumstances {
+  /** What holds back which level exactly is being found out. */
+  computing?: boolean;
   /** See `blendShare`. */
   share?: number;
   /** The controller, for safety. */
@@ -142,14 +144,14 @@ export interface Circumstances {
 }
 
 /** What a tick's hierarchy came to. */
-export function accountAt(frame: Frame, states = levelStates(frame)): Account {
-  return accountOf(states, nothingText(frame, states), { share: blendShare(frame), stopped: stopText(frame) !== "" });
+export function accountAt(frame: Frame, states = levelStates(frame), computing = false): Account {
+  return accountOf(states, nothingText(frame, states), { share: blendShare(frame), stopped: stopText(frame) !== "", computing });
 }
 
 /** What gives way to what, and what is held back without that; `nothing`: what is said where nothing is solved. */
-export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false }: Circumstances = {}): Account {
+export function accountOf(states: LevelState[], nothing: string, { share = 1, stopped = false, computing = false }: Circumstances = {}): Account {
   if (states.every((state) => state.status === "not solved")) return { kind: stopped ? "bad" : "none", ...same(nothing), more: [] };
-  const account = accountOfLevels(states);
+  const account = accountOfLevels(states, computing);
   if (share >= 1) return account;
   const blended = `Two hierarchies are blended; this tick is ${percent(share)} of the way, at the optimum of neither.`;
   const { line, whole } = account.kind === "good" ? same("All tasks are met.") : account; // who holds back what is minimised is not known on the way
@@ -159,18 +161,20 @@ export function accountOf(states: LevelState[], nothing: string, { share = 1, st
   };
 }
 
-function accountOfLevels(states: LevelState[]): Account {
+function accountOfLevels(states: LevelState[], computing: boolean): Account {
   const yielding = states.filter((state) => state.status === "gives way");
   const held = states.filter((state) => state.status === "minimised" && state.blocked.length > 0);
   const more = [...yielding, ...held].map((state) => sentenceOf(state, states));
+  const isEstimated = [...yielding, ...held].some(({ blocked, others }) => blocked.length > 0 && others === undefined);
+  const estimate = isEstimated ? [ESTIMATED + (computing ? " It is being computed exactly." : "")] : [];
   const first = states.find((state) => state.status === "not solved");
   if (first !== undefined) {
     const cut = cutOffText(first);
     const others = yielding.length > 0 ? yieldingText(yielding, states) : held.length > 0 ? `${heldText(held, states)}.` : "";
-    return { kind: "bad", line: cut, first: [cut], whole: `${cut} ${others}`.trim(), more };
+    return { kind: "bad", line: cut, first: [cut, ...estimate], whole: `${cut} ${others}`.trim(), more };
   }
-  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states), first: [], whole: yieldingText(yielding, states), more };
-  if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), more };
+  if (yielding.length > 0) return { kind: "bad", line: yieldingLine(yielding, states, isEstimated ? (computing ? "computing …" : "estimate") : ""), first: estimate, whole: yieldingText(yielding, states), more };
+  if (held.length > 0) return { kind: "good", ...same(`All tasks are met; ${heldText(held, states)}.`), first: estimate, more };
   return { kind: "good", ...same("Every level gets what it asks for."), more };
 }
 
@@ -206,20 +210,25 @@ function yieldingText(yielding: LevelState[], states: LevelState[]): string {
 /** Costs that differ by less are the same: of such rows the first is told [share]. */
 const SAME = 1e-3;
 
+/** Of the rows that hold levels back, where they are not known exactly: live, and while the time goes on. */
+const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
+
 /** As much is read at a glance, in two lines beside the button for more [letters]. */
 const GLANCE = 78;
 
 /** What gives way to what. Where that is too long of several levels, each to the one whose row costs it most; then how many they are, and the highest. */
-function yieldingLine(yielding: LevelState[], states: LevelState[]): string {
+function yieldingLine(yielding: LevelState[], states: LevelState[], note: string): string {
   const mostly = (state: LevelState): string => {
     if (state.blocked.length === 0) return "";
     const most = state.blocked.reduce((dearest, row) => (row.cost > (1 + SAME) * dearest.cost ? row : dearest));
     return `${state.blocked.every(({ by }) => by === most.by) ? "" : "mostly "}to ${nameOf(states, most.by)}`;
   };
   const [first] = yielding as [LevelState];
-  const whole = yieldingText(yielding, states), short = yieldingBy(mostly, yielding);
+  const noted = (text: string): string => (note === "" ? text : `${text.slice(0, -1)} (${note}).`);
+  const whole = noted(yieldingText(yielding, states)), short = noted(yieldingBy(mostly, yielding));
   if (yielding.length === 1 || whole.length <= GLANCE) return whole;
-  return short.length <= GLANCE ? short : `${yielding.length} levels give way, first ${plainName(first)} ${mostly(first)}`.trimEnd() + ".";
+  const highest = `${yielding.length} levels give way, first ${plainName(first)} ${mostly(first)}`.trimEnd();
+  return short.length <= GLANCE ? short : noted(`${note === "" ? highest : highest.replace(" mostly to", " to")}.`);
 }
 
 function sentenceOf(state: LevelState, states: LevelState[]): string {

@@ -48,6 +48,10 @@ export class ReplaySource implements FrameSource {
     return this.explainer?.at(tick);
   }
 
+  isComputing(tick: number): boolean {
+    return this.explainer?.isComputing(tick) ?? false;
+  }
+
   private tick(time: number): number {
     const tick = Math.floor(time / this.period + 1e-6) - this.firstTick;
     return Math.min(Math.max(tick, 0), this.ticks - 1);

@@ -45,6 +45,8 @@ export interface FrameSource {
   isUnreadable?(time: number): boolean;
   /** Exactly what holds back which level at a tick that is looked at, once that is known: of a log. */
   explained?(tick: number): Explained | undefined;
+  /** … and whether that is being found out. */
+  isComputing?(tick: number): boolean;
   /** Fills the envelope with what is here, and asks for the rest. */
   fill(envelope: Envelope, series: Series[]): void;
   /** Frames within [from, to] that are here, at most about `count` of them. */

@@ -20,7 +20,7 @@ export function showMode(player: Pick<Player, "past">, course: Course): void {
 /** Why a run has ended, or that its log does not say so; "": it has not. */
 export function endFact(why: string, cut: string): string {
   if (why !== "") return endingText(why);
-  return cut === "" ? "" : "how it ended is not known";
+  return cut === "" ? "" : "cut off or never closed: how it ended is not known";
 }
 
 /** What is to be known beside it; where there is no room for all, it is told to a pointer. `end`: the one of how a run ended, which is to be seen. */

@@ -19,7 +19,7 @@ const LOOKING: Key[] = [
 
 const DRIVING: Key[] = [
   ["l", "from the past, where space stops only what is shown, back to now"],
-  ["w s a d", "walk forward, backward, to the left, to the right"],
+  ["w s a d", "walk forward, backward, to the left, to the right: 0.01 m/s a press, held on and on"],
   ["q e", "turn to the left, to the right"],
   ["PgUp PgDn", "torso higher or lower"],
   ["x", "stand on four feet"],

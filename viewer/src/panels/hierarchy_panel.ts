@@ -1,4 +1,3 @@
-import type { Explained } from "../data/explained.ts";
 import { scalar, type Frame } from "../data/frame.ts";
 import { accountAt, levelStates, type LevelState } from "../data/hierarchy.ts";
 import { moved } from "../data/reorder.ts";
@@ -61,10 +60,8 @@ export class HierarchyPanel {
     this.names = "";
   }
 
-  /** `explained`: exactly what holds back which level, where that is known. Gives the line over the levels. */
-  show(frame: Frame, explained?: Explained): string {
-    const states = levelStates(frame, explained);
-    const account = accountAt(frame, states);
+  /** Gives the line over the levels. */
+  show(frame: Frame, states = levelStates(frame), account = accountAt(frame, states)): string {
     if (this.lifted !== undefined) return account.line;
     const names = states.map((state) => state.name).join();
     if (names !== this.names) this.build(states, names);

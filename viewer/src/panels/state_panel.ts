@@ -110,7 +110,7 @@ function pushText(frame: Frame): string {
 }
 
 /** The state in sentences: what a picture shows to those who see it; "" of what there is nothing to say now. */
-function allSentences(frame: Frame, touch: GroundTouch): [string, string][] {
+function allSentences(frame: Frame, touch: GroundTouch, account: Account): [string, string][] {
   const lying = lyingText(touch);
   const truth = whereabouts(frame, "truth");
   return [
@@ -125,13 +125,13 @@ function allSentences(frame: Frame, touch: GroundTouch): [string, string][] {
     ["Pushed by", pushText(frame)],
     ["Command", commandText(frame) + wishesText(frame)],
     ["Sensors now", faultsText(frame)],
-    ["Hierarchy", hierarchyText(accountAt(frame))],
+    ["Hierarchy", hierarchyText(account)],
   ];
 }
 
 /** Those that say something. */
-export function sentences(frame: Frame, touch = touchOf(frame)): [string, string][] {
-  return allSentences(frame, touch).filter(([, text]) => text !== "");
+export function sentences(frame: Frame, touch = touchOf(frame), account = accountAt(frame)): [string, string][] {
+  return allSentences(frame, touch, account).filter(([, text]) => text !== "");
 }
 
 /** The state in words, and what the run is. */
@@ -166,8 +166,8 @@ export class StatePanel {
   }
 
   /** Rows that this frame has nothing for are hidden, and have their place. */
-  show(frame: Frame, source: FrameSource): void {
-    const all = allSentences(frame, touchOf(frame, source));
+  show(frame: Frame, source: FrameSource, account: Account): void {
+    const all = allSentences(frame, touchOf(frame, source), account);
     const told = new Map(all.filter(([, text]) => text !== ""));
     for (const [name] of all) if (!this.rows.has(name)) this.add(name);
     for (const [row, { name, text }] of this.rows) {

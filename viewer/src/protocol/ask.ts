@@ -1,9 +1,11 @@
-/** There is no server at the other end, or it went away meanwhile. */
+/** There is no server at the other end, or it went away meanwhile, or `isLate`: it does not answer in time. */
 export class NoAnswer extends Error {
-  constructor() {
+  constructor(readonly isLate = false) {
     super("the program does not answer");
   }
 }
+
+export const isTimeout = (error: unknown): boolean => error instanceof DOMException && error.name === "TimeoutError";
 
 export type Fetch = (url: string) => Promise<Response>;
 
@@ -19,8 +21,8 @@ export async function ask(url: string, fetchFrom = fetchInTime): Promise<ArrayBu
   try {
     answer = await fetchFrom(url);
     bytes = await answer.arrayBuffer();
-  } catch {
-    throw new NoAnswer();
+  } catch (error) {
+    throw new NoAnswer(isTimeout(error));
   }
   if (!answer.ok) throw new Error(textOf(bytes).trim() || `the server answered ${answer.status}`);
   return bytes;

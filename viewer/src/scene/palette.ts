@@ -50,7 +50,7 @@ const DARK: Palette = {
   groundLine: 0x363e45,
   edge: 0x7b868f,
   legs: [0x56b4e9, 0xf5934e, 0x3fc99c, 0xd070c0],
-  margin: { good: 0x66717b, near: 0xd9a800, bad: 0xffffff },
+  margin: { good: 0x66717b, near: 0x9c7a00, bad: 0xff7088 },
   alarmEdge: 0x000000,
   com: 0xf2f4f6,
   plan: 0x8c65ff,

@@ -27,7 +27,7 @@ export class Terrain {
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(parts.positions, 3));
     geometry.setAttribute("normal", new THREE.Float32BufferAttribute(parts.normals, 3));
     geometry.setIndex(parts.indices);
-    this.surface = new THREE.MeshLambertMaterial();
+    this.surface = new THREE.MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }); // behind its edges
     this.surface.onBeforeCompile = (shader) => this.addGrid(shader);
     const mesh = new THREE.Mesh(geometry, this.surface);
     mesh.receiveShadow = true;
