@@ -36,7 +36,7 @@ def test_after_a_fall_what_is_said_is_short_and_more_of_it_when_asked_for(browse
         for look in every_look(browser, "fall"):
             for _ in range(4):
                 browser.press("p")  # refused: the run has ended
-            browser.wait(f"{note}?.textContent.includes('the run has ended')")
+            browser.wait(f"{note}?.textContent.includes('The run has ended')")
             heights = "[document.querySelector('#account'), document.querySelector('.note.error')].map(one => one.offsetHeight)"
             account, message = browser.run(heights)
             assert account < 48 and message < 84, look  # two lines, and four

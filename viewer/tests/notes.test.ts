@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
-import { Notes } from "../src/panels/notes.ts";
+import { begun, Notes } from "../src/panels/notes.ts";
 import { fakePage } from "./fake_page.ts";
 
 /** What is seen of messages that are said one after the other. */
@@ -18,4 +18,8 @@ test("messages of what is usual don't push those of errors out", () => {
   assert.deepEqual(seenOf([["wrong", "error"], ...plain]), ["wrong", "c", "d", "e", "f"]);
   const errors = ["1", "2", "3", "4", "5", "6"].map((text): [string, "error"] => [text, "error"]);
   assert.deepEqual(seenOf([["a", "plain"], ...errors]), ["2", "3", "4", "5", "6"]);
+});
+
+test("words of the program begin as those of the page, names of files stay", () => {
+  assert.deepEqual(["friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"].map(begun), ["Friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"]);
 });

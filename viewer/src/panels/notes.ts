@@ -82,7 +82,7 @@ class Note {
     this.text = text;
     this.said = 1;
     this.times.hidden = true;
-    say(this.words, text);
+    say(this.words, begun(text));
     this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
   }
 
@@ -105,3 +105,6 @@ class Note {
     say(this.more, open ? "less" : "more");
   }
 }
+
+/** The program's words begin as those of the page do; a file's name stays what it is. */
+export const begun = (text: string): string => text.replace(/^[a-z]+(?= )/, (word) => word.charAt(0).toUpperCase() + word.slice(1));

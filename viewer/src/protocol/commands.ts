@@ -1,4 +1,3 @@
-import { asSentence } from "../data/log_words.ts";
 import type { Connection, Reply } from "./connection.ts";
 
 export interface Walk {
@@ -44,7 +43,7 @@ export class Commands {
     if (!this.connection.send({ type, ...fields, token: this.token, id }))
       return Promise.reject(new Error("there is no connection to the program"));
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, (reply) => (reply.ok ? resolve() : reject(new Error(asSentence(reply.error ?? "refused")))));
+      this.waiting.set(id, (reply) => (reply.ok ? resolve() : reject(new Error(reply.error ?? "refused"))));
     });
   }
 
