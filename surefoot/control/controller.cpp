@@ -140,7 +140,7 @@ struct Controller::Implementation {
   bool explains_levels = false;
   bool has_solved = false;  // the last tick
   StageObserver* observer = nullptr;
-  HierarchyOutcome last{.tilt_shortfall = kNaN};
+  HierarchyOutcome last;
   double last_time = kNaN;  // of the last state that was believed [s]
 };
 
@@ -289,7 +289,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
   record.hierarchy.level_switch = switcher.begun();
   const bool is_optimum = record.hierarchy.transition_share >= 1.0;
   last = {.tilt_shortfall = is_optimum ? stack.tilt_shortfall(solution) : kNaN,
-          .upright_pyramids = stack.has_upright_pyramids()};
+          .pyramid_normal = stack.pyramid_normals(record.plan)};
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
   for (const Leg leg : kLegs) {
@@ -304,7 +304,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 void Controller::Implementation::describe_refused_state() noexcept {
   record.plan.event = static_cast<int>(PlanEvent::none);
   record.model = unknown_model();
-  last.tilt_shortfall = kNaN;
+  last = {};
   level_times.fill(0.0);
   const std::int32_t num_levels = record.hierarchy.num_levels;
   record.hierarchy = HierarchyReport{};

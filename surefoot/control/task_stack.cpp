@@ -5,7 +5,6 @@
 #include "surefoot/signals/sensor_reading.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 #include "surefoot/tasks/catalog.hpp"
-#include "surefoot/tasks/friction_cone.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -26,9 +25,7 @@ TaskStack::TaskStack(const StackOptions& options, const RobotDescription& robot)
       check_weight(task_spec.weight, "weight of task \"" + task_spec.task + "\"");
       level.tasks.push_back(make_task(task_spec.task, {task_spec.numbers, task_spec.choices}));
       Task& task = *level.tasks.back();
-      if (const auto* cone = dynamic_cast<const FrictionCone*>(&task)) {
-        upright_pyramids_ = cone->is_upright();
-      }
+      if (const auto* cone = dynamic_cast<const FrictionCone*>(&task)) friction_cone_ = cone;
       task.set_first_id(ids);
       ids += task.num_ids();
       rows += task.max_rows();
@@ -83,6 +80,13 @@ double TaskStack::tilt_shortfall(const Solution& solution) const noexcept {
   const bool is_solved = solution.status != SolveStatus::invalid_input && !is_cut_off &&
                          torso_tilt_ < solution.levels.size();
   return is_solved ? solution.levels[torso_tilt_].residual : kNaN;
+}
+
+PerLeg<Vec3> TaskStack::pyramid_normals(const MotionPlan& plan) const noexcept {
+  PerLeg<Vec3> normals = HierarchyOutcome{}.pyramid_normal;
+  if (friction_cone_ == nullptr) return normals;
+  for (const Leg leg : kLegs) normals[index(leg)] = friction_cone_->pyramid(plan, leg).normal();
+  return normals;
 }
 
 void TaskStack::write(const LevelTasks& tasks, const TaskInput& input,

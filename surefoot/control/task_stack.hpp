@@ -2,9 +2,11 @@
 
 #include "surefoot/control/stack_options.hpp"
 #include "surefoot/model/support_dynamics.hpp"
+#include "surefoot/signals/hierarchy_outcome.hpp"
 #include "surefoot/solver/hierarchy.hpp"
 #include "surefoot/solver/soft_levels.hpp"
 #include "surefoot/solver/solution.hpp"
+#include "surefoot/tasks/friction_cone.hpp"
 #include "surefoot/tasks/physics_substitution.hpp"
 #include "surefoot/tasks/task.hpp"
 
@@ -38,8 +40,8 @@ class TaskStack {
   /// was not solved, 0 where the stack has no level of that task alone, without weight and damping.
   [[nodiscard]] double tilt_shortfall(const Solution& solution) const noexcept;
 
-  /// Do the friction pyramids stand upright, whatever the terrain's normal?
-  [[nodiscard]] bool has_upright_pyramids() const { return upright_pyramids_; }
+  /// Unit, in W: of the friction pyramids, with several of them the last one's; NaN without any.
+  [[nodiscard]] PerLeg<Vec3> pyramid_normals(const MotionPlan& plan) const noexcept;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// Contact forces as an affine function of x, of the last update.
@@ -74,9 +76,9 @@ class TaskStack {
   Hierarchy hierarchy_;
   PhysicsSubstitution physics_;
   int first_free_level_ = 0;
-  std::size_t torso_tilt_ = 0;  // its level
-  bool upright_pyramids_ = false;
-  Eigen::VectorXd no_motion_;  // the zeros that damping pulls to
+  std::size_t torso_tilt_ = 0;                   // its level
+  const FrictionCone* friction_cone_ = nullptr;  // of `levels_`
+  Eigen::VectorXd no_motion_;                    // the zeros that damping pulls to
 };
 
 }  // namespace surefoot

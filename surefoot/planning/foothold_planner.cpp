@@ -13,7 +13,8 @@ constexpr double kStrideShare = 5.0 / 8.0;
 constexpr double kReachUpward = 1.25;    // of max_step: a leg that steps up is not stretched
 constexpr double kLastReach = 1.25;      // … and one that would not go on otherwise must be
 constexpr double kSteepest = 0.36;       // rise over run of a slope; what is steeper is an edge
-constexpr double kLowestStair = 0.06;    // no slope rises by more in a stride [m]
+constexpr double kLowestStair = 0.06;    // what rises by more in a stride may be stairs [m]
+constexpr double kEvenly = 0.015;        // a slope's print from the line through two others [m]
 constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 
@@ -185,13 +186,13 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   return between;
 }
 
-// Evenly, and by no more than slopes do: a print on every tread rises evenly, too.
+// Evenly, not steeper than slopes are and by less than stairs: a print on every tread rises evenly,
+// too.
 bool FootholdPlanner::is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const {
   const Vec3 stride = second - first, next = third - second;
-  const double slope = stride.z() / stride.head<2>().norm();
-  const double expected = slope * next.head<2>().norm();
-  const bool gentle = std::abs(slope) < kSteepest && std::abs(next.z()) < kLowestStair;
-  return gentle && std::abs(next.z() - expected) < options_.same_height;
+  const double slope = stride.z() / stride.head<2>().norm(), run = next.head<2>().norm();
+  const bool gentle = std::max(std::abs(slope) * run, std::abs(next.z())) < kSteepest * run;
+  return gentle && std::abs(next.z()) < kLowestStair && std::abs(next.z() - slope * run) < kEvenly;
 }
 
 // As far as the leg can.

@@ -9,7 +9,7 @@ constexpr double kLeastForce = 15.0;  // of a foot whose forces say something of
 
 }  // namespace
 
-bool Grip::update(const RobotState& state, const Vec3& normal_W) {
+bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
   began_ = false;
   bool changed = false;
   if (!options_.enabled) return false;
@@ -18,7 +18,7 @@ bool Grip::update(const RobotState& state, const Vec3& normal_W) {
     began_ = began_ || (state.slips[k] && !slid_[k]);
     changed = changed || state.slips[k] != slid_[k];
     slid_[k] = state.slips[k];
-    adapt(leg, state, normal_W);
+    adapt(leg, state, normals_W[k]);
   }
   return changed;
 }

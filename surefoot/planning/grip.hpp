@@ -9,7 +9,8 @@ namespace surefoot {
 ///
 ///     μ_k ← min(μ_k, max(μ_min, share |f_t| / f_n))
 ///
-/// for as long as it does, with the estimated forces; afterwards it comes back at a constant rate.
+/// for as long as it does, with the estimated forces about the normal of its friction pyramid;
+/// afterwards it comes back at a constant rate.
 class Grip {
  public:
   Grip(const GripOptions& options, double friction, double period)
@@ -24,7 +25,7 @@ class Grip {
   }
 
   /// One tick. True if a foot began or ceased to slide: it stands elsewhere than it did.
-  bool update(const RobotState& state, const Vec3& normal_W);
+  bool update(const RobotState& state, const PerLeg<Vec3>& normals_W);
 
   [[nodiscard]] double friction(Leg leg) const { return friction_[index(leg)]; }
   /// Did a foot begin to slide at this tick?

@@ -12,20 +12,13 @@
 #include "surefoot/planning/planner_options.hpp"
 #include "surefoot/planning/push_balance.hpp"
 #include "surefoot/planning/torso_reference.hpp"
+#include "surefoot/signals/hierarchy_outcome.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 #include "surefoot/signals/plan_event.hpp"
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/user_command.hpp"
 
 namespace surefoot {
-
-/// What the hierarchy tells of the last tick.
-struct HierarchyOutcome {
-  double tilt_shortfall =
-      0.0;  ///< left undone of the torso's roll and pitch [rad/s²]; NaN: not known
-  bool upright_pyramids =
-      false;  ///< friction pyramids stand upright, whatever the terrain's normal
-};
 
 /// The walk: one leg after the other in the gait's order, the COM led through the support regions
 /// by a ZMP plan, the torso along the plane through the footholds. A foot that meets no ground goes

@@ -12,8 +12,11 @@ namespace surefoot {
 // comes down if the balance is lost without it.
 void Planner::observe_grip(const UserCommand& user, const RobotState& state,
                            const Dynamics& dynamics) {
-  const Vec3 up = last_.upright_pyramids ? Vec3(Vec3::UnitZ()) : plane_.normal;
-  if (!grip_.update(state, up)) return;
+  PerLeg<Vec3> normals = last_.pyramid_normal;
+  for (Vec3& normal : normals) {
+    if (!normal.allFinite()) normal = plane_.normal;
+  }
+  if (!grip_.update(state, normals)) return;
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
   if (grip_.began()) {
     event_ = PlanEvent::slip;

@@ -43,9 +43,6 @@ class FrictionCone final : public Task {
   /// That holds the force of a leg in contact.
   [[nodiscard]] FrictionPyramid pyramid(const MotionPlan& plan, Leg leg) const;
 
-  /// Are the pyramids about the vertical, whatever the terrain's normal?
-  [[nodiscard]] bool is_upright() const { return options_.axes == Axes::gravity; }
-
   void write(const TaskInput& input, Level& level) const noexcept override;
   [[nodiscard]] int max_rows() const override { return kRowsPerLeg * kNumLegs; }
   [[nodiscard]] std::string_view name() const override { return "friction_cone"; }

@@ -92,16 +92,18 @@ TEST(TaskStack, TellsWhatASolutionLacksOfTheTorsosTilt) {
   EXPECT_EQ(shortfall(stack_of({level("com_xy")}), 2.5), 0.0);
 }
 
-TEST(TaskStack, TellsWhetherItsFrictionPyramidsStandUpright) {
-  const auto upright = [](const std::vector<LevelSpec>& levels) {
-    return TaskStack(stack_of(levels), anymal_b()).has_upright_pyramids();
+TEST(TaskStack, TellsTheNormalsOfItsFrictionPyramids) {
+  MotionPlan plan = test::plan_with_contacts({true, true, true, true});
+  plan.R_WC = Eigen::AngleAxisd(0.1, Vec3::UnitX()).toRotationMatrix();
+  const auto normal = [&](const std::vector<LevelSpec>& levels) -> Vec3 {
+    return TaskStack(stack_of(levels), anymal_b()).pyramid_normals(plan)[index(Leg::RH)];
   };
   const auto cone = [](const std::string& axes) {
     return LevelSpec{"cone", {{"friction_cone", {}, {{"axes", axes}}}}};
   };
-  EXPECT_TRUE(upright({level("com_xy"), cone("gravity")}));
-  EXPECT_FALSE(upright({cone("control"), level("com_xy")}));
-  EXPECT_FALSE(upright({level("com_xy")}));
+  EXPECT_LT((normal({level("com_xy"), cone("gravity")}) - Vec3::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((normal({cone("control"), level("com_xy")}) - plan.R_WC.col(2)).norm(), 1e-12);
+  EXPECT_TRUE(normal({level("com_xy")}).array().isNaN().all());
 }
 
 TEST(TaskStack, WritesTheRowsOfAllTasksWithinItsCapacityWhateverFeetAreDown) {

@@ -194,16 +194,27 @@ TEST(FootholdPlanner, AnEdgeBetweenTwoPrintsIsSteppedOver) {
 }
 
 TEST(FootholdPlanner, PrintsThatRiseEvenlyAreASlopeAndNoEdge) {
-  const auto goes = [](double first, double second) {
-    return Hind({Vec3(-0.01, 0.0, 0.0), Vec3(0.12, 0.0, first), Vec3(0.25, 0.0, first + second)})
-        .goes()
-        .x();
+  struct Stride {
+    double length, rise;
   };
-  for (const double rise : {-0.035, 0.035}) {
-    EXPECT_EQ(goes(rise, rise), 0.12) << "the nearest print";
-    EXPECT_EQ(goes(0.0, rise), 0.25) << "over the edge where the slope begins";
-    EXPECT_EQ(goes(2.0 * rise, 2.0 * rise), 0.25) << "a print on every tread";
-  }
+  // The second print is near where the foot would go; the third is behind an edge if there is one.
+  const auto goes_over_an_edge = [](const Stride& first, const Stride& second) {
+    for (const double up : {1.0, -1.0}) {
+      const Vec3 near(0.12, 0.0, 0.0);
+      const Vec3 goal = Hind({near - Vec3(first.length, 0.0, up * first.rise), near,
+                              near + Vec3(second.length, 0.0, up * second.rise)})
+                            .goes();
+      if (goal.x() == near.x()) return false;
+    }
+    return true;
+  };
+  EXPECT_FALSE(goes_over_an_edge({0.13, 0.035}, {0.13, 0.035}));
+  EXPECT_FALSE(goes_over_an_edge({0.15, 0.040}, {0.13, 0.035}));
+  EXPECT_TRUE(goes_over_an_edge({0.13, 0.0}, {0.13, 0.035})) << "where the slope begins";
+  EXPECT_TRUE(goes_over_an_edge({0.13, 0.015}, {0.13, 0.035})) << "not evenly";
+  EXPECT_TRUE(goes_over_an_edge({0.10, 0.040}, {0.13, 0.046})) << "too steep before";
+  EXPECT_TRUE(goes_over_an_edge({0.13, 0.040}, {0.11, 0.045})) << "too steep behind";
+  EXPECT_TRUE(goes_over_an_edge({0.22, 0.070}, {0.17, 0.061})) << "a print on every tread";
 }
 
 TEST(FootholdPlanner, AStepUpMayBeLongerThanOthers) {

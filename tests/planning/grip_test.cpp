@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kPeriod = 0.0025;
 constexpr double kConfigured = 0.5;
-const Vec3 kUp = Vec3::UnitZ();
+const PerLeg<Vec3> kUp{Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ()};
 
 RobotState standing() {
   RobotState state;
@@ -30,10 +30,12 @@ TEST(Grip, AFootThatSlidesIsGivenLessThanTheRatioAtWhichItDoes) {
   EXPECT_EQ(grip.friction(Leg::LF), kConfigured);
 }
 
-TEST(Grip, TheRatioIsAlongTheTerrain) {
+TEST(Grip, TheRatioIsAboutThePyramidOfTheFoot) {
   Grip grip(GripOptions{}, kConfigured, kPeriod);
   const Vec3 normal = Vec3(0.2, 0.0, 1.0).normalized();
-  grip.update(sliding(Leg::LH, 80.0 * normal + 24.0 * Vec3::UnitY()), normal);
+  PerLeg<Vec3> normals = kUp;
+  normals[index(Leg::LH)] = normal;
+  grip.update(sliding(Leg::LH, 80.0 * normal + 24.0 * Vec3::UnitY()), normals);
   EXPECT_NEAR(grip.friction(Leg::LH), 0.7 * 0.3, 1e-12);
 }
 

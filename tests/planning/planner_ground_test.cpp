@@ -208,7 +208,7 @@ TEST(Planner, TheFrictionOfASlidingFootIsThatOfItsPyramid) {
   for (const bool upright : {true, false}) {
     Puppet puppet = walker({}, step_at(0.0, 0.14));
     puppet.user.walk = false;
-    puppet.last.upright_pyramids = upright;
+    if (upright) puppet.last.pyramid_normal.fill(Vec3::UnitZ());
     puppet.run(1.0);
     puppet.slide[index(Leg::LF)] = Vec2(30.0, 0.0);
     puppet.tick();

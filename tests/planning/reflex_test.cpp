@@ -65,7 +65,7 @@ TEST(Reflex, WithoutItNoFootIsCaught) {
 
 TEST(Reflex, AWallIsNoGround) {
   const Vec3 wall = -60.0 * kForward + 30.0 * kUp, ground = -30.0 * kForward + 60.0 * kUp;
-  EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), 0.3 * wall), LegEvent::none);
+  EXPECT_EQ(Foot().follow(0.55, 0.58, Vec3::Zero(), wall), LegEvent::none);
   EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), wall), LegEvent::caught);
   EXPECT_EQ(Foot().follow(0.55, 0.7, Vec3::Zero(), ground), LegEvent::touchdown);
 }
