@@ -41,8 +41,9 @@ std::vector<CostlyRow> estimated_rows(const TickExplanation& explanation, std::i
   return rows;
 }
 
-/// Of a level's dearest row so much is worth telling [share].
+/// Of a level's dearest row so much is worth telling [share], and so many rows.
 constexpr double kWorthTelling = 0.1;
+constexpr std::ptrdiff_t kMost = 4;
 
 double dearest_cost(const std::vector<CostlyRow>& rows) {
   double dearest = 0.0;
@@ -53,7 +54,8 @@ double dearest_cost(const std::vector<CostlyRow>& rows) {
 }
 
 // Many rows may cost a level as much, each of them nearly all of it: what the foot does and the
-// limit of its leg. Of a limit one learns the most, so those that are worth telling come first.
+// limit of its leg. Of a limit one learns the most, so those that are worth telling come first; the
+// dearest row is among those that are told.
 std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t level) {
   std::vector<CostlyRow> rows =
       explanation.exact ? explanation.exact->at(level) : estimated_rows(explanation, level);
@@ -63,6 +65,10 @@ std::vector<CostlyRow> rows_of(const TickExplanation& explanation, std::int16_t 
     if (is_first(a) != is_first(b)) return is_first(a);
     return std::isnan(b.cost) ? !std::isnan(a.cost) : a.cost > b.cost;  // unknown ones come last
   });
+  const auto dearest =
+      std::ranges::find(rows, dearest_cost(rows), [](const CostlyRow& row) { return row.cost; });
+  if (dearest != rows.end() && dearest - rows.begin() >= kMost)
+    std::rotate(rows.begin() + kMost - 1, dearest, dearest + 1);
   return rows;
 }
 
@@ -111,12 +117,12 @@ std::string to_nobody(Known known) {
 
 /// How many of a level's rows are told: those that are worth it, at most four.
 std::size_t num_told(const LevelThatGaveWay& level) {
-  constexpr std::size_t kMost = 4;
-  if (!has_costs(level)) return std::min(level.to.size(), kMost);
+  constexpr auto most = static_cast<std::size_t>(kMost);
+  if (!has_costs(level)) return std::min(level.to.size(), most);
   const double least = kWorthTelling * dearest_cost(level.to);
   const auto cheap = [&](const CostlyRow& row) { return !(row.cost >= least); };
   const auto end = std::ranges::find_if(level.to, cheap);
-  return std::min(static_cast<std::size_t>(end - level.to.begin()), kMost);
+  return std::min(static_cast<std::size_t>(end - level.to.begin()), most);
 }
 
 /// " with friction_cone LF 1"; empty: no other says the same.

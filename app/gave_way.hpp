@@ -13,8 +13,8 @@ struct LevelThatGaveWay {
   std::string name, unit;
   double residual = 0.0;
   bool restless = false;  ///< asks for no force or torque at all, and is never content
-  /// Dearest first, and of those whose costs read the same the limits; empty: nothing above holds
-  /// it back.
+  /// Limits that cost a tenth of the dearest row and more, then the others, by cost; the dearest
+  /// among the first four. Empty: nothing above holds it back.
   std::vector<CostlyRow> to;
 };
 

@@ -285,7 +285,8 @@ void fields(Archive& field, T& hierarchy) {
   field("blocking_is_known", hierarchy.blocking_is_known,
         "whether blocked_by speaks of all levels");
   field("blocked_by", hierarchy.blocked_by,
-        "rows of higher levels that kept a level from a smaller residual, dearest first");
+        "rows of higher levels that kept a level from a smaller residual, dearest "
+        "first, and of those that cost the same limits");
   field("transition_share", hierarchy.transition_share,
         "of the levels that come or go; 1 where none does");
   field("level_switches", hierarchy.level_switches,

@@ -286,7 +286,8 @@ void BlockerSearch::insert(const Blocker& blocker, LevelBlockers& level) const {
   };
   const auto is_dearer = [&](const Blocker& a, const Blocker& b) {
     if (std::abs(a.cost - b.cost) > kSameCost * std::max(a.cost, b.cost)) return a.cost > b.cost;
-    return is_limit(a) != is_limit(b) ? is_limit(a) : a.multiplier > b.multiplier;
+    const bool limits_first = a.cost > 0.0 && is_limit(a) != is_limit(b);
+    return limits_first ? is_limit(a) : a.multiplier > b.multiplier;
   };
   std::size_t place = level.count;
   while (place > 0 && is_dearer(blocker, level.dearest[place - 1])) --place;

@@ -21,7 +21,8 @@ struct LevelBlockers {
   /// False where the solver can't say: see LexicographicSolver::blockers.
   bool is_known = false;
   std::size_t count = 0;
-  /// Dearest first, of those that cost the same limits before equalities; `count` of them.
+  /// Dearest first, of those that cost the same limits before equalities, and then, as where none
+  /// has a cost, by multiplier; `count` of them.
   std::array<Blocker, kCapacity> dearest{};
 
   [[nodiscard]] std::span<const Blocker> rows() const { return {dearest.data(), count}; }

@@ -131,6 +131,14 @@ TEST(TickText, OfRowsThatAreWorthTellingTheLimitsAreToldFirst) {
   EXPECT_EQ(gave_way_sentence(explanation),
             "com_xy gave way by 31 m/s² to limb_extension_limits LF extension (31 m/s²), "
             "friction_cone RH −y (12 m/s²), swing_foot LF x (31 m/s²) and 2 more.");
+  std::vector<CostlyRow> many{{"swing_foot", "LF x", 31.0, {}, false}};
+  for (const char* row : {"A", "B", "C", "D", "E"})
+    many.push_back({"torque_limits", row, 5.0, {}, true});
+  explanation.exact = ExactCosts{{1, many}, {2, {}}};
+  EXPECT_EQ(gave_way_sentence(explanation),
+            "com_xy gave way by 31 m/s² to torque_limits A (5 m/s²), B (5 m/s²), C (5 m/s²), "
+            "swing_foot LF x (31 m/s²) and 2 more.")
+      << "the dearest is told";
   explanation.exact.reset();
   HierarchyReport& report = explanation.tick.hierarchy;
   report.active[0] = {.level = 0, .state = 1, .id = 1, .by = 0.0};

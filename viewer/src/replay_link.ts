@@ -16,8 +16,8 @@ const SUMMARY_PERIOD = 700;
 const SERVER_PERIOD = 2000;
 /** What takes longer to come than this is told [ms]. */
 const LONG = 1000;
-/** After which it is slow [ms], and then does not answer. */
-const SERVER_SILENCE = 3000, PATIENCE = 15000;
+/** After which it is slow [ms], and from when on, looked at between two questions, it does not answer. */
+const SERVER_SILENCE = 3000, PATIENCE = 5000;
 
 /** Fills the source of a log with what the program reads of it, over times in which there is no program. */
 export class ReplayLink {
@@ -99,7 +99,8 @@ export class ReplayLink {
       badge.dataset["state"] = isSlow ? "slow" : "lost";
       say(badge, isSlow ? "slow" : "no answer");
       badge.title = isSlow ? "the program that serves this log takes long to answer" : "";
-      if (!isSlow) app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
+      if (isSlow) app.notes.take("server");
+      else app.notes.keep("server", "The program that serves this log does not answer; if it has ended, start `surefoot replay` again. The page tries again by itself.", "error");
     };
     let session = this.session;
     while (session === this.session) {
@@ -108,6 +109,8 @@ export class ReplayLink {
     }
     if (session.start !== this.session.start) return location.reload();
     say(badge, "");
+    badge.title = "";
+    delete badge.dataset["state"];
     app.notes.take("server");
     app.refresh();
   }

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
+import { NoAnswer } from "../src/protocol/ask.ts";
 import { Explainer, readExplained, type ExplainAnswer } from "../src/data/explained.ts";
 
 const schema = { levels: ["physics", "limb_extension_limits", "torso_height"] };
@@ -67,15 +68,15 @@ test("only a tick that is looked at for long is asked for, again until it is exp
   assert.deepEqual(asked, [3, 3, 3], "what is known is not asked for again, nor what nobody looks at");
 });
 
-test("a tick that was left is not asked for again, and one whose question was lost is, once the page is told anew", async (t) => {
+test("a tick that was left is not asked for again, one whose question was lost is, and one that is refused stays an estimate", async (t) => {
   mock.timers.enable({ apis: ["setTimeout"] });
   t.after(() => mock.timers.reset());
   const asked: number[] = [];
-  let isLost = false;
+  let failure: Error | undefined;
   let answerLate: (answer?: ExplainAnswer) => void = () => {};
   const explainer = new Explainer((tick) => {
     asked.push(tick);
-    return isLost ? Promise.reject(new Error("gone")) : new Promise((resolve) => (answerLate = resolve));
+    return failure === undefined ? new Promise((resolve) => (answerLate = resolve)) : Promise.reject(failure);
   }, schema);
   const pass = async (ms: number): Promise<void> => {
     mock.timers.tick(ms);
@@ -88,10 +89,13 @@ test("a tick that was left is not asked for again, and one whose question was lo
   await answered();
   explainer.at(1);
   explainer.at(2);
-  isLost = true;
+  failure = new NoAnswer();
   await pass(2000);
   assert.deepEqual(asked, [1, 2], "of a tick that was left for another nobody waits for the answer");
+  failure = new Error("a log of another version");
+  await pass(400);
+  assert.deepEqual([asked, explainer.isComputing(2)], [[1, 2, 2], false]);
   explainer.at(2);
-  await pass(300);
+  await pass(5000);
   assert.deepEqual(asked, [1, 2, 2]);
 });

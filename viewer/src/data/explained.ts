@@ -1,3 +1,4 @@
+import { NoAnswer } from "../protocol/ask.ts";
 import type { Schema } from "./schema.ts";
 
 /** What `/api/explain` answers of a tick (docs/view_protocol.md). */
@@ -91,8 +92,13 @@ export class Explainer {
     let answer: ExplainAnswer | undefined;
     try {
       answer = await this.ask(tick);
-    } catch {
-      if (tick === this.tick) this.tick = -1; // the frames' estimates stay; asked for anew when the page is told again
+    } catch (error) {
+      if (tick !== this.tick) return;
+      if (error instanceof NoAnswer) this.timer = setTimeout(() => void this.fetch(tick), AGAIN);
+      else {
+        this.keep(tick, undefined); // the frames' estimates stay
+        this.onChange();
+      }
       return;
     }
     if (answer !== undefined) this.keep(tick, readExplained(answer, this.schema));

@@ -41,7 +41,7 @@ export interface LevelState {
   active: RowNote[];
   /** Equality rows that it could not reach, worst first. */
   missed: RowNote[];
-  /** Dearest first, and of those that cost the same limits. */
+  /** In the order of the log, dearest first and of those that cost the same limits, or in that of `explain`, limits that are worth telling first. */
   blocked: BlockNote[];
   /** How many rows hold it back besides; undefined: the costs are the control loop's estimates. */
   others?: number;
@@ -115,7 +115,7 @@ const cutOffText = (level: LevelState | undefined): string =>
 export interface Account {
   kind: "good" | "bad" | "none";
   line: string;
-  /** That two hierarchies are blended, and that the solve was cut off, where that is so. */
+  /** That two hierarchies are blended, that the solve was cut off, and that what holds back what is estimated, where that is so. */
   first: string[];
   /** That, and each level that gives way, and to which, or what is held back without that. */
   whole: string;
@@ -210,7 +210,7 @@ function yieldingText(yielding: LevelState[], states: LevelState[]): string {
 /** Costs that differ by less are the same: of such rows the first is told [share]. */
 const SAME = 1e-3;
 
-/** Of the rows that hold levels back, where they are not known exactly: live, and while the time goes on. */
+/** Of the rows that hold levels back, where they are not known exactly: live, while the time goes on, and of a log that can't be replayed. */
 const ESTIMATED = "Which rows hold back what is the control loop's estimate.";
 
 /** As much is read at a glance, in two lines beside the button for more [letters]. */

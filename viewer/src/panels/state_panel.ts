@@ -80,7 +80,8 @@ function pyramidUses(frame: Frame): string {
 
 /** One or two levels with the rows that hold them back, of more with the levels: the panel of the hierarchy has the rest. */
 function hierarchyText({ first, whole, more }: Account): string {
-  return more.length === 0 || more.length > 2 ? whole : [...first, ...more].join(" ");
+  const estimates = first.filter((one) => !whole.startsWith(one));
+  return more.length === 0 || more.length > 2 ? [whole, ...estimates].join(" ") : [...first, ...more].join(" ");
 }
 
 /** Where a force in W goes, seen along the robot's heading. */
