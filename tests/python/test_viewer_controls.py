@@ -252,7 +252,7 @@ def test_steering_by_keys_is_told_in_one_note_that_renews_itself(page):
     assert len(page.run(notes)) == 1
     page.press("g")
     page.wait("surefoot.status.command.by === 'scenario'")
-    wait_for(lambda: any("the scenario commands" in note for note in page.run(notes)), "the note of who commands now")
+    wait_for(lambda: any("The scenario commands" in note for note in page.run(notes)), "the note of who commands now")
     assert len(page.run(notes)) == 1
 
 
