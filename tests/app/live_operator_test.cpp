@@ -155,6 +155,13 @@ TEST_F(LiveOperatorTest, undo_takes_back_change_by_change_and_a_sliders_steps_ar
   EXPECT_EQ(operator_.undo_count(), 0);
 }
 
+TEST_F(LiveOperatorTest, a_number_that_is_set_to_what_it_is_makes_no_change_to_undo) {
+  EXPECT_EQ(gain("com_xy", "kp", kp(taken())), "");
+  const double friction = taken().control.friction;
+  EXPECT_EQ(operator_.command({.type = Type::friction, .value = friction}), "");
+  EXPECT_EQ(operator_.undo_count(), 0);
+}
+
 TEST_F(LiveOperatorTest, an_undo_is_told_as_one_only_of_what_the_run_had) {
   EXPECT_EQ(gain("com_xy", "kp", 10.0), "");
   EXPECT_EQ(operator_.command({.type = Type::friction, .value = 0.3}), "");

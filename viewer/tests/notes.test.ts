@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { mock, test } from "node:test";
-import { begun, Notes } from "../src/panels/notes.ts";
+import { capitalised } from "../src/data/log_words.ts";
+import { Notes } from "../src/panels/notes.ts";
 import { fakePage } from "./fake_page.ts";
 
 /** What is seen of messages that are said one after the other. */
@@ -21,5 +22,5 @@ test("messages of what is usual don't push those of errors out", () => {
 });
 
 test("words of the program begin as those of the page, names of files stay", () => {
-  assert.deepEqual(["friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"].map(begun), ["Friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"]);
+  assert.deepEqual(["friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"].map(capitalised), ["Friction is 9; valid is 0.05 to 2", "The run ends.", "run.mcap is read", "9 N"]);
 });

@@ -7,8 +7,11 @@ export function logText(source: string, cut: string, damage: string[]): string {
   return faults.length === 0 ? source : `${source} (${faults.join("; ")})`;
 }
 
+/** Words of the program begin as those of the page do; a file's name stays what it is. */
+export const capitalised = (text: string): string => text.replace(/^[a-z]+(?= )/, (word) => word.charAt(0).toUpperCase() + word.slice(1));
+
 /** Words of the program as a sentence of the page. */
-export const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+export const asSentence = (text: string): string => `${capitalised(text)}.`;
 
 /** More than these are counted. */
 const MOST = 12;

@@ -1,3 +1,4 @@
+import { capitalised } from "../data/log_words.ts";
 import { h, part, say } from "./dom.ts";
 
 /** More short messages than this push the oldest of them out; errors only where there is nothing else. */
@@ -82,7 +83,7 @@ class Note {
     this.text = text;
     this.said = 1;
     this.times.hidden = true;
-    say(this.words, begun(text));
+    say(this.words, capitalised(text));
     this.more.hidden = this.words.scrollHeight <= this.words.clientHeight + 1;
   }
 
@@ -105,6 +106,3 @@ class Note {
     say(this.more, open ? "less" : "more");
   }
 }
-
-/** The program's words begin as those of the page do; a file's name stays what it is. */
-export const begun = (text: string): string => text.replace(/^[a-z]+(?= )/, (word) => word.charAt(0).toUpperCase() + word.slice(1));
