@@ -124,9 +124,11 @@ export class World {
     this.dirty = true;
   }
 
-  /** Whether the picture would be another one than the last. */
+  /**
+   * Whether the picture would be another one than the last. The camera's controls move it as their input comes; to ask
+   * them again moves it by a rounding error, hundreds of times one after the other, and each would be a picture.
+   */
   private changed(frame: Frame | undefined): boolean {
-    this.camera.controls.update();
     this.stage.camera.updateMatrixWorld();
     const moved = !this.view.equals(this.stage.camera.matrixWorld);
     return this.dirty || moved || frame?.time !== this.shown || this.settling > 0;
