@@ -1,0 +1,121 @@
+#include "surefoot/estimation/guarded_values.hpp"
+
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;  // [s]
+constexpr double kPatience = 0.02;  // [s]
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Three values with a sample at each tick.
+struct Group {
+  using Values = GuardedValues<3>;
+
+  void take(const Vec3& raw, SampleFault common = SampleFault::none) {
+    time += kPeriod;
+    watch.update(time, time);
+    values.take(raw, common, watch, {Vec3(10.0, 10.0, 10.0), Vec3(1.0, 1.0, 2.0)}, kPatience);
+  }
+  [[nodiscard]] GroupHealth health() const { return values.health(time); }
+
+  Values values;
+  SampleWatch watch{kPeriod, kPatience, kPatience};
+  double time = 0.0;
+};
+
+TEST(GuardedValues, GoodSamplesPassAsTheyAre) {
+  Group group;
+  EXPECT_TRUE(std::isnan(group.health().age)) << "never a sample";
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 raw(0.9 * (i % 2), -5.0, 9.99);
+    group.take(raw);
+    EXPECT_EQ(group.values.repaired(), raw);
+    EXPECT_EQ(group.values.measured(), raw);
+    EXPECT_EQ(group.health().fault, SampleFault::none);
+    EXPECT_EQ(group.health().age, 0.0);
+  }
+}
+
+TEST(GuardedValues, EachIsJudgedByItselfAndTheOnlyOneAtFaultIsNamed) {
+  const auto fault_of = [](double raw) {
+    Group group;
+    group.take(Vec3(1.0, 2.0, 3.0));
+    group.take(Vec3(1.5, raw, 3.0));
+    EXPECT_EQ(group.values.repaired(), Vec3(1.5, 2.0, 3.0)) << raw;
+    EXPECT_TRUE(std::isnan(group.values.measured()[1])) << raw;
+    EXPECT_EQ(group.values.measured()[0], 1.5) << raw;
+    EXPECT_EQ(group.health().joint, 1) << raw;
+    EXPECT_NEAR(group.health().age, kPeriod, 1e-12) << raw;
+    return group.health().fault;
+  };
+  EXPECT_EQ(fault_of(kNaN), SampleFault::not_a_number);
+  EXPECT_EQ(fault_of(-kInf), SampleFault::not_a_number);
+  EXPECT_EQ(fault_of(10.1), SampleFault::out_of_range);
+  EXPECT_EQ(fault_of(3.1), SampleFault::jump);
+  EXPECT_EQ(fault_of(0.9), SampleFault::jump);
+}
+
+TEST(GuardedValues, OfSeveralAtFaultNoneIsNamed) {
+  Group group;
+  group.take(Vec3::Zero());
+  group.take(Vec3(kNaN, 0.0, 11.0));
+  EXPECT_EQ(group.health().fault, SampleFault::not_a_number) << "the first one's";
+  EXPECT_EQ(group.health().joint, -1);
+}
+
+TEST(GuardedValues, WhatIsExpectedMovesAsItIsTold) {
+  Group group;
+  group.take(Vec3::Zero());
+  group.values.move(Vec3(3.0, 0.0, 0.0));
+  group.take(Vec3(kNaN, kNaN, kNaN));
+  EXPECT_EQ(group.values.repaired(), Vec3(3.0, 0.0, 0.0));
+  group.take(Vec3(3.9, 0.9, 1.9));
+  EXPECT_EQ(group.health().fault, SampleFault::none);
+}
+
+TEST(GuardedValues, AJumpThatStaysIsBelievedAfterThePatience) {
+  Group group;
+  group.take(Vec3::Zero());
+  const double seen = group.time;
+  for (int i = 0; i < 20; ++i) {
+    group.take(Vec3(5.0, 0.0, 0.0));
+    const bool is_over = group.time - seen > kPatience + 1e-9;
+    EXPECT_EQ(group.health().fault, is_over ? SampleFault::none : SampleFault::jump) << i;
+    EXPECT_EQ(group.values.repaired()[0], is_over ? 5.0 : 0.0) << i;
+  }
+}
+
+TEST(GuardedValues, ACommonFaultIsThatOfAll) {
+  Group group;
+  group.take(Vec3(1.0, 2.0, 3.0));
+  group.take(Vec3(1.1, 2.1, 3.1), SampleFault::late);
+  EXPECT_EQ(group.values.repaired(), Vec3(1.0, 2.0, 3.0));
+  EXPECT_TRUE(group.values.measured().array().isNaN().all());
+  EXPECT_EQ(group.health().fault, SampleFault::late);
+  EXPECT_EQ(group.health().joint, -1);
+}
+
+TEST(GuardedValues, SamplesThatWereNoneAgeTheGroup) {
+  Group group;
+  for (int i = 0; i < 10; ++i) group.take(Vec3::Zero());
+  group.values.forget_since(group.time - 0.01);
+  EXPECT_NEAR(group.health().age, 0.01, 1e-12);
+  EXPECT_EQ(group.values.seen(), Vec3::Constant(group.time - 0.01));
+}
+
+TEST(GuardedValues, AllocatesNothing) {
+  Group group;
+  const test::MallocCounter mallocs;
+  for (int i = 0; i < 100; ++i) group.take(Vec3(i % 7, kNaN, i));
+  EXPECT_EQ(mallocs.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot

@@ -1,0 +1,138 @@
+#include "surefoot/estimation/sample_watch.hpp"
+
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;   // [s]
+constexpr double kPatience = 0.02;   // [s]
+constexpr double kMaxDelay = 0.006;  // [s]
+
+/// A sensor with a sample every `every` ticks that is `delay` ticks old when it comes.
+struct Sensor {
+  void tick() {
+    ++ticks;
+    if (ticks % every == 0) sample = kPeriod * (ticks - delay);
+    watch.update(kPeriod * ticks, sample);
+  }
+  void run(int count) {
+    for (int i = 0; i < count; ++i) tick();
+  }
+
+  SampleWatch watch{kPeriod, kPatience, kMaxDelay};
+  int every = 1, delay = 0, ticks = 0;
+  double sample = 0.0;
+};
+
+TEST(SampleWatch, EachSampleIsNewOnce) {
+  Sensor sensor;
+  sensor.every = 3;
+  sensor.run(30);
+  for (int i = 1; i <= 30; ++i) {
+    sensor.tick();
+    EXPECT_EQ(sensor.watch.is_new(), i % 3 == 0) << i;
+    EXPECT_EQ(sensor.watch.sample_time(), sensor.sample);
+    EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
+  }
+}
+
+TEST(SampleWatch, ASensorThatFallsSilentIsToldSoonIfItWasQuick) {
+  for (const int every : {1, 2, 4}) {
+    Sensor sensor;
+    sensor.every = every;
+    sensor.run(400);  // a multiple of each
+    for (int since = 1; since < every; ++since) {
+      sensor.tick();
+      EXPECT_EQ(sensor.watch.fault(), SampleFault::none) << every << ", " << since;
+    }
+    sensor.every = 1'000'000;
+    sensor.tick();
+    EXPECT_EQ(sensor.watch.fault(), SampleFault::silent) << every;
+    EXPECT_FALSE(sensor.watch.is_new());
+  }
+}
+
+TEST(SampleWatch, WhatIsUsualIsLearntAndAtFirstAnythingIsThatIsWithinPatience) {
+  Sensor sensor;
+  sensor.every = 7;
+  sensor.run(6);  // nothing yet but the time 0 that was given from the beginning
+  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
+  Sensor quick;
+  quick.run(200);
+  quick.every = 7;
+  quick.run(2);
+  EXPECT_EQ(quick.watch.fault(), SampleFault::silent) << "not usual for this one";
+}
+
+TEST(SampleWatch, NoSampleIsUsualThatIsOlderThanPatience) {
+  Sensor sensor;
+  sensor.every = 12;  // 30 ms
+  for (int i = 0; i < 2000; ++i) {
+    sensor.tick();
+    const double age = kPeriod * sensor.ticks - sensor.sample;
+    EXPECT_TRUE(age < kPatience + 1e-6 || sensor.watch.fault() == SampleFault::silent) << i;
+  }
+}
+
+TEST(SampleWatch, NewSamplesThatAreTooOldAreLateAndNotNew) {
+  Sensor sensor;
+  sensor.run(100);
+  sensor.delay = 9;  // 22.5 ms
+  sensor.run(10);    // until a sample is later than all before
+  EXPECT_EQ(sensor.watch.fault(), SampleFault::late);
+  EXPECT_FALSE(sensor.watch.is_new());
+  sensor.delay = 0;
+  sensor.tick();
+  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
+  EXPECT_TRUE(sensor.watch.is_new());
+}
+
+TEST(SampleWatch, TellsForHowLongNewSamplesComeLate) {
+  Sensor sensor;
+  sensor.delay = 2;  // 5 ms
+  sensor.run(100);
+  EXPECT_EQ(sensor.watch.delayed_for(), 0.0);
+  sensor.delay = 3;  // 7.5 ms
+  sensor.run(100);
+  EXPECT_NEAR(sensor.watch.delayed_for(), 99 * kPeriod, 1e-9) << "one tick had no new sample";
+  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
+  sensor.delay = 2;
+  sensor.tick();
+  EXPECT_EQ(sensor.watch.delayed_for(), 0.0);
+}
+
+TEST(SampleWatch, ATimeThatIsNoneOrLiesAheadIsTheReadings) {
+  EXPECT_EQ(believed_sample_time(1.0, 2.0), 1.0);
+  EXPECT_EQ(believed_sample_time(3.0, 2.0), 2.0);
+  EXPECT_EQ(believed_sample_time(kNaN, 2.0), 2.0);
+  SampleWatch watch(kPeriod, kPatience, kMaxDelay);
+  for (int i = 1; i < 100; ++i) {
+    watch.update(kPeriod * i, i % 2 == 0 ? kNaN : 1e9);
+    EXPECT_TRUE(watch.is_new());
+    EXPECT_EQ(watch.sample_time(), kPeriod * i);
+    EXPECT_EQ(watch.fault(), SampleFault::none);
+  }
+}
+
+TEST(SampleWatch, BeginsAnewWhereTheClockLeapsBack) {
+  Sensor sensor;
+  sensor.run(1000);
+  sensor.ticks = 10;
+  sensor.run(2);
+  EXPECT_TRUE(sensor.watch.is_new());
+  EXPECT_EQ(sensor.watch.fault(), SampleFault::none);
+  EXPECT_EQ(sensor.watch.sample_time(), kPeriod * 12);
+}
+
+TEST(SampleWatch, AllocatesNothing) {
+  Sensor sensor;
+  const test::MallocCounter mallocs;
+  sensor.run(100);
+  EXPECT_EQ(mallocs.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot
