@@ -105,3 +105,6 @@ def test_a_log_is_shown_at_any_time_of_it(browser, log):
         for share in (0.8, 0.1):
             go_to(browser, int(share * ticks))
             wait_for(lambda: math.dist(browser.run("surefoot.position('base')"), channel(browser, "truth.p_WB")) < 1e-5, "the picture")
+        for key in "wp":
+            browser.press(key)
+        browser.wait("document.querySelector('#notes').textContent.includes('This is a log: only a run can be pushed')")

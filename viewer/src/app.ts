@@ -36,6 +36,8 @@ import { Wish } from "./data/wish.ts";
 
 /** Ground without a robot is drawn only after this: a picture with both would come later by its rest [ms]. */
 const WITHOUT_ROBOT = 2000;
+/** What a key that drives a run says where there is none. */
+const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`surefoot run SCENARIO --view`).";
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -192,9 +194,10 @@ export class App {
     if (this.session.cut !== "") this.notes.keep("cut", asSentence(this.session.cut));
   }
 
-  /** Keys that change a live run: of a log they are the browser's. */
+  /** Keys that change a live run; of a log letters say so, the others are the browser's. */
   private drivingKeys(): KeyActions {
     const { player, drive } = this;
+    if (!player.live) return Object.fromEntries([..."wsadqexgup"].map((key) => [key, () => this.notes.say(OF_A_LOG)]));
     return {
       l: () => player.goLive(),
       w: () => drive.nudge("forward", 1), s: () => drive.nudge("forward", -1), a: () => drive.nudge("left", 1),
@@ -216,7 +219,7 @@ export class App {
       r: () => this.reset(), f: () => this.follow(), h: () => this.world?.camera.home(),
       o: () => this.menu?.toggleGhost(), t: () => this.theme.toggle(), "?": help,
       ...Object.fromEntries([..."1234567890-"].map((key) => [key, toggle])),
-      ...(player.live ? this.drivingKeys() : {}),
+      ...this.drivingKeys(),
     });
   }
 
