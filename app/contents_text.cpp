@@ -86,9 +86,12 @@ std::string facts(const LogContents& contents) {
       {"result", result(contents)},
       {"duration", duration(contents)},
       {"lost", lost(contents)},
-      {"recorded by",
-       "surefoot " + header.version + (header.commit.empty() ? "" : ", commit " + header.commit) +
-           "; log version " + (contents.log_version.empty() ? "not known" : contents.log_version)},
+      {"recorded by", "surefoot " + header.version +
+                          (header.commit.empty() ? "" : ", commit " + header.commit) +
+                          "; log version " + header.log_version},
+      {"", header.is_newer() ? "this program knows version " + std::string(kLogVersion) +
+                                   ": what is new since then is passed over"
+                             : ""},
       {"again by", header.command},
       {"", contents.problem.empty() ? "" : "that run goes on where this log is cut off or damaged"},
       {"steered", steered(contents)},
@@ -149,7 +152,7 @@ Json contents_json(const std::string& path, const LogContents& contents) {
                {"estimation", header.estimation},
                {"version", header.version},
                {"commit", header.commit},
-               {"log_version", contents.log_version},
+               {"log_version", header.log_version},
                {"command", header.command},
                {"control_period", header.control_period},
                {"ticks", contents.ticks},

@@ -85,9 +85,6 @@ LogContents read_contents(const std::string& path) {
     contents.attachments.push_back({name, data.size()});
   const auto summary = file.attachments().find("summary.json");
   if (summary != file.attachments().end()) contents.summary = summary->second;
-  const auto metadata = file.metadata().find("surefoot");
-  if (metadata != file.metadata().end() && metadata->second.contains("log_version"))
-    contents.log_version = metadata->second.at("log_version");
   contents.problem = file.problem();
   return contents;
 }

@@ -25,8 +25,7 @@ struct AttachmentContents {
 
 /// What is in a log.
 struct LogContents {
-  LogHeader header;         ///< without its attachments
-  std::string log_version;  ///< of the file; the program's own is kLogVersion
+  LogHeader header;  ///< without its attachments
   std::uint64_t file_bytes = 0;
   double first_time = 0.0, last_time = 0.0;  ///< of the ticks [s]; both 0 without any
   std::uint64_t ticks = 0;

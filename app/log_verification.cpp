@@ -104,7 +104,7 @@ void compare_messages(const Comparison& comparison, const TickRecord& logged,
 
 Verification verify_log(const std::string& path) {
   LogReplay replay(path, {.state = ReplayedState::estimated, .observer = {}});
-  const Comparison comparison(path, replay.header().is_older);
+  const Comparison comparison(path, replay.header().is_older());
   Verification result;
   result.header = replay.header();
   result.header.attachments.clear();

@@ -4,6 +4,7 @@
 #include "surefoot/logging/visible_residual.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 
 namespace surefoot {
@@ -48,12 +49,22 @@ void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
   json.end_array();
 }
 
+/// Versions of one first number are told apart by it.
+int second_number(std::string_view version) {
+  const std::size_t point = std::min(version.find('.'), version.size() - 1);
+  return std::atoi(std::string(version.substr(point + 1)).c_str());
+}
+
 }  // namespace
 
 std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number) {
   const bool is_known = number >= 0 && number < std::ssize(names);
   return is_known ? names[static_cast<std::size_t>(number)] : "level " + std::to_string(number + 1);
 }
+
+bool LogHeader::is_older() const { return second_number(log_version) < second_number(kLogVersion); }
+
+bool LogHeader::is_newer() const { return second_number(log_version) > second_number(kLogVersion); }
 
 std::string LogHeader::level_name(std::ptrdiff_t number) const {
   return surefoot::level_name(level_names, number);

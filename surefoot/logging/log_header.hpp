@@ -59,14 +59,14 @@ using RowNamer = std::function<std::string(int level, std::int32_t id)>;
 /// What a log says of its run before the first tick. Nothing in it may depend on when or where it
 /// ran.
 struct LogHeader {
-  std::string version;          ///< of the program
-  bool is_older = false;        ///< a log that was read is of an older kLogVersion
-  std::string commit;           ///< that it was built from; empty: not known
-  std::string command;          ///< that makes this run again; empty: not known
-  std::string scenario, stack;  ///< names
-  std::string description;      ///< what the scenario is about, in a line
-  std::string estimation;       ///< e.g. "truth"
-  std::string options;          ///< everything that was set, as JSON; empty: none
+  std::string version;                   ///< of the program
+  std::string log_version{kLogVersion};  ///< of a log that was read: that log's
+  std::string commit;                    ///< that it was built from; empty: not known
+  std::string command;                   ///< that makes this run again; empty: not known
+  std::string scenario, stack;           ///< names
+  std::string description;               ///< what the scenario is about, in a line
+  std::string estimation;                ///< e.g. "truth"
+  std::string options;                   ///< everything that was set, as JSON; empty: none
   std::uint64_t seed = 0;
   std::vector<LogDraw> drawn;            ///< what the seed chose, besides the sensors' noise
   double control_period = 0.0025;        ///< [s]
@@ -80,6 +80,11 @@ struct LogHeader {
   /// The physics model as MJCF; scenario, stack and robot as they were read; the stack with
   /// everything worked in, and the robot's URDF.
   std::vector<LogAttachment> attachments;
+
+  /// A log that was read lacks what came into the format since then, or has what this program
+  /// passes over.
+  [[nodiscard]] bool is_older() const;
+  [[nodiscard]] bool is_newer() const;
 
   /// Of a level by its number; "level 3" where there is none of it.
   [[nodiscard]] std::string level_name(std::ptrdiff_t number) const;

@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstdlib>
 #include <string_view>
 
 namespace surefoot {
@@ -109,11 +107,6 @@ LogHeader parse_header(const json& header) {
   return result;
 }
 
-int second_number(std::string_view version) {
-  const std::size_t point = std::min(version.find('.'), version.size() - 1);
-  return std::atoi(std::string(version.substr(point + 1)).c_str());
-}
-
 /// What reads and writes JSON calls itself for each bracket: of a header that is deeper than any of
 /// ours the stack would run out.
 json parse_flat(const std::string& text) {
@@ -141,7 +134,7 @@ LogHeader read_log_header(const std::string& path, const std::string& text) {
           ". Read it with the version of surefoot that made it, or record the run anew");
     }
     LogHeader result = parse_header(header);
-    result.is_older = second_number(version) < second_number(kLogVersion);
+    result.log_version = version;
     return result;
   } catch (const json::parse_error& error) {
     return refuse("is damaged at its byte " + std::to_string(error.byte) + " of " +

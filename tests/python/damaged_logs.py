@@ -169,8 +169,8 @@ def changed(log, folder, topic, tick, change):
     return rewritten(log, folder / "changed.mcap", changed_data)
 
 
-def older(log, folder, version, lacks):
-    """The same log as an older version has it: without those members of each topic's messages."""
+def of_version(log, folder, version, lacks=()):
+    """The same log as another version has it: without those members of each topic's messages."""
 
     def data_of(channel, _, data):
         if channel.topic not in lacks:

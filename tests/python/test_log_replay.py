@@ -6,7 +6,7 @@ import math
 
 import pytest
 from conftest import record
-from damaged_logs import changed, older
+from damaged_logs import changed, of_version
 from log_file import attachment, messages
 from program import answer, complaint, of_json, surefoot
 
@@ -151,7 +151,7 @@ def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
     file = tmp_path / "stopped.mcap"
     assert surefoot("run", "walk_flat", "--set", "duration=1", "--record", file, *fault).returncode == 3
     assert messages(file, "/command")[-1]["fault"] == "not_a_number"
-    old = older(file, tmp_path, "2.7", {"/command": ("fault", "joint")})
+    old = of_version(file, tmp_path, "2.7", {"/command": ("fault", "joint")})
     found = of_json("replay", old, "--verify")
     assert found["same"] and found["different_messages"] == {}
 
@@ -161,7 +161,7 @@ def test_verify_compares_what_an_older_log_has_and_nothing_else(tmp_path):
     found = of_json("replay", changed(old, tmp_path, "/command", 398, change), "--verify")
     assert found["different_messages"] == {"/command": {"ticks": 1, "first": 0.995}}
     now = json.loads(attachment(file, "header.json"))["log_version"]
-    found = of_json("replay", older(file, tmp_path, now, {"/command": ("fault", "joint")}), "--verify")
+    found = of_json("replay", of_version(file, tmp_path, now, {"/command": ("fault", "joint")}), "--verify")
     assert found["same"] and found["different_messages"]["/command"]["ticks"] > 50, "a log of today's version lacks nothing"
 
 

@@ -6,7 +6,7 @@ import re
 import time
 
 import pytest
-from damaged_logs import HEAD, attachment_place, bare_messages, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
+from damaged_logs import HEAD, attachment_place, bare_messages, cut, cut_at, damaged, damaged_at, foreign, in_other_chunks, newer, of_version, plain_text, steered, tick_chunks, timings_chunk, without_calls, without_chunk, without_ticks, written
 from live_page import Served
 from log_file import OPERATOR, OPERATOR_TOLD, attachment, messages
 from mcap.reader import make_reader
@@ -271,6 +271,14 @@ def test_what_is_no_log_is_refused_in_one_line_that_names_it(log, tmp_path, comm
     }.items():
         line = complaint(command, file, *COMMANDS[command])
         assert str(file) in line and words in line
+
+
+def test_info_says_which_version_a_log_has_and_that_a_newer_one_may_have_more(log, tmp_path):
+    now = of_json("info", log)["log_version"]
+    assert f"log version {now}" in answer("info", log) and "is passed over" not in answer("info", log)
+    assert "is passed over" not in answer("info", of_version(log, tmp_path, "2.1"))
+    told = answer("info", of_version(log, tmp_path, "2.99"))
+    assert "log version 2.99\n" in told and f"this program knows version {now}: what is new since then is passed over" in told
 
 
 @pytest.mark.parametrize("share", [0.0001, 0.01, 0.5, 0.8, 0.9999])
