@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Changes, type Change } from "../src/data/changes.ts";
+import { Changes, folded, type Change } from "../src/data/changes.ts";
 
 const at = (time: number, text = "push"): Change => ({ time, text });
 
@@ -47,4 +47,10 @@ test("of a run before nothing is known, and of this one the latest", () => {
   changes.clear();
   changes.recall([at(1), at(2)]);
   assert.deepEqual(changes.all, [at(1), at(2)]);
+});
+
+test("a walk that is steered by a key again and again is one change, told as it ended", () => {
+  const steer = (time: number, speed: number): Change => at(time, `the operator commands: walk, velocity (${speed}, 0) m/s`);
+  const all = [at(0), steer(1, 1), steer(1.5, 2), steer(2.4, 3), steer(3.5, 4), at(3.6), at(3.6), steer(3.7, 5)];
+  assert.deepEqual(folded(all), [at(0), steer(2.4, 3), steer(3.5, 4), at(3.6), at(3.6), steer(3.7, 5)]);
 });

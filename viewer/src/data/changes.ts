@@ -35,6 +35,18 @@ export class Changes {
   }
 }
 
+/** What is steered by a key again and again is one change, told as it ended: those that follow each other within this [s]. */
+const ONE_STEERING = 1;
+const STEERED = /^the operator commands: /;
+
+/** The changes without those that the next one makes old. */
+export function folded(changes: readonly Change[]): Change[] {
+  return changes.filter(({ time, text }, k) => {
+    const next = changes[k + 1];
+    return next === undefined || next.time - time > ONE_STEERING || !STEERED.test(text) || !STEERED.test(next.text);
+  });
+}
+
 /** Whether the change was among these; it is not any more. */
 function takeOut(changes: Change[], { time, text }: Change): boolean {
   const at = changes.findIndex((one) => one.time === time && one.text === text);

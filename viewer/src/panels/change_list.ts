@@ -1,5 +1,5 @@
 import { secondsText } from "../data/numbers.ts";
-import { Changes, type Change } from "../data/changes.ts";
+import { Changes, folded, type Change } from "../data/changes.ts";
 import { h, say } from "./dom.ts";
 
 /** So many lines stand there unless all are asked for: what can be changed stands below them. */
@@ -52,7 +52,7 @@ export class ChangeList {
   }
 
   private show(): void {
-    const lines = this.changes.all.map(({ time, text }) => line(secondsText(time), text));
+    const lines = folded(this.changes.all).map(({ time, text }) => line(secondsText(time), text));
     if (this.pending !== "") lines.push(line("with the next tick", this.pending, "pending"));
     lines.reverse().forEach((one, k) => (one.hidden = !this.isOpen && k >= MOST_LINES));
     this.list.replaceChildren(...lines);
