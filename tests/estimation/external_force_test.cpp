@@ -1,5 +1,10 @@
 #include "surefoot/estimation/external_force.hpp"
 
+#include "surefoot/model/robot_model.hpp"
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,6 +110,38 @@ TEST(ExternalForce, ForgetsNumbersThatAreNotFinite) {
   lump.state.foot_force[0] = force;
   lump.run(estimator, 1.0, Vec3(0.0, 50.0 / kMass, 0.0));
   EXPECT_NEAR(estimator.force().y(), 50.0, 0.5);
+}
+
+TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
+  constexpr int kSubsteps = 50;
+  constexpr double kStep = kPeriod / kSubsteps;
+  const ExternalForceOptions options{.time_constant = 0.02, .load_time_constant = 0.02};
+  test::Random random(3);
+  for (int trial = 0; trial < 3; ++trial) {
+    RobotModel model(test::anymal_b());
+    ExternalForceEstimator estimator(options);
+    RobotState state = random.standing_state(model.description().q_nominal);
+    state.w_WB_B = random.vector(2.0);
+    state.qd = JointVector::NullaryExpr([&] { return random.uniform(-3.0, 3.0); });
+    const Vec3 force = random.vector(60.0), moment = random.vector(15.0);
+    state.time = 0.0;
+    for (int tick = 0; tick < 60; ++tick) {  // 7 time constants
+      for (int i = 0; i < kSubsteps; ++i) {
+        model.update(state, Vec3::UnitZ());
+        model.load(force, moment);
+        const Dynamics& dynamics = model.dynamics();
+        const GeneralizedVector u = state.u() - kStep * dynamics.M.llt().solve(dynamics.h);
+        state = test::moved(state, u, kStep);
+        state.v_WB = u.head<3>();
+        state.w_WB_B = u.segment<3>(3);
+        state.qd = u.tail<kNumJoints>();
+      }
+      state.time = kPeriod * (tick + 1);
+      estimator.update(model.update(state, Vec3::UnitZ()), {}, state);
+    }
+    EXPECT_LT((estimator.force() - force).norm(), 1.0) << force.transpose();
+    EXPECT_LT((estimator.moment() - moment).norm(), 0.5) << moment.transpose();
+  }
 }
 
 }  // namespace

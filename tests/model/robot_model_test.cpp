@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace surefoot {
 namespace {
 
@@ -197,6 +199,23 @@ TEST(RobotModel, can_be_moved) {
   RobotModel model(anymal_b());
   RobotModel other(std::move(model));
   EXPECT_NEAR(other.mass(), 30.4754, 1e-4);
+}
+
+TEST(RobotModel, ALoadDoesTheWorkOfAWrenchOnTheBaseAtTheCentreOfMass) {
+  RobotModel model(anymal_b());
+  Random random(12);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const RobotState state = random.state();
+    const Dynamics& dynamics = model.update(state, kUp);
+    const GeneralizedVector h = dynamics.h;
+    const Vec3 force = random.vector(100.0), moment = random.vector(20.0);
+    const Vec3 w_W = state.R_WB() * state.w_WB_B;
+    const Vec3 v = state.v_WB + w_W.cross(dynamics.com.p - state.p_WB);
+    model.load(force, moment);
+    const double power = force.dot(v) + moment.dot(w_W);
+    EXPECT_NEAR((h - dynamics.h).dot(state.u()), power, 1e-9 * (1.0 + std::abs(power)));
+    EXPECT_EQ((h - dynamics.h).tail<kNumJoints>(), JointVector::Zero());
+  }
 }
 
 }  // namespace
