@@ -116,6 +116,11 @@ auto load_named(Section& top, const char* key, const Load& load) {
   }
 }
 
+constexpr NumberRange kHeight{.min = -UserCommand::kMostHeight,
+                              .max = UserCommand::kMostHeight,
+                              .words = "from -0.3 to 0.3 m"};
+static_assert(UserCommand::kMostHeight == 0.3);
+
 void read_user(Section& top, std::vector<TimedCommand>& commands) {
   commands = {TimedCommand{}};
   const ConfigNode* list = top.node("user");
@@ -130,7 +135,7 @@ void read_user(Section& top, std::vector<TimedCommand>& commands) {
     section.flag("walk", command.user.walk);
     section.vector("velocity", command.user.velocity);
     section.number("yaw_rate", command.user.yaw_rate);
-    section.number("height", command.user.height);
+    section.number("height", command.user.height, kHeight);
     section.flag("calibrate", command.user.calibrate);
     section.finish();
     if (command.time < commands.back().time)
@@ -339,7 +344,7 @@ void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOpt
 
 const UserCommand& Scenario::user(double time) const {
   const auto next = std::ranges::upper_bound(commands, time, {}, &TimedCommand::time);
-  return (next - 1)->user;
+  return (std::max(next, commands.begin() + 1) - 1)->user;
 }
 
 Scenario load_scenario(const ScenarioRequest& request) {

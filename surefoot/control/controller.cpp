@@ -27,8 +27,6 @@
 namespace surefoot {
 namespace {
 
-constexpr double kFastestCommand = 1.0;  // [m/s] and [rad/s]
-
 double checked_period(double period) {
   if (period > 0.0 && std::isfinite(period)) return period;
   throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
@@ -41,9 +39,9 @@ double clamp_finite(double value, double limit) {
 /// What can't be right in a command is dropped or limited, so that it can't reach the plan.
 UserCommand sane(const UserCommand& user) {
   UserCommand result = user;
-  for (double& v : result.velocity) v = clamp_finite(v, kFastestCommand);
-  result.yaw_rate = clamp_finite(user.yaw_rate, kFastestCommand);
-  result.height = clamp_finite(user.height, kFastestCommand);
+  for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
+  result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
+  result.height = clamp_finite(user.height, UserCommand::kMostHeight);
   return result;
 }
 
@@ -59,14 +57,13 @@ constexpr double kFurthest = 1e6;    // [m]
 constexpr double kFastest = 1e3;     // [m/s] and [rad/s]
 constexpr double kMostTurned = 1e3;  // [rad]
 constexpr double kStrongest = 1e4;   // [N·m]
-constexpr double kLongestGap = 1.0;  // between two ticks [s]
 
 /// Can the robot be so? Not where a number is NaN.
 bool is_plausible(const RobotState& state) {
   const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
-  return std::isfinite(state.time) && within(state.p_WB, kFurthest) &&
-         std::abs(state.q_WB.norm() - 1.0) < 0.01 && within(state.u(), kFastest) &&
-         within(state.q, kMostTurned) && within(state.torque, kStrongest);
+  return std::isfinite(state.time) && within(state.p_WB, kFurthest) && is_rotation(state.q_WB) &&
+         within(state.u(), kFastest) && within(state.q, kMostTurned) &&
+         within(state.torque, kStrongest);
 }
 
 ModelRecord unknown_model() {
@@ -174,7 +171,7 @@ bool Controller::Implementation::estimate() noexcept {
   }
   record.state = estimator->update(guard.repaired(), context());
   forget_lost_joints();
-  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestGap;
+  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestReadingGap;
   const bool believed = is_plausible(record.state) && !clock_jumps;
   if (believed) last_time = record.state.time;
   return believed && !safety.has_stopped() && safety.lost_sensor(record.health) == StopCause::none;

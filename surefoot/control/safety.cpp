@@ -1,12 +1,13 @@
 #include "surefoot/control/safety.hpp"
 
+#include "surefoot/math/rotation.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace surefoot {
 namespace {
 
-constexpr double kNearlyUnit = 0.01;
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kRounding = 1e-9;       // of times [s]
@@ -22,8 +23,7 @@ bool is_posture(const JointVector& q) {
 }
 
 double uprightness(const RobotState& state) {
-  const bool is_rotation = std::abs(state.q_WB.norm() - 1.0) < kNearlyUnit;  // not if it is NaN
-  return is_rotation ? state.R_WB()(2, 2) : 1.0;
+  return is_rotation(state.q_WB) ? state.R_WB()(2, 2) : 1.0;
 }
 
 /// Is something filled in? Not for a sensor that the robot does not have.

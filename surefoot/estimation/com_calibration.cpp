@@ -5,6 +5,7 @@
 #include "surefoot/model/leg_jacobian.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -13,8 +14,8 @@ constexpr double kFadeIn = 0.5;      // of a weighing [s]
 constexpr double kFollow = 0.5;      // of what links are found to weigh, a time constant [s]
 constexpr double kLargest = 0.10;    // of an offset that is believed [m]
 constexpr double kLeastShare = 0.5;  // of the weight that the feet must feel
-constexpr int kLeastSamples = 400;
-constexpr double kMemory = 1.0;  // the vertical is known only at the end of the motion [s]
+constexpr double kLeast = 1.0;       // of a weighing that counts [s]
+constexpr double kMemory = 1.0;      // the vertical is known only at the end of the motion [s]
 
 }  // namespace
 
@@ -65,7 +66,7 @@ ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
 
 // The weighing knows nothing of heavier links, the offset that was in use while it lasted does.
 void ComCalibration::end_weighing(const Dynamics& dynamics) {
-  if (samples_ >= kLeastSamples) {
+  if (samples_ >= std::lround(kLeast / period_)) {
     const Vec3 offset_now = offset();
     slope_ = slope(dynamics);
     before_ = offset_now - slope_ * heavier_in_use_;

@@ -64,12 +64,12 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   const JointVector by_ground = missing - tare_.tare();
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
+    Vec3& force = state.foot_force[k];
+    force = damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *
+            by_ground.segment<3>(first_joint(leg));
     const bool sensed =
         options_.use_foot_sensor && std::abs(reading.foot_force[k]) <= kMostSensed;  // not if NaN
-    state.foot_force[k] =
-        sensed ? Vec3(reading.foot_force[k] * terrain_normal_W)
-               : Vec3(damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *
-                      by_ground.segment<3>(first_joint(leg)));
+    if (sensed) force += (reading.foot_force[k] - terrain_normal_W.dot(force)) * terrain_normal_W;
   }
 }
 

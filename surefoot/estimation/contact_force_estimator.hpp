@@ -10,8 +10,8 @@ namespace surefoot {
 
 struct ContactForceOptions {
   double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
-  /// Take the normal force of a foot force sensor instead, where there is one and it tells a force
-  /// that can be: 10 kN at most.
+  /// Take the force along the terrain's normal from a foot force sensor, where there is one and it
+  /// tells a force that can be: 10 kN at most. What is along the ground the joints tell.
   bool use_foot_sensor = false;
   SwingTareOptions tare = {};
 };

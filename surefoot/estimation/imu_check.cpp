@@ -10,7 +10,6 @@
 namespace surefoot {
 namespace {
 
-const Vec3 kGravityVector(0.0, 0.0, -kGravity);
 constexpr int kLeastFeet = 2, kLeastFeetForTurn = 3;
 /// Parts of the window: a gross error shows in a short one already.
 constexpr std::array<double, ImuCheck::kNumSpans> kParts{0.1, 0.25, 0.5, 1.0};

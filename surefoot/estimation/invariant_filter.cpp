@@ -10,8 +10,6 @@
 namespace surefoot {
 namespace {
 
-const Vec3 kGravityVector(0.0, 0.0, -kGravity);
-
 double square(double x) { return x * x; }
 
 /// Left Jacobian of SO(3): exp of a twist moves points by J_l(θ) ξ.

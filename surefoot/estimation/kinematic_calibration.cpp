@@ -9,11 +9,12 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
 
-constexpr int kTicksPerSample = 10;
+constexpr double kSampleInterval = 0.025;  // [s]
 constexpr int kLeastSamples = 80;
 constexpr double kFadeIn = 0.6;          // [s]
 constexpr double kCreep = 7e-4;          // of soft feet along the ground [m] …
@@ -29,7 +30,9 @@ constexpr double kLargestAngle = 0.02;   // [rad]
 }  // namespace
 
 KinematicCalibration::KinematicCalibration(const RobotDescription& robot, double period)
-    : period_(period), foot_radius_(robot.foot_radius) {
+    : period_(period),
+      ticks_per_sample_(std::max(1, static_cast<int>(std::lround(kSampleInterval / period)))),
+      foot_radius_(robot.foot_radius) {
   const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
@@ -47,7 +50,7 @@ void KinematicCalibration::update(const Dynamics& dynamics, const Vec3& gyro_B, 
   for (const Leg leg : kLegs) {
     rolled_[index(leg)] += period_ * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
   }
-  if (ticks_++ % kTicksPerSample == 0) add_sample(dynamics);
+  if (ticks_++ % ticks_per_sample_ == 0) add_sample(dynamics);
 }
 
 void KinematicCalibration::start(const Mat3& R_WB) noexcept {

@@ -68,6 +68,7 @@ class KinematicCalibration {
   void fade() noexcept;
 
   double period_;
+  int ticks_per_sample_;
   double foot_radius_;
   PerLeg<LegChain> chains_;
   PerLeg<Vec3> rolled_{};

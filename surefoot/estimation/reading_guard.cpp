@@ -5,7 +5,6 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLongestGap = 1.0;  // between two ticks [s]
 constexpr double kLostFactor = 5.0;  // of the patience, until any value is believed again
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
@@ -39,7 +38,7 @@ void ReadingGuard::update(const SensorReading& reading,
                           const JointVector& joint_velocity) noexcept {
   const bool is_first = std::isnan(time_);
   const double dt = is_first ? 0.0 : reading.time - time_;
-  clock_is_right_ = std::isfinite(reading.time) && dt >= 0.0 && dt <= kLongestGap;
+  clock_is_right_ = std::isfinite(reading.time) && dt >= 0.0 && dt <= kLongestReadingGap;
   repaired_ = measured_ = reading;
   if (!clock_is_right_) return;
   time_ = reading.time;

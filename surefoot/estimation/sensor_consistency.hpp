@@ -32,7 +32,7 @@ class SensorConsistency {
   /// `health`, where nothing worse is known of it.
   void update(const SensorReading& reading, const ConsistencyInputs& known,
               SensorHealth& health) noexcept;
-  /// Nothing is known of this tick, or the legs are found to be other than believed.
+  /// The legs are found to be other than was believed: what was held against them says nothing.
   void forget() noexcept;
 
   [[nodiscard]] const ImuCheck& imu() const { return imu_; }

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/slip_detector.hpp"
 
+#include "surefoot/math/rotation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +12,9 @@ namespace {
 constexpr double kRounding = 1e-9;  // [s]
 constexpr int kLeastWitnesses = 2;  // feet that stand still
 
-/// Of the other standing feet's contact points and of 0, axis by axis.
+/// The median of the other standing feet's contact points and of 0, axis by axis of the heading.
 Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
+  const Mat3 R = rotation_about_z(yaw(dynamics.base_rotation.R));
   Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
     std::array<double, kNumLegs> votes;
@@ -19,14 +22,14 @@ Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Le
     votes[0] = 0.0;
     std::size_t count = 1;
     for (const Leg other : kLegs) {
-      const double vote = dynamics.contact[index(other)].v[axis];
+      const double vote = R.col(axis).dot(dynamics.contact[index(other)].v);
       if (other == leg || !stands[index(other)] || !std::isfinite(vote)) continue;
       votes[count++] = vote;
     }
     std::ranges::sort(votes);
     result[axis] = 0.5 * (votes[(count - 1) / 2] + votes[count / 2]);
   }
-  return result;
+  return R * result;
 }
 
 }  // namespace

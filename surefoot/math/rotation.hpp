@@ -2,6 +2,8 @@
 
 #include "surefoot/math/types.hpp"
 
+#include <cmath>
+
 namespace surefoot {
 
 /// S(a) with S(a) b = a × b.
@@ -10,6 +12,9 @@ namespace surefoot {
   result << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
   return result;
 }
+
+/// Is it of unit length, to within rounding and filters? Not if it is NaN.
+[[nodiscard]] inline bool is_rotation(const Quat& q) { return std::abs(q.norm() - 1.0) < 0.01; }
 
 /// Rotation of |v| radians about v.
 [[nodiscard]] Quat exp_rotation(const Vec3& v);

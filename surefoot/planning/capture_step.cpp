@@ -27,7 +27,7 @@ CaptureStep find_capture_step(const CaptureProblem& problem, Leg leg, const Push
   for (int i = 0; i <= kLengths; ++i) {
     const double length = options.step_max * i / kLengths;
     for (int j = 0; j < (i == 0 ? 1 : kDirections); ++j) {
-      const double angle = 2.0 * kPi * j / kDirections;
+      const double angle = problem.heading + 2.0 * kPi * j / kDirections;
       const Vec2 asked = from + length * Vec2(std::cos(angle), std::sin(angle));
       feet[index(leg)] = nearest_within(asked, problem.hip, problem.reach);
       const double margin = SupportRegion(feet, all).margin(problem.capture_point);

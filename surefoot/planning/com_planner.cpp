@@ -166,12 +166,14 @@ void ComPlanner::write_friction_rows(Level& level, int phase, double t) const no
   const double T = phases_[static_cast<std::size_t>(phase)].duration;
   const HermiteWeights w = height_ / kGravity * hermite_acceleration(t, T);
   const double most = kFrictionShare * friction_ * height_;
-  for (int axis = 0; axis < 2; ++axis) {
+  for (const Vec2& side : friction_axes_) {
     for (const double sign : {1.0, -1.0}) {
       Rows rows = level.add(1, 0);
-      const double known = add_terms(rows, 0, phase, axis, w, sign);
+      double known = 0.0;
+      for (int axis = 0; axis < 2; ++axis)
+        known += add_terms(rows, 0, phase, axis, w, sign * side[axis]);
       rows.lower[0] = -kInfinity;
-      rows.upper[0] = most - known + sign * height_ * load_.force[axis];
+      rows.upper[0] = most - known + sign * height_ * side.dot(load_.force);
     }
   }
 }

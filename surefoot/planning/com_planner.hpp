@@ -65,8 +65,13 @@ class ComPlanner {
 
   /// Borne by the plans that follow, from their begin to their end.
   void bear(const ComLoad& load) { next_load_ = load; }
-  /// μ that the feet have together, in the plans that follow.
-  void stand_on(double friction) { friction_ = friction; }
+  /// μ that the feet have together, in the plans that follow, along the sides of pyramids that look
+  /// where the heading does.
+  void stand_on(double friction, double heading) {
+    friction_ = friction;
+    friction_axes_ = {Vec2(std::cos(heading), std::sin(heading)),
+                      Vec2(-std::sin(heading), std::cos(heading))};
+  }
   void clear() { num_phases_ = 0; }
   /// Appends a phase; ignored beyond kMaxPhases or shorter than a millisecond.
   void add(const SupportPhase& phase) noexcept;
@@ -140,6 +145,7 @@ class ComPlanner {
   double height_ = 0.5;
   double zmp_slack_ = 0.0;
   double friction_ = 0.5;
+  std::array<Vec2, 2> friction_axes_{Vec2::UnitX(), Vec2::UnitY()};
   ComLoad load_, next_load_;
   std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
   // The plan in force: kept apart from the phases being added.

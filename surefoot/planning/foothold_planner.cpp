@@ -152,19 +152,27 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
 // goes where it likes, over the higher of the two.
 Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const Vec3& from,
                                 const Vec2& heading) const {
+  const Vec2 aside(-heading.y(), heading.x());
   const auto ahead = [&](const Vec3& print) { return heading.dot((print - nominal).head<2>()); };
+  const auto beside = [&](const Vec3& print) {  // of another way, before a turn
+    return std::abs(aside.dot((print - nominal).head<2>())) > stance_.half_width;
+  };
   const auto last_before = [&](double limit) {
     const Vec3* last = nullptr;
     for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
       const Vec3& print = prints.points[i];
-      if (ahead(print) <= limit && (last == nullptr || ahead(print) > ahead(*last))) last = &print;
+      if (!beside(print) && ahead(print) <= limit &&
+          (last == nullptr || ahead(print) > ahead(*last)))
+        last = &print;
     }
     return last;
   };
   const Vec3* beyond = nullptr;
   for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
     const Vec3& print = prints.points[i];
-    if (ahead(print) > 0.0 && (beyond == nullptr || ahead(print) < ahead(*beyond))) beyond = &print;
+    if (!beside(print) && ahead(print) > 0.0 &&
+        (beyond == nullptr || ahead(print) < ahead(*beyond)))
+      beyond = &print;
   }
   if (beyond == nullptr) return nominal;
   const Vec3* before = last_before(0.0);

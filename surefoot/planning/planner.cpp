@@ -55,7 +55,8 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   note_calibration_wish(command.calibrate);
   UserCommand user = with_caution(within_strides(command));
   user.walk = user.walk && !calibrating() && !wants_calibration_;
-  if (user.walk && mode_ != Mode::stand) yaw_ += period_ * user.yaw_rate;
+  yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
+  yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
@@ -177,7 +178,7 @@ void Planner::advance(const UserCommand& user, const Dynamics& dynamics) {
 
 void Planner::advance_support(const UserCommand& user, const Dynamics& dynamics) {
   LegMotion& next = leg(next_leg());
-  if (!all_down() || recovering_) {  // for a lost foot that searches, or for a pushed robot's rest
+  if (waits()) {
     lift_time_ = std::max(lift_time_, time_ + support_duration());
     return;
   }
@@ -309,26 +310,21 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
   };
 
   com_planner_.bear(balance_.load());
-  com_planner_.stand_on(mean_friction());
+  com_planner_.stand_on(mean_friction(), yaw_);
   balance_.planned(time_);
   com_planner_.clear();
-  if (mode_ == Mode::stand || !user.walk || recovering_) {
-    if (mode_ == Mode::swing) add(std::max(deadline_ - time_, period_), true);
-    for (const Leg k : kLegs) {
-      const bool swings = mode_ == Mode::swing && k == next_leg();
-      if (!phase.down[index(k)]) land(k, swings ? leg(k).target().goal : dynamics.foot[index(k)].p);
-    }
+  const bool swings = mode_ == Mode::swing;
+  if (swings) add(std::max(deadline_ - time_, period_), true);
+  for (const Leg k : kLegs) {
+    const bool is_next = swings && k == next_leg();
+    if (!phase.down[index(k)]) land(k, is_next ? leg(k).target().goal : dynamics.foot[index(k)].p);
+  }
+  if (mode_ == Mode::stand || !user.walk || recovering_ || has_lost()) {
     add(recovering_ ? kRecovery : kStandDuration, recovering_);
     com_planner_.plan(time_, begin, height, Vec2::Zero(), true);
     return;
   }
-  int ahead = 0;
-  if (mode_ == Mode::swing) {
-    add(std::max(deadline_ - time_, period_), true);
-    land(next_leg(), leg(next_leg()).target().goal);
-    ahead = 1;
-  }
-  for (int step = ahead; step < options_.com.horizon_steps; ++step) {
+  for (int step = swings ? 1 : 0; step < options_.com.horizon_steps; ++step) {
     const Leg k = next_leg(step);
     const bool begun = step == 0;
     const double duration = begun ? std::max(lift_time_ - time_, period_) : support_duration(step);
@@ -351,8 +347,7 @@ void Planner::write_plan(const UserCommand& user) {
   }
   plan_.com = com_planner_.at(time_);
   plan_.com_zmp_slack = com_planner_.zmp_slack();
-  const double yaw_rate = mode_ != Mode::stand ? user.yaw_rate : 0.0;
-  torso_.update(plane_, yaw_, yaw_rate, plan_.com, options_.stance.height + user.height,
+  torso_.update(plane_, yaw_, yaw_rate_, plan_.com, options_.stance.height + user.height,
                 calibration_.at(time_ - initialised_at_));
   plan_.torso = torso_.plan();
   friction_frame_.update(plane_.normal);
@@ -384,6 +379,17 @@ double Planner::cycle_duration() const {
   double sum = 0.0;
   for (int i = 0; i < kNumLegs; ++i) sum += support_duration(i) + swing_duration(next_leg(i));
   return sum;
+}
+
+bool Planner::has_lost() const {
+  return std::ranges::any_of(kLegs, [this](Leg k) {
+    const bool swings = mode_ == Mode::swing && k == next_leg();
+    return !swings && !leg(k).down();
+  });
+}
+
+bool Planner::waits() const {
+  return mode_ == Mode::stand || (mode_ == Mode::support && (!all_down() || recovering_));
 }
 
 bool Planner::all_down() const {

@@ -136,6 +136,10 @@ class Planner {
   [[nodiscard]] bool knows_ground(Leg leg) const {
     return options_.foothold.hind_use_front_prints && !is_front(leg);
   }
+  /// A foot that should stand looks for ground.
+  [[nodiscard]] bool has_lost() const;
+  /// The gait goes on later: it stands, a lost foot searches, or a pushed robot comes to rest.
+  [[nodiscard]] bool waits() const;
   [[nodiscard]] bool all_down() const;
   [[nodiscard]] PerLeg<Vec3> footholds() const;
   [[nodiscard]] LegMotion& leg(Leg which) { return legs_[index(which)]; }
@@ -163,8 +167,8 @@ class Planner {
   bool wants_calibration_ = false;  // … which has not begun
   double tells_wait_at_ = 0.0;      // that it has not [s]
   bool restarts_ = false;
-  double stands_from_ = 0.0;  // on all feet [s]
-  double yaw_ = 0.0;
+  double stands_from_ = 0.0;           // on all feet [s]
+  double yaw_ = 0.0, yaw_rate_ = 0.0;  // of the heading that the torso is to have
   Mode mode_ = Mode::stand;
   int cursor_ = 0;         // place of the next leg in the gait's order
   bool backward_ = false;  // the gait's order is mirrored, fore and hind
@@ -176,7 +180,7 @@ class Planner {
   double late_time_ = 0.0;    // when a missing touchdown is told [s]
   bool probing_ = false;      // the swinging foot makes its first touch
   bool emergency_ = false;    // it is to stand wherever it touches
-  bool recovering_ = false;   // after a push: the gait waits until the robot is balanced
+  bool recovering_ = false;   // after a push or a slip: the gait waits until it is balanced
   int caught_ = 0;            // times that this swing was caught on its way
   Vec2 caught_at_{0.0, 0.0};  // where it was first
   int collisions_ = 0;        // of this swing with something above the ground that it knows

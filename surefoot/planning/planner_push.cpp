@@ -23,6 +23,11 @@ constexpr double kLongest = 2.0;        // … and again, up to about so many ti
 void Planner::react_to_push(const UserCommand& user, const RobotState& state,
                             const Dynamics& dynamics) {
   balance_.update(state, dynamics, com_height(dynamics));
+  if (recovering_ && mode_ != Mode::swing && is_calm(dynamics)) {  // from a push or a slip
+    recovering_ = false;
+    if (mode_ == Mode::support) begin_support(user, options_.gait.switch_duration);
+    replan_com(user, dynamics);
+  }
   if (!options_.push.enabled) return;
   const Leg next = next_leg();
   if (mode_ == Mode::swing && leg(next).phase() == LegPhase::swing) {
@@ -33,11 +38,6 @@ void Planner::react_to_push(const UserCommand& user, const RobotState& state,
     leg(next).reload(time_);
     begin_support(user, options_.gait.switch_duration);
     recovering_ = true;
-    replan_com(user, dynamics);
-  }
-  if (recovering_ && mode_ != Mode::swing && is_calm(dynamics)) {
-    recovering_ = false;
-    if (mode_ == Mode::support) begin_support(user, options_.gait.switch_duration);
     replan_com(user, dynamics);
   }
   if (mode_ != Mode::swing) step_to_recover(user, dynamics);
@@ -99,6 +99,7 @@ void Planner::put_foot_down(Leg k, const UserCommand& user, const Dynamics& dyna
 CaptureStep Planner::capture_step(Leg k, double duration, const Dynamics& dynamics) const {
   const SupportRegion others = region_without(k, dynamics);
   CaptureProblem problem;
+  problem.heading = yaw_;
   for (const Leg other : kLegs)
     problem.feet[index(other)] = dynamics.foot[index(other)].p.head<2>();
   if (!leg(k).down())  // its speed takes it on: the least turn is from where it would come to rest

@@ -59,9 +59,10 @@ struct MotionPlan {
   PerLeg<FootPlan> feet{};
   TorsoPlan torso{};
   ComPlan com{};
-  Mat3 R_WC = Mat3::Identity();  ///< control frame C: z along the terrain normal, x the heading
-  Vec3 terrain_point =
-      Vec3::Zero();            ///< a point of the terrain plane, at sphere-centre height, in W [m]
+  /// Control frame C: z along the filtered terrain normal, x the heading.
+  Mat3 R_WC = Mat3::Identity();
+  /// A point of the terrain plane as it is fitted, at sphere-centre height, in W [m].
+  Vec3 terrain_point = Vec3::Zero();
   double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
   CalibrationStage calibration = CalibrationStage::none;
   int event = 0;  ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)

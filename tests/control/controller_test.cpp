@@ -42,7 +42,7 @@ TEST(Controller, AbsurdCommandsOfTheOperatorAreLimited) {
     ASSERT_NO_FATAL_FAILURE(expect_legal(record.command));
     EXPECT_LE(record.user.velocity.cwiseAbs().maxCoeff(), 1.0);
     EXPECT_LE(std::abs(record.user.yaw_rate), 1.0);
-    EXPECT_LE(std::abs(record.user.height), 1.0);
+    EXPECT_LE(std::abs(record.user.height), 0.3);
     EXPECT_TRUE(record.user.walk);
     EXPECT_TRUE(is_sound(record.plan)) << value;
   }

@@ -1,5 +1,6 @@
 #include "surefoot/estimation/slip_detector.hpp"
 
+#include "surefoot/math/rotation.hpp"
 #include "tests/support/random_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,21 @@ TEST(SlipDetector, AFootThatSlidesIsFoundWithin20Milliseconds) {
     feet.run(0.1);
     EXPECT_LT((feet.state.slip_velocity[index(leg)] - feet.velocity(leg)).norm(), 1e-3);
   }
+}
+
+TEST(SlipDetector, TurnsWithTheRobot) {
+  const auto found = [](double heading) {
+    Feet feet;
+    const Mat3 R = rotation_about_z(heading);
+    feet.dynamics.base_rotation.R = R;
+    feet.stands[index(Leg::RH)] = false;
+    feet.velocity(Leg::LF) = R * Vec3(-0.03, -0.03, 0.0);
+    feet.velocity(Leg::RF) = R * Vec3(0.055, 0.0, 0.0);
+    feet.velocity(Leg::LH) = R * Vec3(0.0, 0.055, 0.0);
+    feet.run(0.2);
+    return feet.state.slips;
+  };
+  for (const double heading : {0.4, kPi / 4.0, -2.0}) EXPECT_EQ(found(heading), found(0.0));
 }
 
 TEST(SlipDetector, OneThatSlidesMakesNoOtherSlideBeItOnThreeFeet) {

@@ -80,6 +80,23 @@ TEST(CaptureStep, GoesNoFurtherThanTheMarginAsksFor) {
   EXPECT_NEAR(last, options.step_max, 1e-12);
 }
 
+TEST(CaptureStep, TurnsWithTheRobot) {
+  test::RandomMatrices random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    CaptureProblem problem = tipping_left(random.uniform(0.0, 0.4));
+    problem.capture_point += 0.2 * Vec2(random.vector(2));
+    const CaptureStep step = find_capture_step(problem, Leg::LF, {});
+    problem.heading = random.uniform(-3.0, 3.0);
+    const Mat2 R = Eigen::Rotation2Dd(problem.heading).toRotationMatrix();
+    for (Vec2& foot : problem.feet) foot = R * foot;
+    problem.capture_point = R * problem.capture_point;
+    problem.hip = R * problem.hip;
+    const CaptureStep turned = find_capture_step(problem, Leg::LF, {});
+    EXPECT_NEAR(turned.margin, step.margin, 1e-9);
+    EXPECT_LT((turned.goal - R * step.goal).norm(), 1e-9);
+  }
+}
+
 TEST(CaptureStep, IsWithinReachShortEnoughAndOffTheOtherFeet) {
   test::RandomMatrices random(3);
   const PushOptions options;

@@ -1,4 +1,5 @@
 // What the planner of the centre of mass does with hard, wrong or too many phases.
+#include "surefoot/math/rotation.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 #include "tests/planning/com_plans.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -45,13 +46,29 @@ TEST(ComPlanner, AgainstALoadAsksForNoMoreAlongTheGroundThanFrictionGives) {
   const Vec2 force(0.0, 0.2);  // of the weight
   ComPlanner planner = make_planner();
   planner.bear({.force = force});
-  planner.stand_on(kFriction);
+  planner.stand_on(kFriction, 0.0);
   const Phases phases{standing(1.0, nominal_feet())};
   plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.25}, {0.0, 0.0}});
   over(phases, 0.0, [&](const SupportPhase&, double, double t) {
     const Vec2 along = planner.at(t).a / kGravity - force;
     EXPECT_LT(along.lpNorm<Eigen::Infinity>(), kFriction / std::numbers::sqrt2) << t;
   });
+}
+
+TEST(ComPlanner, FrictionIsThatOfPyramidsThatLookWhereTheHeadingDoes) {
+  constexpr double kFriction = 0.3;
+  const auto begin_of = [](double heading) {
+    const Mat2 R = rotation_about_z(heading).topLeftCorner<2, 2>();
+    ComPlanner planner = make_planner();
+    planner.bear({.force = R * Vec2(0.18, 0.0)});
+    planner.stand_on(kFriction, heading);
+    SupportPhase phase = standing(1.0, nominal_feet());
+    for (Vec2& foot : phase.feet) foot = R * foot;
+    plan(planner, {phase}, 0.0, {{0.0, 0.0}, R * Vec2(0.1, 0.05), {0.0, 0.0}});
+    return Vec2(R.transpose() * planner.at(0.2).a);
+  };
+  for (const double heading : {0.3, kPi / 4.0, 2.0})
+    EXPECT_LT((begin_of(heading) - begin_of(0.0)).norm(), 1e-6) << heading;
 }
 
 /// Standing for a second on legs that reach no further than `reach`, hips over their feet.
@@ -78,7 +95,7 @@ TEST(ComPlanner, AgainstALoadKeepsEveryHipWhereItsLegReachesIt) {
   for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
     ComPlanner planner = make_planner({.terminal_weight = 100.0});
     planner.bear({.force = 0.2 * Vec2(std::cos(angle), std::sin(angle))});
-    planner.stand_on(1.0);
+    planner.stand_on(1.0, 0.0);
     // The rows are tangents where the plan before was, so that of a first plan is not bounded yet.
     for (int i = 0; i < 5; ++i) plan(planner, on_short_legs(kReach), 0.0, {{0, 0}, {0, 0}, {0, 0}});
     EXPECT_LT(furthest_hip(planner, on_short_legs(kReach)), 1.05 * kReach) << angle;
@@ -127,7 +144,7 @@ TEST(ComPlanner, AgainstALoadTheCapturePointStaysInsideThoughThePhaseNeedNotRest
   const Vec2 force(0.0, 0.1);
   ComPlanner planner = make_planner(options);
   planner.bear({.force = force});
-  planner.stand_on(1.0);
+  planner.stand_on(1.0, 0.0);
   plan(planner, phases, 0.0, {{0.0, 0.0}, {0.0, 0.4}, {0.0, 0.0}});
   EXPECT_GT(least_rest_margin(planner, phases, kHeight * force), 0.9 * options.rest_margin);
 }

@@ -181,6 +181,15 @@ TEST(FootholdPlanner, AHindFootTakesTheNearestPrintWithinItsRadius) {
   EXPECT_EQ(Hind({far, near, behind}).goes(), behind);
 }
 
+TEST(FootholdPlanner, PrintsOfAnotherWayAreNoneOfThisOne) {
+  const double aside = StanceOptions{}.half_width + 0.01;
+  for (const double side : {aside, -aside, 0.5})
+    EXPECT_LT((Hind({Vec3(0.12, side, 0.0), Vec3(0.26, side, 0.14)}).goes() - Vec3(0.15, 0.0, 0.0))
+                  .norm(),
+              1e-12)
+        << side;
+}
+
 TEST(FootholdPlanner, BetweenPrintsFarOffTheHindFootGoesWhereItWouldAtTheirHeight) {
   const Vec3 goal = Hind({Vec3(-0.02, 0.0, 0.01), Vec3(0.26, 0.0, 0.02)}).goes();
   EXPECT_LT((goal - Vec3(0.15, 0.0, 0.02)).norm(), 1e-12);

@@ -1,4 +1,5 @@
 // The walk where the ground is not what was expected.
+#include "surefoot/math/rotation.hpp"
 #include "tests/planning/watch.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
@@ -188,6 +189,44 @@ TEST(Planner, NothingBeginsAnewWhileAFootSearches) {
   });
   EXPECT_TRUE(searched);
   EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 1u) << "once it stands again";
+}
+
+TEST(Planner, TheComComesToRestWhileALostFootSearches) {
+  Puppet puppet = walker();
+  while (puppet.time() < 5.0 || puppet.plan().num_contacts() < 4) puppet.tick();
+  const Vec2 place = puppet.foot(Leg::RF).head<2>(), com = puppet.com();
+  puppet.ground = [place](const Vec2& p) { return (p - place).norm() < 0.3 ? kNoGround : 0.0; };
+  const double lost_at = puppet.time();
+  int searched = 0;
+  puppet.run(2.0, [&] {
+    if (puppet.plan().feet[index(Leg::RF)].phase != LegPhase::search) return;
+    const ComPlan& plan = puppet.plan().com;
+    ++searched;
+    EXPECT_LT((plan.p - com).norm(), 0.04);
+    EXPECT_TRUE(puppet.time() < lost_at + 1.2 || plan.v.norm() < 1e-6);
+  });
+  EXPECT_GT(searched, 300);
+}
+
+TEST(Planner, TheHeadingWaitsForAFootThatSearches) {
+  Puppet puppet = walker();
+  puppet.user = {.walk = true, .velocity = {0.0, 0.0}, .yaw_rate = 0.1};
+  const auto heading = [&] { return yaw(puppet.plan().torso.q_WB.toRotationMatrix()); };
+  while (puppet.plan().num_contacts() < 4 || puppet.time() < 3.0) puppet.tick();
+  ASSERT_GT(heading(), 0.1) << "it turns";
+  puppet.ground = [](const Vec2& p) { return p.x() < 0.0 && p.y() < 0.0 ? test::kNoGround : 0.0; };
+  int waited = 0;
+  double before = kNaN;
+  puppet.run(1.0, [&] {
+    const bool searches = puppet.plan().feet[index(Leg::RH)].phase == LegPhase::search;
+    if (searches && std::isfinite(before)) {
+      ++waited;
+      EXPECT_NEAR(heading(), before, 1e-9);
+      EXPECT_NEAR(puppet.plan().torso.w_WB.z(), 0.0, 1e-9);
+    }
+    before = searches ? heading() : kNaN;
+  });
+  EXPECT_GT(waited, 100);
 }
 
 TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {

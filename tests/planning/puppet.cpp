@@ -80,7 +80,7 @@ void Puppet::move_body() {
   const ComPlan& com = plan_.com;
   if (com_follows) {
     dynamics_.com.p.head<2>() = com.p + kPeriod * com.v + 0.5 * kPeriod * kPeriod * com.a;
-    dynamics_.com.v.head<2>() = com.v + kPeriod * com.a;
+    dynamics_.com.v.head<2>() = com.v + kPeriod * com.a + blow;
   }
   const TorsoPlan& torso = plan_.torso;
   dynamics_.com.p.z() = torso.height;

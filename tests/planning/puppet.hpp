@@ -59,6 +59,7 @@ class Puppet {
   PerLeg<Vec2> slide;     ///< forces along the ground at which these feet slide [N]; 0: they stand
   HierarchyOutcome last;  ///< what the hierarchy tells
   bool com_follows = true;  ///< otherwise the centre of mass stays where it is
+  Vec2 blow{0.0, 0.0};      ///< what the centre of mass is faster than planned [m/s]
   double drift = 0.0;       ///< velocity at which the base is believed to go besides [m/s]
 
  private:

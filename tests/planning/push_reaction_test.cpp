@@ -198,6 +198,26 @@ TEST(PushReaction, DoesNothingWhenItIsSwitchedOff) {
   EXPECT_TRUE(puppet.happenings(PlanEvent::push_foot_down).empty());
 }
 
+TEST(PushReaction, AWalkGoesOnAfterASlipThoughItIsSwitchedOff) {
+  PlannerOptions options;
+  options.push.enabled = false;
+  Puppet puppet(options);
+  walk_into_swing(puppet, Leg::LF);
+  puppet.blow = {0.3, 0.3};  // the balance needs the foot
+  puppet.tick();
+  puppet.slide[index(Leg::RH)] = Vec2(30.0, 0.0);
+  puppet.run(0.05);
+  puppet.slide.fill(Vec2::Zero());
+  puppet.blow.setZero();
+  ASSERT_FALSE(puppet.happenings(PlanEvent::slip).empty());
+  const auto lifts = [&] { return puppet.happenings(PlanEvent::lift_off).size(); };
+  puppet.run(0.2);
+  ASSERT_EQ(puppet.plan().num_contacts(), 4) << "it is put down";
+  const std::size_t before = lifts();
+  puppet.run(15.0);
+  EXPECT_GT(lifts(), before + 2);
+}
+
 TEST(PushReaction, AStepWhileTheRobotCalibratesItselfDoesNotBeginTheWalk) {
   PlannerOptions options;
   options.calibration.duration = 6.0;

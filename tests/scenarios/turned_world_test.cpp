@@ -100,6 +100,8 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, TurnedWorld,
                                               5600},
                                          Case{"StepDown", "step_down", "0", 0.0, 2400},
                                          Case{"Rough", "rough_field", "0", 0.0, 2400},
+                                         Case{"Slippery", "slippery", "0", 0.0, 2400},
+                                         Case{"PushedToStep", "walk_flat", "0", 200.0, 2400},
                                          Case{"Pushed", "walk_flat", "0", 60.0, 2400}),
                          [](const auto& test) { return test.param.name; });
 
