@@ -1,19 +1,20 @@
-# Benchmarks: one executable for each benchmarks/*.cpp. Not part of a plain build: `ninja benchmarks`.
+# Benchmarks: one executable for each benchmarks/*.cpp, with what a folder of its name has. Not part
+# of a plain build: `ninja benchmarks`.
 
 add_custom_target(benchmarks)
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmarks/*.cpp)
 foreach(source IN LISTS sources)
   cmake_path(GET source STEM name)
-  add_executable(benchmark_${name} EXCLUDE_FROM_ALL ${source})
+  file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmarks/${name}/*.cpp)
+  add_executable(benchmark_${name} EXCLUDE_FROM_ALL ${source} ${parts})
   add_dependencies(benchmarks benchmark_${name})
   target_link_libraries(benchmark_${name} PRIVATE ${SUREFOOT_TEST_LIBRARIES} benchmark::benchmark
     mujoco::mujoco)
 endforeach()
 
-# benchmark_solver: its parts, and the solvers of others that tools/setup_benchmarks.sh has put
-# into build/peers. What isn't there is left out, and said.
-file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/benchmarks/solver/*.cpp)
-target_sources(benchmark_solver PRIVATE ${sources} ${PROJECT_SOURCE_DIR}/tests/tasks/scene.cpp)
+# benchmark_solver: with the solvers of others that tools/setup_benchmarks.sh has put into
+# build/peers. What isn't there is left out, and said.
+target_sources(benchmark_solver PRIVATE ${PROJECT_SOURCE_DIR}/tests/tasks/scene.cpp)
 target_link_libraries(benchmark_solver PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 set(SUREFOOT_PEERS ${PROJECT_SOURCE_DIR}/build/peers CACHE PATH "Solvers to compare with")

@@ -1,6 +1,7 @@
 #include "surefoot/base/background.hpp"
 
 #include <pthread.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -14,6 +15,8 @@ constexpr int kLess = 5;  // niceness more than the process has
 // What the system refuses is no harm: the thread runs as it would without.
 void become_background(const char* name) {
   pthread_setname_np(pthread_self(), name);
+  const sched_param plain{};
+  pthread_setschedparam(pthread_self(), SCHED_BATCH, &plain);
   const auto thread = static_cast<id_t>(gettid());
   setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + kLess);
 }
