@@ -167,6 +167,8 @@ bool Controller::Implementation::estimate() noexcept {
   record.health = guard.health();
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
+    record.state.q = reading.q;  // for the safe commands: what the joints do now
+    record.state.qd = joint_velocity = contact_force.observe(guard.measured());
     return false;
   }
   record.state = estimator->update(guard.repaired(), context());
@@ -182,7 +184,7 @@ void Controller::Implementation::forget_lost_joints() noexcept {
   if (safety.lost_sensor(record.health) != StopCause::encoders) return;
   const JointVector age = guard.encoder_age();
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
-    if (age[i] < record.health.encoders.age) continue;
+    if (!safety.is_lost(age[i])) continue;
     record.state.q[i] = kNaN;
     record.state.qd[i] = kNaN;
   }

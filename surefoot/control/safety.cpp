@@ -90,13 +90,12 @@ bool Safety::is_good(const Solution* solution) const {
 }
 
 StopCause Safety::lost_sensor(const SensorHealth& health) const noexcept {
-  const auto lost = [&](const GroupHealth& group) {
-    return group.age > options_.bridge_time + kRounding;
-  };
-  if (lost(health.encoders)) return StopCause::encoders;
-  if (lost(health.imu)) return StopCause::imu;
-  return lost(health.joint_torques) ? StopCause::joint_torques : StopCause::none;
+  if (is_lost(health.encoders.age)) return StopCause::encoders;
+  if (is_lost(health.imu.age)) return StopCause::imu;
+  return is_lost(health.joint_torques.age) ? StopCause::joint_torques : StopCause::none;
 }
+
+bool Safety::is_lost(double age) const noexcept { return age > options_.bridge_time + kRounding; }
 
 void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
   if (damping_) return;

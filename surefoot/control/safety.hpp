@@ -46,6 +46,8 @@ class Safety {
 
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
+  /// Has what was good for the last time `age` ago [s] been gone for longer than may be bridged?
+  [[nodiscard]] bool is_lost(double age) const noexcept;
   /// Of a sensor that was lost: no solution is asked for any more.
   [[nodiscard]] bool has_stopped() const { return is_sensor(command_.cause); }
 

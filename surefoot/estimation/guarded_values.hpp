@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 
@@ -29,7 +30,8 @@ class GuardedValues {
             double patience) noexcept {
     for (int i = 0; i < n; ++i) {
       const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
-      const double tolerance = is_lost ? 2.0 * limits.range[i] : limits.tolerance[i];
+      const double tolerance =
+          is_lost ? std::numeric_limits<double>::infinity() : limits.tolerance[i];
       SampleFault& fault = faults_[static_cast<std::size_t>(i)];
       fault = common != SampleFault::none ? common : check(i, raw[i], limits.range[i], tolerance);
       const bool good = fault == SampleFault::none;

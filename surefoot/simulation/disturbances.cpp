@@ -118,9 +118,9 @@ int Pushes::body_of(const std::string& body, const std::string& key) const {
 
 std::vector<std::string> Pushes::bodies() const { return body_names(model_); }
 
-void Pushes::add(const Push& push) {
+void Pushes::add(const Push& push, double time) {
   std::erase_if(forces_, [&](const Force& force) {
-    return force.push.time + force.push.duration + kForgotten < push.time;
+    return force.push.time + force.push.duration + kForgotten < time;
   });
   forces_.push_back({push, body_of(push.body, "the pushed body")});
 }

@@ -22,8 +22,9 @@ class Pushes {
   /// Throws UnknownNameError, with the robot's links, for a body that does not exist.
   Pushes(const std::vector<Push>& pushes, const mjModel& model, const std::string& base_link);
 
-  /// One more; those that are long over are forgotten. Throws as the constructor.
-  void add(const Push& push);
+  /// One more; those that are long over at `time` [s], which is now, are forgotten. Throws as the
+  /// constructor.
+  void add(const Push& push, double time);
   /// In the place of what pulled before. Throws as the constructor.
   void set(const Pull& pull);
   /// What there is to push, by name.

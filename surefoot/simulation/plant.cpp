@@ -216,7 +216,7 @@ void Plant::write(const JointCommand& command) { implementation_->write(command.
 void Plant::push(const Push& push) {
   Push valid = push;
   valid.time = std::max(push.time, implementation_->data.time);
-  implementation_->pushes.add(valid);
+  implementation_->pushes.add(valid, implementation_->data.time);
 }
 
 void Plant::pull(const Pull& pull) { implementation_->pushes.set(pull); }

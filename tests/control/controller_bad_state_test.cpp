@@ -121,6 +121,40 @@ TEST(Controller, WithoutAStateForLongDampsAndStaysSo) {
   EXPECT_EQ(statue.tick().mode, CommandMode::damping);
 }
 
+TEST(Controller, TheSameReadingOverAndOverIsNoNews) {
+  Statue statue;
+  statue.run(20);
+  EXPECT_EQ(statue.controller.step(statue.reading, statue.user).mode, CommandMode::hold);
+  EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
+  for (int i = 0; i <= SafetyOptions{}.damp_after_failures; ++i) {
+    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.controller.step(statue.reading, statue.user)));
+  }
+  EXPECT_EQ(statue.controller.step(statue.reading, statue.user).mode, CommandMode::damping);
+}
+
+TEST(Controller, WithoutAClockItDampsTheJointsAsTheyMoveNow) {
+  Statue statue;
+  const auto swing = [&](double velocity, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      statue.state.q[2] += velocity * statue.period;
+      statue.state.qd[2] = velocity;
+      statue.reading.q = statue.state.q;
+      if (velocity > 0.0) {
+        (void)statue.tick();
+      } else {
+        statue.reading.time = kNaN;
+        ASSERT_NO_FATAL_FAILURE(expect_legal(statue.controller.step(statue.reading, {})));
+      }
+    }
+  };
+  ASSERT_NO_FATAL_FAILURE(swing(0.5, 40));
+  ASSERT_NO_FATAL_FAILURE(swing(-0.5, SafetyOptions{}.damp_after_failures + 40));
+  const TickRecord& record = statue.controller.record();
+  EXPECT_EQ(record.command.mode, CommandMode::damping);
+  EXPECT_NEAR(record.state.qd[2], -0.5, 0.1);
+  EXPECT_GT(record.command.torque[2], 0.0);
+}
+
 TEST(Controller, StartsSafelyWithoutAState) {
   Statue statue;
   for (int i = 0; i < 5; ++i) {

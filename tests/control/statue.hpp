@@ -74,6 +74,7 @@ struct Statue {
   const JointCommand& tick_with(const RobotState& believed) {
     const RobotState before = state;
     state = believed;
+    reading.time = before.time + period;
     const JointCommand& command = controller.step(reading, user);
     state = before;
     state.time += period;

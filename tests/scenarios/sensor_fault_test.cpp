@@ -143,6 +143,21 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SensorFault, testing::ValuesIn(faults()),
                                   (fault.said.find("LF_KFE") == std::string::npos ? "all" : "one");
                          });
 
+TEST(SensorFaults, ASecondLegsEncoderThatIsLostLaterLeavesNothingToSitDownBy) {
+  std::vector<std::string> options = walk(
+      "sensors.faults.one={sensor: encoders, kind: nan, "
+      "joint: LF_KFE, time: 2.5}",
+      4.0);
+  options.emplace_back(
+      "sensors.faults.two={sensor: encoders, kind: nan, joint: RH_KFE, time: 2.7}");
+  Loop loop(scenario("walk_flat", options));
+  loop.run_until(2.65);
+  EXPECT_EQ(loop.record().command.mode, CommandMode::sit);
+  loop.run_until(2.75);
+  EXPECT_EQ(loop.record().command.mode, CommandMode::damping);
+  EXPECT_TRUE(std::isnan(loop.record().state.q[11])) << "RH_KFE";
+}
+
 /// From the first tick on nothing comes: there was never a state, nor anything to bridge with.
 class DeadSensor : public testing::TestWithParam<Fault> {};
 

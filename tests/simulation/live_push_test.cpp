@@ -30,6 +30,16 @@ TEST(LivePush, many_pushes_one_after_the_other_all_count_and_leave_nothing_behin
   for (const double force : plant.truth().xfrc_applied) EXPECT_EQ(force, 0.0);
 }
 
+TEST(LivePush, one_that_is_asked_for_later_leaves_those_that_act) {
+  Plant plant(test::anymal_b(), test::falling_options());
+  plant.push({"base", 0.0, 0.1, Vec3(0.0, 10.0, 0.0)});
+  for (int tick = 0; tick < 10; ++tick) plant.write({});
+  plant.push({"LF_THIGH", 100.0, 0.1, Vec3(0.0, 10.0, 0.0)});
+  while (plant.time() < 0.2 - 1e-9) plant.write({});
+  EXPECT_NEAR(momentum(plant).y(), 1.0, 0.02);
+  for (const double force : plant.truth().xfrc_applied) EXPECT_EQ(force, 0.0);
+}
+
 TEST(LivePush, a_pull_acts_at_its_point_until_it_is_ended) {
   Plant plant(test::anymal_b(), test::falling_options());
   plant.pull({"base", Vec3(0.4, 0.0, 0.0), Vec3(0.0, 20.0, 0.0)});
