@@ -336,6 +336,14 @@ def test_a_range_that_makes_no_sense_is_told_with_its_line(tmp_path):
     assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not be above max" in said
 
 
+def test_a_range_beyond_its_keys_limits_is_told_with_its_line_wherever_it_stands(tmp_path):
+    given = "randomise.disturbances.payload.mass: [-5, 5]"
+    for section, text in (("set", f"set:\n  {given}\n"), ("cases.heavy", f"cases:\n  heavy: {{{given}}}\n  as it is: {{}}\n")):
+        said = CampaignFolder(tmp_path, PROGRAM).write("scenario: walk_flat\nseeds: [1]\n" + text).complaint("--dry-run")
+        assert f"spec.yaml:4: {section}: randomise.disturbances.payload.mass=[-5, 5]: " in said
+        assert 'disturbances.payload.mass: "-5" is not a number of at least 0' in said
+
+
 def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):
     """step_down draws its friction itself, from [0.4, 1.0]."""
     folder = CampaignFolder(tmp_path, PROGRAM).write(REAL.replace("count: 2", "count: 1"))
