@@ -239,7 +239,8 @@ class Reader:
                 self.fail(self.lines[other], other, f'lies below "{name}" of line {self.lines[name]}; one of them is valid')
         for name, node in self.map("units").items():
             if name not in spec.parameters():
-                self.fail(node.line, f"units.{name}", f"no such parameter; {valid_names(name, spec.parameters())}")
+                valid = valid_names(name, spec.parameters()) if spec.parameters() else "valid are those of cases, grid, draw and set, which are not there"
+                self.fail(node.line, f"units.{name}", f"no such parameter; {valid}")
 
 
 def shown(node):

@@ -111,6 +111,7 @@ WRONG = {
     HEAD + "timeout: long\n": 's.yaml:3: timeout: "long" is not a number',
     HEAD + "name: ../x\n": 's.yaml:3: name: "../x" is no name for a folder',
     HEAD + "set: {a: 1}\nunits: {b: m}\n": "s.yaml:4: units.b: no such parameter; valid are: a",
+    HEAD + "units: {b: m}\n": "s.yaml:3: units.b: no such parameter; valid are those of cases, grid, draw and set, which are not there",
     HEAD + "name: [\n": "this is not YAML",
     "- a\n": "s.yaml: must be YAML of the form",
     "": "s.yaml: must be YAML of the form",
