@@ -9,11 +9,14 @@ import signal
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
 from campaign_folder import SPEC, CampaignFolder, is_running
 from program import PROGRAM
+from surefoot_campaign.results import Record
+from surefoot_campaign.worst import worst
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -246,6 +249,24 @@ def test_the_worst_failed_first_and_then_by_the_metric_that_the_spec_names(folde
     folder.write(SPEC.replace("count: 4", "count: 12"))
     failed = [entry["com_error_max_m"] for entry in folder.result()["worst"] if entry["outcome"] == "failed"]
     assert len(failed) > 1 and failed == sorted(failed, reverse=True)
+
+
+def test_a_fall_a_stop_or_a_crash_is_worse_than_any_missed_criterion():
+    def record(outcome, **result):
+        row = {"outcome": outcome, "result": result or None}
+        return Record(None, row)
+
+    missed, missed_without = record("failed", fell=False, com_error_max_m=9.0), record("failed", fell=False, safety_stop=False)
+    fell, stopped = record("failed", fell=True, com_error_max_m=0.1), record("failed", fell=False, safety_stop=True, com_error_max_m=0.2)
+    crashed, walked = record("crashed"), record("succeeded", fell=False, com_error_max_m=10.0)
+    plan = SimpleNamespace(spec=SimpleNamespace(judge="com_error_max_m"), metrics={"com_error_max_m": {"worst": "greatest"}})
+    found = worst(plan, [missed, missed_without, walked, fell, stopped, crashed])
+    assert [id(one) for one in found] == [id(one) for one in (crashed, stopped, fell, missed_without, missed, walked)]
+
+
+def test_the_page_of_the_worst_says_from_where_its_commands_work(folder):
+    folder.result()
+    assert f"The commands work in `{folder.path}`" in (folder.out / "worst.md").read_text()
 
 
 CASES = """\
