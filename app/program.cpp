@@ -164,10 +164,10 @@ void add_run(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<RunArguments>();
   run->add_option("scenario", arguments->scenario, "Name of a scenario (see list), or a file")
       ->required();
-  run->add_option(
-         "--seed", arguments->seed,
-         "Seed of what the scenario randomises and of the noise; 0 (default) draws nothing")
-      ->check(whole_number(0));
+  run->add_option("--seed", arguments->seed,
+                  "Seed of what the scenario randomises and of the noise, 0 to " +
+                      std::to_string(kLargestSeed) + "; 0 (default) draws nothing")
+      ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
       ->check(whole_number(1));
   run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
@@ -268,8 +268,10 @@ void add_dump(CLI::App& app, Command& chosen) {
       ->check(whole_number(1));
   dump->add_option("--out", arguments->out, "File to write; standard output by default")
       ->check(some_name());
-  dump->add_option("--seed", arguments->seed, "Seed of a scenario; 0 (default) draws nothing")
-      ->check(whole_number(0));
+  dump->add_option("--seed", arguments->seed,
+                   "Seed of a scenario, 0 to " + std::to_string(kLargestSeed) +
+                       "; 0 (default) draws nothing")
+      ->check(seed_number());
   dump->add_option("--set", arguments->assignments,
                    "path.to.key=value …: change keys of a scenario, whose name stands before it")
       ->take_all()

@@ -1,22 +1,42 @@
 #include "app/program_view.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace surefoot {
 
-CLI::Validator whole_number(int min, int max) {
-  const auto check = [min, max](std::string& text) -> std::string {
-    const bool digits =
-        !text.empty() && text.size() < 10 &&
-        std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
-    if (digits && std::stoi(text) >= min && std::stoi(text) <= max) return "";
+namespace {
+
+bool is_digits(const std::string& text) {
+  return !text.empty() &&
+         std::ranges::all_of(text, [](char letter) { return letter >= '0' && letter <= '9'; });
+}
+
+/// Of digits; beyond kNoMax it is kNoMax + 1.
+int value_of(const std::string& digits) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return error == std::errc() ? std::min(value, kNoMax + 1) : kNoMax + 1;
+}
+
+}  // namespace
+
+CLI::Validator whole_number(int min, int max, const char* largest) {
+  const auto check = [min, max, largest](std::string& text) -> std::string {
+    const int value = is_digits(text) ? value_of(text) : -1;
+    if (value >= min && value <= max) return "";
+    const std::string given = "\"" + text + "\" is ";
+    if (max == kNoMax && value > max)
+      return given + "above " + std::to_string(max) + ", " + largest;
     const std::string valid = max == kNoMax
                                   ? "of at least " + std::to_string(min)
                                   : "from " + std::to_string(min) + " to " + std::to_string(max);
-    return "\"" + text + "\" is not a whole number " + valid;
+    return given + "not a whole number " + valid;
   };
   return CLI::Validator(check, "");
 }
+
+CLI::Validator seed_number() { return whole_number(0, kLargestSeed, "the largest seed"); }
 
 void add_server(CLI::App& command, ViewArguments& view) {
   command.add_option("--port", view.port, "Port of the page; 0: any that is free")

@@ -4,14 +4,17 @@
 
 #include <CLI/CLI.hpp>
 
-#include <limits>
-
 namespace surefoot {
 
-inline constexpr int kNoMax = std::numeric_limits<int>::max();
+inline constexpr int kNoMax = 999'999'999;
+inline constexpr int kLargestSeed = kNoMax;
 
-/// Digits only, and not too many of them; CLI11 would take -1 for a large number.
-[[nodiscard]] CLI::Validator whole_number(int min, int max = kNoMax);
+/// Digits only; CLI11 would take -1 for a large number. What is larger than any such number may be
+/// is told as that: `largest` says what it is beyond.
+[[nodiscard]] CLI::Validator whole_number(int min, int max = kNoMax,
+                                          const char* largest = "the largest that is valid");
+/// The same of seeds, from 0 to kLargestSeed.
+[[nodiscard]] CLI::Validator seed_number();
 
 /// Options of a command that serves the viewer's page.
 void add_server(CLI::App& command, ViewArguments& view);

@@ -5,6 +5,7 @@
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
 #include "app/pictures.hpp"
+#include "app/program_view.hpp"
 #include "app/progress.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
@@ -207,7 +208,18 @@ std::string outcome(const Json& row) {
          (succeeded ? "succeeded" : "did not succeed") + ", " + row.value("reason", "");
 }
 
+/// What can't be typed as --seed could not be run again.
+void check_last_seed(const RunArguments& arguments) {
+  const std::uint64_t first = arguments.seed.value_or(1);
+  const std::uint64_t last = first + static_cast<std::uint64_t>(arguments.seeds) - 1;
+  if (last <= kLargestSeed) return;
+  throw Error("--seeds: " + std::to_string(arguments.seeds) + " from seed " +
+              std::to_string(first) + " on end at " + std::to_string(last) + ", which is above " +
+              std::to_string(kLargestSeed) + ", the largest seed");
+}
+
 int run_seeds(const RunArguments& arguments) {
+  check_last_seed(arguments);
   const LogPlace place(arguments);
   const std::vector<PlannedRun> runs = plan_runs(arguments, place.path());
   const Scenario scenario = load_scenario(runs.front().request);

@@ -15,6 +15,7 @@ CASE = "case"  # what tables and figures call the column of `cases:`
 TIMEOUT = 600.0  # s
 JUDGE = "com_error_max_m"
 MAX_SEED = 999_999_999  # of the program's --seed
+MOST_SEEDS = 1_000_000  # of a campaign: each is a run, and stands in its table
 PLAIN_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_./-]*")
 
 
@@ -165,8 +166,7 @@ class Reader:
                     self.fail(entry.line, f"seeds.{key}", f"unknown key; {valid_names(key, ['first', 'count'])}")
             if "count" not in node.value:
                 self.fail(node.line, "seeds.count", "this key is missing")
-            first = self.whole("seeds.first", node.value["first"], 0) if "first" in node.value else 1
-            seeds = list(range(first, first + self.whole("seeds.count", node.value["count"], 1)))
+            seeds = self.seeds_in_a_row(node)
         else:
             self.fail(node.line, "seeds", "must be {first: 1, count: 100} or a list of seeds")
         if not seeds:
@@ -174,6 +174,17 @@ class Reader:
         if max(seeds) > MAX_SEED:
             self.fail(node.line, "seeds", f"{max(seeds)} is above {MAX_SEED}, the largest seed")
         return seeds
+
+    def seeds_in_a_row(self, node):
+        """A list only of what may be one: a campaign of more could not even be listed."""
+        first = self.whole("seeds.first", node.value["first"], 0) if "first" in node.value else 1
+        count = self.whole("seeds.count", node.value["count"], 1)
+        if first > MAX_SEED:
+            self.fail(node.value["first"].line, "seeds.first", f"{first} is above {MAX_SEED}, the largest seed")
+        most = min(MOST_SEEDS, MAX_SEED - first + 1)
+        if count > most:
+            self.fail(node.value["count"].line, "seeds.count", f"{count} is too many; from 1 to {most} seeds from {first} on are valid")
+        return list(range(first, first + count))
 
     def values(self, key, node):
         if not isinstance(node.value, list):
@@ -228,7 +239,8 @@ class Reader:
                 self.fail(self.lines[other], other, f'lies below "{name}" of line {self.lines[name]}; one of them is valid')
         for name, node in self.map("units").items():
             if name not in spec.parameters():
-                self.fail(node.line, f"units.{name}", f"no such parameter; {valid_names(name, spec.parameters())}")
+                valid = valid_names(name, spec.parameters()) if spec.parameters() else "valid are those of cases, grid, draw and set, which are not there"
+                self.fail(node.line, f"units.{name}", f"no such parameter; {valid}")
 
 
 def shown(node):

@@ -1,16 +1,27 @@
 """The worst runs, each with the command that replays it."""
 
+import pathlib
+
 COUNT = 10
 
 
+def severity(record):
+    """0: the robot fell or was stopped, or the program did not come to an end; 1: criteria were missed; 2: none were."""
+    result = record.row["result"] or {}
+    if record.succeeded:
+        return 2
+    broke = record.row["outcome"] != "failed" or result.get("fell") or result.get("safety_stop")
+    return 0 if broke else 1
+
+
 def worst(plan, records, count=COUNT):
-    """What failed first, and of those what gave no value; then by the metric that judges."""
+    """Falls, stops and crashes first, then missed criteria; of each what gave no value, then by the metric that judges."""
     judge = plan.spec.judge
     sign = 1 if plan.metrics[judge]["worst"] == "least" else -1
 
     def key(record):
         value = record.metric(judge)
-        return record.succeeded, value is not None, 0.0 if value is None else sign * value
+        return severity(record), value is not None, 0.0 if value is None else sign * value
 
     return sorted(records, key=key)[:count]
 
@@ -18,7 +29,13 @@ def worst(plan, records, count=COUNT):
 def worst_text(plan, records, program):
     """A page of Markdown."""
     judge = plan.spec.judge
-    lines = [f"# {plan.spec.name}: the worst runs", "", f"What failed first, then by `{judge}`.", ""]
+    lines = [
+        f"# {plan.spec.name}: the worst runs",
+        "",
+        f"Falls, stops and crashes first, then missed criteria, each by `{judge}`.",
+        f"The commands work in `{pathlib.Path.cwd()}`, where the campaign was started.",
+        "",
+    ]
     for number, record in enumerate(worst(plan, records), 1):
         row, value = record.row, record.metric(judge)
         measured = "" if value is None else f", {judge} {value:.4g}"

@@ -23,6 +23,14 @@ struct Range {
   bool whole = false;
 };
 
+/// A key of the section with its range, and the paths that it stands for.
+struct Entry {
+  std::string key;
+  Range range;
+  std::vector<std::string> paths;
+  std::string where;
+};
+
 Range read_range(const ConfigNode& range, const std::string& path) {
   const std::string key = "randomise." + path;
   if (range.items.size() != 2) fail_at(range, key, "must be a range [min, max]");
@@ -40,10 +48,13 @@ double drawn_from(const Range& range, double uniform) {
   return std::min(range.max, range.min + std::floor((range.max - range.min + 1.0) * uniform));
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end};
+/// As short as can be; whole numbers have no exponent, which would not be read as one.
+std::string text_of(double value, bool whole) {
+  std::array<char, 320> text{};
+  char* const last = text.data() + text.size();
+  const auto written = whole ? std::to_chars(text.data(), last, value, std::chars_format::fixed)
+                             : std::to_chars(text.data(), last, value);
+  return {text.data(), written.ptr};
 }
 
 /// The node at a dotted path of maps; null where there is none.
@@ -78,6 +89,32 @@ std::vector<std::string> paths_of(const std::string& key) {
 
 bool holds(const std::vector<std::string>& list, const std::string& text) {
   return std::ranges::find(list, text) != list.end();
+}
+
+/// What is to be drawn: the scenario's section without what was assigned or taken away.
+std::vector<Entry> entries_of(const ConfigNode& scenario,
+                              const std::vector<std::string>& assigned) {
+  const ConfigNode* section = scenario.find("randomise");
+  if (section == nullptr) return {};
+  (void)Section(*section, "randomise");  // is a map
+  std::vector<Entry> entries;
+  for (const auto& [key, node] : section->members) {
+    if (node.kind == ConfigNode::Kind::null) continue;
+    const Range range = read_range(node, key);
+    if (holds(assigned, key)) continue;
+    std::vector<std::string> paths = paths_of(key);
+    std::erase_if(paths, [&](const std::string& path) { return holds(assigned, path); });
+    if (paths.empty()) continue;
+    entries.push_back({.key = key, .range = range, .paths = std::move(paths), .where = node.where});
+  }
+  return entries;
+}
+
+void write(ConfigNode& scenario, const Entry& entry, const std::string& path, double value) {
+  set_path(scenario, path,
+           {.kind = ConfigNode::Kind::scalar,
+            .text = text_of(value, entry.range.whole),
+            .where = entry.where + kDrawn});
 }
 
 fs::path find_ranges(const ConfigNode& name, const fs::path& folder) {
@@ -137,27 +174,32 @@ std::vector<fs::path> include_ranges(ConfigNode& scenario, const fs::path& folde
 
 std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
                                   const std::vector<std::string>& assigned) {
-  const ConfigNode* given = scenario.find("randomise");
-  if (given == nullptr) return {};
-  const ConfigNode section = *given;
-  (void)Section(section, "randomise");  // is a map
   std::vector<RandomDraw> drawn;
-  for (const auto& [key, node] : section.members) {
-    if (node.kind == ConfigNode::Kind::null) continue;
-    const Range range = read_range(node, key);
-    if (seed == 0 || holds(assigned, key)) continue;
-    name_elements(scenario, key, elements_of(key));
-    for (const std::string& path : paths_of(key)) {
-      if (holds(assigned, path)) continue;
-      const double value = drawn_from(range, uniform_of(seed, path));
-      set_path(scenario, path,
-               {.kind = ConfigNode::Kind::scalar,
-                .text = shortest(value),
-                .where = node.where + ": randomise"});
-      drawn.push_back({.path = path, .value = value, .key = key});
+  for (const Entry& entry : entries_of(scenario, assigned)) {
+    if (seed == 0) continue;
+    name_elements(scenario, entry.key, elements_of(entry.key));
+    for (const std::string& path : entry.paths) {
+      const double value = drawn_from(entry.range, uniform_of(seed, path));
+      write(scenario, entry, path, value);
+      drawn.push_back({.path = path, .value = value, .key = entry.key});
     }
   }
   return drawn;
+}
+
+std::vector<ConfigNode> ends_of_ranges(const ConfigNode& scenario,
+                                       const std::vector<std::string>& assigned) {
+  const std::vector<Entry> entries = entries_of(scenario, assigned);
+  if (entries.empty()) return {};
+  std::vector<ConfigNode> ends;
+  for (double Range::* const end : {&Range::min, &Range::max}) {
+    ConfigNode& at_end = ends.emplace_back(scenario);
+    for (const Entry& entry : entries) {
+      name_elements(at_end, entry.key, elements_of(entry.key));
+      for (const std::string& path : entry.paths) write(at_end, entry, path, entry.range.*end);
+    }
+  }
+  return ends;
 }
 
 }  // namespace surefoot

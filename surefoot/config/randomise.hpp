@@ -9,6 +9,9 @@
 
 namespace surefoot {
 
+/// What follows the place of a range in that of the numbers drawn from it.
+inline constexpr const char* kDrawn = ": randomise";
+
 /// A value that was drawn for a path of the scenario.
 struct RandomDraw {
   std::string path;
@@ -33,6 +36,12 @@ std::vector<std::filesystem::path> include_ranges(ConfigNode& scenario,
 /// ranges that make no sense.
 std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,
                                   const std::vector<std::string>& assigned);
+
+/// The scenario with every range at its lower end, and with every range at its upper end: what is
+/// read of both says whether all draws of each key lie in its limits. None where nothing is drawn.
+/// Throws as randomise() does.
+[[nodiscard]] std::vector<ConfigNode> ends_of_ranges(const ConfigNode& scenario,
+                                                     const std::vector<std::string>& assigned);
 
 /// A uniform number in [0, 1) from a seed and a name, the same on every machine.
 [[nodiscard]] double uniform_of(std::uint64_t seed, const std::string& name);

@@ -283,12 +283,14 @@ void read_body(Section& top, Scenario& scenario) {
   top.finish();
 }
 
-/// The nominal run draws nothing; paths that could not be drawn are told all the same.
-void check_random_paths(ConfigNode tree, const ScenarioRequest& request) {
-  (void)randomise(tree, 1, assigned_paths(request));
-  Section top(tree, "");
-  Scenario unused;
-  read_body(top, unused);
+/// What the scenario changes of the stack that it names.
+void read_stack_changes(Section& top, ControllerOptions& controller) {
+  if (const ConfigNode* tasks = top.node("tasks")) {
+    override_tasks(controller.stack, *tasks, "tasks");
+  }
+  if (const ConfigNode* switches = top.node("stack_switches")) {
+    controller.level_switches = read_level_switches(*switches, controller.stack);
+  }
 }
 
 void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario) {
@@ -302,12 +304,7 @@ void read_robot_and_stack(Section& top, const fs::path& file, Scenario& scenario
     keep_sources(scenario, "stack", "stack_base", stack_files(name, folder));
     return stack;
   });
-  if (const ConfigNode* tasks = top.node("tasks")) {
-    override_tasks(scenario.controller.stack, *tasks, "tasks");
-  }
-  if (const ConfigNode* switches = top.node("stack_switches")) {
-    scenario.controller.level_switches = read_level_switches(*switches, scenario.controller.stack);
-  }
+  read_stack_changes(top, scenario.controller);
 }
 
 /// Pushes go to the robot's links; their names come from its URDF.
@@ -340,6 +337,57 @@ void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOpt
   }
 }
 
+/// Where the stance is told: the file's map, or the range that one of its numbers was drawn from.
+const ConfigNode& place_of_stance(const ConfigNode& tree) {
+  const ConfigNode* planner = tree.find("planner");
+  const ConfigNode* stance = planner == nullptr ? nullptr : planner->find("stance");
+  if (stance == nullptr) return tree;
+  const auto drawn = std::ranges::find_if(
+      stance->members, [](const auto& member) { return member.second.where.ends_with(kDrawn); });
+  return drawn == stance->members.end() ? *stance : drawn->second;
+}
+
+JointVector read_posture(const ConfigNode& tree, const RobotModel& model,
+                         const StanceOptions& stance) {
+  try {
+    return stance_posture(model, stance);
+  } catch (const Error& error) {
+    fail_at(place_of_stance(tree), "", error.what());
+  }
+}
+
+/// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
+/// Reading both holds the ranges against the keys' limits, whatever the seed; no run is of it.
+class EndOfRanges {
+ public:
+  explicit EndOfRanges(ConfigNode tree) : tree_(std::move(tree)) {
+    Section top(tree_, "");
+    Scenario scenario;
+    read_body(top, scenario);
+    controller_ = std::move(scenario.controller);
+  }
+
+  /// What the robot and the stack, as loaded, have to say.
+  void check(const RobotModel& model, const StackOptions& stack) {
+    Section top(tree_, "");
+    controller_.stack = stack;
+    read_stack_changes(top, controller_);
+    check_reach(tree_, model, controller_.stack);
+    (void)read_posture(tree_, model, controller_.planner.stance);
+  }
+
+ private:
+  ConfigNode tree_;
+  ControllerOptions controller_;
+};
+
+std::vector<EndOfRanges> read_ends(const ConfigNode& tree,
+                                   const std::vector<std::string>& assigned) {
+  std::vector<EndOfRanges> ends;
+  for (ConfigNode& end : ends_of_ranges(tree, assigned)) ends.emplace_back(std::move(end));
+  return ends;
+}
+
 }  // namespace
 
 const UserCommand& Scenario::user(double time) const {
@@ -361,8 +409,9 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.name = file.stem().string();
   scenario.seed = request.seed;
   const std::vector<fs::path> ranges = include_ranges(tree, file.parent_path());
-  if (request.seed == 0) check_random_paths(tree, request);
-  scenario.drawn = randomise(tree, request.seed, assigned_paths(request));
+  const std::vector<std::string> assigned = assigned_paths(request);
+  std::vector<EndOfRanges> ends = read_ends(tree, assigned);
+  scenario.drawn = randomise(tree, request.seed, assigned);
   scenario.options_json = to_json(tree);
   keep_sources(scenario, "scenario", "base", files);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -377,13 +426,8 @@ Scenario load_scenario(const ScenarioRequest& request) {
   check_pushes(tree, scenario);
   const RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
-  try {
-    scenario.plant.initial.q = stance_posture(model, scenario.controller.planner.stance);
-  } catch (const Error& error) {
-    const ConfigNode* planner = tree.find("planner");
-    const ConfigNode* stance = planner == nullptr ? nullptr : planner->find("stance");
-    fail_at(stance == nullptr ? tree : *stance, "", error.what());
-  }
+  scenario.plant.initial.q = read_posture(tree, model, scenario.controller.planner.stance);
+  for (EndOfRanges& end : ends) end.check(model, scenario.controller.stack);
   return scenario;
 }
 

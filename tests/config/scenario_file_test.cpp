@@ -285,6 +285,49 @@ TEST_F(ScenarioFile, checks_a_random_path_also_in_the_nominal_run) {
   EXPECT_TRUE(holds(complaint("randomise:\n  terrain.friction: 1\n"), "[min, max]"));
 }
 
+TEST_F(ScenarioFile, is_refused_with_any_seed_where_an_end_of_a_range_is_beyond_its_keys_limits) {
+  struct Case {
+    const char *range, *told;
+  };
+  constexpr std::array<Case, 7> kCases{{
+      {"disturbances.payload.mass=[-1e-9, 5]", "\"-1e-09\" is not a number of at least 0"},
+      {"sensors.imu.delay_ticks=[0, 1001]", "\"1001\" is more than 1000"},
+      {"disturbances.shank_length_offset=[0, 0.11]", "LF: \"0.11\" is not a number between"},
+      {"slip.end_speed=[0.01, 10]", "it must not be above begin_speed"},
+      {"tasks.com_xy.kp=[-5, 80]", "kp is -5, but must be a number of at least 0"},
+      {"tasks.limb_extension_limits.max=[0.5, 5.2]", "but this robot reaches only"},
+      {"planner.stance.height=[0.46, 0.9]", "[0.46, 0.9]: randomise: planner.stance: foot LF"},
+  }};
+  for (const Case& one : kCases) {
+    const std::string assignment = std::string("randomise.") + one.range;
+    for (const std::uint64_t seed : {0u, 1u, 2u, 3u}) {
+      const std::string told =
+          message_of([&] { (void)load_scenario({"step_down", seed, {assignment}}); });
+      EXPECT_TRUE(holds(told, one.told)) << one.range << ", seed " << seed << ": " << told;
+      EXPECT_TRUE(holds(told, "randomise")) << told;
+    }
+  }
+}
+
+TEST_F(ScenarioFile, names_file_line_and_key_of_a_range_beyond_limits_but_not_of_one_assigned) {
+  const std::string heavy = "randomise:\n  disturbances.payload.mass: [-5, 5]\n";
+  EXPECT_TRUE(
+      holds(complaint(heavy), "trial.yaml:3: randomise: disturbances.payload.mass: \"-5\" is not"));
+  EXPECT_NO_THROW((void)read(heavy, 1, {"disturbances.payload.mass=3"}));
+}
+
+TEST_F(ScenarioFile, takes_ranges_that_end_at_their_keys_limits_also_of_large_whole_numbers) {
+  const Scenario scenario = read(
+      "terrain: {elements: {field: {shape: random_boxes, size_x: 1, size_y: 1, max_height: "
+      "0.1}}}\nrandomise: {sensors.imu.delay_ticks: [0, 1000], "
+      "terrain.elements.field.seed: [1e5, 1e5], disturbances.payload.mass: [0, 5]}\n",
+      1);
+  const auto seed =
+      std::ranges::find(scenario.drawn, "terrain.elements.field.seed", &RandomDraw::path);
+  ASSERT_NE(seed, scenario.drawn.end());
+  EXPECT_EQ(seed->value, 1e5) << "which has a shorter form with an exponent";
+}
+
 TEST_F(ScenarioFile, takes_ranges_of_the_command_line) {
   const std::vector<std::string> narrow{"randomise.terrain.friction=[0.45, 0.46]"};
   const Scenario scenario = read(kRandomFriction, 1, narrow);

@@ -9,11 +9,14 @@ import signal
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
 from campaign_folder import SPEC, CampaignFolder, is_running
 from program import PROGRAM
+from surefoot_campaign.results import Record
+from surefoot_campaign.worst import worst
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -248,6 +251,24 @@ def test_the_worst_failed_first_and_then_by_the_metric_that_the_spec_names(folde
     assert len(failed) > 1 and failed == sorted(failed, reverse=True)
 
 
+def test_a_fall_a_stop_or_a_crash_is_worse_than_any_missed_criterion():
+    def record(outcome, **result):
+        row = {"outcome": outcome, "result": result or None}
+        return Record(None, row)
+
+    missed, missed_without = record("failed", fell=False, com_error_max_m=9.0), record("failed", fell=False, safety_stop=False)
+    fell, stopped = record("failed", fell=True, com_error_max_m=0.1), record("failed", fell=False, safety_stop=True, com_error_max_m=0.2)
+    crashed, walked = record("crashed"), record("succeeded", fell=False, com_error_max_m=10.0)
+    plan = SimpleNamespace(spec=SimpleNamespace(judge="com_error_max_m"), metrics={"com_error_max_m": {"worst": "greatest"}})
+    found = worst(plan, [missed, missed_without, walked, fell, stopped, crashed])
+    assert [id(one) for one in found] == [id(one) for one in (crashed, stopped, fell, missed_without, missed, walked)]
+
+
+def test_the_page_of_the_worst_says_from_where_its_commands_work(folder):
+    folder.result()
+    assert f"The commands work in `{folder.path}`" in (folder.out / "worst.md").read_text()
+
+
 CASES = """\
 scenario: [fake, other]
 seeds: {first: 1, count: 8}
@@ -334,6 +355,14 @@ def test_a_range_that_makes_no_sense_is_told_with_its_line(tmp_path):
     text = "scenario: walk_flat\nseeds: [1]\nset:\n  randomise.terrain.friction: [1.0, 0.4]\n"
     said = CampaignFolder(tmp_path, PROGRAM).write(text).complaint()
     assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not be above max" in said
+
+
+def test_a_range_beyond_its_keys_limits_is_told_with_its_line_wherever_it_stands(tmp_path):
+    given = "randomise.disturbances.payload.mass: [-5, 5]"
+    for section, text in (("set", f"set:\n  {given}\n"), ("cases.heavy", f"cases:\n  heavy: {{{given}}}\n  as it is: {{}}\n")):
+        said = CampaignFolder(tmp_path, PROGRAM).write("scenario: walk_flat\nseeds: [1]\n" + text).complaint("--dry-run")
+        assert f"spec.yaml:4: {section}: randomise.disturbances.payload.mass=[-5, 5]: " in said
+        assert 'disturbances.payload.mass: "-5" is not a number of at least 0' in said
 
 
 def test_a_draw_is_that_of_a_scenario_that_randomises_the_same(tmp_path):

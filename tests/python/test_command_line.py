@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from program import ROOT, SHORT, complaint, surefoot
+from program import ROOT, SHORT, answer, complaint, surefoot
 
 
 @pytest.fixture
@@ -254,6 +254,20 @@ def test_an_inertia_that_physics_refuses_is_told_in_one_line(robot):
 )
 def test_a_wrong_call_gives_one_line_and_exit_code_2(arguments, tmp_path):
     complaint(*arguments, cwd=tmp_path)
+
+
+@pytest.mark.parametrize("command", [["run", "walk_flat"], ["dump", "walk_flat"]])
+def test_a_seed_that_is_too_large_is_told_with_the_largest(command):
+    for given in ("1000000000", "1099511627776", "9" * 40):
+        assert f'"{given}" is above 999999999, the largest seed' in complaint(*command, "--seed", given)
+    assert "is not a whole number of at least 0" in complaint(*command, "--seed", "1.5")
+    assert "0 to 999999999" in " ".join(surefoot(command[0], "--help").stdout.split())
+    assert answer("run", "walk_flat", "--check", "--seed", "999999999")
+
+
+def test_seeds_that_would_end_beyond_the_largest_are_refused_before_any_runs():
+    said = complaint("run", "walk_flat", "--seed", "999999999", "--seeds", "2", *SHORT)
+    assert "--seeds: 2 from seed 999999999 on end at 1000000000, which is above 999999999, the largest seed" in said
 
 
 def test_an_output_that_can_not_be_written_is_told_before_the_run(tmp_path):
