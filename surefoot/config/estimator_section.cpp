@@ -25,6 +25,7 @@ void read_estimator(Section& section, LegInertialOptions& options) {
   section.number("stance_turn", options.stance_turn, kNotNegative);
   section.number("trust_time", options.trust_time, kPositive);
   section.number("trust_force", options.trust_force, kPositive);
+  section.flag("predict", options.predict);
   section.section("start", [&](Section& s) { read_start(s, options.filter); });
 }
 

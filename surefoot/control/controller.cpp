@@ -193,6 +193,8 @@ void Controller::Implementation::forget_lost_joints() noexcept {
 TickContext Controller::Implementation::context() noexcept {
   joint_velocity = contact_force.observe(guard.measured());
   TickContext result{.joint_velocity = joint_velocity,
+                     .joint_lag = guard.joint_lag(),
+                     .imu_lag = guard.imu_lag(),
                      .kinematics = kinematics.errors(),
                      .restarts = planner.restarts()};
   for (const Leg leg : kLegs) {

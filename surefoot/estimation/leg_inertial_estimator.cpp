@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
+constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -51,13 +52,14 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   }
   write_joints(reading, context);
   write_base(reading);
+  if (options_.predict) predict(context);
   return state_;
 }
 
 void LegInertialEstimator::start(const SensorReading& reading, double heading) {
   started_ = true;
   gyro_before_ = mean_gyro_ = reading.gyro;
-  mean_force_ = reading.accelerometer;
+  mean_force_ = recent_force_ = reading.accelerometer;
   filter_.start(reading.accelerometer, reading.gyro, heading);
   see_feet(reading);
 }
@@ -100,6 +102,7 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool
     const double share = std::min(1.0, dt / kMean);
     mean_gyro_ += share * (reading.gyro - mean_gyro_);
     mean_force_ += share * (reading.accelerometer - mean_force_);
+    recent_force_ += std::min(1.0, dt / kRecent) * (reading.accelerometer - recent_force_);
   }
   see_feet(reading);
 }
@@ -116,6 +119,7 @@ void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointV
   gyro_before_ = turn * gyro_before_;
   mean_gyro_ = turn * mean_gyro_;
   mean_force_ = turn * mean_force_;
+  recent_force_ = turn * recent_force_;
   errors_ = errors;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
@@ -177,6 +181,15 @@ void LegInertialEstimator::write_base(const SensorReading& reading) {
   state_.q_WB = Quat(filter_.R_WB());
   state_.v_WB = filter_.v_WB();
   state_.w_WB_B = reading.gyro - filter_.gyro_bias();
+}
+
+void LegInertialEstimator::predict(const TickContext& context) {
+  const Vec3 a_WB =
+      filter_.R_WB() * (recent_force_ - filter_.accelerometer_bias()) - kGravity * Vec3::UnitZ();
+  state_.q += context.joint_lag * state_.qd;
+  state_.p_WB += context.imu_lag * state_.v_WB;
+  state_.v_WB += context.imu_lag * a_WB;
+  state_.q_WB = (state_.q_WB * exp_rotation(context.imu_lag * state_.w_WB_B)).normalized();
 }
 
 }  // namespace surefoot

@@ -22,6 +22,7 @@ struct LegInertialOptions {
   double stance_turn = 0.03;
   double trust_time = 0.08;   ///< after a touchdown until a foot is trusted fully [s]
   double trust_force = 30.0;  ///< normal force from which on it is [N]
+  bool predict = false;       ///< the state is of now; otherwise of when the samples were taken
 };
 
 /// Base state from the IMU, the encoders and the feet that stand: an InvariantFilter, fed.
@@ -30,7 +31,13 @@ struct LegInertialOptions {
 /// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
 /// since the last tick, r the radius and n the vertical. The filter takes no joint
 /// velocities. Position and heading begin at 0, with the feet's lowest points at z = 0; a restart
-/// (TickContext) keeps them and forgets the rest. Does not allocate after construction.
+/// (TickContext) keeps them and forgets the rest. Samples come late, by times that readings tell;
+/// with `predict` the state goes on from them to now as it moves,
+///
+///     q += q̇ τ_q,   R ← R exp(S(ω) τ),   p += v τ,   v += a τ
+///
+/// with τ_q the joints' and τ the IMU's delay, and a the mean acceleration of the last hundredth of
+/// a second, as the spikes of a touchdown do not last. Does not allocate after construction.
 class LegInertialEstimator final : public StateEstimator {
  public:
   /// Throws Error where the URDF can't be read. `period` of the control loop [s].
@@ -65,6 +72,7 @@ class LegInertialEstimator final : public StateEstimator {
   [[nodiscard]] double walk(const Foot& foot, const FootContact& contact) const;
   void write_joints(const SensorReading& reading, const TickContext& context);
   void write_base(const SensorReading& reading);
+  void predict(const TickContext& context);
 
   LegInertialOptions options_;
   double period_;
@@ -74,8 +82,8 @@ class LegInertialEstimator final : public StateEstimator {
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
   Vec3 gyro_before_ = Vec3::Zero();  // at the last tick, in B [rad/s]
-  // Of the last tenth of a second, in B [rad/s], [m/s²].
-  Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero();
+  // Of the last tenth of a second, in B [rad/s], [m/s²]; of the last hundredth.
+  Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero(), recent_force_ = Vec3::Zero();
   Mat3 R_WB_before_ = Mat3::Identity();
   Vec3 p_WB_planted_ = Vec3::Zero();  // as the last foot was planted [m]
   double way_ = 0.0;                  // the furthest that the base has been from there [m]

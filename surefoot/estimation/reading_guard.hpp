@@ -32,6 +32,9 @@ class ReadingGuard {
   [[nodiscard]] const SensorHealth& health() const { return health_; }
   /// Time since each joint's last good angle [s].
   [[nodiscard]] JointVector encoder_age() const;
+  /// How far what repaired() has of the joints, and of the IMU, is behind its time [s].
+  [[nodiscard]] double joint_lag() const { return encoder_watch_.lag(); }
+  [[nodiscard]] double imu_lag() const { return imu_watch_.lag(); }
 
  private:
   /// One of the IMU's two instruments.

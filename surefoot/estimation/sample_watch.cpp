@@ -29,6 +29,7 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   if (is_too_old || (!is_new_ && age > usual_age_ + kMargin * period_)) {
     fault_ = stands_still ? SampleFault::silent : SampleFault::late;
   }
+  if (is_new_ || fault_ == SampleFault::none) lag_ = std::min(age, patience_);
   is_new_ = is_new_ && !is_too_old;
   given_time_ = given;
   time_before_ = time;

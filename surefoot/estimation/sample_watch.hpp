@@ -30,13 +30,16 @@ class SampleWatch {
   [[nodiscard]] double sample_time() const { return sample_time_; }
   /// How long new samples have been older than `max_delay` [s].
   [[nodiscard]] double delayed_for() const { return delayed_for_; }
+  /// Of what is believed at this tick: how old the newest sample is, or, where the next is overdue
+  /// and the values go on from it as expected, how old it was when it came; `patience` at most [s].
+  [[nodiscard]] double lag() const { return lag_; }
   /// `silent`, `late` or `none`.
   [[nodiscard]] SampleFault fault() const { return fault_; }
 
  private:
   double period_, patience_, max_delay_, usual_age_;
   double sample_time_ = kNaN, time_before_ = kNaN, given_time_ = kNaN;
-  double delayed_for_ = 0.0;  // [s]
+  double delayed_for_ = 0.0, lag_ = 0.0;  // [s]
   bool is_new_ = false;
   SampleFault fault_ = SampleFault::none;
 };

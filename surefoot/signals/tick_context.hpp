@@ -15,6 +15,8 @@ struct FootContact {
 struct TickContext {
   PerLeg<FootContact> contacts{};
   JointVector joint_velocity = JointVector::Zero();  ///< from the encoders, observed [rad/s]
+  /// How far the readings' joints and IMU are behind the tick: samples come late [s].
+  double joint_lag = 0.0, imu_lag = 0.0;
   KinematicErrors kinematics{};  ///< found so far; the readings are without zeros and askew IMU
   /// All feet stand and nothing is asked of them: forget what is believed, but for the place and
   /// the heading, and begin anew.

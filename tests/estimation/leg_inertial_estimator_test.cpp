@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -40,6 +42,43 @@ TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
     EXPECT_LT((state.p_WB - p).norm(), 3e-3) << "the base stays where it is";
     EXPECT_LT(state.v_WB.norm(), 3e-3);
   }
+}
+
+/// Largest error of joints [rad], of the tilt [rad], of a robot whose readings come `late` ticks
+/// late.
+std::pair<double, double> error_by_delay(int late, bool predict) {
+  TurningRobot robot(KinematicErrors{}, kMotion);
+  LegInertialOptions options;
+  options.predict = predict;
+  LegInertialEstimator estimator(robot.description(), options, TurningRobot::kPeriod);
+  std::deque<SensorReading> on_the_way;
+  double joints = 0.0, tilt = 0.0;
+  JointVector q_before = robot.reading().q;
+  while (robot.time() < 6.5) {
+    robot.tick();
+    on_the_way.push_back(robot.reading());
+    if (static_cast<int>(on_the_way.size()) <= late) continue;
+    SensorReading reading = on_the_way.front();
+    on_the_way.pop_front();
+    reading.time = robot.time();
+    TickContext context = standing();
+    context.joint_lag = context.imu_lag = late * TurningRobot::kPeriod;
+    context.joint_velocity = (reading.q - q_before) / TurningRobot::kPeriod;
+    q_before = reading.q;
+    const RobotState state = estimator.update(reading, context);
+    if (robot.time() < 1.0) continue;
+    joints = std::max(joints, (state.q - robot.reading().q).cwiseAbs().maxCoeff());
+    tilt = std::max(tilt, tilt_error(state, robot));
+  }
+  return {joints, tilt};
+}
+
+TEST(LegInertialEstimator, ThatPredictsIsOfNowWhenReadingsComeLate) {
+  const auto [joints, tilt] = error_by_delay(4, true);
+  const auto [late_joints, late_tilt] = error_by_delay(4, false);
+  EXPECT_LT(joints, 0.2 * late_joints);
+  EXPECT_LT(tilt, 0.7 * late_tilt);
+  EXPECT_EQ(error_by_delay(0, true), error_by_delay(0, false));
 }
 
 TEST(LegInertialEstimator, FindsTheAccelerometersBiasByTurning) {

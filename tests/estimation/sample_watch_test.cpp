@@ -39,6 +39,25 @@ TEST(SampleWatch, EachSampleIsNewOnce) {
   }
 }
 
+TEST(SampleWatch, WhatIsBelievedLagsByTheSamplesAgeAndByNoMoreWhereTheyStop) {
+  for (const int delay : {0, 1, 2}) {
+    Sensor sensor;
+    sensor.delay = delay;
+    sensor.run(40);
+    EXPECT_NEAR(sensor.watch.lag(), delay * kPeriod, 1e-12);
+    sensor.every = 1'000'000;
+    sensor.run(6);
+    EXPECT_EQ(sensor.watch.fault(), SampleFault::silent);
+    EXPECT_NEAR(sensor.watch.lag(), delay * kPeriod, 1e-12) << "what is filled in goes on";
+  }
+  Sensor slow;
+  slow.every = 2;
+  slow.run(40);
+  EXPECT_NEAR(slow.watch.lag(), 0.0, 1e-12);
+  slow.tick();
+  EXPECT_NEAR(slow.watch.lag(), kPeriod, 1e-12) << "what is held does not";
+}
+
 TEST(SampleWatch, ASensorThatFallsSilentIsToldSoonIfItWasQuick) {
   for (const int every : {1, 2, 4}) {
     Sensor sensor;
