@@ -17,6 +17,17 @@ constexpr double kLowestStair = 0.06;    // what rises by more in a stride may b
 constexpr double kEvenly = 0.015;        // a slope's print from the line through two others [m]
 constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
+constexpr double kLead = 0.3;            // of a heading that turns before the feet, in cycles …
+constexpr double kLeastLead = 0.2;       // … but up to this at any rate [rad]
+constexpr double kMostBehind = 0.5625;   // of max_side_step: a foot that it leaves behind
+
+// From the middle of the hind feet to that of the front feet, whatever the strides on either side.
+double heading_of(const PerLeg<Vec3>& footholds) {
+  Vec2 forward = Vec2::Zero();
+  for (const Leg leg : kLegs)
+    forward += (is_front(leg) ? 0.5 : -0.5) * footholds[index(leg)].head<2>();
+  return std::atan2(forward.y(), forward.x());
+}
 
 // Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
 // hip, forward or backward, whichever is shorter; 0 outside it.
@@ -103,6 +114,34 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
     if (excess > 1.0) share = std::min(share, 1.0 / excess);
   }
   return share;
+}
+
+double FootholdPlanner::turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
+                                      const PerLeg<bool>& down, double yaw,
+                                      double cycle_duration) const {
+  const double side = yaw_rate < 0.0 ? -1.0 : 1.0;
+  const double ahead = side * std::remainder(yaw - heading_of(footholds), 2.0 * kPi);
+  const double most_ahead = std::max(kLeastLead, kLead * cycle_duration * std::abs(yaw_rate));
+  const double behind = left_behind(side, footholds, down, yaw);
+  const double most_behind = kMostBehind * options_.max_side_step;
+  return std::clamp(std::min(2.0 * (1.0 - ahead / most_ahead), 3.0 * (1.0 - behind / most_behind)),
+                    0.0, 1.0);
+}
+
+// Sideways, in heading axes: there a leg is the least agile, and meets the one beside it.
+double FootholdPlanner::left_behind(double side, const PerLeg<Vec3>& footholds,
+                                    const PerLeg<bool>& down, double yaw) const {
+  Vec2 center = Vec2::Zero();
+  for (const Vec3& foothold : footholds) center += foothold.head<2>() / kNumLegs;
+  const Vec2 left = rotation_about_z(yaw).col(1).head<2>();
+  double furthest = 0.0;
+  for (const Leg leg : kLegs) {
+    const Vec2 from_center = footholds[index(leg)].head<2>() - center;
+    const double aside = left.dot(from_center) - nominal_offset(stance_, leg).y();
+    const double behind = side * (is_front(leg) ? -aside : aside);
+    if (down[index(leg)]) furthest = std::max(furthest, behind);
+  }
+  return furthest;
 }
 
 void FootholdPlanner::avoid(const Vec3& p_WF) {

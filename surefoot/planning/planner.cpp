@@ -55,6 +55,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   note_calibration_wish(command.calibrate);
   UserCommand user = with_caution(within_strides(command));
   user.walk = user.walk && !calibrating() && !wants_calibration_;
+  user.yaw_rate *= turning_share(user.yaw_rate);
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
   yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
@@ -120,6 +121,14 @@ UserCommand Planner::within_strides(const UserCommand& user) {
   result.velocity *= share;
   result.yaw_rate *= share;
   return result;
+}
+
+// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
+// ones or after it went the other way, the feet come to stand across the torso.
+double Planner::turning_share(double yaw_rate) const {
+  PerLeg<bool> down{};
+  for (const Leg k : kLegs) down[index(k)] = leg(k).down();
+  return foothold_planner_.turning_share(yaw_rate, footholds(), down, yaw_, cycle_duration());
 }
 
 void Planner::observe_legs(const UserCommand& user, const RobotState& state,

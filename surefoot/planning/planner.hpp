@@ -59,6 +59,8 @@ class Planner {
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
+  /// Of the commanded yaw rate, until the next step.
+  [[nodiscard]] double turning_share(double yaw_rate) const;
   /// Hips about the footholds' centre, in heading axes: the torso leans against a push.
   [[nodiscard]] PerLeg<Vec2> leaning_hips() const;
   /// How long the feet stay as they are, by the gait's time [s].
