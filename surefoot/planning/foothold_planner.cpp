@@ -21,6 +21,8 @@ constexpr double kLead = 0.3;            // of a heading that turns before the f
 constexpr double kLeastLead = 0.2;       // … but up to this at any rate [rad]
 constexpr double kMostBehind = 0.5625;   // of max_side_step: a foot that it leaves behind
 
+constexpr double kSway = 0.12;  // of the hips, sideways, as far as a turn makes them [m]
+
 // From the middle of the hind feet to that of the front feet, whatever the strides on either side.
 double heading_of(const PerLeg<Vec3>& footholds) {
   Vec2 forward = Vec2::Zero();
@@ -103,17 +105,34 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
                                        const StrideLimits& limits, double cycle_duration) const {
   double share = 1.0;
   for (const Leg leg : kLegs) {
-    const Vec2 foot = nominal_offset(stance_, leg);
-    const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
-    const Vec2 stride = cycle_duration * (user.velocity + turning);
-    const double within_reach =
-        longest_stride(foot - hips[index(leg)], stride.normalized(), limits.reach);
+    const Vec2 step = stride(leg, user, cycle_duration);
+    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+    const double within_reach = longest_stride(from_hip, step.normalized(), limits.reach);
     const double longest = std::min({options_.max_step, limits.length, within_reach});
     const double excess =
-        std::hypot(stride.x() / longest, stride.y() / std::min(longest, options_.max_side_step));
+        std::hypot(step.x() / longest, step.y() / std::min(longest, options_.max_side_step));
     if (excess > 1.0) share = std::min(share, 1.0 / excess);
   }
   return share;
+}
+
+Vec2 FootholdPlanner::stride(Leg leg, const UserCommand& user, double cycle_duration) const {
+  const Vec2 foot = nominal_offset(stance_, leg);
+  const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
+  return cycle_duration * (user.velocity + turning);
+}
+
+double FootholdPlanner::tallest(const UserCommand& user, const PerLeg<Vec2>& hips, double length,
+                                double cycle_duration) const {
+  double height = length;
+  for (const Leg leg : kLegs) {
+    const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
+    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+    const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, kSway);
+    const double furthest = most.norm();
+    height = std::min(height, std::sqrt(std::max(0.0, length * length - furthest * furthest)));
+  }
+  return height;
 }
 
 double FootholdPlanner::turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,

@@ -21,6 +21,7 @@ constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new
 constexpr double kLeastHeight = 0.1;   // of the COM over the plane [m]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
+constexpr double kSpare = 0.01;           // of a leg's reach, that no torso is held so high for [m]
 constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
@@ -53,7 +54,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   note_calibration_wish(command.calibrate);
-  UserCommand user = with_caution(within_strides(command));
+  UserCommand user = within_height(with_caution(within_strides(command)));
   user.walk = user.walk && !calibrating() && !wants_calibration_;
   user.yaw_rate *= turning_share(user.yaw_rate);
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
@@ -109,7 +110,7 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 }
 
 UserCommand Planner::within_strides(const UserCommand& user) {
-  const double height = options_.stance.height + user.height;
+  const double height = options_.stance.height + std::min(0.0, user.height);
   const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
   const double share =
@@ -120,6 +121,26 @@ UserCommand Planner::within_strides(const UserCommand& user) {
   UserCommand result = user;
   result.velocity *= share;
   result.yaw_rate *= share;
+  return result;
+}
+
+// Strides come before height.
+UserCommand Planner::within_height(const UserCommand& user) {
+  UserCommand result = user;
+  if (!(user.height > 0.0)) return result;
+  UserCommand strides = user;
+  if (!user.walk) strides.velocity.setZero(), strides.yaw_rate = 0.0;
+  const double tallest = foothold_planner_.tallest(
+      strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
+  const bool turns = calibrating() || wants_calibration_;
+  const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
+  if (user.height <= most) {
+    lowered_ = false;
+  } else if (!turns && !lowered_ && event_ == PlanEvent::none) {
+    event_ = PlanEvent::lowered;
+    lowered_ = true;
+  }
+  result.height = std::min(user.height, most);
   return result;
 }
 

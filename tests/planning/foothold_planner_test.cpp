@@ -320,6 +320,21 @@ TEST(FootholdPlanner, SlowsSidewaysAndTurningStridesMore) {
   EXPECT_NEAR(std::hypot(0.2 * turning / 0.30, 0.3 * turning / 0.10), 1.0, 1e-12);
 }
 
+double tallest(const UserCommand& user) {
+  const StanceOptions stance{.half_length = 0.3, .half_width = 0.2};
+  return FootholdPlanner(stance, {}).tallest(user, kHips, 0.55, kCycle);
+}
+
+TEST(FootholdPlanner, LongerStridesLeaveLessHeightToTheLegs) {
+  EXPECT_LT(tallest(command(0.0)), 0.55);
+  EXPECT_GT(tallest(command(0.0)), 0.5);
+  for (const UserCommand& user :
+       {command(0.05), command(-0.05), command(0.0, 0.05), command(0.0, 0.0, 0.1)})
+    EXPECT_LT(tallest(user), tallest(command(0.0)) - 0.005);
+  EXPECT_LT(tallest(command(0.0, 0.05)), tallest(command(0.05))) << "beside the sway";
+  EXPECT_EQ(tallest(command(1.0)), 0.0);
+}
+
 double turning(const Walker& walker, double yaw_rate,
                const PerLeg<bool>& down = {true, true, true, true}) {
   return walker.planner.turning_share(yaw_rate, walker.feet, down, walker.yaw, kCycle);

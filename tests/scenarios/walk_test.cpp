@@ -117,6 +117,20 @@ TEST(Walk, TurnsOnTheSpotAsFastAsItsStridesAllow) {
   }
 }
 
+TEST(Walk, HeldHigherThanItsLegsReachItCalibratesAndWalks) {
+  for (const char* velocity : {"0", "0.2"}) {
+    Loop loop(scenario("walk_flat",
+                       {walks(std::string("height: 0.1, velocity: [") + velocity + ", 0]")}, 1));
+    loop.run_until(20.0);
+    const int steps = loop.steps_taken();
+    loop.run_until(25.0);
+    EXPECT_GE(loop.steps_taken(), steps + 7) << velocity;
+    EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << velocity;
+    EXPECT_GT(loop.truth().p_WB.z(), 0.4) << velocity;
+    EXPECT_EQ(loop.count(PlanEvent::lowered), 1) << velocity;
+  }
+}
+
 /// Every torque commanded in a short walk.
 std::vector<JointVector> torques(std::uint64_t seed) {
   Loop loop(scenario("walk_flat_sea", {}, seed));
