@@ -1,8 +1,10 @@
 #include "surefoot/config/planner_section.hpp"
 
+#include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/planning/com_planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -136,6 +138,17 @@ void read_friction_frame(Section& section, FrictionFrameOptions& frame) {
   section.number("rate_max", frame.rate_max, kPositive);
 }
 
+/// Or the robot throws itself down.
+void check_calibration(const Section& section, const CalibrationOptions& calibration) {
+  const double least = CalibrationMotion::shortest_duration(calibration);
+  if (calibration.duration == 0.0 || calibration.duration >= least) return;
+  std::ostringstream message;
+  message << calibration.duration
+          << " s is too short for a turn by these angles; expected at least "
+          << std::ceil(100.0 * least) / 100.0 << " s, or 0 for none";
+  section.fail("duration", message.str());
+}
+
 void read_calibration(Section& section, CalibrationOptions& calibration) {
   const NumberRange tilt{.min = 0.0, .max = 0.3, .words = "from 0 to 0.3 rad"};
   section.number("duration", calibration.duration, kNotNegative);
@@ -143,6 +156,7 @@ void read_calibration(Section& section, CalibrationOptions& calibration) {
   section.number("roll", calibration.roll, tilt);
   section.number("pitch", calibration.pitch, tilt);
   section.number("yaw", calibration.yaw, tilt);
+  check_calibration(section, calibration);
 }
 
 void read_foothold(Section& section, FootholdOptions& foothold) {

@@ -18,6 +18,10 @@ class CalibrationMotion {
  public:
   explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
 
+  /// In which the torso can turn by the amplitudes of the options [s]: accelerations, (2π n / T)² A
+  /// or somewhat more, within what legs and ground can give.
+  [[nodiscard]] static double shortest_duration(const CalibrationOptions& options);
+
   /// What is done `t` after the beginning of all [s]; nothing if the motion takes no time.
   [[nodiscard]] CalibrationStage stage(double t) const;
   /// Roll, pitch and yaw [rad], their rates and accelerations; zero where the torso does not turn.

@@ -17,6 +17,19 @@ constexpr double kLowestStair = 0.06;    // what rises by more in a stride may b
 constexpr double kEvenly = 0.015;        // a slope's print from the line through two others [m]
 constexpr double kLeastStride = 0.05;    // that says something of the ground's slope [m]
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
+constexpr double kLead = 0.3;            // of a heading that turns before the feet, in cycles …
+constexpr double kLeastLead = 0.2;       // … but up to this at any rate [rad]
+constexpr double kMostBehind = 0.5625;   // of max_side_step: a foot that it leaves behind
+
+constexpr double kSway = 0.12;  // of the hips, sideways, as far as a turn makes them [m]
+
+// From the middle of the hind feet to that of the front feet, whatever the strides on either side.
+double heading_of(const PerLeg<Vec3>& footholds) {
+  Vec2 forward = Vec2::Zero();
+  for (const Leg leg : kLegs)
+    forward += (is_front(leg) ? 0.5 : -0.5) * footholds[index(leg)].head<2>();
+  return std::atan2(forward.y(), forward.x());
+}
 
 // Twice the way from a place at `offset` from the hip to the circle of radius `reach` about the
 // hip, forward or backward, whichever is shorter; 0 outside it.
@@ -92,17 +105,62 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
                                        const StrideLimits& limits, double cycle_duration) const {
   double share = 1.0;
   for (const Leg leg : kLegs) {
-    const Vec2 foot = nominal_offset(stance_, leg);
-    const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
-    const Vec2 stride = cycle_duration * (user.velocity + turning);
-    const double within_reach =
-        longest_stride(foot - hips[index(leg)], stride.normalized(), limits.reach);
+    const Vec2 step = stride(leg, user, cycle_duration);
+    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+    const double within_reach = longest_stride(from_hip, step.normalized(), limits.reach);
     const double longest = std::min({options_.max_step, limits.length, within_reach});
     const double excess =
-        std::hypot(stride.x() / longest, stride.y() / std::min(longest, options_.max_side_step));
+        std::hypot(step.x() / longest, step.y() / std::min(longest, options_.max_side_step));
     if (excess > 1.0) share = std::min(share, 1.0 / excess);
   }
   return share;
+}
+
+Vec2 FootholdPlanner::stride(Leg leg, const UserCommand& user, double cycle_duration) const {
+  const Vec2 foot = nominal_offset(stance_, leg);
+  const Vec2 turning = user.yaw_rate * Vec2(-foot.y(), foot.x());
+  return cycle_duration * (user.velocity + turning);
+}
+
+double FootholdPlanner::tallest(const UserCommand& user, const PerLeg<Vec2>& hips, double length,
+                                double cycle_duration) const {
+  double height = length;
+  for (const Leg leg : kLegs) {
+    const Vec2 half = 0.5 * stride(leg, user, cycle_duration);
+    const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
+    const Vec2 most = from_hip.cwiseAbs() + half.cwiseAbs() + Vec2(0.0, kSway);
+    const double furthest = most.norm();
+    height = std::min(height, std::sqrt(std::max(0.0, length * length - furthest * furthest)));
+  }
+  return height;
+}
+
+double FootholdPlanner::turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
+                                      const PerLeg<bool>& down, double yaw,
+                                      double cycle_duration) const {
+  const double side = yaw_rate < 0.0 ? -1.0 : 1.0;
+  const double ahead = side * std::remainder(yaw - heading_of(footholds), 2.0 * kPi);
+  const double most_ahead = std::max(kLeastLead, kLead * cycle_duration * std::abs(yaw_rate));
+  const double behind = left_behind(side, footholds, down, yaw);
+  const double most_behind = kMostBehind * options_.max_side_step;
+  return std::clamp(std::min(2.0 * (1.0 - ahead / most_ahead), 3.0 * (1.0 - behind / most_behind)),
+                    0.0, 1.0);
+}
+
+// Sideways, in heading axes: there a leg is the least agile, and meets the one beside it.
+double FootholdPlanner::left_behind(double side, const PerLeg<Vec3>& footholds,
+                                    const PerLeg<bool>& down, double yaw) const {
+  Vec2 center = Vec2::Zero();
+  for (const Vec3& foothold : footholds) center += foothold.head<2>() / kNumLegs;
+  const Vec2 left = rotation_about_z(yaw).col(1).head<2>();
+  double furthest = 0.0;
+  for (const Leg leg : kLegs) {
+    const Vec2 from_center = footholds[index(leg)].head<2>() - center;
+    const double aside = left.dot(from_center) - nominal_offset(stance_, leg).y();
+    const double behind = side * (is_front(leg) ? -aside : aside);
+    if (down[index(leg)]) furthest = std::max(furthest, behind);
+  }
+  return furthest;
 }
 
 void FootholdPlanner::avoid(const Vec3& p_WF) {

@@ -48,6 +48,20 @@ class FootholdPlanner {
   [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
                                       const StrideLimits& limits, double cycle_duration) const;
 
+  /// Height of the hips over the feet up to which legs of a length, from hip to foot, reach both
+  /// ends of the strides, half of each before and behind the foot's nominal place, while the hips
+  /// sway [m].
+  [[nodiscard]] double tallest(const UserCommand& user, const PerLeg<Vec2>& hips, double length,
+                               double cycle_duration) const;
+
+  /// Share of a yaw rate, at most 1, that feet which stand allow until they step. In a steady turn
+  /// the heading is up to 0.15 cycles of the turn ahead of the feet, and they are up to 3/8 of
+  /// their stride aside of their nominal places. It is 0 where the heading is twice as far ahead,
+  /// or a foot that it leaves behind half as far again.
+  [[nodiscard]] double turning_share(double yaw_rate, const PerLeg<Vec3>& footholds,
+                                     const PerLeg<bool>& down, double yaw,
+                                     double cycle_duration) const;
+
   /// A foot has found ground here: a front foot's print.
   void remember(Leg leg, const Vec3& p_WF);
   /// A foot that was to stand here found no ground within its reach: for the next kAvoidedFor
@@ -67,6 +81,12 @@ class FootholdPlanner {
   [[nodiscard]] double last_slope(const Prints& prints) const;
   [[nodiscard]] Vec2 not_stretched(Leg leg, const Vec2& goal, const PerLeg<Vec3>& footholds,
                                    const Vec2& heading) const;
+  /// How far the foot that stands furthest back in a turn to a side, 1 or −1, is aside of its
+  /// nominal place [m].
+  [[nodiscard]] double left_behind(double side, const PerLeg<Vec3>& footholds,
+                                   const PerLeg<bool>& down, double yaw) const;
+  /// Of a leg, in heading axes [m].
+  [[nodiscard]] Vec2 stride(Leg leg, const UserCommand& user, double cycle_duration) const;
   [[nodiscard]] Vec3 towards(const Vec3& print, const Vec3& from) const;
   /// Do three prints, one behind the other, lie on one slope?
   [[nodiscard]] bool is_slope(const Vec3& first, const Vec3& second, const Vec3& third) const;

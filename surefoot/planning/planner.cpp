@@ -21,6 +21,7 @@ constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new
 constexpr double kLeastHeight = 0.1;   // of the COM over the plane [m]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
+constexpr double kSpare = 0.01;           // of a leg's reach, that no torso is held so high for [m]
 constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
@@ -53,8 +54,9 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   note_calibration_wish(command.calibrate);
-  UserCommand user = with_caution(within_strides(command));
+  UserCommand user = within_height(with_caution(within_strides(command)));
   user.walk = user.walk && !calibrating() && !wants_calibration_;
+  user.yaw_rate *= turning_share(user.yaw_rate);
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
   yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
@@ -108,7 +110,7 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 }
 
 UserCommand Planner::within_strides(const UserCommand& user) {
-  const double height = options_.stance.height + user.height;
+  const double height = options_.stance.height + std::min(0.0, user.height);
   const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
   const double share =
@@ -120,6 +122,34 @@ UserCommand Planner::within_strides(const UserCommand& user) {
   result.velocity *= share;
   result.yaw_rate *= share;
   return result;
+}
+
+// Strides come before height.
+UserCommand Planner::within_height(const UserCommand& user) {
+  UserCommand result = user;
+  if (!(user.height > 0.0)) return result;
+  UserCommand strides = user;
+  if (!user.walk) strides.velocity.setZero(), strides.yaw_rate = 0.0;
+  const double tallest = foothold_planner_.tallest(
+      strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
+  const bool turns = calibrating() || wants_calibration_;
+  const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
+  if (user.height <= most) {
+    lowered_ = false;
+  } else if (!turns && !lowered_ && event_ == PlanEvent::none) {
+    event_ = PlanEvent::lowered;
+    lowered_ = true;
+  }
+  result.height = std::min(user.height, most);
+  return result;
+}
+
+// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
+// ones or after it went the other way, the feet come to stand across the torso.
+double Planner::turning_share(double yaw_rate) const {
+  PerLeg<bool> down{};
+  for (const Leg k : kLegs) down[index(k)] = leg(k).down();
+  return foothold_planner_.turning_share(yaw_rate, footholds(), down, yaw_, cycle_duration());
 }
 
 void Planner::observe_legs(const UserCommand& user, const RobotState& state,

@@ -59,6 +59,10 @@ class Planner {
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
+  /// The command with a height that strides, sway and a calibration leave to the legs.
+  [[nodiscard]] UserCommand within_height(const UserCommand& user);
+  /// Of the commanded yaw rate, until the next step.
+  [[nodiscard]] double turning_share(double yaw_rate) const;
   /// Hips about the footholds' centre, in heading axes: the torso leans against a push.
   [[nodiscard]] PerLeg<Vec2> leaning_hips() const;
   /// How long the feet stay as they are, by the gait's time [s].
@@ -160,7 +164,8 @@ class Planner {
 
   PerLeg<Vec2> hips_{};  // about the torso's centre, in heading axes
   bool initialised_ = false;
-  bool slowed_ = false;  // strides are too short for the commanded velocity
+  bool slowed_ = false;   // strides are too short for the commanded velocity
+  bool lowered_ = false;  // legs are too short for the commanded height
   double time_ = 0.0;
   double initialised_at_ = 0.0;     // [s]
   bool asked_before_ = false;       // for a calibration, at the last tick

@@ -25,6 +25,7 @@ enum class PlanEvent : int {
   calibration = 16,        ///< as asked for, the estimate begins anew and calibrates on the spot
   calibration_waits = 17,  ///< it was asked for, but the robot does not come to rest on all feet
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
+  lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -67,6 +68,8 @@ enum class PlanEvent : int {
       return "calibration waits: for 1 s at rest on all feet";
     case PlanEvent::support_widened:
       return "support too thin for the next swing: another foot steps first";
+    case PlanEvent::lowered:
+      return "height out of the legs' reach: torso lower than commanded";
   }
   return "unknown";
 }

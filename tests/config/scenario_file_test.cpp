@@ -226,6 +226,17 @@ TEST_F(ScenarioFile, refuses_a_switch_on_one_side_shorter_than_its_ramps) {
                     "planner.gait: same_side_duration is 0 s; it must last as long as"));
 }
 
+TEST_F(ScenarioFile, refuses_a_calibration_too_short_for_its_turn) {
+  EXPECT_TRUE(holds(complaint("", {"planner.calibration.duration=0.1"}),
+                    "planner.calibration.duration: 0.1 s is too short for a turn by these angles; "
+                    "expected at least 1 s, or 0 for none"));
+  EXPECT_TRUE(
+      holds(complaint("", {"planner.calibration.duration=1", "planner.calibration.pitch=0.3"}),
+            "expected at least 1.73 s, or 0 for none"));
+  for (const char* duration : {"0", "1", "6"})
+    EXPECT_NO_THROW((void)read("", 0, {std::string("planner.calibration.duration=") + duration}));
+}
+
 TEST_F(ScenarioFile, refuses_filters_that_are_too_quick_for_any_control_period) {
   EXPECT_TRUE(holds(complaint("", {"planner.torso.frequency=2000"}), "from 0.1 to 100 rad/s"));
   for (const std::string key : {"external_force.time_constant", "external_force.load_time_constant",

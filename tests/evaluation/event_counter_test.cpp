@@ -67,7 +67,8 @@ TEST(EventCounter, every_event_of_one_foot_names_it_and_those_of_the_robot_name_
         PlanEvent::collision, PlanEvent::caught, PlanEvent::push_foot_down}) {
     EXPECT_EQ(leg_of(event, swings, swings), Leg::RH) << name(event);
   }
-  for (const PlanEvent event : {PlanEvent::slowed, PlanEvent::slip, PlanEvent::support_widened})
+  for (const PlanEvent event :
+       {PlanEvent::slowed, PlanEvent::slip, PlanEvent::support_widened, PlanEvent::lowered})
     EXPECT_EQ(leg_of(event, swings, stand), std::nullopt) << name(event);
 }
 

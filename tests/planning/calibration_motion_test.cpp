@@ -1,5 +1,7 @@
 #include "surefoot/planning/calibration_motion.hpp"
 
+#include "tests/support/random_motion.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,6 +40,23 @@ TEST(CalibrationMotion, TurnsAboutEveryAxisUpToItsAmplitude) {
   const Vec3 amplitudes(kOptions.roll, kOptions.pitch, kOptions.yaw);
   EXPECT_TRUE((most.array() <= amplitudes.array()).all());
   EXPECT_TRUE((most.array() > 0.6 * amplitudes.array()).all());
+}
+
+TEST(CalibrationMotion, InItsShortestDurationItsAccelerationsStayBounded) {
+  test::Random random(1);
+  for (int trial = 0; trial < 50; ++trial) {
+    CalibrationOptions options;
+    options.roll = random.uniform(0.0, 0.3);
+    options.pitch = random.uniform(0.0, 0.3);
+    options.yaw = random.uniform(0.0, 0.3);
+    options.duration = CalibrationMotion::shortest_duration(options);
+    EXPECT_GE(options.duration, 1.0);
+    const CalibrationMotion motion(options);
+    double most = 0.0;
+    for (double t = 0.0; t < 3.0; t += 0.0025)
+      most = std::max(most, motion.at(t).a.cwiseAbs().maxCoeff());
+    EXPECT_LT(most, 50.0) << trial;
+  }
 }
 
 TEST(CalibrationMotion, WithoutADurationThereIsNone) {

@@ -48,6 +48,41 @@ TEST(Planner, WalksAsFastAsItIsTold) {
   }
 }
 
+TEST(Planner, StandsNoHigherThanItsLegsReachAndSaysSo) {
+  Puppet puppet;
+  puppet.user = {.height = 0.3};
+  puppet.run(4.0);
+  const double standing = puppet.plan().torso.height;
+  EXPECT_LT(standing, SwingOptions{}.reach_max);
+  EXPECT_GT(standing, StanceOptions{}.height + 0.02);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lowered).size(), 1u);
+  puppet.user.walk = true;
+  puppet.user.velocity.x() = 0.06;
+  puppet.run(12.0);
+  EXPECT_LT(puppet.plan().torso.height, standing - 0.01) << "strides take of it";
+  EXPECT_GE(puppet.plan().torso.height, StanceOptions{}.height - 1e-9);
+  puppet.user = {.height = -0.1};
+  puppet.run(8.0);
+  EXPECT_NEAR(puppet.plan().torso.height, StanceOptions{}.height - 0.1, 1e-3);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lowered).size(), 1u);
+}
+
+TEST(Planner, CalibratesNoHigherThanNominally) {
+  PlannerOptions options;
+  options.calibration.duration = 2.0;
+  Puppet puppet(options);
+  puppet.user = {.height = 0.05};
+  bool calibrated = false;
+  puppet.run(8.0, [&] {
+    if (puppet.plan().calibration == CalibrationStage::none) return;
+    calibrated = true;
+    EXPECT_LT(puppet.plan().torso.height, options.stance.height + 1e-6);
+  });
+  EXPECT_TRUE(calibrated);
+  EXPECT_GT(puppet.plan().torso.height, options.stance.height + 0.01);
+  EXPECT_TRUE(puppet.happenings().empty());
+}
+
 TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   PlannerOptions options;
   options.calibration.duration = 4.0;

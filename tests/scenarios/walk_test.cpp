@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,40 @@ TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   EXPECT_LT(greatest, 8.0) << "N·m within a tick: as at a touchdown";
   EXPECT_GE(loop.steps_taken(), steps + 2) << "and walks on";
   EXPECT_EQ(loop.allocations(), first);
+}
+
+/// A walk as commanded from half a second on.
+std::string walks(const std::string& command) {
+  return "user=[{time: 0.5, walk: true, " + command + "}]";
+}
+
+TEST(Walk, TurnsOnTheSpotAsFastAsItsStridesAllow) {
+  for (const char* yaw_rate : {"0.6", "-0.6"}) {
+    Loop loop(scenario("walk_flat", {walks(std::string("yaw_rate: ") + yaw_rate)}, 1));
+    loop.run_until(22.0);
+    const int steps = loop.steps_taken();
+    const double before = yaw(loop.truth().q_WB.toRotationMatrix());
+    loop.run_until(28.0);
+    EXPECT_GE(loop.steps_taken(), steps + 8) << yaw_rate;
+    EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << yaw_rate;
+    EXPECT_GT(loop.truth().p_WB.z(), 0.4) << yaw_rate;
+    const double turned = yaw(loop.truth().q_WB.toRotationMatrix()) - before;
+    EXPECT_GT(std::abs(std::remainder(turned, 2.0 * kPi)), 6.0 * 0.2) << yaw_rate;
+  }
+}
+
+TEST(Walk, HeldHigherThanItsLegsReachItCalibratesAndWalks) {
+  for (const char* velocity : {"0", "0.2"}) {
+    Loop loop(scenario("walk_flat",
+                       {walks(std::string("height: 0.1, velocity: [") + velocity + ", 0]")}, 1));
+    loop.run_until(20.0);
+    const int steps = loop.steps_taken();
+    loop.run_until(25.0);
+    EXPECT_GE(loop.steps_taken(), steps + 7) << velocity;
+    EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << velocity;
+    EXPECT_GT(loop.truth().p_WB.z(), 0.4) << velocity;
+    EXPECT_EQ(loop.count(PlanEvent::lowered), 1) << velocity;
+  }
 }
 
 /// Every torque commanded in a short walk.
