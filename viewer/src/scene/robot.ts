@@ -1,6 +1,7 @@
 import * as THREE from "three";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import type { MeshLibrary } from "./mesh_library.ts";
+import { bend, type Posture } from "./posture.ts";
 
 /** A robot made from the URDF: its primitives at once, its meshes as they come. */
 export class Robot {
@@ -74,11 +75,11 @@ export class Robot {
     return visual.parent?.children.some((child) => "isURDFCollider" in child) ?? false;
   }
 
-  /** `q_WB` as w, x, y, z; `q` in the order of `joints`. */
-  pose(p_WB: number[], q_WB: number[], joints: string[], q: number[]): void {
+  /** `joints`: names, in the posture's order; `like`: has those that the posture does not know. */
+  pose({ p_WB, q_WB, q }: Posture, joints: string[], like?: Robot): void {
     this.root.position.set(p_WB[0] as number, p_WB[1] as number, p_WB[2] as number);
     this.root.quaternion.set(q_WB[1] as number, q_WB[2] as number, q_WB[3] as number, q_WB[0] as number);
-    for (let j = 0; j < joints.length; ++j) this.urdf.setJointValue(joints[j] as string, q[j] as number);
+    bend(this.urdf, joints, q, like?.urdf);
   }
 
   /** Centre of mass of a link in W [m], as the URDF has it; false: there is no link of that name. */

@@ -1,5 +1,5 @@
 import * as THREE from "three";
-import { read, type Frame } from "../data/frame.ts";
+import type { Frame } from "../data/frame.ts";
 import { newtonsOf } from "../data/schema.ts";
 import type { FrameSource } from "../data/source.ts";
 import { Axes } from "../overlays/axes.ts";
@@ -9,6 +9,7 @@ import type { Session } from "../protocol/session.ts";
 import { FollowCamera } from "./follow_camera.ts";
 import { MeshLibrary } from "./mesh_library.ts";
 import { paletteOf, type Palette } from "./palette.ts";
+import { Posture } from "./posture.ts";
 import { Robot } from "./robot.ts";
 import { Stage } from "./stage.ts";
 import { Terrain } from "./terrain.ts";
@@ -49,9 +50,7 @@ export class World {
   private copies: OverlaySet[] = [];
   private readonly view = new THREE.Matrix4();
   private onFirstPicture: () => void = () => {};
-  private readonly p = [0, 0, 0];
-  private readonly q = [1, 0, 0, 0];
-  private readonly joints = new Array<number>(12).fill(0);
+  private readonly posture: Posture;
   private readonly target = new THREE.Vector3();
 
   constructor(
@@ -61,6 +60,7 @@ export class World {
     private readonly session: Session,
     urdf: string,
   ) {
+    this.posture = new Posture(session.header.robot.joint_names.length);
     this.stage = new Stage(canvas);
     this.camera = new FollowCamera(this.stage.camera, canvas);
     labelLayer.after(this.axes.root);
@@ -163,10 +163,9 @@ export class World {
 
   private show(frame: Frame, source: FrameSource, dt: number): void {
     this.setVisible(true);
-    const joints = this.session.header.robot.joint_names;
-    const truth = this.pose(this.robot, frame, "truth", "truth", joints);
-    if (!truth) this.pose(this.robot, frame, "state", "state", joints);
-    if (this.ghostShown && !this.pose(this.ghost, frame, "estimate", "state", joints)) this.pose(this.ghost, frame, "state", "state", joints);
+    this.robot.root.visible = this.pose(this.robot, frame, "truth", "truth") || this.pose(this.robot, frame, "state", "state");
+    if (this.ghostShown)
+      this.ghost.root.visible = this.pose(this.ghost, frame, "estimate", "state", this.robot) || this.pose(this.ghost, frame, "state", "state", this.robot);
     this.target.copy(this.robot.root.position);
     this.camera.update(this.target, dt);
     this.stage.lightAt(this.target);
@@ -193,12 +192,11 @@ export class World {
     });
   }
 
-  /** `base` and `legs`: topics that say where they are. */
-  private pose(robot: Robot, frame: Frame, base: string, legs: string, joints: string[]): boolean {
-    if (!read(frame, `${base}.p_WB`, this.p) || !read(frame, `${base}.q_WB`, this.q)) return false;
-    if (!read(frame, `${legs}.q`, this.joints)) return false;
-    robot.pose(this.p, this.q, joints, this.joints);
-    return true;
+  /** `base` and `legs`: topics that say where they are; of a base that is not known: false. */
+  private pose(robot: Robot, frame: Frame, base: string, legs: string, like?: Robot): boolean {
+    const known = this.posture.read(frame, base, legs);
+    if (known) robot.pose(this.posture, this.session.header.robot.joint_names, like);
+    return known;
   }
 
   private readonly centreOf = (body: string, out: THREE.Vector3): boolean => this.robot.centreOf(body, out);
