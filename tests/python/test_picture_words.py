@@ -12,7 +12,8 @@ from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, SLIP, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log import frames as frames_module  # isort: skip
+from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -38,9 +39,11 @@ def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
     assert np.linalg.norm(second) < np.linalg.norm(whole)
 
 
-def test_the_event_of_a_slip_has_the_programs_number():
-    numbers = dict(re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE))
-    assert int(numbers["slip"]) == SLIP
+def test_events_have_the_programs_numbers():
+    numbers = re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE)
+    ours = {name.lower(): value for name, value in vars(frames_module).items() if name.isupper() and isinstance(value, int)}
+    assert {name: int(number) for name, number in numbers if name in ours} == {name: ours[name] for name, _ in numbers if name in ours}
+    assert {name for name, _ in numbers} - ours.keys() == {"none", "slowed", "calibration", "calibration_waits", "support_widened"}, "of no leg"
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
@@ -202,21 +205,45 @@ def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
                 assert frame_of(tick, {"level_names": []}, "").stop == told
 
 
-def test_of_a_foot_that_slides_it_is_told_whose_it_is():
-    names = ["none", *("other" for _ in range(10)), "stance foot slides"]
-    maker = FrameMaker({"event_names": names, "level_names": []})
+class Walk:
+    """Ticks of a maker of frames; legs stand where nothing else is said."""
 
-    def event(number, **slips):
-        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": dict.fromkeys(LEGS, False) | slips}
-        data = {"/state": state, "/plan": {"feet": {}, "event": number}}
+    def __init__(self):
+        self._maker = FrameMaker({"event_names": [f"event {i}" for i in range(19)], "level_names": []})
+
+    def event(self, number, slips=(), **phases):
+        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": {leg: leg in slips for leg in LEGS}}
+        plan = {"feet": {leg: {"phase": phases.get(leg, "stance")} for leg in LEGS}, "event": number}
+        data = {"/state": state, "/plan": plan}
         messages = [SimpleNamespace(topic=topic, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
-        return maker.frame(messages).event
+        return self._maker.frame(messages).event
 
-    assert event(0) == ""
-    assert event(11, LF=True) == "LF: stance foot slides"
-    assert event(11, LF=True, RH=True) == "RH: stance foot slides"
-    assert event(11, LH=True, RF=True) == "stance foot slides", "two at once"
-    assert event(10, LF=True) == "other"
+
+def test_of_an_event_it_is_told_whose_foot_it_is():
+    walk = Walk()
+    assert walk.event(0) == ""
+    assert walk.event(frames_module.LIFT_OFF, RF="swing") == "RF: event 1"
+    assert walk.event(frames_module.LATE, RF="search") == "RF: event 5"
+    assert walk.event(frames_module.PROBE_EDGE, RF="search", LH="swing") == "RF: event 4", "the first in the air where none in the air changes"
+    assert walk.event(frames_module.LATE, RF="search", LH="search") == "LH: event 5", "of two in the air the one that changed its motion"
+    assert walk.event(frames_module.TOUCHDOWN, LH="search") == "RF: event 2"
+    assert walk.event(frames_module.LOST_CONTACT, LF="search", LH="search") == "LF: event 7"
+    assert walk.event(0, RH="unloading") == ""
+    assert walk.event(frames_module.LIFT_OFF_ABORTED) == "RH: event 8"
+    assert walk.event(10) == "event 10", "of no leg"
+
+
+def test_of_a_foot_that_slides_it_is_told_whose_it_is():
+    walk = Walk()
+    assert walk.event(0) == ""
+    assert walk.event(11, ["LF"]) == "LF: event 11"
+    assert walk.event(11, ["LF", "RH"]) == "RH: event 11"
+    assert walk.event(11, ["LH", "RF"]) == "event 11", "two at once"
+
+
+def test_what_every_step_has_is_of_no_interest_whoever_does_it():
+    assert all(moments.is_quiet(event) for event in ("", "lift-off", "LF: lift-off", "probe: same ground", "RH: probe: same ground"))
+    assert not any(moments.is_quiet(event) for event in ("LF: leg slides", "probe: edge, going beyond", "RH: probe: edge, going beyond"))
 
 
 def test_a_push_is_one_from_more_than_rounding_on():
