@@ -57,9 +57,11 @@ class Frame:
     pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N], torque about its centre of mass [N·m])
     phases: dict = field(default_factory=dict)
     event: str = ""
+    event_time: float | None = None  # where that is not the frame's own [s]
     mode: str = "optimal"
     stop: str = ""  # why the controller has stopped for safety; empty: it has not
     gave_way: tuple | None = None  # (level, residual, rows of a level above that are at their limits, that level, other levels that gave way)
+    gave_way_time: float | None = None  # where that is not the frame's own [s]
 
     @property
     def carrying(self):
@@ -104,6 +106,7 @@ class FrameMaker:
 
     def __init__(self, header, every=1):
         self._header, self._every, self._number, self._event = header, every, -1, ""
+        self._event_time = None
         self._before = {}  # messages of the tick before
         self.has_truth = False
 
@@ -113,7 +116,7 @@ class FrameMaker:
         event = event_of(found, self._header, self._before)
         self._before |= {topic: found[topic] for topic in EVENT_TOPICS & found.keys()}
         if event:
-            self._event = event
+            self._event, self._event_time = event, 1e-9 * messages[0].time
         if "/state" not in found:
             return None
         self._number += 1
@@ -121,6 +124,7 @@ class FrameMaker:
             return None
         made = frame_of({topic: found[topic] for topic in TOPICS & found.keys()}, self._header, self._event)
         if made is not None:
+            made.event_time = self._event_time if self._event else None
             self._event, self.has_truth = "", self.has_truth or "/truth" in found
         return made
 

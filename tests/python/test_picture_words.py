@@ -11,9 +11,11 @@ from PIL import Image
 from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
+from surefoot_log.clip import nearest, times_of  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
 from surefoot_log import frames as frames_module  # isort: skip
 from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.pictures import with_lasting_words  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -124,6 +126,18 @@ def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_sta
     assert {len(line) for line in long} == {len(short[0])}
 
 
+def test_what_a_picture_tells_of_another_tick_has_its_time():
+    names = ("com_xy", 0.5, (), "", ())
+    ticks = [frame_at(0.0, 0.1 * i) for i in range(30)]
+    ticks[3].event, ticks[3].event_time = "LF: touchdown", 0.28
+    ticks[5].gave_way = names
+    shown = list(with_lasting_words(nearest(ticks, times_of(0.0, 2.9, 10, 1))))
+    told = [[text for text, _ in captions.Captions(240, {"level_names": []})._texts(frame)] for frame in shown]
+    assert told[2] == [] and told[3] == ["LF: touchdown (0.28 s)"] and told[13] == ["LF: touchdown (0.28 s)"] and told[29] == []
+    assert told[5] == ["LF: touchdown (0.28 s)", "com xy gives way by 0.5"], "of the picture's own tick"
+    assert told[8][1] == "com xy gives way by 0.5 (0.50 s)" and len(told[10]) == 1
+
+
 def test_no_text_of_a_strip_lies_on_a_robot():
     words = captions.Captions(strip.TILE[1], {"level_names": [], "level_units": []}, strip.LETTERS)
     quiet, pushed = frame_at(0.0, 0.0), frame_at(0.0, 0.0)
@@ -215,7 +229,7 @@ class Walk:
         state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": {leg: leg in slips for leg in LEGS}}
         plan = {"feet": {leg: {"phase": phases.get(leg, "stance")} for leg in LEGS}, "event": number}
         data = {"/state": state, "/plan": plan}
-        messages = [SimpleNamespace(topic=topic, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
+        messages = [SimpleNamespace(topic=topic, time=10**9, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
         return self._maker.frame(messages).event
 
 
