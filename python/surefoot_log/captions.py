@@ -46,6 +46,12 @@ def pushes_of(frame):
     return " and ".join(f"{np.linalg.norm(force):.3g} N" for _, force, _ in frame.pushes)
 
 
+def dated(text, time, frame):
+    """A text with its time, where that is another than the one on the picture."""
+    when, shown = f"{frame.time if time is None else time:.2f} s", f"{frame.time:.2f} s"
+    return f"{text} ({when})" if text and when != shown else text
+
+
 def sentence(frame, units):
     """That the controller has stopped, or what gave way to what, in a line; empty where nothing did."""
     if frame.stop:
@@ -56,7 +62,7 @@ def sentence(frame, units):
     unit = f" {units[level]}" if units.get(level) else ""
     digits = ".2g" if abs(residual) < 99.5 else ".0f"
     why = " between two hierarchies" if by is None else acting(limits, by)
-    return f"{words_of(level)} gives way by {residual:{digits}}{unit}{why}{also(others)}"
+    return dated(f"{words_of(level)} gives way by {residual:{digits}}{unit}{why}{also(others)}", frame.gave_way_time, frame)
 
 
 def wrapped(text, length, room):
@@ -100,7 +106,7 @@ class Captions:
 
     def _texts(self, frame, title=""):
         push = pushes_of(frame)
-        texts = [(title, SOFT), (frame.event, INK), (push and f"outside force {push}", INK), (sentence(frame, self._units), INK)]
+        texts = [(title, SOFT), (dated(frame.event, frame.event_time, frame), INK), (push and f"outside force {push}", INK), (sentence(frame, self._units), INK)]
         return [(text, colour) for text, colour in texts if text]
 
     def _lines(self, text, width):

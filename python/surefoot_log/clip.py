@@ -42,12 +42,12 @@ def times_of(first, last, rate, speed):
 
 
 def nearest(frames, times):
-    """For each time the frame next to it; both are in order. What happened between is told by the later one."""
-    found, at, event = [], 0, ""
+    """For each time the frame next to it; both are in order. With it the last one up to it, since the time before, at which something happened, or None."""
+    found, at, told = [], 0, None
     for time in times:
         while at + 1 < len(frames) and abs(frames[at + 1].time - time) <= abs(frames[at].time - time):
             at += 1
-            event = frames[at].event or event
-        found.append((frames[at], event))
-        event = ""
+            told = frames[at] if frames[at].event else told
+        found.append((frames[at], told))
+        told = None
     return found

@@ -4,7 +4,7 @@ import json
 
 from surefoot_log import foxglove_schemas as schemas
 from surefoot_log import foxglove_shapes as shapes
-from surefoot_log.frames import event_of
+from surefoot_log.frames import EVENT_TOPICS, event_of
 from surefoot_log.operator_text import heading_of, operator_text
 from surefoot_log.stop_text import stop_text
 
@@ -27,7 +27,8 @@ class Events:
 
     def __init__(self, file, header):
         self._file, self._header = file, header
-        self._state, self._mode, self._is_pulled = None, None, False
+        self._mode, self._is_pulled = None, False
+        self._before = {}  # messages of the tick before
         self._time = 0  # that was seen last [ns]
 
     def see(self, messages):
@@ -37,12 +38,11 @@ class Events:
             if message.topic == "/changes":
                 self._see_change(json.loads(bytes(message.data)))
         found = {message.topic: message for message in messages}
-        state = found["/state"].data if "/state" in found else None
-        if "/plan" in found:
-            self._tell(event_of(found["/plan"].data, self._header, self._state, state), "planner")
+        legs = {topic: found[topic].data for topic in EVENT_TOPICS & found.keys()}
+        self._tell(event_of(legs, self._header, self._before), "planner")
         if "/command" in found:
             self._see_command(found)
-        self._state = state or self._state
+        self._before |= legs
 
     def end(self, summary):
         """Behind the last tick; `summary`: of the log, as JSON, or None."""
@@ -54,7 +54,7 @@ class Events:
         """Of a pull its begin and its end."""
         is_pull, pulls = change["kind"] == "pull", change["kind"] == "pull" and any(change["force"])
         if not (pulls and self._is_pulled):
-            self._tell(operator_text(change, heading_of(self._state)), "operator")
+            self._tell(operator_text(change, heading_of(self._before.get("/state"))), "operator")
         self._is_pulled = pulls if is_pull else self._is_pulled
 
     def _see_command(self, found):

@@ -10,10 +10,13 @@ from surefoot_log.stop_text import stop_text
 
 LEGS = ("LF", "RF", "LH", "RH")
 CARRIES = ("stance", "unloading")
+EVENT_TOPICS = {"/plan", "/state"}  # what says what happened, and to which leg
 TOPICS = {"/truth", "/plan", "/state", "/health", "/hierarchy", "/command"}
 ROUNDING = 1e-6  # a residual in every unit, of logs that don't say which people should see
 OPTIMAL, ITERATION_CAP, INVALID_INPUT = 0, 1, 2  # of /hierarchy.status
-SLIP = 11  # of /plan.event: a standing foot began to slide
+# Of /plan.event, as signals/plan_event.hpp has them.
+LIFT_OFF, TOUCHDOWN, PROBE_SAME_GROUND, PROBE_EDGE, LATE, NO_GROUND, LOST_CONTACT, LIFT_OFF_ABORTED, COLLISION = range(1, 10)
+SLIP, PUSH_FOOT_DOWN, PUSH_RELOADED, PUSH_STEP, CAUGHT = range(11, 16)
 LOADED = 20.0  # N: what a foot that carries has at least
 LEAST_PUSH = 1e-6  # N: less is of a step that a push touches by rounding
 
@@ -54,9 +57,11 @@ class Frame:
     pushes: list = field(default_factory=list)  # (number of the body in the physics, force [N], torque about its centre of mass [N·m])
     phases: dict = field(default_factory=dict)
     event: str = ""
+    event_time: float | None = None  # where that is not the frame's own [s]
     mode: str = "optimal"
     stop: str = ""  # why the controller has stopped for safety; empty: it has not
     gave_way: tuple | None = None  # (level, residual, rows of a level above that are at their limits, that level, other levels that gave way)
+    gave_way_time: float | None = None  # where that is not the frame's own [s]
 
     @property
     def carrying(self):
@@ -101,44 +106,68 @@ class FrameMaker:
 
     def __init__(self, header, every=1):
         self._header, self._every, self._number, self._event = header, every, -1, ""
-        self._state = None  # of the tick before
+        self._event_time = None
+        self._before = {}  # messages of the tick before
         self.has_truth = False
 
     def frame(self, messages):
         """Of the messages of one time; None where that is none of the ticks that are shown."""
         found = {message.topic: message.data for message in messages}
-        if "/plan" in found:
-            self._event = event_of(found["/plan"], self._header, self._state, found.get("/state")) or self._event
+        event = event_of(found, self._header, self._before)
+        self._before |= {topic: found[topic] for topic in EVENT_TOPICS & found.keys()}
+        if event:
+            self._event, self._event_time = event, 1e-9 * messages[0].time
         if "/state" not in found:
             return None
-        self._state = found["/state"]
         self._number += 1
         if self._number % self._every != 0:
             return None
         made = frame_of({topic: found[topic] for topic in TOPICS & found.keys()}, self._header, self._event)
         if made is not None:
+            made.event_time = self._event_time if self._event else None
             self._event, self.has_truth = "", self.has_truth or "/truth" in found
         return made
 
 
-def event_of(data, header, before=None, state=None):
-    """The text of an event, if there is one in a message on /plan; "event" is its last member. `before` and `state`: messages on /state of the
-    tick before and of this one, which tell whose foot began to slide."""
-    tail = bytes(data[-24:])
-    if tail.endswith(b'"event":0}'):
+def event_of(found, header, before):
+    """The text of an event, if a tick has one, as `explain` has it; "event" is the last member of a message on /plan. `found` and `before`: by
+    topic, the messages of this tick and the last ones before it."""
+    if "/plan" not in found or bytes(found["/plan"][-24:]).endswith(b'"event":0}'):
         return ""
-    number = json.loads(bytes(data))["event"]
+    number = json.loads(bytes(found["/plan"]))["event"]
     names = header["event_names"]
     if not 0 < number < len(names):
         return ""
-    return f"{leg}: {names[number]}" if number == SLIP and (leg := leg_that_began_to_slide(before, state)) else names[number]
+    leg = leg_of(number, legs_of(before), legs_of(found))
+    return f"{leg}: {names[number]}" if leg else names[number]
 
 
-def leg_that_began_to_slide(before, state):
-    """Empty where that is none or several."""
-    was, now = (json.loads(bytes(data)).get("slips", {}) if data is not None else {} for data in (before, state))
-    began = [leg for leg in LEGS if now.get(leg) and not was.get(leg)]
-    return began[0] if len(began) == 1 else ""
+def legs_of(found):
+    """By leg, what it does and whether its foot is believed to slide; where that is not known it carries and does not."""
+    plan, state = (json.loads(bytes(found[topic])) if topic in found else {} for topic in ("/plan", "/state"))
+    feet, slips = plan.get("feet", {}), state.get("slips", {})
+    return {leg: (feet.get(leg, {}).get("phase", CARRIES[0]), bool(slips.get(leg))) for leg in LEGS}
+
+
+def leg_of(event, before, now):
+    """The leg that an event happened to, by the rule of evaluation/event_counter.hpp. Empty: to none, or to none that stands out."""
+    stands = {leg: now[leg][0] in CARRIES for leg in LEGS}
+    carried = {leg: before[leg][0] in CARRIES for leg in LEGS}
+    changed = [leg for leg in LEGS if before[leg][0] != now[leg][0]]
+    found = []
+    if event in (LIFT_OFF, TOUCHDOWN, PUSH_STEP):
+        found = changed
+    elif event == LOST_CONTACT:
+        found = [leg for leg in LEGS if carried[leg] and not stands[leg]]
+    elif event == SLIP:
+        found = [leg for leg in LEGS if now[leg][1] and not before[leg][1]]
+        found = found if len(found) == 1 else []
+    elif event in (LIFT_OFF_ABORTED, PUSH_RELOADED):
+        found = [leg for leg in LEGS if before[leg][0] == "unloading" and stands[leg]]
+    elif event in (PROBE_SAME_GROUND, PROBE_EDGE, LATE, NO_GROUND, COLLISION, PUSH_FOOT_DOWN, CAUGHT):
+        # Of several legs in the air the one that changed its motion.
+        found = [leg for leg in changed if not carried[leg]] or [leg for leg in LEGS if not stands[leg]]
+    return next(iter(found), "")
 
 
 def frame_of(tick, header, event):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from surefoot_log.frames import CARRIES
+from surefoot_log.frames import CARRIES, LEGS
 
 STEP = 0.03  # m: feet that carry at heights that differ by more are on different ground
 BEFORE, AFTER = 1.5, 1.5  # s around what is of interest
@@ -23,11 +23,17 @@ class Span:
         return self.last - self.first
 
 
+def is_quiet(event):
+    """Is it what every step of a walk has?"""
+    leg, _, what = event.partition(": ")
+    return (what if leg in LEGS else event) in QUIET
+
+
 def is_of_interest(frame):
     """The robot stands on different heights, searches, is pushed, or meets what it did not expect."""
     heights = [position[2] for leg, position in frame.p_WF.items() if frame.phases.get(leg) in CARRIES]
     on_a_step = len(heights) > 1 and max(heights) - min(heights) > STEP
-    return on_a_step or "search" in frame.phases.values() or bool(frame.pushes) or frame.event not in QUIET or frame.mode != "optimal"
+    return on_a_step or "search" in frame.phases.values() or bool(frame.pushes) or not is_quiet(frame.event) or frame.mode != "optimal"
 
 
 def started(frames):

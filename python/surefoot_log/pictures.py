@@ -69,13 +69,24 @@ class Lasting:
         return self._shown if time <= self._until else None
 
 
+def time_of_event(frame):
+    return frame.time if frame.event_time is None else frame.event_time
+
+
 def with_lasting_words(pairs):
     event_shown, gave_way_shown = Lasting(EVENT_SHOWN), Lasting(GAVE_WAY_SHOWN)
-    for frame, event in pairs:
-        event = event_shown.update(event, frame.time) or ""
+    for frame, told in pairs:
+        told = event_shown.update(told, frame.time)
         if frame.stop:  # nothing is solved any more
             gave_way_shown.forget()
-        yield replace(frame, event=event, gave_way=gave_way_shown.update(frame.gave_way, frame.time))
+        gave_way = gave_way_shown.update(frame if frame.gave_way else None, frame.time)
+        yield replace(
+            frame,
+            event=told.event if told else "",
+            event_time=told and time_of_event(told),
+            gave_way=gave_way and gave_way.gave_way,
+            gave_way_time=gave_way and gave_way.time,
+        )
 
 
 def write_film(run, paint, path, span, rate, speed, size, progress=None):

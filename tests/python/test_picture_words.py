@@ -11,8 +11,11 @@ from PIL import Image
 from pictures_made import frame_at
 
 from surefoot_log import camera, captions, moments, overlays, strip  # isort: skip
+from surefoot_log.clip import nearest, times_of  # isort: skip
 from surefoot_log.foxglove import scene_entities  # isort: skip
-from surefoot_log.frames import LEGS, SLIP, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log import frames as frames_module  # isort: skip
+from surefoot_log.frames import LEGS, FrameMaker, Touch, add_truth, frame_of, gave_way  # isort: skip
+from surefoot_log.pictures import with_lasting_words  # isort: skip
 from surefoot_log.offscreen import mujoco  # isort: skip
 
 
@@ -38,9 +41,11 @@ def test_an_arrow_that_would_leave_the_picture_is_cut_short_with_two_heads():
     assert np.linalg.norm(second) < np.linalg.norm(whole)
 
 
-def test_the_event_of_a_slip_has_the_programs_number():
-    numbers = dict(re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE))
-    assert int(numbers["slip"]) == SLIP
+def test_events_have_the_programs_numbers():
+    numbers = re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE)
+    ours = {name.lower(): value for name, value in vars(frames_module).items() if name.isupper() and isinstance(value, int)}
+    assert {name: int(number) for name, number in numbers if name in ours} == {name: ours[name] for name, _ in numbers if name in ours}
+    assert {name for name, _ in numbers} - ours.keys() == {"none", "slowed", "calibration", "calibration_waits", "support_widened"}, "of no leg"
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
@@ -119,6 +124,18 @@ def test_long_words_on_a_picture_have_letters_of_the_same_size_in_lines_that_sta
     short, long = rows("Hd"), rows(" ".join(40 * ["Hd"]))
     assert len(short) == 1 and len(long) > 2
     assert {len(line) for line in long} == {len(short[0])}
+
+
+def test_what_a_picture_tells_of_another_tick_has_its_time():
+    names = ("com_xy", 0.5, (), "", ())
+    ticks = [frame_at(0.0, 0.1 * i) for i in range(30)]
+    ticks[3].event, ticks[3].event_time = "LF: touchdown", 0.28
+    ticks[5].gave_way = names
+    shown = list(with_lasting_words(nearest(ticks, times_of(0.0, 2.9, 10, 1))))
+    told = [[text for text, _ in captions.Captions(240, {"level_names": []})._texts(frame)] for frame in shown]
+    assert told[2] == [] and told[3] == ["LF: touchdown (0.28 s)"] and told[13] == ["LF: touchdown (0.28 s)"] and told[29] == []
+    assert told[5] == ["LF: touchdown (0.28 s)", "com xy gives way by 0.5"], "of the picture's own tick"
+    assert told[8][1] == "com xy gives way by 0.5 (0.50 s)" and len(told[10]) == 1
 
 
 def test_no_text_of_a_strip_lies_on_a_robot():
@@ -202,21 +219,45 @@ def test_why_the_controller_has_stopped_is_said_in_the_programs_words():
                 assert frame_of(tick, {"level_names": []}, "").stop == told
 
 
+class Walk:
+    """Ticks of a maker of frames; legs stand where nothing else is said."""
+
+    def __init__(self):
+        self._maker = FrameMaker({"event_names": [f"event {i}" for i in range(19)], "level_names": []})
+
+    def event(self, number, slips=(), **phases):
+        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": {leg: leg in slips for leg in LEGS}}
+        plan = {"feet": {leg: {"phase": phases.get(leg, "stance")} for leg in LEGS}, "event": number}
+        data = {"/state": state, "/plan": plan}
+        messages = [SimpleNamespace(topic=topic, time=10**9, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
+        return self._maker.frame(messages).event
+
+
+def test_of_an_event_it_is_told_whose_foot_it_is():
+    walk = Walk()
+    assert walk.event(0) == ""
+    assert walk.event(frames_module.LIFT_OFF, RF="swing") == "RF: event 1"
+    assert walk.event(frames_module.LATE, RF="search") == "RF: event 5"
+    assert walk.event(frames_module.PROBE_EDGE, RF="search", LH="swing") == "RF: event 4", "the first in the air where none in the air changes"
+    assert walk.event(frames_module.LATE, RF="search", LH="search") == "LH: event 5", "of two in the air the one that changed its motion"
+    assert walk.event(frames_module.TOUCHDOWN, LH="search") == "RF: event 2"
+    assert walk.event(frames_module.LOST_CONTACT, LF="search", LH="search") == "LF: event 7"
+    assert walk.event(0, RH="unloading") == ""
+    assert walk.event(frames_module.LIFT_OFF_ABORTED) == "RH: event 8"
+    assert walk.event(10) == "event 10", "of no leg"
+
+
 def test_of_a_foot_that_slides_it_is_told_whose_it_is():
-    names = ["none", *("other" for _ in range(10)), "stance foot slides"]
-    maker = FrameMaker({"event_names": names, "level_names": []})
+    walk = Walk()
+    assert walk.event(0) == ""
+    assert walk.event(11, ["LF"]) == "LF: event 11"
+    assert walk.event(11, ["LF", "RH"]) == "RH: event 11"
+    assert walk.event(11, ["LH", "RF"]) == "event 11", "two at once"
 
-    def event(number, **slips):
-        state = {"time": 1.0, "p_WB": [0, 0, 0.5], "q_WB": [1, 0, 0, 0], "q": [0.0] * 12, "slips": dict.fromkeys(LEGS, False) | slips}
-        data = {"/state": state, "/plan": {"feet": {}, "event": number}}
-        messages = [SimpleNamespace(topic=topic, data=json.dumps(one, separators=(",", ":")).encode()) for topic, one in data.items()]
-        return maker.frame(messages).event
 
-    assert event(0) == ""
-    assert event(11, LF=True) == "LF: stance foot slides"
-    assert event(11, LF=True, RH=True) == "RH: stance foot slides"
-    assert event(11, LH=True, RF=True) == "stance foot slides", "two at once"
-    assert event(10, LF=True) == "other"
+def test_what_every_step_has_is_of_no_interest_whoever_does_it():
+    assert all(moments.is_quiet(event) for event in ("", "lift-off", "LF: lift-off", "probe: same ground", "RH: probe: same ground"))
+    assert not any(moments.is_quiet(event) for event in ("LF: leg slides", "probe: edge, going beyond", "RH: probe: edge, going beyond"))
 
 
 def test_a_push_is_one_from_more_than_rounding_on():
