@@ -45,7 +45,7 @@ def test_events_have_the_programs_numbers():
     numbers = re.findall(r"^  (\w+) = (\d+),", (ROOT / "surefoot/signals/plan_event.hpp").read_text(), re.MULTILINE)
     ours = {name.lower(): value for name, value in vars(frames_module).items() if name.isupper() and isinstance(value, int)}
     assert {name: int(number) for name, number in numbers if name in ours} == {name: ours[name] for name, _ in numbers if name in ours}
-    assert {name for name, _ in numbers} - ours.keys() == {"none", "slowed", "calibration", "calibration_waits", "support_widened"}, "of no leg"
+    assert {name for name, _ in numbers} - ours.keys() == {"none", "slowed", "calibration", "calibration_waits", "support_widened", "lowered"}, "of no leg"
 
 
 def test_what_is_shown_begins_before_and_ends_after_what_happened():
