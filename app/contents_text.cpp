@@ -78,24 +78,25 @@ Json losses_json(const std::vector<McapLoss>& losses) {
 
 std::string facts(const LogContents& contents) {
   const LogHeader& header = contents.header;
-  Table rows{
-      {"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
-                       (header.description.empty() ? "" : ": " + header.description)},
-      {"robot",
-       header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
-      {"result", result(contents)},
-      {"duration", duration(contents)},
-      {"lost", lost(contents)},
-      {"recorded by", "surefoot " + header.version +
-                          (header.commit.empty() ? "" : ", commit " + header.commit) +
-                          "; log version " + header.log_version},
-      {"", header.is_newer() ? "this program knows version " + std::string(kLogVersion) +
-                                   ": what is new since then is passed over"
-                             : ""},
-      {"again by", header.command},
-      {"", contents.problem.empty() ? "" : "that run goes on where this log is cut off or damaged"},
-      {"steered", steered(contents)},
-      {"drawn", drawn(header)}};
+  Table rows{{"scenario", header.scenario + ", seed " + std::to_string(header.seed) +
+                              (header.description.empty() ? "" : ": " + header.description)},
+             {"robot",
+              header.robot.name + ", stack " + header.stack + ", estimation " + header.estimation},
+             {"result", result(contents)},
+             {"duration", duration(contents)},
+             {"lost", lost(contents)},
+             {"recorded by", "surefoot " + header.version +
+                                 (header.commit.empty() ? "" : ", commit " + header.commit) +
+                                 "; log version " + header.log_version},
+             {"", header.is_newer() ? "this program knows version " + std::string(kLogVersion) +
+                                          ": what is new since then is passed over"
+                                    : ""},
+             {"again by", header.command},
+             {"", contents.problem.empty() || !contents.summary.empty()
+                      ? ""
+                      : "that run goes on where this log ends"},
+             {"steered", steered(contents)},
+             {"drawn", drawn(header)}};
   for (const std::string& note : header.notes) rows.push_back({"note", note});
   std::string out;
   for (const std::vector<std::string>& row : rows)

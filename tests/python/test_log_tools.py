@@ -39,7 +39,8 @@ def test_info_of_a_log_that_was_cut_off_says_so_and_shows_what_is_there(log, tmp
     found = of_json("info", file)
     assert not found["whole"] and "cut off at byte" in found["problem"] and found["summary"] is None
     assert 0 < found["ticks"] <= 800
-    assert "not whole" in answer("info", file) and "the log has no summary" in answer("info", file)
+    text = answer("info", file)
+    assert "not whole" in text and "the log has no summary" in text and "that run goes on where this log ends" in text
 
 
 def test_explain_gives_the_messages_of_the_nearest_tick(log):
@@ -153,6 +154,7 @@ def test_info_counts_and_names_what_a_damaged_chunk_took(log, tmp_path, number):
     assert found["ticks"] + found["lost"]["ticks"] == 800 and found["lost"]["ticks"] >= round((last - first) / 0.0025)
     assert found["summary"] is not None and not found["whole"]
     text = answer("info", file)
+    assert "goes on" not in text, "the log's end is there"
     assert re.search(rf"^lost +{found['lost']['ticks']} ticks, in 1 place of the file", text, re.MULTILINE)
     assert f"at byte {place['offset']} of " in text and f"({first:.4f} s to {last:.4f} s)" in text
 
