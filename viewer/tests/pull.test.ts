@@ -2,7 +2,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { givenText } from "../src/panels/drive_panel.ts";
 import { Grip } from "../src/input/grip.ts";
-import { pullText } from "../src/input/pull.ts";
+import * as THREE from "three";
+import { pullText, springForce } from "../src/input/pull.ts";
 import type { Status } from "../src/protocol/connection.ts";
 
 function held(force: () => number[], allowed = (): boolean => true) {
@@ -67,4 +68,10 @@ test("what a pull has given is that of the pull, whatever pushes beside it", () 
   assert.equal(text, "Pushed 31.0 N·s by now. Pulled 4.3 N·s by now. Up to 12 N·s now.");
   assert.equal(givenText({ push: null, pull: null, newton_seconds_left: 60 } as Status), "Up to 60 N·s now.");
   assert.match(givenText({ push: { ...push, given: 0 }, pull: null, newton_seconds_left: 45 } as Status), /^A push begins: the tick after it shows its force\./);
+});
+
+test("a pull of a hand's breadth is one that a walk stands", () => {
+  const force = (way: number): number => springForce(new THREE.Vector3(), new THREE.Vector3(0, way, 0), 300, new THREE.Vector3()).length();
+  assert.ok(Math.abs(force(0.2) - 60) < 1e-9);
+  assert.equal(force(3), 300);
 });

@@ -7,7 +7,7 @@ import type { World } from "../scene/world.ts";
 import { Grip } from "./grip.ts";
 
 /** The force grows to its limit over this way of the mouse [m]. */
-const FULL_REACH = 0.5;
+const FULL_REACH = 1;
 
 /** What the pointer holds: a body, and where, in its frame. */
 interface Held {
