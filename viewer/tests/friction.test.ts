@@ -73,7 +73,7 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   overlay.wear(paletteOf(false));
   overlay.update(picture as unknown as Picture);
   assert.deepEqual(put, [["RF 93 %", "use leg1 bad"]]);
-  assert.deepEqual(spared.map((points) => points.length), [5], "where next to all is used the pyramid itself is to be seen");
+  assert.deepEqual(spared.map((points) => points.length), [5], "the pyramid itself is to be seen beside its number");
   const [sides] = overlay.root.children[1]?.children as [THREE.Mesh<THREE.BufferGeometry, THREE.Material>];
   assert.deepEqual([...overlay.root.children.map(({ visible }) => visible), sides.material.depthTest], [false, true, false], "seen through the leg that it stands at");
   const drawn = sides.geometry.getAttribute("position").array.slice(0, 15);
@@ -84,12 +84,25 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   assert.deepEqual([...sides.geometry.getAttribute("color").array.slice(0, 3)], [...new Float32Array(new THREE.Color(paletteOf(false).margin.bad).toArray())]);
 });
 
+test("of a pyramid that is half used it is to be seen how much, too", () => {
+  const schema = schemaOf({ "commanded.friction_use.LH": 1, "commanded.normal_force.LH": 1, "commanded.q_WP.LH": 4, "commanded.pyramid_friction.LH": 1, "model.p_WF.LH": 3 });
+  for (const use of [0.2, 0.73]) {
+    const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([use, 200, 1, 0, 0, 0, 0.3, 0, 0, 0.03]), active: [], blocking: [] };
+    let spared = 0;
+    const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels: { put: () => {}, spare: () => ++spared }, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
+    const overlay = new FrictionPyramids();
+    overlay.wear(paletteOf(false));
+    overlay.update(picture as unknown as Picture);
+    assert.equal(spared, 1);
+  }
+});
+
 test("a foot that carries next to nothing has no share and no pyramid, and none is higher than the robot's weight", () => {
   const schema = schemaOf({ "commanded.friction_use.LF": 1, "commanded.normal_force.LF": 1, "commanded.q_WP.LF": 4, "commanded.pyramid_friction.LF": 1, "model.p_WF.LF": 3 });
   const values = new Float32Array([77.33, 0.015 * schema.weight, 1, 0, 0, 0, 0.3, 0, 0, 0.03]);
   const frame: Frame = { schema, tick: 0, time: 0, values, active: [], blocking: [] };
   const put: string[] = [];
-  const labels = { put: (_: THREE.Vector3, text: string) => put.push(text) };
+  const labels = { put: (_: THREE.Vector3, text: string) => put.push(text), spare: () => {} };
   const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
   const overlay = new FrictionPyramids();
   overlay.wear(paletteOf(false));

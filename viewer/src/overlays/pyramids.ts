@@ -108,7 +108,7 @@ export class FrictionPyramids implements Overlay {
       if (kind === "bad") this.alarms.add(this.tip, corners, this.colours[kind], DENSITY[kind], this.alarmEdge);
       else this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
       this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
-      if (kind === "bad") labels.spare(this.outlineOf(corners, beliefToWorld));
+      labels.spare(this.outlineOf(corners, beliefToWorld));
       labels.put(this.corner, `${leg} ${percent(use)}`, `use leg${k} ${kind}`);
     });
     this.pyramids.end();
