@@ -258,7 +258,7 @@ def test_steering_by_keys_is_told_in_one_note_that_renews_itself(page):
 
 def test_buttons_that_move_a_level_hide_nothing_that_it_says(page):
     hidden = """(() => { const level = document.querySelector('[data-level=torso_yaw]'), a = level.querySelector('.movers').getBoundingClientRect();
-      const texts = [...level.querySelectorAll('.level-name, .residual, .status, .brief, .level-time')].filter(one => one.textContent !== '');
+      const texts = [...level.querySelectorAll('.sign, .level-name, .residual, .status, .brief, .level-time')].filter(one => one.textContent !== '');
       return [a.width > 0, texts.filter(one => { const b = one.getBoundingClientRect(); return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; })
         .map(one => one.className)]; })()"""
     x, y = page.middle("[data-level=torso_yaw]")
