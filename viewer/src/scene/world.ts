@@ -89,6 +89,7 @@ export class World {
     this.stage.wear(this.palette);
     this.terrain.wear(this.palette);
     this.overlays.wear(this.palette);
+    this.sinceTrails = Infinity; // their colours are in their points
     this.ghostPaint.color.set(this.palette.ghost);
     this.invalidate();
   }
