@@ -58,6 +58,20 @@ test("margins have no leg's colour, and the less is left the further they are fr
   }
 });
 
+/** As WCAG has it. */
+function contrast(a: number, b: number): number {
+  const [dark, bright] = [luminance(a), luminance(b)].toSorted((p, q) => p - q) as [number, number];
+  return (bright + 0.05) / (dark + 0.05);
+}
+
+test("marks of the legend stand out from their page, and the plan of the centre of mass from the ground", () => {
+  for (const dark of [false, true]) {
+    const { margin, plan, ground } = paletteOf(dark);
+    for (const colour of Object.values(margin)) assert.ok(contrast(colour, dark ? 0x1c2024 : 0xffffff) >= 3, colour.toString(16));
+    assert.ok(contrast(plan, ground) >= (dark ? 5 : 3), "a line is as thin as a pixel, and half of that where it passes between two");
+  }
+});
+
 test("what is nearly used up is seen before the ground and before bodies, whatever their brightness and whatever eyes", () => {
   for (const dark of [false, true]) {
     const { margin, alarmEdge, background, ground } = paletteOf(dark);
