@@ -83,6 +83,7 @@ ReportPictures read_pictures(const fs::path& folder, const std::string& descript
   pictures.times = json.at("times").get<std::vector<double>>();
   pictures.first = json.at("span").at("first").get<double>();
   pictures.last = json.at("span").at("last").get<double>();
+  pictures.has_pushes = json.at("has_pushes").get<bool>();
   pictures.notes = json.at("notes").get<std::vector<std::string>>();
   pictures.strip = contents(folder / "strip.jpg");
   pictures.clip = contents(folder / "clip.mp4");

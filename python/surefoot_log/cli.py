@@ -219,7 +219,7 @@ def report_pictures(typed):
 
     done = pictures.make_report_pictures(LogFile(arguments.log), arguments.folder)
     span = {"first": done.span.first, "last": done.span.last}
-    print(json.dumps({"times": [round(time, 6) for time in done.times], "span": span, "notes": done.notes}))
+    print(json.dumps({"times": [round(time, 6) for time in done.times], "span": span, "notes": done.notes, "has_pushes": done.has_pushes}))
     return DONE
 
 

@@ -9,17 +9,16 @@ METRES_PER_NEWTON = 0.0022
 LONGEST = 1.3  # m: an arrow of the ground that would be longer is cut short, with two heads
 SEEN_LENGTH = 0.2  # m: so much longer is the arrow of a push, which begins inside of the robot
 BODY_REACH = 1.0  # m: no body reaches further from its centre of mass
-# Like those of the viewer's page: none of them a leg's, and colour-blind people can tell them apart.
-SAFE, NEAR, SLIDES = np.array([0.48, 0.52, 0.55]), np.array([0.79, 0.63, 0.0]), np.array([0.0, 0.0, 0.0])
+# Those of the viewer's page in the light (scene/palette.ts, math/friction.ts): none of them a leg's, and colour-blind people can tell them apart.
+SAFE, NEAR, SLIDES = (0x86 / 255, 0x8F / 255, 0x98 / 255), (0xA6 / 255, 0x7F / 255, 0.0), (0xE4 / 255, 0.0, 0x3A / 255)
+NEAR_FROM, SLIDES_FROM = 0.6, 0.9  # shares of the friction cone
 COM, POLYGON, PUSH = (0.11, 0.12, 0.14, 1.0), (0.19, 0.40, 0.40), (0.94, 0.89, 0.26, 1.0)
 ABOVE_GROUND = 0.004  # m: what lies on the ground is drawn so far above it
 
 
 def colour_of_use(use):
-    """Of a force by the share of its friction cone: grey, amber at 0.7, black at 1."""
-    use = float(np.clip(use, 0.0, 1.0))
-    mix = SAFE + (NEAR - SAFE) * use / 0.7 if use < 0.7 else NEAR + (SLIDES - NEAR) * (use - 0.7) / 0.3
-    return (*mix, 1.0)
+    """Of a force by the share of its friction cone: grey, amber from 60 % on, red from 90 % on."""
+    return (*(SAFE if use < NEAR_FROM else NEAR if use < SLIDES_FROM else SLIDES), 1.0)
 
 
 def push_arrow(centre, force, torque):

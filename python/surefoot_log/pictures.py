@@ -29,6 +29,7 @@ class Made:
     times: list = field(default_factory=list)  # of the moments of a strip [s]
     span: Span | None = None  # of a film
     notes: list = field(default_factory=list)
+    has_pushes: bool = False  # in a strip
 
 
 def packages_folder():
@@ -130,4 +131,4 @@ def make_report_pictures(log, folder):
     span = shortened(run.frames, span_of_interest(run.frames), CLIP_LENGTH)
     with painter(scene, run.header, CLIP_SIZE) as artist:
         write_film(run, lambda frame: artist.paint(frame, camera), folder / "clip.mp4", span, CLIP_RATE, 1, CLIP_SIZE)
-    return Made(["strip.jpg", "clip.mp4"], [frame.time for frame in moments], span, scene.notes)
+    return Made(["strip.jpg", "clip.mp4"], [frame.time for frame in moments], span, scene.notes, any(frame.pushes for frame in moments))

@@ -12,6 +12,7 @@ struct ReportPictures {
   std::vector<double> times{};       ///< of these moments [s]
   std::string clip{};                ///< MP4, H.264; empty: none
   double first = 0.0, last = 0.0;    ///< of the run, that the clip shows [s]
+  bool has_pushes = false;           ///< something pushes the robot in the strip
   std::vector<std::string> notes{};  ///< what they don't show as it is
   std::string why_none{};            ///< in words; empty where there are pictures
   bool are_coming = false;           ///< they are being made

@@ -25,9 +25,12 @@ std::string strip(const ReportPictures& pictures) {
          "\" src=\"data:image/jpeg;base64," + base64(pictures.strip) +
          "\">\n<figcaption>The robot in the simulation, after the paper's Fig. 5, at " +
          times_of(pictures) +
-         ". Arrows: ground forces, grey well inside their friction cone, amber near it, black "
-         "at it; the yellow arrow, 0.2 m longer than its force alone would make it: what pushes "
-         "the robot from outside. Dark green: "
+         ". Arrows: ground forces, grey below 60 % of their friction cone, amber from there and "
+         "red from 90 % on" +
+         (pictures.has_pushes ? "; the yellow arrow, 0.2 m longer than its force alone would make "
+                                "it: what pushes the robot from outside"
+                              : "") +
+         ". Dark green: "
          "the region between the feet that carry, at the height of the highest; black: the centre "
          "of mass over it. Legs in grey carry, in white are in the air, in amber search for "
          "ground.</figcaption>\n</figure>\n";

@@ -74,9 +74,11 @@ def test_the_share_of_the_friction_cone_and_its_colours():
     assert touch([30.0, 40.0, 100.0]).friction_use == pytest.approx(1.0)
     assert touch([0.0, 0.0, -1.0]).friction_use == 0.0
     assert touch([60.0, 0.0, 80.0], [0.6, 0.0, 0.8]).friction_use == pytest.approx(0.0), "straight into a slope"
-    assert overlays.colour_of_use(0.0)[:3] == pytest.approx(overlays.SAFE)
-    assert overlays.colour_of_use(0.7)[:3] == pytest.approx(overlays.NEAR)
-    assert overlays.colour_of_use(3.0)[:3] == pytest.approx(overlays.SLIDES)
+    page = {name: (ROOT / "viewer/src" / name).read_text() for name in ("math/friction.ts", "scene/palette.ts")}
+    near, slides = map(float, re.search(r"use < ([\d.]+) \? \"good\" : use < ([\d.]+) \? \"near\"", page["math/friction.ts"]).groups())
+    colours = re.search(r"margin: { good: 0x(\w+), near: 0x(\w+), bad: 0x(\w+) }", page["scene/palette.ts"]).groups()
+    for use, colour in [(0.0, 0), (near - 0.01, 0), (near, 1), (slides - 0.01, 1), (slides, 2), (3.0, 2)]:
+        assert overlays.colour_of_use(use) == pytest.approx((*(byte / 255 for byte in bytes.fromhex(colours[colour])), 1.0)), "as on the page"
 
 
 def test_the_hull_of_points_goes_around_them():

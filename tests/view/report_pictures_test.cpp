@@ -48,6 +48,14 @@ TEST(Base64, AreTheExamplesOfRfc4648) {
   EXPECT_EQ(report::base64("\xff\xfe\xfb"), "//77");
 }
 
+TEST(ReportPictures, AreExplainedAsFarAsTheyGo) {
+  constexpr const char* kPush = "the yellow arrow";
+  ReportPictures pictures = some();
+  EXPECT_EQ(page_with(pictures).find(kPush), std::string::npos) << "nothing pushes";
+  pictures.has_pushes = true;
+  EXPECT_NE(page_with(pictures).find(kPush), std::string::npos);
+}
+
 TEST(ReportPictures, StandInThePageItselfWithTheirTimes) {
   const std::string page = page_with(some());
   EXPECT_NE(page.find("src=\"data:image/jpeg;base64,YSBzdHJpcA==\""), std::string::npos);
