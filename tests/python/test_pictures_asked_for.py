@@ -33,7 +33,7 @@ def program(*arguments, python=None):
     return subprocess.run([PROGRAM, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=300)
 
 
-SPEAKS = """echo '{"times": [1.5], "span": {"first": 1, "last": 2}, "notes": ["a note"]}'"""
+SPEAKS = """echo '{"times": [1.5], "span": {"first": 1, "last": 2}, "notes": ["a note"], "has_pushes": false}'"""
 
 
 def test_a_report_holds_the_pictures_that_were_made(log, tmp_path, fake_python):

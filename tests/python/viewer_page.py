@@ -36,8 +36,10 @@ def show(browser, link):
 
 
 def pause(browser):
-    """Stops the run; its newest tick is then in the picture."""
-    browser.press(" ")
+    """Stops the run, if it isn't stopped; its newest tick is then in the picture."""
+    wait_for(lambda: browser.run("surefoot.status"), "the run's state", 60)
+    if not browser.run("surefoot.status.paused"):
+        browser.press(" ")
     wait_for(lambda: browser.run("surefoot.status?.paused"), "the run to pause", 60)
     # What it says comes before the frames that are still on the way.
     newest = "[surefoot.tick, surefoot.status.tick - 1, surefoot.drawn === surefoot.last]"
