@@ -12,6 +12,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstring>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -202,7 +203,7 @@ struct Recorder::Implementation {
   McapWriter writer;
   HierarchyNamer namer;
   TickChannels channels{};
-  std::vector<TickTiming> timings;
+  std::deque<TickTiming> timings;  // grows without moving what is there, on the loop's thread
   // Names of the levels, by the first of `timings` that has them.
   std::vector<std::pair<std::size_t, std::vector<std::string>>> orders;
   std::string text;  // of the message that is being written
