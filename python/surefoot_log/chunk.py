@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import zstandard
 from mcap.data_stream import ReadDataStream
+from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Channel, Schema
 
@@ -60,6 +61,13 @@ def message(content, channels, topics=None):
         yield Message(channels[channel].topic, time, content[MESSAGE.size :])
 
 
+def record(kind, content):
+    try:
+        return kind.read(ReadDataStream(io.BytesIO(content)))
+    except (McapError, struct.error, UnicodeDecodeError):
+        raise Damaged(f"a {kind.__name__.lower()} can't be read") from None
+
+
 def messages(chunk, schemas, channels, topics=None):
     """Gives the messages one by one, of some topics only if they are named; keeps the chunk's schemas and channels, by their ids."""
     data = memoryview(opened(chunk))
@@ -77,8 +85,8 @@ def messages(chunk, schemas, channels, topics=None):
         if opcode == Opcode.MESSAGE:
             yield from message(content, channels, topics)
         elif opcode == Opcode.SCHEMA:
-            schema = Schema.read(ReadDataStream(io.BytesIO(content)))
+            schema = record(Schema, content)
             schemas[schema.id] = schema
         elif opcode == Opcode.CHANNEL:
-            read = Channel.read(ReadDataStream(io.BytesIO(content)))
-            channels[read.id] = read
+            channel = record(Channel, content)
+            channels[channel.id] = channel

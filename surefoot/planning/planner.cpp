@@ -129,7 +129,10 @@ UserCommand Planner::within_height(const UserCommand& user) {
   UserCommand result = user;
   if (!(user.height > 0.0)) return result;
   UserCommand strides = user;
-  if (!user.walk) strides.velocity.setZero(), strides.yaw_rate = 0.0;
+  if (!user.walk) {
+    strides.velocity.setZero();
+    strides.yaw_rate = 0.0;
+  }
   const double tallest = foothold_planner_.tallest(
       strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
   const bool turns = calibrating() || wants_calibration_;

@@ -10,6 +10,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -23,6 +24,8 @@ struct WebShared {
   const WebServerOptions& options;
   WebContent& content;
   const OwnNames& names;
+  /// Tells those that watch what is new, if they wait for it: before another is answered.
+  std::function<void()> catch_up;
   std::set<std::shared_ptr<WebClient>> clients{};  ///< that watch live
   // These may be outlived by those who count.
   /// With those that only ask.

@@ -115,6 +115,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
       return refusal(503, "too much is on its way to those who asked before; ask again");
     }
     if (target == "/api/live") return refusal(426, "this is for a WebSocket");
+    shared_.catch_up();
     return answer_for(target, shared_.content);
   }
 
@@ -211,7 +212,7 @@ struct WebServer::Implementation {
       : options(with_token(given)),
         port(listen()),
         names(hosts(), port),
-        shared{options, content, names},
+        shared{options, content, names, [this] { catch_up(); }},
         timer(io) {
     for (tcp::acceptor& acceptor : acceptors) accept(acceptor);
     tick();
@@ -311,7 +312,13 @@ struct WebServer::Implementation {
     });
   }
 
+  // Many who ask at once are answered one after the other, however long that takes.
+  void catch_up() {
+    if (std::chrono::steady_clock::now() - broadcast_at >= kBlockInterval) broadcast();
+  }
+
   void broadcast() {
+    broadcast_at = std::chrono::steady_clock::now();
     const auto clients = shared.clients;  // those that leave meanwhile leave the set
     for (const SharedBlock& block : shared.content.blocks()) {
       for (const auto& client : clients) client->send(block);
@@ -330,6 +337,7 @@ struct WebServer::Implementation {
   OwnNames names;
   WebShared shared;
   asio::steady_timer timer;
+  std::chrono::steady_clock::time_point broadcast_at = std::chrono::steady_clock::now();
   std::thread thread;
 };
 

@@ -2,6 +2,7 @@
 
 import json
 import struct
+from types import SimpleNamespace
 
 import pyarrow.parquet
 import pytest
@@ -178,3 +179,12 @@ def test_a_chunk_gets_no_more_room_than_its_record_says_and_that_can_be(size):
     data = zstandard.ZstdCompressor().compress(bytes(1 << 24))
     with pytest.raises(chunk.Damaged):
         chunk.opened(Chunk(compression="zstd", data=data, message_end_time=0, message_start_time=0, uncompressed_crc=0, uncompressed_size=size))
+
+
+@pytest.mark.parametrize("opcode", [Opcode.SCHEMA, Opcode.CHANNEL])
+@pytest.mark.parametrize("content", [b"", b"\x01", b"\x01\x00\xff\xff\xff\x7fx", b"\x01\x00\x01\x02\x01\x00\x00\x00\xff" + bytes(20)])
+def test_a_record_in_a_chunk_that_can_not_be_read_is_damage(opcode, content):
+    data = chunk.HEAD.pack(opcode, len(content)) + content
+    damaged = SimpleNamespace(uncompressed_size=len(data), compression="", uncompressed_crc=0, data=data)
+    with pytest.raises(chunk.Damaged, match="can't be read"):
+        list(chunk.messages(damaged, {}, {}))

@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 namespace surefoot::test {
@@ -18,6 +21,8 @@ class FakeContent final : public WebContent {
  public:
   WebAnswer get(std::string_view path, const Query& query) override {
     const auto bytes = query.find("bytes"), value = query.find("value");
+    most_at_once = std::max(most_at_once.load(), ++answers_);
+    std::this_thread::sleep_for(answer_time.load());
     if (bytes != query.end()) return {.body = std::string(std::stoul(bytes->second), 'x')};
     return {200, "text/plain", std::string(path) + (value == query.end() ? "" : value->second)};
   }
@@ -25,6 +30,7 @@ class FakeContent final : public WebContent {
   [[nodiscard]] bool is_live() const override { return true; }
   std::vector<SharedBlock> blocks() override {
     ++calls;
+    answers_ = 0;
     std::vector<SharedBlock> blocks;
     const auto bytes = std::make_shared<std::string>(block_bytes.load(), 'x');
     if (!bytes->empty()) blocks.push_back({.frames = 1, .bytes = bytes});
@@ -45,6 +51,8 @@ class FakeContent final : public WebContent {
 
   std::atomic<std::size_t> block_bytes{0};
   std::atomic<int> calls{0}, commands{0};
+  std::atomic<int> most_at_once{0};  // answers without a block between them
+  std::atomic<std::chrono::milliseconds> answer_time{};
   std::atomic<bool> talks{false};   // a status with every block
   std::atomic<bool> counts{false};  // … or one with a number, and with every third a change
 
@@ -56,7 +64,7 @@ class FakeContent final : public WebContent {
     return texts;
   }
 
-  int count_ = 0;
+  int count_ = 0, answers_ = 0;
 };
 
 class WebServerTest : public ::testing::Test {

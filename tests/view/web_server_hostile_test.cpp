@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <random>
 #include <thread>
 #include <vector>
@@ -89,6 +90,17 @@ TEST_F(WebServerTest, no_status_overtakes_what_was_said_before_it_however_slow_t
     changes += test::holds(text, "change") ? 1 : 0;
   }
   EXPECT_GT(longest_step, 1) << "of those that waited one after the other the last is told";
+}
+
+TEST_F(WebServerTest, many_who_ask_at_once_for_much_keep_no_block_from_those_who_watch) {
+  content_.answer_time = std::chrono::milliseconds(50);  // longer than between two blocks
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < 30; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server_.port()));
+    clients.back()->send("GET /api/session HTTP/1.1\r\nHost: " + host() + "\r\n\r\n");
+  }
+  for (const auto& client : clients) ASSERT_EQ(test::status_of(client->answer()), 200);
+  EXPECT_LE(content_.most_at_once, 1);
 }
 
 TEST_F(WebServerTest, a_thousand_pages_come_and_go) {
