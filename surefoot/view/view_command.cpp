@@ -173,14 +173,17 @@ ViewMessage read_message(std::string_view text) {
   ViewMessage result;
   const json message = json::parse(text, nullptr, false);
   if (!message.is_object()) {
-    result.error = "a message must be one JSON object";
+    result.is_object = false;
+    result.error = "a message must be one JSON object, as text";
     return result;
   }
   const auto id = message.find("id");
-  if (id != message.end() && id->is_number_integer()) result.id = id->get<std::int64_t>();
+  const bool has_id = id != message.end();
+  if (has_id && id->is_number_integer()) result.id = id->get<std::int64_t>();
   const auto token = message.find("token");
   if (token != message.end() && token->is_string()) result.token = token->get<std::string>();
   try {
+    if (has_id && !id->is_number_integer()) throw BadMessage{"`id` must be a whole number"};
     result.is_hello = message.value("type", json()) == "hello";
     if (!result.is_hello) result.command = read_command(message);
   } catch (const BadMessage& bad) {

@@ -49,6 +49,7 @@ struct ViewCommand {
 /// A message of a page, with what its sender must know.
 struct ViewMessage {
   std::int64_t id = 0;
+  bool is_object = true;  ///< otherwise nothing else of it is known than `error`
   std::string token;
   bool is_hello = false;  ///< it asks only whether its token is known; without a command
   std::string error;      ///< what is wrong with the rest of it; empty: nothing

@@ -85,7 +85,9 @@ void WebClient::read() {
 
 void WebClient::take(std::string_view text) {
   const ViewMessage message = read_message(text);
-  if (!is_same_secret(message.token, shared_.options.token)) {
+  if (!message.is_object) {
+    reply(message.id, message.error);
+  } else if (!is_same_secret(message.token, shared_.options.token)) {
     reply(message.id, "commands need the token of the link that the program printed", false);
   } else if (!message.error.empty()) {
     reply(message.id, message.error);

@@ -195,6 +195,15 @@ TEST_F(WebServerTest, says_what_is_wrong_with_a_message) {
   EXPECT_TRUE(test::holds(short_list, "list of 3 numbers")) << short_list;
   client.say(message(R"("type":"undo")"));
   EXPECT_TRUE(test::holds(client.hear_text(), "nothing to undo"));
+  const std::string cut = message(R"("type":"undo")").substr(1);
+  for (const std::string& text : {"{" + cut + "}", std::string("[]"), message(R"("value":NaN)")}) {
+    client.say(text);
+    const std::string reply = client.hear_text();
+    EXPECT_TRUE(test::holds(reply, "one JSON object")) << reply;
+    EXPECT_FALSE(test::holds(reply, "token")) << "there is nothing wrong with it: " << reply;
+  }
+  client.say(R"({"id":"x","token":")" + server_.token() + R"(","type":"hello"})");
+  EXPECT_TRUE(test::holds(client.hear_text(), "`id` must be a whole number"));
 }
 
 TEST_F(WebServerTest, a_message_that_is_too_long_ends_the_connection) {
