@@ -133,7 +133,7 @@ def test_dragging_the_torso_pulls_it_and_says_by_how_many_newton_seconds(browser
     for time_ in (end, end - 0.0025, end - 0.01):  # a pull that is looked at again is one, too
         browser.run(f"(() => {{ const scrub = document.querySelector('#scrub'); scrub.value = {time_ + 1e-4}; scrub.dispatchEvent(new Event('input')); }})()")
         browser.wait(f"Math.abs(surefoot.drawn - {time_}) < 1e-6")
-        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /^pull \\d+ N \\(of [\\d.]+ N·s in all\\)$/.test(one.textContent))")
+        browser.wait("[...document.querySelectorAll('.label.push:not([hidden])')].some(one => /^pull [\\d.]+ N \\(of [\\d.]+ N·s in all\\)$/.test(one.textContent))")
     texts = browser.run("[...said]")
     assert texts and all(text.startswith("pull") for text in texts), texts
     browser.press("l")
