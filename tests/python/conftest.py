@@ -1,5 +1,6 @@
 import os
 import pathlib
+import signal
 import subprocess
 
 import pytest
@@ -7,6 +8,10 @@ import pytest
 from browser import Browser
 from live_page import LONG, Served
 from log_tools import exported
+
+# A shell's background jobs ignore ^C, and so would all programs that they start.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
