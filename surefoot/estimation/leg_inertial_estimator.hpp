@@ -22,7 +22,7 @@ struct LegInertialOptions {
   double stance_turn = 0.03;
   double trust_time = 0.08;   ///< after a touchdown until a foot is trusted fully [s]
   double trust_force = 30.0;  ///< normal force from which on it is [N]
-  bool predict = false;       ///< the state is of now; otherwise of when the samples were taken
+  bool predict = true;        ///< the state is of now; otherwise of when the samples were taken
 };
 
 /// Base state from the IMU, the encoders and the feet that stand: an InvariantFilter, fed.

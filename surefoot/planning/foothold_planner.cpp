@@ -174,7 +174,8 @@ bool FootholdPlanner::is_void(const Vec2& place) const {
 }
 
 // Half the way there may still be the ground that the foot stands on; then over it, then beside it.
-// Where nothing is left the foot stays where it is: there is ground.
+// A leg that is stretched to get there can't look for ground below. Where nothing is left the foot
+// stays where it is: there is ground.
 Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3>& footholds,
                                    const TerrainPlane& plane, const Vec2& heading) const {
   const Vec3& from = footholds[index(leg)];
@@ -188,7 +189,9 @@ Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3
                                    Vec2(step + 2.0 * far * way)};
   for (const Vec2& other : others) {
     const Vec2 there = from.head<2>() + other;
-    if (other.norm() > kReachUpward * options_.max_step || is_void(there)) continue;
+    const bool is_near = other.norm() < kReachUpward * options_.max_step &&
+                         not_stretched(leg, there, footholds, heading) == there;
+    if (!is_near || is_void(there)) continue;
     Vec3 result;
     result << there, expected_height(leg, there, footholds, plane);
     return result;

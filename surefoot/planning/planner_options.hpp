@@ -71,7 +71,7 @@ struct SwingOptions {
   double touchdown_speed = 0.2;
   double search_depth_max = 0.30;  ///< below the expected ground [m]
   double hip_height_min =
-      0.20;  ///< of the hip over the leg's last foothold: no search takes it further down [m]
+      0.25;  ///< of the hip over the leg's last foothold: no search takes it further down [m]
   double reach_max =
       0.56;  ///< hip to foot that a swing foot is asked for: short of a straight leg [m]
   double speed_max =

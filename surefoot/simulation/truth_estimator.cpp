@@ -3,14 +3,14 @@
 namespace surefoot {
 
 const RobotState& TruthEstimator::update(const SensorReading& reading,
-                                         const TickContext&) noexcept {
+                                         const TickContext& context) noexcept {
   state_.time = reading.time;
   state_.p_WB = truth_.p_WB;
   state_.q_WB = truth_.q_WB;
   state_.v_WB = truth_.v_WB;
   state_.w_WB_B = truth_.w_WB_B;
-  state_.q = reading.q;
   state_.qd = truth_.qd;
+  state_.q = reading.q + context.joint_lag * state_.qd;
   state_.torque = reading.torque;
   return state_;
 }

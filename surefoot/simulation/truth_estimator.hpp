@@ -6,8 +6,8 @@
 namespace surefoot {
 
 /// `estimation: truth`: the base's pose and velocity and the joints' velocities are the simulator's
-/// own, joint positions and torques come from the sensors. The only place of control that sees the
-/// truth.
+/// own, joint positions and torques come from the sensors; positions that come late by τ_q go on
+/// to now, q += q̇ τ_q. The only place of control that sees the truth.
 class TruthEstimator final : public StateEstimator {
  public:
   /// `truth` must outlive the estimator and belong to the time of the readings.

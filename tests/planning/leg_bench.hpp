@@ -13,12 +13,12 @@ inline constexpr double kPeriod = 0.0025;
 inline const Vec3 kUp = Vec3::UnitZ();
 inline const Vec3 kNoForce = Vec3::Zero();
 inline constexpr double kHipHeight = 0.22;  // low, so that the leg is long enough for all [m]
+inline const SwingOptions kSwing{.hip_height_min = 0.2};
 
 /// A leg and the foot that it moves.
 struct Bench {
   Bench() = default;
-  explicit Bench(const ForceOptions& force)
-      : leg(SwingOptions{}, TouchdownOptions{}, force, kPeriod) {}
+  explicit Bench(const ForceOptions& force) : leg(kSwing, TouchdownOptions{}, force, kPeriod) {}
 
   LegEvent observe(const Vec3& force) {
     const double ground = std::max(p.z(), leg.foothold().z());
@@ -56,7 +56,7 @@ struct Bench {
     return event;
   }
 
-  LegMotion leg{SwingOptions{}, TouchdownOptions{}, ForceOptions{}, kPeriod};
+  LegMotion leg{kSwing, TouchdownOptions{}, ForceOptions{}, kPeriod};
   double time = 10.0;
   Vec3 p{1.0, 2.0, 0.03};
   std::optional<Vec3> hip;  // without one the leg is never too short

@@ -11,16 +11,16 @@ namespace {
 using test::Bench;
 using test::kDuration;
 using test::kPeriod;
+using test::kSwing;
 using test::kUp;
 using test::searching;
 using test::swinging;
 
 TEST(LegMotion, GivesUpWhenTheSearchHasTakenTheHipDownFarEnough) {
-  const SwingOptions options;
   for (const double lower : {0.001, -0.001}) {
     Bench bench = searching();
     bench.follow(0.2, 0.0);
-    bench.hip = bench.leg.foothold() + (options.hip_height_min - lower) * kUp;
+    bench.hip = bench.leg.foothold() + (kSwing.hip_height_min - lower) * kUp;
     EXPECT_EQ(bench.follow(2.0 * kPeriod, 0.0) == LegEvent::unreachable, lower > 0.0);
   }
 }

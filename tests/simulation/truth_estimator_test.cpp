@@ -31,5 +31,17 @@ TEST(TruthEstimator, SensesJointPositionsAndTorquesAndTakesTheRestFromTheTruth) 
   EXPECT_EQ(state.torque, reading.torque);
 }
 
+TEST(TruthEstimator, TakesJointsThatComeLateOnToNow) {
+  GroundTruth truth;
+  TruthEstimator estimator(truth);
+  truth.qd = JointVector::LinSpaced(-2.0, 3.0);
+  SensorReading reading;
+  reading.q.setConstant(0.8);
+  TickContext context;
+  context.joint_lag = 0.0025;
+  const RobotState& state = estimator.update(reading, context);
+  EXPECT_LT((state.q - (reading.q + 0.0025 * truth.qd)).cwiseAbs().maxCoeff(), 1e-15);
+}
+
 }  // namespace
 }  // namespace surefoot
