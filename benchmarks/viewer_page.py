@@ -69,7 +69,7 @@ def load(browser, link):
     """Times to the first picture's commands, and to its pixels [ms]."""
     browser.open("about:blank")
     browser.open(link)
-    while (drawn := browser.value(DRAWN)) is None:
+    while (drawn := browser.run(DRAWN)) is None:
         pass
     commands, pixels, contrast = drawn
     assert contrast > 25, "the first picture has no robot"

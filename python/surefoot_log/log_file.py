@@ -88,8 +88,9 @@ class LogFile:
             version = str(header["log_version"])
         except (ValueError, KeyError, TypeError, RecursionError):
             raise InputError(f"{self.path}: its {HEADER}, which says what run it is, is damaged; {elsewhere}") from None
-        if version.split(".")[0] != log_version().split(".")[0]:
-            raise InputError(f"{self.path}: log version {version}; this program reads {log_version()}. "
+        major = log_version().split(".")[0]
+        if version.split(".")[0] != major:
+            raise InputError(f"{self.path}: log version {version}; this program reads {log_version()} and all others of {major}.x. "
                              "Read it with the version of surefoot that made it, or record the run anew")
         for name, kind in PARTS.items():
             if not isinstance(header.get(name), kind):

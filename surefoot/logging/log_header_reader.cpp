@@ -117,6 +117,10 @@ json parse_flat(const std::string& text) {
   });
 }
 
+std::string_view major_of(std::string_view version) {
+  return version.substr(0, version.find('.'));
+}
+
 }  // namespace
 
 LogHeader read_log_header(const std::string& path, const std::string& text) {
@@ -128,10 +132,10 @@ LogHeader read_log_header(const std::string& path, const std::string& text) {
   try {
     const json header = parse_flat(text);
     const auto version = member<std::string>(header, "log_version");
-    if (version.substr(0, version.find('.')) != kLogVersion.substr(0, kLogVersion.find('.'))) {
+    if (major_of(version) != major_of(kLogVersion)) {
       throw FileError(
           path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
-          ". Read it with the version of surefoot that made it, or record the run anew");
+          " and all others of " + std::string(major_of(kLogVersion)) + ".x. Read it with the version of surefoot that made it, or record the run anew");
     }
     LogHeader result = parse_header(header);
     result.log_version = version;

@@ -426,6 +426,19 @@ TEST(FootholdPlanner, KeepsAwayFromWhereThereWasNoGround) {
   }
 }
 
+TEST(FootholdPlanner, DoesNotStretchALegToGetOverWhereThereWasNoGround) {
+  const FootholdOptions options{.stretch_max = 0.06};
+  Walker walker(options);
+  walker.stand({0.0, 0.0}, 0.0);
+  const double hind = walker.feet[index(Leg::LH)].x();
+  const double furthest = hind + 2.0 * walker.stance.half_length + options.stretch_max;
+  for (int found_none = 0; found_none < 6; ++found_none) {
+    const Vec3 place = walker.next(Leg::LF, command(0.04));
+    EXPECT_LT(place.x(), furthest + 1e-12) << found_none;
+    walker.planner.avoid(place);
+  }
+}
+
 TEST(FootholdPlanner, StepsOnTheSpotWhereNothingElseIsLeftAndTriesAgainLater) {
   Walker walker(kWithoutPrints);
   walker.stand({0.0, 0.0}, 0.0);

@@ -147,7 +147,7 @@ def test_what_is_no_log_is_refused_by_name(log, tmp_path):
         plain_text(tmp_path): "not an MCAP file",
         foreign(tmp_path): "does not begin with a header of surefoot",
         cut(log, tmp_path, 0.0001): "before its header was whole",
-        newer(log, tmp_path): f"log version 3.0; this program reads {json.loads(attachment(log, 'header.json'))['log_version']}.",
+        newer(log, tmp_path): f"log version 3.0; this program reads {json.loads(attachment(log, 'header.json'))['log_version']} and all others of 2.x.",
         without_ticks(log, tmp_path): "holds no tick",
         tmp_path / "empty": "the file is empty",
         tmp_path / "missing.mcap": "No such file",
