@@ -117,9 +117,7 @@ json parse_flat(const std::string& text) {
   });
 }
 
-std::string_view major_of(std::string_view version) {
-  return version.substr(0, version.find('.'));
-}
+std::string_view major_of(std::string_view version) { return version.substr(0, version.find('.')); }
 
 }  // namespace
 
@@ -135,7 +133,8 @@ LogHeader read_log_header(const std::string& path, const std::string& text) {
     if (major_of(version) != major_of(kLogVersion)) {
       throw FileError(
           path + ": log version " + version + "; this program reads " + std::string(kLogVersion) +
-          " and all others of " + std::string(major_of(kLogVersion)) + ".x. Read it with the version of surefoot that made it, or record the run anew");
+          " and all others of " + std::string(major_of(kLogVersion)) +
+          ".x. Read it with the version of surefoot that made it, or record the run anew");
     }
     LogHeader result = parse_header(header);
     result.log_version = version;
