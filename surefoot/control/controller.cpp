@@ -168,7 +168,7 @@ bool Controller::Implementation::estimate() noexcept {
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
     record.state.q = reading.q;  // for the safe commands: what the joints do now
-    record.state.qd = joint_velocity = contact_force.observe(guard.measured());
+    record.state.qd = joint_velocity = contact_force.observe(guard.measured(), guard.torque_lag());
     return false;
   }
   record.state = estimator->update(guard.repaired(), context());
@@ -191,7 +191,7 @@ void Controller::Implementation::forget_lost_joints() noexcept {
 }
 
 TickContext Controller::Implementation::context() noexcept {
-  joint_velocity = contact_force.observe(guard.measured());
+  joint_velocity = contact_force.observe(guard.measured(), guard.torque_lag());
   TickContext result{.joint_velocity = joint_velocity,
                      .joint_lag = guard.joint_lag(),
                      .imu_lag = guard.imu_lag(),

@@ -31,14 +31,28 @@ int ContactForceEstimator::periods_until(double time) const {
   return periods > 1.0 ? static_cast<int>(std::min(periods, kMostPeriods)) : 1;
 }
 
-const JointVector& ContactForceEstimator::observe(const SensorReading& reading) noexcept {
+void ContactForceEstimator::Recent::add(const JointVector& value) {
+  std::shift_right(values.begin(), values.end(), 1);
+  values.front() = value;
+}
+
+const JointVector& ContactForceEstimator::Recent::ago(int ticks) const {
+  return values[static_cast<std::size_t>(std::clamp(ticks, 0, static_cast<int>(kKept) - 1))];
+}
+
+const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
+                                                  double torque_lag) noexcept {
   is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
   periods_ = periods_until(reading.time);
   time_ = reading.time;
+  const double lag = std::round(torque_lag / period_);
+  torque_lag_ = std::abs(lag) < kKept ? static_cast<int>(lag) : 0;  // 0 if NaN, too
   if (is_first_) {
+    angles_.start(reading.q);
     force_observer_.start(reading.q);
   } else {
-    force_observer_.update(reading.q, periods_);
+    angles_.add(reading.q);
+    force_observer_.update(angles_.ago(torque_lag_), periods_);
   }
   velocity_observer_.update(reading.q, periods_);
   return velocity_observer_.velocity();
@@ -48,9 +62,15 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
                                    const Vec3& terrain_normal_W, const SensorReading& reading,
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics.u);
+  if (is_first_) {
+    torques_.start(state.torque);
+  } else {
+    torques_.add(state.torque);
+  }
+  const JointVector& torque = torques_.ago(-torque_lag_);
   JointVector free, constrained;
   for (const Leg leg : kLegs) {
-    const Vec3 a = free_acceleration(dynamics, leg, state.torque);
+    const Vec3 a = free_acceleration(dynamics, leg, torque);
     free.segment<3>(first_joint(leg)) = a;
     constrained.segment<3>(first_joint(leg)) =
         stands[index(leg)] ? stance_acceleration(dynamics, leg) : a;
@@ -59,7 +79,7 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   velocity_observer_.expect(constrained);
   if (is_first_) force_observer_.balance();
   const JointVector missing = missing_torque(dynamics);
-  tare_.update(stands, missing, state.torque, force_observer_.velocity(),
+  tare_.update(stands, missing, torque, force_observer_.velocity(),
                free + force_observer_.disturbance());
   const JointVector by_ground = missing - tare_.tare();
   for (const Leg leg : kLegs) {

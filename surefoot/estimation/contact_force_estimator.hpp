@@ -6,6 +6,8 @@
 #include "surefoot/signals/robot_state.hpp"
 #include "surefoot/signals/sensor_reading.hpp"
 
+#include <array>
+
 namespace surefoot {
 
 struct ContactForceOptions {
@@ -33,7 +35,9 @@ class ContactForceEstimator {
   ContactForceEstimator(const ContactForceOptions& options, double period);
 
   /// First in a tick: takes the encoders in; joint velocities from the readings so far [rad/s].
-  const JointVector& observe(const SensorReading& reading) noexcept;
+  /// `torque_lag` is how far the torques are sampled behind the encoders [s]: the forces are those
+  /// of the later of the two.
+  const JointVector& observe(const SensorReading& reading, double torque_lag = 0.0) noexcept;
 
   /// Then, with the dynamics at the state: fills state.foot_force. `terrain_normal_W` is the unit
   /// normal as believed: a foot sensor gives the force along it. `stands` says which feet the plan
@@ -43,6 +47,15 @@ class ContactForceEstimator {
 
  private:
   using BaseVector = Eigen::Matrix<double, 6, 1>;
+
+  static constexpr std::size_t kKept = 8;  // ticks; sensors that are later are not believed
+  /// The last few joint vectors, the newest first.
+  struct Recent {
+    std::array<JointVector, kKept> values;
+    void start(const JointVector& value) { values.fill(value); }
+    void add(const JointVector& value);
+    [[nodiscard]] const JointVector& ago(int ticks) const;
+  };
 
   [[nodiscard]] int periods_until(double time) const;
   void update_base_acceleration(const GeneralizedVector& u);
@@ -57,6 +70,8 @@ class ContactForceEstimator {
   double period_;
   JointObserver force_observer_, velocity_observer_;
   SwingTare tare_;
+  Recent angles_, torques_;
+  int torque_lag_ = 0;  // behind the angles; negative: before them [ticks]
   double time_ = kNaN;  ///< of the last reading [s]
   int periods_ = 0;     ///< between the last two readings
   bool is_first_ = true;

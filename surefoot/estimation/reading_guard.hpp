@@ -35,6 +35,8 @@ class ReadingGuard {
   /// How far what repaired() has of the joints, and of the IMU, is behind its time [s].
   [[nodiscard]] double joint_lag() const { return encoder_watch_.lag(); }
   [[nodiscard]] double imu_lag() const { return imu_watch_.lag(); }
+  /// How far its joint torques are behind its joint angles, negative where they are before [s].
+  [[nodiscard]] double torque_lag() const { return torque_watch_.lag() - encoder_watch_.lag(); }
 
  private:
   /// One of the IMU's two instruments.

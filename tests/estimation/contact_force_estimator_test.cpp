@@ -68,7 +68,7 @@ struct Bench {
   void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
     reading.time = state.time;
     reading.q = state.q;
-    velocity = estimator.observe(reading);
+    velocity = estimator.observe(reading, torque_lag);
     estimator.update(dynamics, stands, normal, reading, state);
   }
 
@@ -76,6 +76,7 @@ struct Bench {
   SensorReading reading;
   PerLeg<bool> stands = kInTheAir;
   JointVector velocity = JointVector::Zero();
+  double torque_lag = 0.0;  // [s]
 };
 
 /// `dt` on with a constant acceleration.
@@ -145,6 +146,41 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
       bench.tick(dynamics, state);
     }
     for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+  }
+}
+
+/// The largest force found on feet in the air, where torques that swing are `lag` ticks behind the
+/// joint angles, and it is told or not [N].
+double force_in_the_air(int lag, bool is_told) {
+  RobotModel model(anymal_b());
+  Random random(9);
+  RobotState state = random.standing_state(model.description().q_nominal);
+  state.time = 0.0;
+  Dynamics dynamics = model.update(state, kUp);
+  const auto joints = dynamics.M.bottomRightCorner<kNumJoints, kNumJoints>().ldlt();
+  Bench bench(kWithoutTare);
+  bench.torque_lag = is_told ? lag * kPeriod : 0.0;
+  std::vector<JointVector> torques, angles;
+  double most = 0.0;
+  for (int tick = 0; tick < 200; ++tick) {
+    torques.push_back(JointVector::Constant(5.0 * std::sin(0.3 * tick)));
+    angles.push_back(state.q);
+    GeneralizedVector acceleration = GeneralizedVector::Zero();  // the base is held
+    acceleration.tail<kNumJoints>() = joints.solve(torques.back() - dynamics.h.tail<kNumJoints>());
+    RobotState sensed = state;
+    sensed.torque = torques[static_cast<std::size_t>(std::max(0, tick - std::max(0, lag)))];
+    sensed.q = angles[static_cast<std::size_t>(std::max(0, tick - std::max(0, -lag)))];
+    bench.tick(dynamics, sensed);
+    move(dynamics, state, acceleration, kPeriod);
+    if (tick < 100) continue;
+    for (const Vec3& force : sensed.foot_force) most = std::max(most, force.norm());
+  }
+  return most;
+}
+
+TEST(ContactForceEstimator, TorquesAndAnglesOfDifferentTimesAreNoForce) {
+  for (const int lag : {-3, -1, 1, 3}) {
+    EXPECT_LT(force_in_the_air(lag, true), 0.4 * force_in_the_air(lag, false)) << lag;
   }
 }
 
