@@ -19,6 +19,12 @@ class Axis:
     drawn: bool
     is_choice: bool  # between values that have no distance
     of: object  # value -> number of its cell
+    span: tuple = None  # from end to end of all cells; None where they have no width
+
+    @property
+    def width(self):
+        """Of a cell."""
+        return (self.span[1] - self.span[0]) / len(self.ticks) if self.span else 0.0
 
     def cells(self, records):
         """The records of each cell."""
@@ -32,12 +38,15 @@ def number_text(value):
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
+def choice_axis(parameter, text, ticks, of):
+    return Axis(parameter, text, ticks, list(range(len(ticks))), False, True, of, (-0.5, len(ticks) - 0.5))
+
+
 def grid_axis(parameter, values, text):
     if all(is_number(value) for value in values):
         values = sorted(values)
         return Axis(parameter, text, [number_text(value) for value in values], values, False, False, values.index)
-    places = list(range(len(values)))
-    return Axis(parameter, text, [yaml_text(value) for value in values], places, False, True, values.index)
+    return choice_axis(parameter, text, [yaml_text(value) for value in values], values.index)
 
 
 def drawn_axis(parameter, range_, text, seeds):
@@ -46,13 +55,17 @@ def drawn_axis(parameter, range_, text, seeds):
     edges = [range_.lower + width * number for number in range(count)] + [range_.upper]
     ticks = [f"{low:.3g} … {high:.3g}" for low, high in zip(edges, edges[1:])]
     places = [(low + high) / 2 for low, high in zip(edges, edges[1:])]
-    return Axis(parameter, text, ticks, places, True, False, lambda value: min(count - 1, int((value - range_.lower) / width)))
+
+    def cell_of(value):
+        return min(count - 1, int((value - range_.lower) / width))
+
+    return Axis(parameter, text, ticks, places, True, False, cell_of, (range_.lower, range_.upper))
 
 
 def axis_of(spec, parameter):
     if parameter == CASE:
         names = list(spec.cases)
-        return Axis(CASE, CASE, names, list(range(len(names))), False, True, names.index)
+        return choice_axis(CASE, CASE, names, names.index)
     text = label(parameter, unit_of_parameter(parameter, spec))
     if parameter in spec.grid:
         return grid_axis(parameter, spec.grid[parameter], text)

@@ -9,9 +9,9 @@ import shlex
 import signal
 import sys
 
-from surefoot_campaign.command_line import Parser, interrupt, whole_number
+from surefoot_campaign.command_line import Parser, folder_name, interrupt, whole_number
 from surefoot_campaign.errors import InputError
-from surefoot_campaign.journal import Journal, read_rows
+from surefoot_campaign.journal import Journal, check_campaign, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
 from surefoot_campaign.plan import by_seed, folder_of, make_plan
 from surefoot_campaign.plots import write_plots
@@ -51,7 +51,7 @@ def parser():
     made = Parser("surefoot campaign", description=DESCRIPTION, epilog=EPILOG, allow_abbrev=False,
                   formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
     made.add_argument("spec", type=pathlib.Path, metavar="SPEC.yaml", help="what to run")
-    made.add_argument("--out", type=pathlib.Path, metavar="DIR", help="folder of the results; results/NAME by default")
+    made.add_argument("--out", type=folder_name, metavar="DIR", help="folder of the results; results/NAME by default")
     made.add_argument("--jobs", type=whole_number, metavar="N", default=len(os.sched_getaffinity(0)),
                       help="processes at once; one a core (%(default)s) by default")  # fmt: skip
     made.add_argument("--dry-run", action="store_true", help="list the runs and which are done; run and write nothing")
@@ -109,7 +109,7 @@ def run_missing(plan, missing, scheduler, journal, command_path):
                 if ended_from_outside(result):
                     ended += 1
                     continue
-                row = row_of(run, tasks[run.id], result)
+                row = row_of(plan.spec.name, run, tasks[run.id], result)
                 check_unchanged(run, row)
                 journal.append(row)
                 progress.update()
@@ -148,6 +148,7 @@ def open_journal(folder):
 def make_campaign(plan, program, arguments, folder, typed):
     scheduler = make_scheduler(arguments.scheduler, arguments.jobs)
     with open_journal(folder) as journal:
+        check_campaign(folder, journal.rows, plan.spec.name)
         missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
         copy = program.copied_to(folder / "program")
         trouble = None
@@ -174,7 +175,9 @@ def campaign(typed):
     plan = make_plan(spec, program, arguments.jobs)
     folder = arguments.out or folder_of(spec)
     if arguments.dry_run:
-        return dry_run(plan, read_rows(folder / "rows.jsonl"), program, arguments, folder)
+        rows = read_rows(folder / "rows.jsonl")
+        check_campaign(folder, rows, spec.name)
+        return dry_run(plan, rows, program, arguments, folder)
     return make_campaign(plan, program, arguments, folder, typed)
 
 

@@ -1,6 +1,7 @@
 """What the commands in Python have in common."""
 
 import argparse
+import pathlib
 
 from surefoot_campaign.errors import InputError, valid_names
 
@@ -21,6 +22,12 @@ def whole_number(text):
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f'"{text}" is not a whole number of at least 1')
     return int(text)
+
+
+def folder_name(text):
+    if not text:
+        raise argparse.ArgumentTypeError("the name is empty; the name of a folder to write into is valid")
+    return pathlib.Path(text)
 
 
 def interrupt(*_):

@@ -41,6 +41,29 @@ def read_rows(path):
     return rows
 
 
+def name_in_summary(path):
+    """None where there is no summary, or a torn one."""
+    try:
+        return json.loads(path.read_bytes())["name"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def campaign_of(folder, rows):
+    """Whose results a folder holds, by name, or None. Rows of older versions do not tell it; their summary does."""
+    named = (row["campaign"] for row in rows.values() if "campaign" in row)
+    return next(named, None) or name_in_summary(folder / "summary.json")
+
+
+def check_campaign(folder, rows, name):
+    found = campaign_of(folder, rows)
+    if found not in (None, name):
+        raise InputError(
+            f'the folder {folder} holds results of the campaign "{found}", and those of "{name}" would take their '
+            "place; choose another with --out"
+        )
+
+
 class Journal:
     def __init__(self, path):
         self.path = path

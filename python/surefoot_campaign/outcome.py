@@ -58,10 +58,11 @@ def judge(task, result):
     return ("succeeded" if found["succeeded"] else "failed"), found.get("reason", ""), found
 
 
-def row_of(run, task, result):
+def row_of(campaign, run, task, result):
     outcome, reason, found = judge(task, result)
     return {
         "id": run.id,
+        "campaign": campaign,
         "scenario": run.scenario,
         "seed": run.seed,
         "version": run.version,

@@ -10,6 +10,7 @@ from surefoot_campaign.units import metric_label
 FORMATS = ["png", "svg"]
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]  # told apart by the colour-blind, too
 MARKERS = "osD^vP"
+FLAT = 0.05  # of the largest value: a median below it can't be told from 0 on a linear axis
 
 
 def values_of(plan, records):
@@ -17,34 +18,52 @@ def values_of(plan, records):
 
 
 def draw_curve(axes, axis, places, middles, lows, highs, style):
-    """A line with a band where the axis is a number, bars where it is a choice."""
-    kept = [i for i, middle in enumerate(middles) if middle is not None]
-    x, y = [places[i] for i in kept], [middles[i] for i in kept]
-    low, high = [lows[i] for i in kept], [highs[i] for i in kept]
-    if axis.is_choice:
-        errors = [[a - b for a, b in zip(y, low)], [b - a for a, b in zip(y, high)]]
-        axes.errorbar(x, y, errors, linestyle="none", capsize=5, **style)
-    else:
+    """A line with a band where the axis is a number, open at empty cells; bars at choices and lone cells."""
+    import numpy
+
+    x, y, low, high = (numpy.array(values, dtype=float) for values in (places, middles, lows, highs))
+    barred = numpy.isfinite(y)
+    if not axis.is_choice:
         axes.fill_between(x, low, high, alpha=0.2, linewidth=0, color=style["color"])
-        axes.plot(x, y, **style)
+        barred &= ~has_neighbour(barred)
+    errors = numpy.stack([y - low, high - y])[:, barred]
+    axes.errorbar(x[barred], y[barred], errors, fmt="none", capsize=5, ecolor=style["color"])
+    axes.plot(x, y, linestyle="none" if axis.is_choice else "-", **style)
+
+
+def has_neighbour(filled):
+    import numpy
+
+    padded = numpy.pad(filled, 1)
+    return padded[:-2] | padded[2:]
 
 
 def side_by_side(axis, number, count):
     """Where a series stands, so that the bars of several do not hide each other."""
-    return [place + 0.12 * (number - (count - 1) / 2) for place in axis.places] if axis.is_choice else axis.places
+    step = axis.width * min(0.12, 0.8 / count)
+    return [place + step * (number - (count - 1) / 2) for place in axis.places]
 
 
 def draw_rates(axes, axis, records, style, places):
+    import numpy
+
     rates = [rate_of(cell) if cell else None for cell in axis.cells(records)]
-    middles = [None if rate is None else 100 * rate.rate for rate in rates]
-    ends = [(0, 0) if rate is None else rate.interval for rate in rates]
-    draw_curve(axes, axis, places, middles, [100 * low for low, _ in ends], [100 * high for _, high in ends], style)
+    shares = [[None] * 3 if rate is None else [rate.rate, *rate.interval] for rate in rates]
+    draw_curve(axes, axis, places, *(100 * numpy.array(shares, dtype=float).T), style)
     return rates
 
 
 def draw_judge(axes, plan, axis, records, style, places):
     values = [values_of(plan, cell) for cell in axis.cells(records)]
-    draw_curve(axes, axis, places, *([quantile(v, share) for v in values] for share in (0.5, 0.05, 0.95)), style)
+    shares = [[quantile(v, share) for share in (0.5, 0.05, 0.95)] for v in values]
+    draw_curve(axes, axis, places, *zip(*shares), style)
+    return [of_cell for of_cell in shares if of_cell[0] is not None]
+
+
+def scale_of(drawn):
+    """For (median, low, high) of all cells: logarithmic where the largest would press a median flat."""
+    medians, lows, highs = zip(*drawn) if drawn else ([], [], [])
+    return "log" if min(lows, default=0) > 0 and min(medians) < FLAT * max(highs) else "linear"
 
 
 def curve_figure(plan, records, parameter):
@@ -54,21 +73,21 @@ def curve_figure(plan, records, parameter):
     axis = axis_of(plan.spec, parameter)
     figure = Figure(figsize=(7.0, 6.0), layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
-    trials = set()
+    trials, judged = set(), []
     for number, scenario in enumerate(plan.spec.scenarios):
         style = {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)], "label": scenario}
         of_scenario = [record for record in records if record.run.scenario == scenario]
         places = side_by_side(axis, number, len(plan.spec.scenarios))
         rates = draw_rates(upper, axis, of_scenario, style, places)
         trials |= {rate.trials for rate in rates if rate}
-        draw_judge(lower, plan, axis, of_scenario, style, places)
+        judged += draw_judge(lower, plan, axis, of_scenario, style, places)
     upper.set(ylim=(-4, 104), ylabel="succeeded [%]")
     upper.set_title(f"{plan.spec.name}: {counts_text(trials)} a point", fontsize=10, loc="left")
-    lower.set(xlabel=axis.label, ylabel=metric_label(plan.spec.judge))
+    lower.set(xlabel=axis.label, ylabel=metric_label(plan.spec.judge), yscale=scale_of(judged))
     note(upper, "with Wilson's 95 % interval")
     note(lower, "median, and where 5–95 % of the runs are")
-    if axis.is_choice:
-        lower.set_xlim(-0.5, len(axis.places) - 0.5)
+    if axis.span:
+        lower.set_xlim(axis.span)
     if not axis.drawn and len(axis.places) <= 12:
         lower.set_xticks(axis.places, [textwrap.fill(tick, 14) for tick in axis.ticks])
     for axes in (upper, lower):

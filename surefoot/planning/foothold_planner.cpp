@@ -206,6 +206,18 @@ void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
   prints.points[prints.count++ % kPrintsKept] = p_WF;
 }
 
+void FootholdPlanner::forget() {
+  prints_ = {};
+  voids_ = {};
+  num_voids_ = 0;
+}
+
+void FootholdPlanner::forget_last(Leg leg) {
+  if (!is_front(leg)) return;
+  Prints& prints = prints_[is_left(leg) ? 0 : 1];
+  if (prints.count > 0) --prints.count;
+}
+
 // The front foot's prints tell what lies under the hind foot's way. Where the print before the
 // nominal foothold and the one beyond it differ in height, there is an edge between to slip from,
 // and only the prints are known to be good: a step up may be longer than others, and where the far

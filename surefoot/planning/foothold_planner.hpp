@@ -64,6 +64,10 @@ class FootholdPlanner {
 
   /// A foot has found ground here: a front foot's print.
   void remember(Leg leg, const Vec3& p_WF);
+  /// All prints and voids.
+  void forget();
+  /// There was none where this foot came down last.
+  void forget_last(Leg leg);
   /// A foot that was to stand here found no ground within its reach: for the next kAvoidedFor
   /// touchdowns footholds keep `void_radius` away, and another place is taken instead.
   void avoid(const Vec3& p_WF);
@@ -74,7 +78,7 @@ class FootholdPlanner {
   static constexpr std::size_t kAvoidedFor = 24;  // touchdowns; then it may be tried again
   struct Prints {
     std::array<Vec3, kPrintsKept> points{};
-    std::size_t count = 0;  // ever added; the newest kPrintsKept are kept
+    std::size_t count = 0;  // added in all; the newest kPrintsKept are kept
   };
   /// |Δz| / |Δ(x, y)| of a side's front foot's last stride; 0 over an edge, infinite before there
   /// was one.

@@ -39,6 +39,7 @@ void LegMotion::plant(double time, const Vec3& p_WF, bool loaded) {
   phase_ = LegPhase::stance;
   begin_ = loaded ? time - kLongAgo : time;
   lift_off_time_ = std::numeric_limits<double>::infinity();
+  stood_ = foothold_;
   foothold_ = landed_ = p_WF;
   light_for_ = 0.0;
 }
@@ -90,17 +91,22 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
   return observe_stance(time, seen);
 }
 
-// After a hard landing the estimated force lags and says little; the foot's way says more. (A swing
-// that comes down in its own time and then moves has slid off an edge, and its force says enough.)
+// After a hard landing the estimated force lags and says little; the foot's way says more. So it
+// does where a foot slid off an edge, or was never down: as a foot that stands it is pressed down
+// with the least force, and flies off. (One that came down in its own time and rises bounces.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
-  if (!curve_.target().straight || since(time) > kFliesWithin) return false;
+  if (since(time) > kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
+  if (seen.foot.v.norm() > kFlight && moved.norm() > kAway) return true;
   const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
-  return rises || (seen.foot.v.norm() > kFlight && moved.norm() > kAway);
+  return curve_.target().straight && rises;
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
-  if (flies(time, seen)) return LegEvent::lost;
+  if (flies(time, seen)) {
+    foothold_ = stood_;
+    return LegEvent::flew;
+  }
   light_for_ = normal_force_ < touchdown_.lost_force ? light_for_ + period_ : 0.0;
   const bool expected_to_carry = phase_ == LegPhase::stance;
   return expected_to_carry && light_for_ > touchdown_.lost_duration ? LegEvent::lost

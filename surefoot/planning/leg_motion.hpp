@@ -10,7 +10,7 @@
 namespace surefoot {
 
 /// What a leg notices at a tick.
-enum class LegEvent { none, touchdown, caught, unreachable, lost };
+enum class LegEvent { none, touchdown, caught, unreachable, lost, flew };
 
 /// A leg as it is believed to be, in W.
 struct LegObservation {
@@ -86,6 +86,7 @@ class LegMotion {
   double begin_ = 0.0;
   double lift_off_time_ = std::numeric_limits<double>::infinity();
   Vec3 foothold_ = Vec3::Zero();
+  Vec3 stood_ = Vec3::Zero();   // where it stood before it came down there, in W [m]
   Vec3 landed_ = Vec3::Zero();  // where the foot came down, or was loaded again, in W [m]
   SwingCurve curve_;
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};

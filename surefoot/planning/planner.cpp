@@ -60,6 +60,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
   yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
+  if (relearns_ground_ && !calibrating()) learn_ground();
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
@@ -93,31 +94,45 @@ bool Planner::is_at_rest(const RobotState& state) const {
 }
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
+  relearns_ground_ = initialised_;
   initialised_ = true;
   restarts_ = wants_calibration_ = false;
   initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
     leg(k).plant(time_, dynamics.foot[index(k)].p, true);
-    foothold_planner_.remember(k, dynamics.foot[index(k)].p);
     const Vec3 hip = rotation_about_z(-yaw_) * (dynamics.hip[index(k)].p - state.p_WB);
     hips_[index(k)] = hip.head<2>();
   }
-  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  learn_ground();
   friction_frame_.restart(plane_.normal);
   torso_.restart(state);
   replan_com(UserCommand{}, dynamics);
 }
 
+// An estimate that begins anew has other places for the same feet, and others again when it is
+// calibrated. (Before the first walk feet stand where they should: a plane that is off by a degree
+// until the first touchdown does no harm.)
+void Planner::learn_ground() {
+  relearns_ground_ = relearns_ground_ && calibrating();
+  foothold_planner_.forget();
+  for (const Leg k : kLegs) foothold_planner_.remember(k, leg(k).foothold());
+  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+}
+
+// A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
+// would be too long without caution, too.
 UserCommand Planner::within_strides(const UserCommand& user) {
   const double height = options_.stance.height + std::min(0.0, user.height);
   const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
-  const double share =
-      user.walk ? foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration())
-                : 1.0;
-  if (share < 1.0 && !slowed_) event_ = PlanEvent::slowed;
-  slowed_ = share < 1.0;
+  const auto feasible_share = [&](double cycle_duration) {
+    return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
+  };
+  const double share = user.walk ? feasible_share(cycle_duration()) : 1.0;
+  const bool slows = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
+  if (slows && !slowed_) event_ = PlanEvent::slowed;
+  slowed_ = slows;
   UserCommand result = user;
   result.velocity *= share;
   result.yaw_rate *= share;
@@ -179,6 +194,9 @@ void Planner::observe_legs(const UserCommand& user, const RobotState& state,
         break;
       case LegEvent::lost:
         on_lost(k, user, dynamics);
+        break;
+      case LegEvent::flew:
+        on_flight(k, user, dynamics);
         break;
     }
   }

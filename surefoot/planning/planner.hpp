@@ -84,6 +84,8 @@ class Planner {
   /// Is this touch, after the foot was caught, the edge of what caught it?
   [[nodiscard]] bool touches_the_edge(const Vec3& p_WF) const;
   void on_unreachable(Leg leg, const UserCommand& user, const Dynamics& dynamics);
+  void learn_ground();
+  void on_flight(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void on_lost(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void react_to_push(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   void put_foot_down(Leg leg, const UserCommand& user, const Dynamics& dynamics);
@@ -163,6 +165,7 @@ class Planner {
   MotionPlan plan_;
 
   PerLeg<Vec2> hips_{};  // about the torso's centre, in heading axes
+  bool relearns_ground_ = false;
   bool initialised_ = false;
   bool slowed_ = false;   // strides are too short for the commanded velocity
   bool lowered_ = false;  // legs are too short for the commanded height

@@ -168,6 +168,14 @@ bool Planner::lets_another_leg_go_first(const UserCommand& user, const Dynamics&
   return true;
 }
 
+// There was no ground where it came down, or only an edge: the plane, and those that follow in its
+// prints, must do without.
+void Planner::on_flight(Leg k, const UserCommand& user, const Dynamics& dynamics) {
+  foothold_planner_.forget_last(k);
+  plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
+  on_lost(k, user, dynamics);
+}
+
 void Planner::on_lost(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   event_ = PlanEvent::lost_contact;
   const auto searches = [&](Leg one) {

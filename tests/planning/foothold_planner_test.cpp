@@ -273,6 +273,26 @@ TEST(FootholdPlanner, OnlyFrontFeetLeavePrintsAndEachForItsOwnSide) {
   EXPECT_EQ(hind.goes(), Vec3(0.2, 0.0, 0.0));
 }
 
+TEST(FootholdPlanner, APrintWhereThereWasNoGroundIsTakenBack) {
+  Hind hind({Vec3(0.2, 0.0, 0.0)});
+  hind.walker.planner.remember(Leg::LF, Vec3(0.16, 0.0, 0.05));
+  EXPECT_EQ(hind.goes(), Vec3(0.16, 0.0, 0.05));
+  hind.walker.planner.forget_last(Leg::LH);
+  EXPECT_EQ(hind.goes(), Vec3(0.16, 0.0, 0.05)) << "a hind foot leaves none";
+  hind.walker.planner.forget_last(Leg::LF);
+  EXPECT_EQ(hind.goes(), Vec3(0.2, 0.0, 0.0));
+  hind.walker.planner.forget_last(Leg::LF);
+  hind.walker.planner.forget_last(Leg::LF);
+  EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12) << "there is none left";
+}
+
+TEST(FootholdPlanner, PrintsAndVoidsCanAllBeForgotten) {
+  Hind hind({Vec3(0.2, 0.0, 0.0)});
+  hind.walker.planner.avoid(Vec3(0.15, 0.0, 0.0));
+  hind.walker.planner.forget();
+  EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12);
+}
+
 TEST(FootholdPlanner, PrintsAreForgottenAfterMany) {
   Hind hind({Vec3(0.2, 0.0, 0.0)});
   for (int i = 0; i < 30; ++i) hind.walker.planner.remember(Leg::LF, Vec3(5.0 + i, 0.0, 0.0));

@@ -200,24 +200,37 @@ LegEvent moves(Bench bench, const Vec3& way, const Vec3& velocity) {
   return bench.rest(kPeriod, 50.0);
 }
 
-TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrFliesOffIsLostAtOnce) {
+TEST(LegMotion, AFootThatFliesOffShortlyAfterItCameDownIsNoticedAtOnce) {
+  for (const bool at_once : {true, false}) {
+    const Bench bench = landed(at_once);
+    const Vec3 aside = Vec3::UnitX();
+    EXPECT_EQ(moves(bench, 0.021 * aside, 0.7 * aside), LegEvent::flew);
+    EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::flew) << "there was no ground";
+    EXPECT_EQ(moves(bench, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
+    EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
+    Bench later = bench;
+    EXPECT_EQ(later.rest(0.1, 50.0), LegEvent::none);
+    EXPECT_EQ(moves(later, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+  }
+}
+
+TEST(LegMotion, AFootPutDownAtOnceThatReboundsFliesToo) {
   const Bench bench = landed(true);
-  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.3 * kUp), LegEvent::lost);
+  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.3 * kUp), LegEvent::flew);
   EXPECT_EQ(moves(bench, 0.006 * kUp, 0.2 * kUp), LegEvent::none) << "its ground gives way";
   EXPECT_EQ(moves(bench, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
   EXPECT_EQ(moves(bench, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
-  const Vec3 aside = Vec3::UnitX();
-  EXPECT_EQ(moves(bench, 0.021 * aside, 0.7 * aside), LegEvent::lost);
-  EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::lost) << "there was no ground";
-  EXPECT_EQ(moves(bench, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
-  EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
+  EXPECT_EQ(moves(landed(false), 0.006 * kUp, 0.3 * kUp), LegEvent::none) << "it bounces";
 }
 
-TEST(LegMotion, OnlyAFootThatWasPutDownAtOnceAndShortlyAgoFlies) {
-  EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none);
-  Bench bench = landed(true);
-  EXPECT_EQ(bench.rest(0.1, 50.0), LegEvent::none);
-  EXPECT_EQ(moves(bench, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
+  Bench bench = landed(false);
+  const Vec3 came_down = bench.leg.foothold();
+  bench.p += 0.03 * Vec3::UnitX();
+  bench.foot_velocity = Vec3::UnitX();
+  ASSERT_EQ(bench.rest(kPeriod, 50.0), LegEvent::flew);
+  EXPECT_GT((bench.leg.foothold() - came_down).norm(), 0.1);
+  EXPECT_EQ(bench.leg.foothold(), Bench{}.p);
 }
 
 }  // namespace

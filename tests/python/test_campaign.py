@@ -65,15 +65,26 @@ def test_csv_and_parquet_hold_the_same(folder):
     assert columns["fell"] == [row["fell"] == "true" for row in rows]
 
 
-def test_a_tool_makes_the_readmes_rows_of_the_table(tmp_path):
-    runs = tmp_path / "runs.csv"
-    lines = ["scenario,seed,outcome,missed,reason,com_error_max_m,false_touchdowns,steps_taken,torque_step_max_nm"]
-    lines += [f"walk,{seed},succeeded,,,0.00{seed},0,600,{seed}" for seed in (1, 2, 3)]
-    runs.write_text("\n".join([*lines, "walk,4,failed,fell,fell,,1,200,"]))
-    made = subprocess.run([sys.executable, ROOT / "tools/campaign_table.py", runs], capture_output=True, text=True,
-                          env={"PYTHONPATH": str(ROOT / "python")})
-    assert "| `walk` | 3 of 4 (30.1–95.4 %) | 2, 2.8, 3 | 1 of 2,000 | 2, 2.8, 3 |" in made.stdout, made.stderr
-    assert "walk failed: 4 (fell)" in made.stdout
+def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp_path):
+    runs, kept = tmp_path / "runs.csv", tmp_path / "kept.csv"
+    lines = ["scenario,seed,outcome,missed,reason,com_error_max_m,touchdown_latency_p95_s,false_touchdowns,steps_taken,torque_step_max_nm,more"]
+    lines += [f"deep/walk.yaml,{seed},succeeded,,goal reached,0.00{seed},0.0{seed},0,600,{seed},0" for seed in (3, 2, 1)]
+    runs.write_text("\n".join([*lines, "deep/walk.yaml,4,failed,fell,fell,0.123456789,,1,200,,0"]))
+    table = "| `walk` | 3 (30.1–95.4 %) | 2, 2.8, 3 | 1 of 2,000 | 20, 100 % | 2, 2.8, 3 |"
+
+    def made(*words):
+        done = subprocess.run([sys.executable, ROOT / "tools/campaign_table.py", *words], capture_output=True, text=True,
+                              env={"PYTHONPATH": str(ROOT / "python")})
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    printed = made(runs, "--keep", kept)
+    assert table in printed and "walk, of 4 failed: 4 (fell)" in printed
+    assert made(kept) == printed
+    rows = [row.split(",") for row in kept.read_text().splitlines()]
+    assert [row[1] for row in rows] == ["seed", "1", "2", "3", "4"]
+    assert {row[0] for row in rows[1:]} == {"walk"}
+    assert "more" not in rows[0] and "goal reached" not in rows[1] and "0.12346" in rows[4]
 
 
 def test_results_are_the_same_for_any_number_of_jobs(tmp_path):
@@ -98,6 +109,44 @@ def test_more_seeds_add_to_what_is_there(folder):
     folder.result()
     folder.write(SPEC.replace("count: 4", "count: 6")).result()
     assert len(folder.started()) == len(table(folder)) == 12
+
+
+def contents(folder):
+    return {file.name: file.read_bytes() for file in folder.out.iterdir()}
+
+
+def make_older(folder):
+    """Takes the campaign's name out of the rows."""
+    rows = [{key: value for key, value in row.items() if key != "campaign"} for row in folder.rows()]
+    (folder.out / "rows.jsonl").write_text("".join(json.dumps(row) + "\n" for row in rows))
+
+
+@pytest.mark.parametrize("state", ["finished", "killed", "older"])
+def test_a_campaign_of_another_name_does_not_take_the_place_of_what_is_there(folder, state):
+    folder.write("name: first\n" + SPEC).result()
+    if state == "older":
+        make_older(folder)
+    if state == "killed":
+        (folder.out / "summary.json").unlink()
+    before = contents(folder)
+    folder.write("name: second\n" + SPEC.replace("count: 4", "count: 5"))
+    for words in ([], ["--dry-run"]):
+        done = folder.run(*words)
+        assert done.returncode == 2 and done.stdout == "" and contents(folder) == before and len(folder.started()) == 8
+        (line,) = done.stderr.splitlines()
+        for word in (str(folder.out), '"first"', '"second"', "--out"):
+            assert word in line
+
+
+def test_more_seeds_add_to_what_an_older_version_left(folder):
+    folder.result()
+    make_older(folder)
+    folder.write(SPEC.replace("count: 4", "count: 6")).result()
+    assert len(folder.started()) == len(table(folder)) == 12
+    make_older(folder)
+    (folder.out / "summary.json").write_text('{"name": "sp')
+    folder.write(SPEC.replace("count: 4", "count: 7")).result()
+    assert len(folder.started()) == len(table(folder)) == 14
 
 
 def test_killed_and_started_again_it_goes_on_where_it_was(folder):

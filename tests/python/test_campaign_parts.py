@@ -2,15 +2,19 @@
 
 import json
 import math
+import random
 import sys
 import types
 
 import pytest
+from matplotlib.collections import LineCollection, PolyCollection
 
 from campaign_folder import SPEC, CampaignFolder, is_running
 from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
+from surefoot_campaign.plots import curve_figure
+from surefoot_campaign.results import Record
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
 from surefoot_campaign.spec import load_spec, yaml_text
 from surefoot_campaign.statistics import Z, median_interval, quantile, wilson_interval
@@ -146,6 +150,12 @@ def test_wrong_arguments_are_told_in_one_line(tmp_path, wrong):
     assert wrong[1] in (line := CampaignFolder(tmp_path).write().complaint(*wrong)) or wrong[0] in line
 
 
+def test_an_empty_name_of_the_folder_is_refused(tmp_path):
+    said = CampaignFolder(tmp_path).write().complaint("--out", "")
+    assert "--out: the name is empty; the name of a folder to write into is valid" in said
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["spec.yaml"]
+
+
 def test_a_spec_that_is_not_there_is_told(tmp_path):
     assert "spec.yaml: this file can't be read: No such file" in CampaignFolder(tmp_path).complaint()
 
@@ -259,3 +269,78 @@ def test_units_stand_where_they_are_known(tmp_path):
     assert [metric_label(name) for name in ["com_error_max_m", "tick_us.p99", "speed_mps", "steps_taken"]] == [
         "com_error_max [m]", "tick.p99 [µs]", "speed [m/s]", "steps_taken"
     ]  # fmt: skip
+
+
+def curves(tmp_path, drawn, scenarios=("fake",), seeds=80):
+    """The two axes over a parameter from 1 to 9; `drawn`: (value, COM error) of each run, which fell from 0.1 m on."""
+    text = f"scenario: [{', '.join(scenarios)}]\nseeds: {{count: {seeds}}}\ndraw: {{friction: [1, 9]}}\n"
+    plan = types.SimpleNamespace(spec=read(tmp_path, text))
+    records = []
+    for scenario in scenarios:
+        for value, error in drawn:
+            run = types.SimpleNamespace(scenario=scenario, value={"friction": value}.get)
+            row = {"outcome": "failed" if error >= 0.1 else "succeeded", "result": {"com_error_max_m": error}}
+            records.append(Record(run, row))
+    return curve_figure(plan, records, "friction").axes
+
+
+def intervals_seen(axes):
+    """(x, low, high) of each bar, and of each place of a band that has a width."""
+    seen = set()
+    for drawn in axes.collections:
+        if isinstance(drawn, LineCollection):
+            seen |= {(x, low, high) for (x, low), (_, high) in drawn.get_segments()}
+        elif isinstance(drawn, PolyCollection):
+            for path in drawn.get_paths():
+                heights = {}
+                for x, y in path.vertices:
+                    heights.setdefault(x, []).append(y)
+                seen |= {(x, min(of_x), max(of_x)) for x, of_x in heights.items() if len(heights) > 1}
+    return sorted(seen)
+
+
+def lines_drawn(axes):
+    """From which place to which there is a line."""
+    x, y = axes.lines[-1].get_data()
+    return {(x[i], x[i + 1]) for i in range(len(x) - 1) if math.isfinite(y[i]) and math.isfinite(y[i + 1])}
+
+
+def test_every_bin_shows_its_interval_and_gaps_stay_open_whatever_bins_are_empty(tmp_path):
+    chance = random.Random(3)
+    for _ in range(30):
+        filled = {cell: chance.randint(1, 4) for cell in range(8) if chance.random() < 0.6}
+        errors = [0.001, 0.002, 0.5]
+        runs = [(cell + 1.2, chance.choice(errors)) for cell, count in filled.items() for _ in range(count)]
+        upper, lower = curves(tmp_path, runs)
+        wanted = []
+        for cell, count in sorted(filled.items()):
+            fallen = sum(error == 0.5 for value, error in runs if value == cell + 1.2)
+            wanted.append((cell + 1.5, *(100 * end for end in wilson_interval(count - fallen, count))))
+        assert [pytest.approx(interval) for interval in wanted] == intervals_seen(upper)
+        assert [x for x, _, _ in intervals_seen(lower)] == [x for x, _, _ in wanted]
+        for axes in (upper, lower):
+            assert lines_drawn(axes) == {(cell + 1.5, cell + 2.5) for cell in filled if cell + 1 in filled}
+            assert axes.get_xlim() == (1, 9)
+
+
+def test_bars_of_several_scenarios_do_not_hide_each_other_and_stay_in_their_bin(tmp_path):
+    for count in (2, 5, 12):
+        upper, _ = curves(tmp_path, [(2.0, 0.001)], [f"s{number}" for number in range(count)], seeds=3)
+        places = [x for x, _, _ in intervals_seen(upper)]
+        assert len(set(places)) == count and 1 < min(places) and max(places) < 5
+
+
+def test_a_fall_leaves_the_other_medians_readable(tmp_path):
+    walks = [(value + 0.5, 0.001 * value) for value in range(1, 9)]
+    falls, zero = [(2.2, 0.5)], [(8.5, 0.0)]
+    assert curves(tmp_path, walks)[1].get_yscale() == "linear"
+    assert curves(tmp_path, walks[:-1] + zero + falls)[1].get_yscale() == "linear"
+    _, lower = curves(tmp_path, walks + falls)
+    assert lower.get_ylabel() == "com_error_max [m]"
+    lowest, highest = (lower.transData.transform((1, error))[1] for error in (0.003, 0.008))
+    assert highest - lowest > 0.1 * lower.bbox.height
+
+
+def test_a_figure_of_a_campaign_without_values_is_made(tmp_path):
+    upper, lower = curves(tmp_path, [])
+    assert upper.get_xlim() == (1, 9) and intervals_seen(upper) == intervals_seen(lower) == []

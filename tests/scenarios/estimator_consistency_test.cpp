@@ -60,7 +60,7 @@ TEST_P(EstimatorConsistency, InAWalkItKnowsHowWrongItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, EstimatorConsistency,
                          testing::Values(Case{"walk_flat", 4.0, 1.0},
-                                         Case{"walk_flat_mismatch", 1.0, 1.6}),
+                                         Case{"walk_flat_mismatch", 4.0, 1.6}),
                          [](const auto& test) { return std::string(test.param.scenario); });
 
 }  // namespace

@@ -16,6 +16,7 @@ TEST(Slip, OnVerySlipperyGroundItIsNoticedBelievedAndWalkedOver) {
   Loop loop(scenario("slippery", {"terrain.friction=0.2"}, 1));
   loop.run_until(20.0);
   EXPECT_GT(loop.count(PlanEvent::slip), 0);
+  EXPECT_EQ(loop.count(PlanEvent::slowed), 0) << "nobody commands more than before";
   double least = 1.0;
   for (const FootPlan& foot : loop.record().plan.feet) least = std::min(least, foot.friction);
   EXPECT_LT(least, 0.45);

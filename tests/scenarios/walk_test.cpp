@@ -131,6 +131,19 @@ TEST(Walk, HeldHigherThanItsLegsReachItCalibratesAndWalks) {
   }
 }
 
+// Its prints and its plane are of the estimate before: hind feet would look for ground that isn't
+// there, centimetres above it.
+TEST(Walk, AfterItCalibratedItselfOnTheWayItWalksAsBefore) {
+  Loop loop(scenario("walk_flat",
+                     {"user=[{time: 0.5, walk: true, velocity: [0.2, 0.0]}, {time: 14, walk: true, "
+                      "velocity: [0.2, 0.0], calibrate: true}]"},
+                     7));
+  loop.run_until(30.0);
+  EXPECT_EQ(loop.count(PlanEvent::calibration), 1);
+  EXPECT_EQ(loop.count(PlanEvent::late), 0);
+  EXPECT_GE(loop.steps_taken(), 12);
+}
+
 /// Every torque commanded in a short walk.
 std::vector<JointVector> torques(std::uint64_t seed) {
   Loop loop(scenario("walk_flat_sea", {}, seed));
