@@ -18,6 +18,7 @@ constexpr double kStopped = 0.5;       // share of a foot's descent that an impa
 constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
 constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
+constexpr double kFliesOn = 1.0;       // a foot in mid-swing this fast has met nothing [m/s]
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
 constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
@@ -93,13 +94,15 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
 
 // After a hard landing the estimated force lags and says little; the foot's way says more. So it
 // does where a foot slid off an edge, or was never down: as a foot that stands it is pressed down
-// with the least force, and flies off. (One that came down in its own time and rises bounces.)
+// with the least force, and flies off. (One that came down in its own time and rises bounces, and
+// is pressed down again.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
   if (since(time) > kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
-  if (seen.foot.v.norm() > kFlight && moved.norm() > kAway) return true;
-  const bool rises = seen.normal.dot(seen.foot.v) > kRebound && seen.normal.dot(moved) > kOffGround;
-  return curve_.target().straight && rises;
+  const bool goes = seen.foot.v.norm() > kFlight && moved.norm() > kAway;
+  const bool rebounds = seen.normal.dot(seen.foot.v) > kRebound;
+  if (!curve_.target().straight) return goes && !rebounds;
+  return goes || (rebounds && seen.normal.dot(moved) > kOffGround);
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {
@@ -178,7 +181,9 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool bounced = arrives && jolted && !braked && descent < kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
   const bool strays = !arrives && beside(time, foot.p) > kAstray;
-  const bool pressed = force > touchdown_.touchdown_force && !strays;
+  // One that flies on has met nothing: what is felt is what brakes it.
+  const bool flies_on = !arrives && foot.v.norm() > kFliesOn;
+  const bool pressed = force > touchdown_.touchdown_force && !strays && !flies_on;
   const bool certain = force > kCertain * touchdown_.touchdown_force;
   const bool wall = reflex_.enabled && -way(asked).dot(seen.force) > normal_force_;
   if (wall) firm_ticks_ = 0;

@@ -57,6 +57,22 @@ TEST(LegMotion, AnImpactIsATouchdownAtOnce) {
   EXPECT_EQ(bench.follow(kPeriod, 100.0), LegEvent::touchdown);
 }
 
+TEST(LegMotion, AFootThatFliesOnInTheMiddleOfASwingHasMetNothing) {
+  Bench bench = swinging();
+  EXPECT_EQ(bench.follow(0.6 * kDuration, 0.0), LegEvent::none);
+  bench.foot_velocity = 1.1 * Vec3::UnitX();
+  EXPECT_EQ(bench.follow(0.05, 15.0), LegEvent::none);
+  bench.foot_velocity = 0.9 * Vec3::UnitX();
+  EXPECT_EQ(bench.follow(0.05, 15.0), LegEvent::touchdown) << "it was slowed down";
+}
+
+TEST(LegMotion, AtTheEndOfASwingAFastFootMayHaveCome) {
+  Bench bench = swinging();
+  EXPECT_EQ(bench.follow(0.85 * kDuration, 0.0), LegEvent::none);
+  bench.foot_velocity = 1.1 * Vec3::UnitX();
+  EXPECT_EQ(bench.follow(0.05, 15.0), LegEvent::touchdown);
+}
+
 TEST(LegMotion, AStraightLegsTorquesAreDoubted) {
   const TouchdownOptions options;
   Bench bench = searching();

@@ -221,6 +221,7 @@ TEST(LegMotion, AFootPutDownAtOnceThatReboundsFliesToo) {
   EXPECT_EQ(moves(bench, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
   EXPECT_EQ(moves(bench, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
   EXPECT_EQ(moves(landed(false), 0.006 * kUp, 0.3 * kUp), LegEvent::none) << "it bounces";
+  EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none) << "it bounces high";
 }
 
 TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
