@@ -4,9 +4,10 @@
     PYTHONPATH=python python3 tools/campaign_table.py --keep docs/results/blind.csv results/blind/runs.csv [MORE.csv …]
 
 A line a scenario: successes of runs with Wilson's 95 % interval; the worst tick's COM error of a run that succeeds
-(median, 90th percentile, worst run); false touchdowns of steps, of all runs; the 95th percentile of a walk's touchdown
-latencies (median walk, share of the walks within 30 ms); the largest change of a torque in a tick (median, 90th
-percentile, worst run); then the seeds that failed. With --keep the runs are written to a file, shortened to the columns
+(median, 90th percentile, worst run); false touchdowns of steps, of all runs; the largest change of a torque in a tick
+(median, 90th percentile, worst run). Another: the 95th percentile of a walk's touchdown latencies (median walk, share of
+the walks within 30 ms); contacts that a standing foot lost, how many were noticed, missed, and told where there were
+none, and how late; slips likewise. Then the seeds that failed. With --keep the runs are written to a file, shortened to the columns
 that the documents speak of and to five digits.
 """
 
@@ -17,11 +18,13 @@ import pathlib
 
 from surefoot_campaign.statistics import Rate, quantile
 
-HEAD = "| scenario | succeed (95 % interval) | COM error [mm] | false touchdowns | latency [ms] | torque step [N·m] |"
+HEAD = "| scenario | succeed (95 % interval) | COM error [mm] | false touchdowns | torque step [N·m] |"
+CONTACTS = "| scenario | touchdown latency [ms] | contact lost: noticed, missed, false | latency [ms] | slips: told, missed, false |"
 KEPT = (
     "scenario seed version outcome reason missed com_error_max_m velocity_error_rms_mps tilt_error_rms_rad "
     "position_drift_m distance_m touchdown_latency_p95_s false_touchdowns steps_taken slips_detected slips_missed "
-    "slips_false torque_step_max_nm path_deviation_max_m path_deviation_base_max_m"
+    "slips_false contact_losses_noticed contact_losses_missed contact_losses_false contact_loss_latency_p95_s "
+    "torque_step_max_nm path_deviation_max_m path_deviation_base_max_m"
 ).split()
 
 
@@ -72,9 +75,22 @@ def spread(values):
 
 
 def latency(runs):
+    """Of touchdowns: the median walk's 95th percentile, and the share of the walks within 30 ms."""
     values = numbers(runs, "touchdown_latency_p95_s", 1e3)
     within = sum(value < 30.01 for value in values)
     return f"{quantile(values, 0.5):.0f}, {100 * within / len(values):.0f} %" if values else "–"
+
+
+def counts(runs, *names):
+    return ", ".join(f"{int(sum(numbers(runs, name))):,}" for name in names)
+
+
+def contacts(runs):
+    """What the documents say of a scenario's contacts: touchdowns, contacts lost, slips."""
+    losses = (f"contact_losses_{kind}" for kind in ("noticed", "missed", "false"))
+    slips = (f"slips_{kind}" for kind in ("detected", "missed", "false"))
+    late = numbers(runs, "contact_loss_latency_p95_s", 1e3)
+    return [latency(runs), counts(runs, *losses), f"{quantile(late, 0.5):.0f}" if late else "–", counts(runs, *slips)]
 
 
 def success(runs):
@@ -97,11 +113,14 @@ def main():
     runs = [run for file in asked.runs for run in read(file)]
     if asked.keep:
         keep(runs, asked.keep)
-    print(HEAD, "|---|---|---|---|---|---|", sep="\n")
+    print(HEAD, "|---|---|---|---|---|", sep="\n")
     scenarios = by_scenario(runs)
     for scenario, own in scenarios.items():
         steps = spread(numbers(own, "torque_step_max_nm"))
-        print("|", " | ".join([f"`{scenario}`", *cells(own), latency(own), steps]), "|")
+        print("|", " | ".join([f"`{scenario}`", *cells(own), steps]), "|")
+    print("", CONTACTS, "|---|---|---|---|---|", sep="\n")
+    for scenario, own in scenarios.items():
+        print("|", " | ".join([f"`{scenario}`", *contacts(own)]), "|")
     for scenario, own in scenarios.items():
         failed = [f"{run['seed']} ({run['missed'] or run['reason']})" for run in own if run["outcome"] != "succeeded"]
         if failed:

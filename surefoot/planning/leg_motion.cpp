@@ -18,6 +18,7 @@ constexpr double kStopped = 0.5;       // share of a foot's descent that an impa
 constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
 constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
 constexpr double kFlight = 0.6;        // nor does one that goes anywhere so fast [m/s] …
+constexpr double kBelow = 0.01;        // deeper than where it came down there was no ground [m]
 constexpr double kFliesOn = 1.0;       // a foot in mid-swing this fast has met nothing [m/s]
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
@@ -94,15 +95,16 @@ LegEvent LegMotion::observe(double time, const LegObservation& seen) {
 
 // After a hard landing the estimated force lags and says little; the foot's way says more. So it
 // does where a foot slid off an edge, or was never down: as a foot that stands it is pressed down
-// with the least force, and flies off. (One that came down in its own time and rises bounces, and
-// is pressed down again.)
+// with the least force, and flies off. (One that came down in its own time and isn't deeper now
+// bounces, and is pressed down again.)
 bool LegMotion::flies(double time, const LegObservation& seen) const {
   if (since(time) > kFliesWithin) return false;
   const Vec3 moved = seen.foot.p - landed_;
+  const double up = seen.normal.dot(moved);
   const bool goes = seen.foot.v.norm() > kFlight && moved.norm() > kAway;
-  const bool rebounds = seen.normal.dot(seen.foot.v) > kRebound;
-  if (!curve_.target().straight) return goes && !rebounds;
-  return goes || (rebounds && seen.normal.dot(moved) > kOffGround);
+  if (!curve_.target().straight) return goes && up < -kBelow;
+  const bool rises = seen.normal.dot(seen.foot.v) > kRebound && up > kOffGround;
+  return goes || rises;
 }
 
 LegEvent LegMotion::observe_stance(double time, const LegObservation& seen) {

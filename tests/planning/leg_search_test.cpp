@@ -200,35 +200,39 @@ LegEvent moves(Bench bench, const Vec3& way, const Vec3& velocity) {
   return bench.rest(kPeriod, 50.0);
 }
 
-TEST(LegMotion, AFootThatFliesOffShortlyAfterItCameDownIsNoticedAtOnce) {
+TEST(LegMotion, AFootThatFliesOffDownwardShortlyAfterItCameDownIsNoticedAtOnce) {
   for (const bool at_once : {true, false}) {
     const Bench bench = landed(at_once);
-    const Vec3 aside = Vec3::UnitX();
-    EXPECT_EQ(moves(bench, 0.021 * aside, 0.7 * aside), LegEvent::flew);
+    const Vec3 aside = Vec3::UnitX(), off = aside - kUp;
+    EXPECT_EQ(moves(bench, 0.016 * off, 0.5 * off), LegEvent::flew) << "off an edge";
     EXPECT_EQ(moves(bench, -0.021 * kUp, -0.7 * kUp), LegEvent::flew) << "there was no ground";
-    EXPECT_EQ(moves(bench, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
-    EXPECT_EQ(moves(bench, 0.019 * aside, 0.7 * aside), LegEvent::none);
+    EXPECT_EQ(moves(bench, 0.016 * off, 0.4 * off), LegEvent::none) << "slowly";
+    EXPECT_EQ(moves(bench, 0.013 * off, 0.5 * off), LegEvent::none) << "not yet far";
     Bench later = bench;
     EXPECT_EQ(later.rest(0.1, 50.0), LegEvent::none);
-    EXPECT_EQ(moves(later, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+    EXPECT_EQ(moves(later, -0.03 * kUp, -1.0 * kUp), LegEvent::none);
   }
 }
 
-TEST(LegMotion, AFootPutDownAtOnceThatReboundsFliesToo) {
-  const Bench bench = landed(true);
-  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.3 * kUp), LegEvent::flew);
-  EXPECT_EQ(moves(bench, 0.006 * kUp, 0.2 * kUp), LegEvent::none) << "its ground gives way";
-  EXPECT_EQ(moves(bench, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
-  EXPECT_EQ(moves(bench, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
-  EXPECT_EQ(moves(landed(false), 0.006 * kUp, 0.3 * kUp), LegEvent::none) << "it bounces";
-  EXPECT_EQ(moves(landed(false), 0.03 * kUp, 1.0 * kUp), LegEvent::none) << "it bounces high";
+TEST(LegMotion, AFootPutDownAtOnceThatReboundsOrGoesAsideFliesTooButOthersBounce) {
+  const Bench at_once = landed(true), in_time = landed(false);
+  const Vec3 aside = Vec3::UnitX();
+  EXPECT_EQ(moves(at_once, 0.006 * kUp, 0.3 * kUp), LegEvent::flew);
+  EXPECT_EQ(moves(at_once, 0.006 * kUp, 0.2 * kUp), LegEvent::none) << "its ground gives way";
+  EXPECT_EQ(moves(at_once, 0.004 * kUp, 0.3 * kUp), LegEvent::none) << "the estimate is unsure";
+  EXPECT_EQ(moves(at_once, -0.006 * kUp, -0.3 * kUp), LegEvent::none) << "it sinks in";
+  EXPECT_EQ(moves(at_once, 0.021 * aside, 0.7 * aside), LegEvent::flew);
+  EXPECT_EQ(moves(at_once, 0.021 * aside, 0.5 * aside), LegEvent::none) << "it slides";
+  EXPECT_EQ(moves(at_once, 0.019 * aside, 0.7 * aside), LegEvent::none);
+  EXPECT_EQ(moves(in_time, 0.03 * kUp, 1.0 * kUp), LegEvent::none);
+  EXPECT_EQ(moves(in_time, 0.03 * aside, 1.0 * aside), LegEvent::none);
 }
 
 TEST(LegMotion, WhereAFootThatFlewStoodBeforeIsItsFootholdAgain) {
   Bench bench = landed(false);
   const Vec3 came_down = bench.leg.foothold();
-  bench.p += 0.03 * Vec3::UnitX();
-  bench.foot_velocity = Vec3::UnitX();
+  bench.p -= 0.03 * kUp;
+  bench.foot_velocity = -kUp;
   ASSERT_EQ(bench.rest(kPeriod, 50.0), LegEvent::flew);
   EXPECT_GT((bench.leg.foothold() - came_down).norm(), 0.1);
   EXPECT_EQ(bench.leg.foothold(), Bench{}.p);
