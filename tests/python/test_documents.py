@@ -90,3 +90,31 @@ def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
     assert len(picture) == 2, "light and dark"
     for file in ("viewer/src/style/page.css", "surefoot/view/report_page.cpp"):
         assert colours((ROOT / file).read_text(), variables) == picture, file
+
+
+def kept_runs():
+    sys.path.insert(0, str(ROOT / "tools"))
+    try:
+        import campaign_table
+    finally:
+        sys.path.remove(str(ROOT / "tools"))
+    runs = [run for file in sorted((ROOT / "docs/results").glob("*.csv")) for run in campaign_table.read(file)]
+    return campaign_table, campaign_table.by_scenario(runs)
+
+
+def rows_of(document, head):
+    """The cells of each row of the table under this head."""
+    (table,) = re.findall(rf"^{re.escape(head)}.*?\n\n", (ROOT / document).read_text() + "\n\n", re.MULTILINE | re.DOTALL)
+    rows = [[cell.strip() for cell in row.strip("|").split("|")] for row in table.splitlines()[2:] if row]
+    return [(re.match(r"`(\w+)`", name)[1], cells) for name, *cells in rows]
+
+
+def test_what_the_documents_say_of_campaigns_stands_in_the_runs_that_are_kept():
+    campaign_table, scenarios = kept_runs()
+    succeeds = rows_of("README.md", "| scenario | | succeed")
+    contacts = rows_of("docs/simulation.md", campaign_table.CONTACTS)
+    assert len(succeeds) > 10 and len(contacts) > 10
+    for scenario, (_, *cells) in succeeds:
+        assert cells == campaign_table.cells(scenarios[scenario]), scenario
+    for scenario, cells in contacts:
+        assert cells == campaign_table.contacts(scenarios[scenario]), scenario
