@@ -1,14 +1,24 @@
 #include "surefoot/estimation/joint_observer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
+namespace {
 
-JointObserver::JointObserver(double bandwidth, double period) : period_(period) {
-  const double theta = std::exp(-bandwidth * period);
-  alpha_ = 1.0 - theta * theta * theta;
-  beta_ = 1.5 * (1.0 - theta) * (1.0 - theta) * (1.0 + theta);
-  gamma_ = 0.5 * std::pow(1.0 - theta, 3);
+constexpr int kLongestBridge = 8;  // periods over which a prediction says something of a joint
+
+}  // namespace
+
+JointObserver::JointObserver(double bandwidth, double period)
+    : bandwidth_(bandwidth), period_(period), each_period_(gains_after(1)) {}
+
+JointObserver::Gains JointObserver::gains_after(int periods) const {
+  const double dt = periods * period_;
+  const double theta = std::exp(-bandwidth_ * dt);
+  return {.q = 1.0 - theta * theta * theta,
+          .velocity = 1.5 * (1.0 - theta) * (1.0 - theta) * (1.0 + theta) / dt,
+          .disturbance = 2.0 * (0.5 * std::pow(1.0 - theta, 3)) / (dt * dt)};
 }
 
 void JointObserver::start(const JointVector& q) noexcept {
@@ -16,6 +26,7 @@ void JointObserver::start(const JointVector& q) noexcept {
   velocity_.setZero();
   disturbance_.setZero();
   expected_.setZero();
+  since_.fill(0);
 }
 
 void JointObserver::start(Eigen::Index joint, double q) noexcept {
@@ -29,12 +40,16 @@ void JointObserver::update(const JointVector& q, int periods) noexcept {
   q_ += dt * velocity_ + 0.5 * dt * dt * acceleration;
   velocity_ += dt * acceleration;
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
-    if (std::isnan(q_[i]) && std::isfinite(q[i])) start(i, q[i]);
+    int& since = since_[static_cast<std::size_t>(i)];
+    since = std::min(since, kLongestBridge) + periods;
+    if (!std::isfinite(q[i])) continue;
+    if (!std::isfinite(q_[i]) || since > kLongestBridge) start(i, q[i]);
+    const Gains gains = since == 1 ? each_period_ : gains_after(since);
     const double error = q[i] - q_[i];
-    if (!std::isfinite(error)) continue;
-    q_[i] += alpha_ * error;
-    velocity_[i] += beta_ / period_ * error;
-    disturbance_[i] += 2.0 * gamma_ / (period_ * period_) * error;
+    q_[i] += gains.q * error;
+    velocity_[i] += gains.velocity * error;
+    disturbance_[i] += gains.disturbance * error;
+    since = 0;
   }
 }
 

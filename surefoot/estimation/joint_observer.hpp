@@ -2,6 +2,8 @@
 
 #include "surefoot/signals/sensor_reading.hpp"
 
+#include <array>
+
 namespace surefoot {
 
 /// Joint velocities, and the accelerations that a model can't explain, from encoder readings alone:
@@ -11,10 +13,11 @@ namespace surefoot {
 ///     predict   q̂ ← q̂ + Δt q̇̂ + ½Δt² (a + d̂),   q̇̂ ← q̇̂ + Δt (a + d̂)
 ///     correct   e = q − q̂:   q̂ += α e,   q̇̂ += β/Δt e,   d̂ += 2γ/Δt² e
 ///
-/// with the gains that put all three poles at θ = exp(−ω Δt): α = 1 − θ³, β = 3/2 (1 − θ)² (1 + θ),
-/// γ = ½ (1 − θ)³ (fading memory; Brookner 1998, Sec. 1.3). With M d as the torque, this is the
-/// generalized-momentum observer (De Luca 2003) in its Kalman form (Wahrburg 2018): velocities
-/// don't lag, since the model's acceleration feeds them. Does not allocate.
+/// with Δt since the joint's last reading and the gains that put all three poles at θ = exp(−ω Δt):
+/// α = 1 − θ³, β = 3/2 (1 − θ)² (1 + θ), γ = ½ (1 − θ)³ (fading memory; Brookner 1998, Sec. 1.3).
+/// With M d as the torque, this is the generalized-momentum observer (De Luca 2003) in its Kalman
+/// form (Wahrburg 2018): velocities don't lag, since the model's acceleration feeds them. Does not
+/// allocate.
 class JointObserver {
  public:
   /// `bandwidth` is ω [rad/s].
@@ -23,7 +26,7 @@ class JointObserver {
   /// At rest at q.
   void start(const JointVector& q) noexcept;
   /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only,
-  /// and one that never had another begins at rest with the first.
+  /// and one that had none, or none for more than 8 periods, begins at rest with the next.
   void update(const JointVector& q, int periods) noexcept;
   /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
   void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }
@@ -36,10 +39,16 @@ class JointObserver {
   [[nodiscard]] const JointVector& disturbance() const { return disturbance_; }
 
  private:
+  struct Gains {
+    double q, velocity, disturbance;  // per error
+  };
+
+  [[nodiscard]] Gains gains_after(int periods) const;
   void start(Eigen::Index joint, double q) noexcept;
 
-  double period_;
-  double alpha_, beta_, gamma_;
+  double bandwidth_, period_;
+  Gains each_period_;
+  std::array<int, kNumJoints> since_{};  // a joint's last reading, in periods
   JointVector q_ = JointVector::Constant(kNaN), velocity_ = JointVector::Zero();
   JointVector disturbance_ = JointVector::Zero(), expected_ = JointVector::Zero();
 };

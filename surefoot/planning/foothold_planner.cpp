@@ -81,11 +81,8 @@ double FootholdPlanner::expected_height(Leg leg, const Vec2& place, const PerLeg
 }
 
 double FootholdPlanner::last_slope(const Prints& prints) const {
-  const auto newest = [&](std::size_t i) {
-    return prints.points[(prints.count - 1 - i) % kPrintsKept];
-  };
-  for (std::size_t i = 1; i < std::min(prints.count, kPrintsKept); ++i) {
-    const Vec3 stride = newest(0) - newest(i);
+  for (std::size_t i = 1; i < prints.size(); ++i) {
+    const Vec3 stride = prints.newest(0) - prints.newest(i);
     const double length = stride.head<2>().norm(), rise = std::abs(stride.z());
     if (length < kLeastStride) continue;
     return rise > kSteepest * length + options_.same_height ? 0.0 : rise / length;
@@ -202,8 +199,7 @@ Vec3 FootholdPlanner::beside_voids(Leg leg, const Vec3& place, const PerLeg<Vec3
 void FootholdPlanner::remember(Leg leg, const Vec3& p_WF) {
   ++touchdowns_;
   if (!is_front(leg)) return;
-  Prints& prints = prints_[is_left(leg) ? 0 : 1];
-  prints.points[prints.count++ % kPrintsKept] = p_WF;
+  prints_[is_left(leg) ? 0 : 1].add(p_WF);
 }
 
 void FootholdPlanner::forget() {
@@ -214,8 +210,18 @@ void FootholdPlanner::forget() {
 
 void FootholdPlanner::forget_last(Leg leg) {
   if (!is_front(leg)) return;
-  Prints& prints = prints_[is_left(leg) ? 0 : 1];
-  if (prints.count > 0) --prints.count;
+  prints_[is_left(leg) ? 0 : 1].drop_last();
+}
+
+void FootholdPlanner::Prints::add(const Vec3& p_WF) {
+  points[added++ % kPrintsKept] = p_WF;
+  kept = std::min(kept + 1, kPrintsKept);
+}
+
+void FootholdPlanner::Prints::drop_last() {
+  if (kept == 0) return;
+  --added;
+  --kept;
 }
 
 // The front foot's prints tell what lies under the hind foot's way. Where the print before the
@@ -232,8 +238,8 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
   };
   const auto last_before = [&](double limit) {
     const Vec3* last = nullptr;
-    for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
-      const Vec3& print = prints.points[i];
+    for (std::size_t i = 0; i < prints.size(); ++i) {
+      const Vec3& print = prints.newest(i);
       if (!beside(print) && ahead(print) <= limit &&
           (last == nullptr || ahead(print) > ahead(*last)))
         last = &print;
@@ -241,8 +247,8 @@ Vec3 FootholdPlanner::on_prints(const Prints& prints, const Vec3& nominal, const
     return last;
   };
   const Vec3* beyond = nullptr;
-  for (std::size_t i = 0; i < std::min(prints.count, kPrintsKept); ++i) {
-    const Vec3& print = prints.points[i];
+  for (std::size_t i = 0; i < prints.size(); ++i) {
+    const Vec3& print = prints.newest(i);
     if (!beside(print) && ahead(print) > 0.0 &&
         (beyond == nullptr || ahead(print) < ahead(*beyond)))
       beyond = &print;

@@ -76,9 +76,18 @@ class FootholdPlanner {
   static constexpr std::size_t kPrintsKept = 12;
   static constexpr std::size_t kVoidsKept = 8;
   static constexpr std::size_t kAvoidedFor = 24;  // touchdowns; then it may be tried again
+  /// Of one front foot, the newest kPrintsKept.
   struct Prints {
+    [[nodiscard]] std::size_t size() const { return kept; }
+    /// i = 0: the last one.
+    [[nodiscard]] const Vec3& newest(std::size_t i) const {
+      return points[(added - 1 - i) % kPrintsKept];
+    }
+    void add(const Vec3& p_WF);
+    void drop_last();
+
     std::array<Vec3, kPrintsKept> points{};
-    std::size_t count = 0;  // added in all; the newest kPrintsKept are kept
+    std::size_t added = 0, kept = 0;
   };
   /// |Δz| / |Δ(x, y)| of a side's front foot's last stride; 0 over an edge, infinite before there
   /// was one.

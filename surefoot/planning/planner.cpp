@@ -16,13 +16,10 @@ constexpr double kGrace = 0.04;  // a touchdown this late is still on time [s]
 constexpr double kLate = 0.10;   // … and this late worth telling: noticing one takes 50 ms [s]
 constexpr double kWaitDuration = 0.8;  // how far ahead the COM is planned while a foot searches [s]
 constexpr double kRecovery = 0.6;      // in which the COM of a pushed robot comes to rest [s]
-constexpr double kStill = 0.02;        // [m/s] and [rad/s]
 constexpr double kOnTime = 0.05;       // a lift-off later than this needs a new COM plan [s]
 constexpr double kLeastHeight = 0.1;   // of the COM over the plane [m]
 constexpr double kLiftOffPatience = 0.3;  // before a lift-off is given up [s]
 constexpr double kTiltGivenUp = 20.0;     // more of a shortfall than on all feet [rad/s²]
-constexpr double kSpare = 0.01;           // of a leg's reach, that no torso is held so high for [m]
-constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
 
 /// |n · (Jᵀ)⁻¹|: of the normal force by the leg's torques.
 double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal) {
@@ -60,7 +57,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
   yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
-  if (relearns_ground_ && !calibrating()) learn_ground();
+  if (learns_ground_ && !calibrating()) learn_ground();
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
@@ -72,30 +69,8 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   return plan_;
 }
 
-void Planner::note_calibration_wish(bool asked) {
-  if (asked && !asked_before_) {
-    wants_calibration_ = true;
-    tells_wait_at_ = time_ + kPatience;
-  }
-  asked_before_ = asked;
-}
-
-// Again and again, so that whoever asked sees why nothing happens.
-void Planner::tell_calibration_waits() {
-  const bool waits = wants_calibration_ && !restarts_ && !calibrating();
-  if (!waits || event_ != PlanEvent::none || time_ < tells_wait_at_) return;
-  event_ = PlanEvent::calibration_waits;
-  tells_wait_at_ = time_ + kPatience;
-}
-
-bool Planner::is_at_rest(const RobotState& state) const {
-  return !calibrating() && !recovering_ && time_ > stands_from_ + kStandDuration &&
-         state.v_WB.norm() < kStill && state.w_WB_B.norm() < kStill;
-}
-
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
-  relearns_ground_ = initialised_;
-  initialised_ = true;
+  initialised_ = learns_ground_ = true;
   restarts_ = wants_calibration_ = false;
   initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
@@ -111,63 +86,12 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 }
 
 // An estimate that begins anew has other places for the same feet, and others again when it is
-// calibrated. (Before the first walk feet stand where they should: a plane that is off by a degree
-// until the first touchdown does no harm.)
+// calibrated.
 void Planner::learn_ground() {
-  relearns_ground_ = relearns_ground_ && calibrating();
+  learns_ground_ = learns_ground_ && calibrating();
   foothold_planner_.forget();
   for (const Leg k : kLegs) foothold_planner_.remember(k, leg(k).foothold());
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
-}
-
-// A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
-// would be too long without caution, too.
-UserCommand Planner::within_strides(const UserCommand& user) {
-  const double height = options_.stance.height + std::min(0.0, user.height);
-  const StrideLimits limits{.reach = horizontal_reach(height),
-                            .length = options_.swing.speed_max * options_.gait.swing_duration};
-  const auto feasible_share = [&](double cycle_duration) {
-    return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
-  };
-  const double share = user.walk ? feasible_share(cycle_duration()) : 1.0;
-  const bool slows = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
-  if (slows && !slowed_) event_ = PlanEvent::slowed;
-  slowed_ = slows;
-  UserCommand result = user;
-  result.velocity *= share;
-  result.yaw_rate *= share;
-  return result;
-}
-
-// Strides come before height.
-UserCommand Planner::within_height(const UserCommand& user) {
-  UserCommand result = user;
-  if (!(user.height > 0.0)) return result;
-  UserCommand strides = user;
-  if (!user.walk) {
-    strides.velocity.setZero();
-    strides.yaw_rate = 0.0;
-  }
-  const double tallest = foothold_planner_.tallest(
-      strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
-  const bool turns = calibrating() || wants_calibration_;
-  const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
-  if (user.height <= most) {
-    lowered_ = false;
-  } else if (!turns && !lowered_ && event_ == PlanEvent::none) {
-    event_ = PlanEvent::lowered;
-    lowered_ = true;
-  }
-  result.height = std::min(user.height, most);
-  return result;
-}
-
-// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
-// ones or after it went the other way, the feet come to stand across the torso.
-double Planner::turning_share(double yaw_rate) const {
-  PerLeg<bool> down{};
-  for (const Leg k : kLegs) down[index(k)] = leg(k).down();
-  return foothold_planner_.turning_share(yaw_rate, footholds(), down, yaw_, cycle_duration());
 }
 
 void Planner::observe_legs(const UserCommand& user, const RobotState& state,

@@ -71,7 +71,7 @@ class Planner {
   void observe_grip(const UserCommand& user, const RobotState& state, const Dynamics& dynamics);
   /// The command, slower where a foot has little friction or the robot leans against a push.
   [[nodiscard]] UserCommand with_caution(const UserCommand& user) const;
-  /// Of the gait's durations, longer for the same reason: a factor.
+  /// Of the gait's durations, longer where a foot has little friction: a factor.
   [[nodiscard]] double pace() const;
   void on_touchdown(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
@@ -164,8 +164,8 @@ class Planner {
   TerrainPlane plane_;
   MotionPlan plan_;
 
-  PerLeg<Vec2> hips_{};  // about the torso's centre, in heading axes
-  bool relearns_ground_ = false;
+  PerLeg<Vec2> hips_{};         // about the torso's centre, in heading axes
+  bool learns_ground_ = false;  // once more, as soon as the calibration is over
   bool initialised_ = false;
   bool slowed_ = false;   // strides are too short for the commanded velocity
   bool lowered_ = false;  // legs are too short for the commanded height

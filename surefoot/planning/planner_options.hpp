@@ -44,7 +44,7 @@ struct GripOptions {
   bool enabled = true;
   double friction_min = 0.2;  ///< no foot is believed to have less
   double share = 0.7;         ///< of |f_t| / f_n at which a foot slides: believed afterwards
-  double recovery = 0.05;     ///< toward force.friction, of a foot that stands [1/s]
+  double recovery = 0.05;     ///< toward force.friction, of a foot that doesn't slide [1/s]
   double enough = 0.3;        ///< with less than this under a foot the walk slows down …
   double caution_max = 2.0;   ///< … to at most so much less than commanded
 };

@@ -1,7 +1,6 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/planning/planner.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -52,15 +51,7 @@ double Planner::mean_friction() const {
   return standing == 0 ? options_.force.friction : sum / standing;
 }
 
-// Accelerations fall with the square of the durations and with the length of the strides.
-UserCommand Planner::with_caution(const UserCommand& user) const {
-  UserCommand result = user;
-  const double caution = std::max(grip_.caution(), balance_.caution());
-  result.velocity /= caution;
-  result.yaw_rate /= caution;
-  return result;
-}
-
+// Accelerations fall with the square of the durations.
 double Planner::pace() const { return std::sqrt(grip_.caution()); }
 
 }  // namespace surefoot

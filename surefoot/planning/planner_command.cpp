@@ -1,0 +1,98 @@
+// What the planner makes of the user's command: what legs can follow, and when it calibrates.
+#include "surefoot/planning/planner.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kStill = 0.02;     // [m/s] and [rad/s]
+constexpr double kSpare = 0.01;     // of a leg's reach, that no torso is held so high for [m]
+constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
+
+}  // namespace
+
+// A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
+// would be too long without caution, too.
+UserCommand Planner::within_strides(const UserCommand& user) {
+  const double height = options_.stance.height + std::min(0.0, user.height);
+  const StrideLimits limits{.reach = horizontal_reach(height),
+                            .length = options_.swing.speed_max * options_.gait.swing_duration};
+  const auto feasible_share = [&](double cycle_duration) {
+    return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
+  };
+  const double share = user.walk ? feasible_share(cycle_duration()) : 1.0;
+  const bool slows = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
+  if (slows && !slowed_) event_ = PlanEvent::slowed;
+  slowed_ = slows;
+  UserCommand result = user;
+  result.velocity *= share;
+  result.yaw_rate *= share;
+  return result;
+}
+
+// Strides come before height.
+UserCommand Planner::within_height(const UserCommand& user) {
+  UserCommand result = user;
+  if (!(user.height > 0.0)) {
+    lowered_ = false;
+    return result;
+  }
+  UserCommand strides = user;
+  if (!user.walk) {
+    strides.velocity.setZero();
+    strides.yaw_rate = 0.0;
+  }
+  const double tallest = foothold_planner_.tallest(
+      strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
+  const bool turns = calibrating() || wants_calibration_;
+  const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
+  if (user.height <= most) {
+    lowered_ = false;
+  } else if (!turns && !lowered_ && event_ == PlanEvent::none) {
+    event_ = PlanEvent::lowered;
+    lowered_ = true;
+  }
+  result.height = std::min(user.height, most);
+  return result;
+}
+
+// The heading needs no step to turn by itself: where it does not wait for the first steps, for late
+// ones or after it went the other way, the feet come to stand across the torso.
+double Planner::turning_share(double yaw_rate) const {
+  PerLeg<bool> down{};
+  for (const Leg k : kLegs) down[index(k)] = leg(k).down();
+  return foothold_planner_.turning_share(yaw_rate, footholds(), down, yaw_, cycle_duration());
+}
+
+// Accelerations fall with the length of the strides.
+UserCommand Planner::with_caution(const UserCommand& user) const {
+  UserCommand result = user;
+  const double caution = std::max(grip_.caution(), balance_.caution());
+  result.velocity /= caution;
+  result.yaw_rate /= caution;
+  return result;
+}
+
+void Planner::note_calibration_wish(bool asked) {
+  if (asked && !asked_before_) {
+    wants_calibration_ = true;
+    tells_wait_at_ = time_ + kPatience;
+  }
+  asked_before_ = asked;
+}
+
+// Again and again, so that whoever asked sees why nothing happens.
+void Planner::tell_calibration_waits() {
+  const bool waits = wants_calibration_ && !restarts_ && !calibrating();
+  if (!waits || event_ != PlanEvent::none || time_ < tells_wait_at_) return;
+  event_ = PlanEvent::calibration_waits;
+  tells_wait_at_ = time_ + kPatience;
+}
+
+bool Planner::is_at_rest(const RobotState& state) const {
+  return !calibrating() && !recovering_ && time_ > stands_from_ + kStandDuration &&
+         state.v_WB.norm() < kStill && state.w_WB_B.norm() < kStill;
+}
+
+}  // namespace surefoot
