@@ -15,6 +15,7 @@ import argparse
 import collections
 import csv
 import pathlib
+import sys
 
 from surefoot_campaign.statistics import Rate, quantile
 
@@ -31,6 +32,18 @@ KEPT = (
 def read(file):
     with open(file, newline="") as table:
         return list(csv.DictReader(table))
+
+
+def read_once(files):
+    """Runs of several files, each scenario and seed once: counted twice they would narrow the intervals."""
+    runs = {}
+    for file in files:
+        for run in read(file):
+            key = name_of(run), run["seed"]
+            if key in runs:
+                sys.exit(f"{file}: {key[0]} with seed {key[1]} stands there twice, or in another file, too; a seed of a scenario counts once")
+            runs[key] = run
+    return list(runs.values())
 
 
 def keep(runs, file):
@@ -110,9 +123,11 @@ def main():
     parser.add_argument("runs", nargs="+", metavar="RUNS.csv")
     parser.add_argument("--keep", metavar="FILE", help="write the runs to FILE, shortened")
     asked = parser.parse_args()
-    runs = [run for file in asked.runs for run in read(file)]
+    runs = read_once(asked.runs)
     if asked.keep:
         keep(runs, asked.keep)
+    versions = collections.Counter(run["version"] for run in runs)
+    print("Of", ", ".join(f"{version} ({count})" for version, count in versions.items()), end="\n\n")
     print(HEAD, "|---|---|---|---|---|", sep="\n")
     scenarios = by_scenario(runs)
     for scenario, own in scenarios.items():

@@ -72,6 +72,9 @@ def explain(spec, scenario, case, parameters, message):
             section = next((name for name in ("grid", "draw") if key in getattr(spec, name)), "set" if key in spec.fixed else "cases")
             # The program's words are "--set key=value: what is wrong".
             given = message.removeprefix("--set ")
+            if section == "draw" and given.endswith("is not a whole number"):
+                range_ = spec.draw[key]
+                given += f"; draws are of real numbers: list values under grid, or let the program draw, set: {{randomise.{key}: [{range_.lower:g}, {range_.upper:g}]}}"
             if section == "cases":
                 return f"{spec.where((case, key))}: cases.{case}: {given} (scenario {scenario})"
             return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"

@@ -106,8 +106,9 @@ void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
   section.elements("link_mass_scale", disturbances.link_mass_scale.data(), link_elements(),
                    kPositive);
   section.vector("base_com_offset", disturbances.base_com_offset);
-  constexpr NumberRange kLength{
-      .min = -0.1, .max = 0.1, .words = "a number between -0.1 and 0.1 m"};
+  constexpr NumberRange kLength{.min = -kMaxLengthOffset,
+                                .max = kMaxLengthOffset,
+                                .words = "a number between -0.1 and 0.1 m"};
   section.elements("thigh_length_offset", disturbances.thigh_length_offset.data(), leg_elements(),
                    kLength);
   section.elements("shank_length_offset", disturbances.shank_length_offset.data(), leg_elements(),

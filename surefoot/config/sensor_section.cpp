@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace surefoot {
 namespace {
@@ -72,7 +73,8 @@ void check_size(Section& section, const SensorFault& fault) {
   const bool whole =
       fault.size == std::floor(fault.size) && fault.size >= 1.0 && fault.size <= kMaxDelayTicks;
   if (late && section.node("size") != nullptr && !whole)
-    section.fail("size", "must be a whole number of ticks from 1 to 1000");
+    section.fail("size",
+                 "must be a whole number of ticks from 1 to " + std::to_string(kMaxDelayTicks));
 }
 
 void read_fault(Section& section, SensorFault& fault) {

@@ -5,8 +5,6 @@
 
 namespace surefoot {
 
-inline constexpr int kMaxDelayTicks = 1000;
-
 /// Reads a scenario's sensors: one section each, and named `faults`.
 void read_sensors(Section& section, SensorOptions& sensors);
 

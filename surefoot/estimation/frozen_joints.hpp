@@ -30,6 +30,9 @@ class FrozenJoints {
   void update(const SensorReading& reading, const Dynamics& dynamics, const PerLeg<bool>& stands,
               const PerLeg<Vec3>& v_WF, const JointVector& command) noexcept;
 
+  /// What was seen before says nothing.
+  void forget() noexcept { *this = FrozenJoints(options_, period_); }
+
   /// Which are frozen, and since when. Beside an encoder that is found, others that have stood
   /// still though a quarter of that was asked of them count, too.
   [[nodiscard]] const Frozen& encoders() const { return encoders_; }

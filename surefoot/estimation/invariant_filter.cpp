@@ -142,7 +142,7 @@ void InvariantFilter::turn_feet(double turn) noexcept {
   P_.noalias() += moved * moved.transpose();
 }
 
-double InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
+void InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
   const int k = foot(leg);
   const Vec3 innovation = R_ * h - (d_[index(leg)] - p_);
   const Rows HP = P_.middleRows<3>(kPosition) - P_.middleRows<3>(k);
@@ -161,7 +161,6 @@ double InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept 
   P_.noalias() -= K * PHt.transpose();
   P_ = 0.5 * (P_ + P_.transpose()).eval();
   retract(K * innovation);
-  return distance;
 }
 
 void InvariantFilter::retract(const Eigen::Matrix<double, kSize, 1>& xi) {

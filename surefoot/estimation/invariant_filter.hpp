@@ -74,8 +74,8 @@ class InvariantFilter {
   void turn_feet(double turn) noexcept;
 
   /// Takes in where a standing foot is seen from B. An outlier is taken as a slip: it moves the
-  /// foot, hardly the base. Returns the squared Mahalanobis distance of what was seen.
-  double correct(Leg leg, const Vec3& h, const Mat3& J) noexcept;
+  /// foot, hardly the base.
+  void correct(Leg leg, const Vec3& h, const Mat3& J) noexcept;
 
   [[nodiscard]] const Mat3& R_WB() const { return R_; }
   [[nodiscard]] const Vec3& v_WB() const { return v_; }

@@ -26,7 +26,7 @@ class JointObserver {
   /// At rest at q.
   void start(const JointVector& q) noexcept;
   /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only,
-  /// and one that had none, or none for more than 8 periods, begins at rest with the next.
+  /// and one that had none, or none for more than 40 periods, begins at rest with the next.
   void update(const JointVector& q, int periods) noexcept;
   /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
   void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }

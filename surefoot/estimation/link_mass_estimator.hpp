@@ -28,7 +28,8 @@ struct LinkMassOptions {
 ///     ∫ φ τ_j dt + d ∫ φ̇ τ_j dt = −Σ_l (1 + s_l) ∫ (φ̇ momentum_jl + φ free_rate_jl) dt
 ///
 /// (LegLinks), for φ = 2/T sin²(πt/T) cos(nπt/T), n = 0, 1, 2. The 12 shares and d by recursive
-/// least squares, pulled to 0 until they are known better. Does not allocate.
+/// least squares, pulled to 0 until they are known better. Ours (decision 0019), after the
+/// weighted integrals of modulating functions (Shinbrot 1954). Does not allocate.
 class LinkMassEstimator {
  public:
   static constexpr int kNumLinks = kNumLegs * kJointsPerLeg;

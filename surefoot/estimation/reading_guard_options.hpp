@@ -26,7 +26,7 @@ struct ReadingGuardOptions {
       3.0;  ///< in a tick of 2.5 ms; a hard kick gives a torso 1000 rad/s² [rad/s]
   double max_acceleration = 300.0;       ///< 30 g: touchdowns stay below [m/s²]
   double max_acceleration_step = 150.0;  ///< [m/s²]
-  int repeats = 3;  ///< the same numbers this often, bit by bit, are no measurement
+  int repeats = 3;                       ///< of a sample, bit by bit, until it is no measurement
 };
 
 }  // namespace surefoot

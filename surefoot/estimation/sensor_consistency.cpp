@@ -41,7 +41,11 @@ void SensorConsistency::update(const SensorReading& given, const ConsistencyInpu
   } else {
     imu_.forget();
   }
-  if (moves_well) frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
+  if (moves_well) {
+    frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
+  } else {
+    frozen_.forget();
+  }
   if (moves_well && loads_well && turns_well && imu_.wrong_for() == 0.0) {
     torques_.update(known.state, known.dynamics, known.stands, known.command, is_new);
   } else {
@@ -50,7 +54,7 @@ void SensorConsistency::update(const SensorReading& given, const ConsistencyInpu
   if (imu_.wrong_for() > 0.0) blame(health.imu, SampleFault::contradicts, imu_.wrong_for());
   const FrozenJoints::Frozen &angles = frozen_.encoders(), &torques = frozen_.torques();
   if (angles.count > 0) blame(health.encoders, SampleFault::repeats, angles.age, angles.joint);
-  if (torques.count > 0)
+  if (torques.count > 0 && loads_well)
     blame(health.joint_torques, SampleFault::repeats, torques.age, torques.joint);
   if (torques_.wrong_for() > 0.0)
     blame(health.joint_torques, SampleFault::contradicts, torques_.wrong_for(), torques_.joint());

@@ -35,10 +35,6 @@ class SensorConsistency {
   /// The legs are found to be other than was believed: what was held against them says nothing.
   void forget() noexcept;
 
-  [[nodiscard]] const ImuCheck& imu() const { return imu_; }
-  [[nodiscard]] const FrozenJoints& frozen() const { return frozen_; }
-  [[nodiscard]] const TorqueCheck& torques() const { return torques_; }
-
  private:
   bool enabled_;
   ImuCheck imu_;

@@ -26,7 +26,7 @@ struct SlipOptions {
 /// contact points, and of 0, the believed base velocity's own vote. So neither a base velocity that
 /// is wrong nor one other foot that slides makes a foot slide. A foot slides from `begin_speed` for
 /// `begin_duration` until it has been below `end_speed` for `end_duration`. Two feet must be left
-/// that stand still, or none slides. Does not allocate.
+/// that stand still, or none slides. Ours. Does not allocate.
 class SlipDetector {
  public:
   SlipDetector(const SlipOptions& options, double period);

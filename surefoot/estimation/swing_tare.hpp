@@ -28,7 +28,8 @@ struct SwingTareOptions {
 ///
 /// with θ_j from least squares over the last swings, older samples weighted e^(−age / memory), and
 /// pulled to 0 until it is known better; fitted anew at each touchdown. r comes from an observer
-/// with three poles at ω: τ, q̇ and q̈ are lagged like it, by three low-passes. Does not allocate.
+/// with three poles at ω: τ, q̇ and q̈ are lagged like it, by three low-passes.
+/// Ours (decision 0016). Does not allocate.
 class SwingTare {
  public:
   /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s].

@@ -24,10 +24,6 @@ class TorqueCheck {
   [[nodiscard]] double wrong_for() const;
   /// The only joint whose torque was not what was commanded; −1: none, or several.
   [[nodiscard]] int joint() const;
-  /// Of the joints, low-passed [N·m].
-  [[nodiscard]] const JointVector& error() const { return error_; }
-  /// What they claim.
-  [[nodiscard]] const ExternalForceEstimator& claim() const { return claim_; }
 
  private:
   TorqueCheckOptions options_;

@@ -45,20 +45,26 @@ void Evaluator::Squares::add(double value) {
 double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
 
 void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
+  if (tick.command.cause == StopCause::none) judge_plan(truth, tick);
+  add_progress(truth, tick);
+  add_torques(truth, tick);
+  add_body_contacts(truth);
+  check_fall(truth, tick.command.cause >= StopCause::encoders);
+  ++ticks_;
+}
+
+// Nobody follows the plan of a controller that has stopped, or acts on its estimate.
+void Evaluator::judge_plan(const GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
   losses_.add(truth, tick.plan);
   slips_.add(truth, tick);
-  add_progress(truth, tick);
+  add_walk(truth, tick);
   add_com(truth, tick);
   add_torso(truth, tick);
   add_frames(tick);
-  add_torques(truth, tick);
   for (const Leg leg : kLegs) add_foot(leg, truth, tick.plan.feet[index(leg)]);
-  add_body_contacts(truth);
-  check_fall(truth, tick.command.cause >= StopCause::encoders);
-  ++ticks_;
 }
 
 void Evaluator::add(const TickTiming& timing) {
@@ -70,6 +76,10 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   if (ticks_ == 0) start_ = truth.p_WB;
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
+  raise(metrics_.max_tilt_rad, tilt(truth.q_WB));
+}
+
+void Evaluator::add_walk(const GroundTruth& truth, const TickRecord& tick) {
   if (tick.plan.event == static_cast<int>(PlanEvent::no_ground)) ++metrics_.no_ground_events;
   if (!tick.user.walk || tick.plan.calibration != CalibrationStage::none) return;
   if (walk_ticks_ == 0) walk_start_ = truth.p_WB;
@@ -102,7 +112,6 @@ void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
 void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
   height_error_.add(truth.p_WB.z() - frame_.to_truth({0.0, 0.0, tick.plan.torso.height}).z());
   orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
-  raise(metrics_.max_tilt_rad, tilt(truth.q_WB));
 }
 
 // A calibration begins the plan anew, in a world of its own.

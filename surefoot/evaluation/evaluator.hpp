@@ -69,7 +69,9 @@ class Evaluator {
     [[nodiscard]] double root_mean() const;
   };
 
+  void judge_plan(const GroundTruth& truth, const TickRecord& tick);
   void add_progress(const GroundTruth& truth, const TickRecord& tick);
+  void add_walk(const GroundTruth& truth, const TickRecord& tick);
   void add_com(const GroundTruth& truth, const TickRecord& tick);
   void add_torso(const GroundTruth& truth, const TickRecord& tick);
   void add_frames(const TickRecord& tick);

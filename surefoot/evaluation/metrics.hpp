@@ -19,7 +19,8 @@ struct Quantiles {
 
 /// What a run is judged by. The names are those of the program's output and of a scenario's
 /// criteria; each carries its unit. All of it is measured on the simulator's truth, except what is
-/// called commanded or planned. What could not be measured is NaN.
+/// called commanded or planned. What is held against the controller's plan or estimate is that
+/// until it stops for safety. What could not be measured is NaN.
 struct Metrics {
   bool succeeded = false;            ///< all criteria hold
   std::string reason;                ///< why the run ended

@@ -28,7 +28,6 @@ class SwingCurve {
 
   /// Position, velocity and acceleration t after lift-off, in W. Beyond the duration: the search.
   [[nodiscard]] Motion<Vec3> at(double t) const;
-  [[nodiscard]] double duration() const { return target_.duration; }
   /// The greatest acceleration on the way [m/s²].
   [[nodiscard]] double peak_acceleration() const;
   [[nodiscard]] const SwingTarget& target() const { return target_; }

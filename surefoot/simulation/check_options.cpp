@@ -12,8 +12,6 @@ namespace {
 // Heavier grids than this take minutes to compile and gigabytes to hold.
 constexpr int kMaxGridPoints = 4'000'000;
 constexpr double kMaxRandomBoxes = 20'000.0;
-constexpr int kMaxDelayTicks = 1000;
-constexpr double kMaxLengthOffset = 0.1;  // [m]
 
 void require(bool valid, const std::string& name, double given, const std::string& expected) {
   if (!valid) throw Error(text(name, " is ", given, "; it must be ", expected));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/leg.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -9,6 +9,11 @@
 #include <vector>
 
 namespace surefoot {
+
+/// Of sensors and drives, in control ticks.
+inline constexpr int kMaxDelayTicks = 1000;
+/// A thigh or shank may be longer or shorter by this [m].
+inline constexpr double kMaxLengthOffset = 0.1;
 
 /// A box of terrain; `position` is its centre.
 struct TerrainBox {
@@ -20,9 +25,9 @@ struct TerrainBox {
 
 /// An endless plane through `position` with the orientation `rpy`.
 struct TerrainLevel {
-  Vec3 position = Vec3::Zero();
-  Vec3 rpy = Vec3::Zero();
-  double friction = -1.0;
+  Vec3 position = Vec3::Zero();  ///< [m]
+  Vec3 rpy = Vec3::Zero();       ///< roll, pitch, yaw [rad]
+  double friction = -1.0;        ///< < 0: the terrain's default
 };
 
 /// A height field: heights [m] over a regular grid centred at `position`, row by row along y.
@@ -200,23 +205,21 @@ struct DisturbanceOptions {
   double base_mass_scale = 1.0;
   double leg_mass_scale = 1.0;  ///< of all links of the legs …
   JointVector link_mass_scale =
-      JointVector::Ones();               ///< … and of the one behind each joint, on top
-  Vec3 base_com_offset = Vec3::Zero();   ///< [m]
+      JointVector::Ones();  ///< … and of the one behind each joint (LF_HAA … RH_KFE), on top
+  Vec3 base_com_offset = Vec3::Zero();   ///< in B [m]
   PerLeg<double> thigh_length_offset{};  ///< longer by this, HFE axis to KFE axis [m]
   PerLeg<double> shank_length_offset{};  ///< KFE axis to the foot sphere's centre [m]
 };
 
 /// Where the robot stands at the start.
 struct InitialState {
-  Vec3 position = Vec3(0.0, 0.0, kNaN0);  ///< base; z NaN: feet on the terrain's z = 0
-  double yaw = 0.0;                       ///< [rad]
-  JointVector q = JointVector::Zero();    ///< joint angles [rad]
+  Vec3 position = Vec3(0.0, 0.0, kNaN);  ///< base; z NaN: feet on the terrain's z = 0
+  double yaw = 0.0;                      ///< [rad]
+  JointVector q = JointVector::Zero();   ///< joint angles [rad]
   /// Before the run the joints are held by stiff springs for at least this long, feet in the air
   /// are let down, and nothing moves any more: it begins at rest, with loaded feet; 0: it begins
   /// with the foot that touches first, and carries nothing [s].
   double settle = 0.0;
-
-  static constexpr double kNaN0 = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct PlantOptions {

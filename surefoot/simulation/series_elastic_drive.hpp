@@ -21,10 +21,11 @@ namespace surefoot::simulation {
 /// The motor's torque comes from a loop on the spring's torque as it is measured, in whole quanta:
 ///
 ///     τ_motor = τ_ref + kp e + kp/T_i ∫ e dt − kd (ω − q̇),   e = τ_ref − [τ]
-///     kp = I ω_c²/k − 1,   kd = 2 ζ ω_c I − viscous,   ω_c = 2π bandwidth
+///     kp = max(0, I ω_c²/k − 1),   kd = max(0, 2 ζ ω_c I − viscous),   ω_c = 2π bandwidth
 ///
 /// so that with a held joint τ follows τ_ref like a second-order low-pass of that bandwidth, until
-/// the motor's torque–speed line limits it.
+/// the motor's torque–speed line limits it. (Below √(k/I)/2π, 8.7 Hz of ANYmal B, the spring's own
+/// frequency, nothing is fed back but the integral.)
 ///
 /// Rotor and spring are integrated by the implicit midpoint rule, with the joint moving evenly over
 /// the step: stable for any inertia and stiffness, and without energy of its own.

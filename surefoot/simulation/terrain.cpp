@@ -118,7 +118,7 @@ double terrain_height(const mjModel& model, const mjData& data, double x, double
   groups[kTerrainGroup] = 1;
   int geom = -1;
   const double distance = mj_ray(&model, &data, start, down, groups, 1, -1, &geom, nullptr);
-  return geom < 0 ? InitialState::kNaN0 : kRayStart - distance;
+  return geom < 0 ? kNaN : kRayStart - distance;
 }
 
 double resting_height(const mjModel& model, const mjData& data, double x, double y, double radius) {
@@ -133,7 +133,7 @@ double resting_height(const mjModel& model, const mjData& data, double x, double
       if (!std::isnan(ground)) highest = std::max(highest, ground + above);
     }
   }
-  return std::isinf(highest) ? InitialState::kNaN0 : highest;
+  return std::isinf(highest) ? kNaN : highest;
 }
 
 }  // namespace surefoot::simulation

@@ -173,7 +173,10 @@ double force_in_the_air(int lag, bool is_told) {
     bench.tick(dynamics, sensed);
     move(dynamics, state, acceleration, kPeriod);
     if (tick < 100) continue;
-    for (const Vec3& force : sensed.foot_force) most = std::max(most, force.norm());
+    for (const Vec3& force : sensed.foot_force) {
+      EXPECT_TRUE(force.allFinite());
+      most = std::max(most, force.norm());
+    }
   }
   return most;
 }

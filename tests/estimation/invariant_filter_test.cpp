@@ -73,7 +73,7 @@ struct Bench {
     for (const Leg leg : kLegs) {
       if (!filter.stands(leg)) continue;
       filter.move(leg, Vec3::Zero(), 1e-3 * std::sqrt(kPeriod));
-      distance = filter.correct(leg, seen(leg, time) + noise(position_noise), Mat3::Identity());
+      filter.correct(leg, seen(leg, time) + noise(position_noise), Mat3::Identity());
     }
   }
   void run_until(double end) {
@@ -97,7 +97,7 @@ struct Bench {
                     Vec3(-0.33, -0.22, 0.0)};
   Vec3 gyro_bias = Vec3::Zero(), accelerometer_bias = Vec3::Zero();
   double gyro_noise = 0.0, accelerometer_noise = 0.0, position_noise = 0.0;
-  double time = 0.0, distance = 0.0;
+  double time = 0.0;
 };
 
 Bench noisy(unsigned seed, double turn) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,33 @@ TEST(JointObserver, SeveralPeriodsAtOnceAreAsLongAsOneByOne) {
   observer.update(q, 12);
   EXPECT_LT((observer.velocity() - dt * a).norm(), 1e-12);
   EXPECT_LT((observer.q() - q).norm(), 1e-12);
+}
+
+// A leg that swings by 0.3 rad at 10 rad/s: whatever becomes of it in a gap, the velocity after it
+// is no further off than if the joint had stood still.
+TEST(JointObserver, AfterAGapAReadingIsNotTakenForOneOfAPeriod) {
+  const auto q_at = [](double t) {
+    return JointVector(JointVector::Constant(0.3 * std::sin(10.0 * t)));
+  };
+  for (const int gap : {2, 4, 8, 40, 41, 80, 200, 400}) {
+    for (const bool silent : {false, true}) {
+      JointObserver observer(kBandwidth, kPeriod);
+      double time = 0.0, worst = 0.0;
+      const auto tick = [&](int periods, bool reads) {
+        observer.expect(JointVector::Constant(-30.0 * std::sin(10.0 * time)));
+        time += periods * kPeriod;
+        observer.update(reads ? q_at(time) : JointVector(JointVector::Constant(kNaN)), periods);
+      };
+      for (int i = 0; i < 400; ++i) tick(1, true);
+      for (int i = 1; silent && i < gap; ++i) tick(1, false);
+      tick(silent ? 1 : gap, true);
+      for (int i = 0; i < 400; ++i) {
+        worst = std::max(worst, std::abs(observer.velocity()[0] - 3.0 * std::cos(10.0 * time)));
+        tick(1, true);
+      }
+      EXPECT_LT(worst, 3.0) << gap << (silent ? " readings that are not numbers" : " periods");
+    }
+  }
 }
 
 TEST(JointObserver, AJointWithoutReadingGoesOnAsItsModelSays) {

@@ -33,21 +33,25 @@ struct Standing {
     const double sampled = has_times ? reading.time : kNaN;
     reading.encoder_time = reading.torque_time = reading.imu_time = sampled;
     reading.q = state.q;
-    for (double& torque : reading.torque) torque = 10.0 + random.uniform(-0.2, 0.2);
-    reading.torque += torque_error;
+    if (!torques_stay) {
+      for (double& torque : reading.torque) torque = 10.0 + random.uniform(-0.2, 0.2);
+      reading.torque += torque_error;
+    }
     reading.gyro = random.vector(1e-3);
     reading.accelerometer = kGravity * Vec3::UnitZ() + random.vector(0.02) + accelerometer_error;
     state.torque = reading.torque;
     const Dynamics& dynamics = model.update(state, Vec3::UnitZ());
     health = {.encoders = {.age = 0.0}, .joint_torques = {.age = 0.0}, .imu = {.age = 0.0}};
     if (is_imu_late) health.imu = {.fault = SampleFault::late, .age = 0.01};
+    if (are_encoders_late) health.encoders = {.fault = SampleFault::late, .age = 0.01};
+    if (torques_are_none) health.joint_torques = {.fault = SampleFault::not_a_number, .age = 0.01};
     consistency.update(reading,
                        {.state = state,
                         .dynamics = dynamics,
                         .stands = stands,
                         .v_WF = v_WF,
                         .normal_W = Vec3::UnitZ(),
-                        .command = JointVector::Constant(10.0)},
+                        .command = JointVector::Constant(command)},
                        health);
   }
   void run(double duration) {
@@ -68,7 +72,9 @@ struct Standing {
   PerLeg<Vec3> v_WF{};
   Vec3 accelerometer_error = Vec3::Zero();
   JointVector torque_error = JointVector::Zero();
-  bool is_imu_late = false, has_times = true;
+  double command = 10.0;  // [N·m]
+  bool is_imu_late = false, are_encoders_late = false, torques_are_none = false;
+  bool torques_stay = false, has_times = true;
   int ticks = 0;
 };
 
@@ -152,6 +158,32 @@ TEST(SensorConsistency, WhatTheGuardFindsBehindItStandsAlone) {
   robot.accelerometer_error.setZero();
   robot.run(0.5);
   EXPECT_EQ(robot.health.joint_torques.fault, SampleFault::contradicts) << "judged again";
+}
+
+// The guard goes on with the last torques that were numbers.
+TEST(SensorConsistency, TorquesThatAreFilledInAreNotFrozen) {
+  for (const bool are_none : {false, true}) {
+    Standing robot;
+    robot.run(0.5);
+    robot.torques_stay = true;
+    robot.torques_are_none = are_none;
+    robot.command = 16.5;
+    robot.run(0.3);
+    EXPECT_EQ(robot.health.joint_torques.fault,
+              are_none ? SampleFault::not_a_number : SampleFault::repeats);
+  }
+}
+
+TEST(SensorConsistency, EncodersThatComeLateAreNotFrozenBesides) {
+  Standing robot;
+  robot.run(0.5);
+  robot.state.v_WB.x() = 0.2;  // over feet that stand, with the same angles
+  robot.run(0.2);
+  ASSERT_EQ(robot.health.encoders.fault, SampleFault::repeats);
+  robot.are_encoders_late = true;
+  robot.tick();
+  EXPECT_EQ(robot.health.encoders.fault, SampleFault::late);
+  EXPECT_EQ(robot.health.encoders.age, 0.01);
 }
 
 TEST(SensorConsistency, SwitchedOffItSaysNothing) {

@@ -46,6 +46,7 @@ struct Bench {
     double most = 0.0;
     for (int t = 0; t < kSwing; ++t) {
       tick(kSwingLF);
+      EXPECT_TRUE(tare.tare().allFinite());
       most = std::max(most, (lacking - tare.tare()).head<3>().cwiseAbs().maxCoeff());
     }
     tick(kStanding);

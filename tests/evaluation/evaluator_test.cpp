@@ -366,6 +366,29 @@ TEST(Evaluator, TicksWithoutAnOptimumAreCounted) {
   EXPECT_EQ(run.metrics().fallback_ticks, 2);
 }
 
+TEST(Evaluator, WhatAStoppedControllerStillPlansIsNotJudged) {
+  for (const StopCause cause : {StopCause::none, StopCause::tilt, StopCause::imu}) {
+    HandMadeRun run;
+    run.steps(10);
+    run.tick.command.mode = CommandMode::hold;
+    run.tick.command.cause = cause;
+    run.tick.plan.com.p.x() = 0.1;
+    run.tick.plan.torso.height = 0.6;
+    run.truth.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
+    run.phase(Leg::LF, LegPhase::swing);
+    run.steps(2);
+    run.phase(Leg::LF, LegPhase::stance);
+    run.steps(2);
+    const Metrics metrics = run.metrics();
+    const bool is_judged = cause == StopCause::none;
+    EXPECT_EQ(metrics.com_error_max_m > 0.05, is_judged);
+    EXPECT_EQ(metrics.base_height_error_rms_m > 0.0, is_judged);
+    EXPECT_EQ(metrics.steps_taken, is_judged ? 1 : 0);
+    EXPECT_NEAR(metrics.max_tilt_rad, 0.3, 1e-6) << "of the robot, not of the plan";
+    EXPECT_EQ(metrics.fallback_ticks, 4);
+  }
+}
+
 TEST(Evaluator, TimesAreSummedUpByTheirRank) {
   HandMadeRun run;
   for (int i = 100; i >= 1; --i) {

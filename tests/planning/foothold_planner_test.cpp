@@ -284,6 +284,10 @@ TEST(FootholdPlanner, APrintWhereThereWasNoGroundIsTakenBack) {
   hind.walker.planner.forget_last(Leg::LF);
   hind.walker.planner.forget_last(Leg::LF);
   EXPECT_LT((hind.goes() - Vec3(0.15, 0.0, 0.0)).norm(), 1e-12) << "there is none left";
+  for (int i = 0; i < 20; ++i) hind.walker.planner.remember(Leg::LF, Vec3(5.0 + i, 0.0, 0.0));
+  hind.walker.planner.remember(Leg::LF, Vec3(0.16, 0.0, 0.05));
+  hind.walker.planner.forget_last(Leg::LF);
+  EXPECT_LT((hind.goes().head<2>() - Vec2(0.15, 0.0)).norm(), 1e-12) << "after many, too";
 }
 
 TEST(FootholdPlanner, PrintsAndVoidsCanAllBeForgotten) {

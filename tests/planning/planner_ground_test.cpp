@@ -241,6 +241,64 @@ TEST(Planner, AFootThatDoesNotUnloadIsNotLifted) {
   EXPECT_FALSE(puppet.happenings(PlanEvent::lift_off).empty()) << "and is when it does";
 }
 
+TEST(Planner, WhatAFootFoundThatFliesOffIsTakenBack) {
+  Puppet puppet = walker({}, step_at(0.40, 0.05));
+  Vec3 before = puppet.plan().terrain_point;
+  const auto found = [&] {
+    const std::vector<Happening>& all = puppet.happenings();
+    return !all.empty() && all.back().event == PlanEvent::touchdown && all.back().p.z() > 0.04;
+  };
+  while (!found() && puppet.time() < 40.0) {
+    before = puppet.plan().terrain_point;
+    puppet.tick();
+  }
+  ASSERT_TRUE(found());
+  EXPECT_GT((puppet.plan().terrain_point - before).norm(), 5e-3) << "a foot higher up";
+  puppet.fling(puppet.happenings().back().leg, {0.0, 0.0, -0.03}, {0.0, 0.0, -1.0});
+  puppet.tick();
+  EXPECT_EQ(puppet.happenings().back().event, PlanEvent::lost_contact);
+  EXPECT_LT((puppet.plan().terrain_point - before).norm(), 1e-9);
+}
+
+TEST(Planner, AFootThatIsAboutToLeaveStaysWhileAnotherSlides) {
+  Puppet puppet = walker();
+  const auto& hind = puppet.plan().feet[index(Leg::LH)];
+  while (hind.phase != LegPhase::unloading && puppet.time() < 20.0) puppet.tick();
+  ASSERT_EQ(hind.phase, LegPhase::unloading);
+  const double begin = puppet.time();
+  puppet.slide[index(Leg::RF)] = Vec2(30.0, 0.0);
+  puppet.tick();
+  puppet.slide.fill(Vec2::Zero());
+  EXPECT_EQ(puppet.happenings().back().event, PlanEvent::slip);
+  EXPECT_EQ(hind.phase, LegPhase::stance);
+  const std::size_t lifts = puppet.happenings(PlanEvent::lift_off).size();
+  while (puppet.happenings(PlanEvent::lift_off).size() == lifts && puppet.time() < begin + 10.0)
+    puppet.tick();
+  EXPECT_GE(puppet.time(), begin + GaitOptions{}.switch_duration - kPeriod);
+  EXPECT_LT(puppet.time(), begin + 10.0) << "and then it goes";
+}
+
+TEST(Planner, WhereAFootHasLittleFrictionStepsAreShorterAndTakeLonger) {
+  PlannerOptions options;
+  options.grip.recovery = 0.0;
+  Puppet puppet = walker(options);
+  puppet.user.walk = false;
+  puppet.run(2.0);
+  puppet.slide[index(Leg::LF)] = Vec2(3.0, 0.0);
+  puppet.tick();
+  puppet.slide.fill(Vec2::Zero());
+  const double caution = options.grip.enough / options.grip.friction_min;
+  puppet.user.walk = true;
+  run_watched(puppet, 10.0);
+  const double begin = puppet.com().x();
+  const int steps = puppet.planner().steps_taken();
+  constexpr double kDuration = 60.0;
+  run_watched(puppet, kDuration);
+  EXPECT_NEAR((puppet.com().x() - begin) / kDuration, 0.06 / caution, 0.1 * 0.06 / caution);
+  const double usual = kDuration / 3.8 * 4.0;  // a cycle of 3.8 s
+  EXPECT_NEAR(puppet.planner().steps_taken() - steps, usual / std::sqrt(caution), 3.0);
+}
+
 // On both sides of a step the plane through the feet is no ground: pyramids that stand upright are
 // what a foot slides out of.
 TEST(Planner, TheFrictionOfASlidingFootIsThatOfItsPyramid) {

@@ -65,6 +65,9 @@ TEST(Planner, StandsNoHigherThanItsLegsReachAndSaysSo) {
   puppet.run(8.0);
   EXPECT_NEAR(puppet.plan().torso.height, StanceOptions{}.height - 0.1, 1e-3);
   EXPECT_EQ(puppet.happenings(PlanEvent::lowered).size(), 1u);
+  puppet.user = {.height = 0.3};
+  puppet.run(1.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::lowered).size(), 2u) << "asked for once more";
 }
 
 TEST(Planner, CalibratesNoHigherThanNominally) {
@@ -81,6 +84,20 @@ TEST(Planner, CalibratesNoHigherThanNominally) {
   EXPECT_TRUE(calibrated);
   EXPECT_GT(puppet.plan().torso.height, options.stance.height + 0.01);
   EXPECT_TRUE(puppet.happenings().empty());
+}
+
+// A calibration finds that feet are where nobody thought.
+TEST(Planner, AfterACalibrationTheGroundIsWhereTheFeetAreThen) {
+  PlannerOptions options;
+  options.calibration.duration = 2.0;
+  Puppet puppet(options);
+  puppet.run(1.0);
+  ASSERT_EQ(puppet.plan().calibration, CalibrationStage::turning);
+  puppet.ground = level_ground(-0.01);
+  for (const Leg leg : kLegs) puppet.place(leg, puppet.foot(leg).head<2>());
+  puppet.run(8.0);
+  ASSERT_EQ(puppet.plan().calibration, CalibrationStage::none);
+  EXPECT_NEAR(puppet.plan().terrain_point.z(), -0.01, 1e-6);
 }
 
 TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {

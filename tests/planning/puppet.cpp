@@ -58,6 +58,11 @@ void Puppet::place(Leg leg, const Vec2& place) {
   dynamics_.hip[index(leg)].p = p + kLegLength * Vec3::UnitZ();
 }
 
+void Puppet::fling(Leg leg, const Vec3& by, const Vec3& velocity) {
+  dynamics_.foot[index(leg)].p += by;
+  dynamics_.foot[index(leg)].v = velocity;
+}
+
 void Puppet::run(double duration, const std::function<void()>& each) {
   const double end = time() + duration - 0.5 * kPeriod;
   while (time() < end) {

@@ -38,6 +38,8 @@ class Puppet {
 
   /// Puts a foot elsewhere, as if it had stood there.
   void place(Leg leg, const Vec2& place);
+  /// Moves a foot, which is seen to have this velocity from then on [m/s].
+  void fling(Leg leg, const Vec3& by, const Vec3& velocity);
   /// One period on.
   void tick();
   /// Calls `each()` after every tick.

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shlex
 import signal
 import subprocess
@@ -67,21 +68,26 @@ def test_csv_and_parquet_hold_the_same(folder):
 
 def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp_path):
     runs, kept = tmp_path / "runs.csv", tmp_path / "kept.csv"
-    lines = ["scenario,seed,outcome,missed,reason,com_error_max_m,touchdown_latency_p95_s,false_touchdowns,steps_taken,torque_step_max_nm,more"]
-    lines += [f"deep/walk.yaml,{seed},succeeded,,goal reached,0.00{seed},0.0{seed},0,600,{seed},0" for seed in (3, 2, 1)]
-    runs.write_text("\n".join([*lines, "deep/walk.yaml,4,failed,fell,fell,0.123456789,,1,200,,0"]))
+    lines = ["scenario,seed,version,outcome,missed,reason,com_error_max_m,touchdown_latency_p95_s,false_touchdowns,steps_taken,torque_step_max_nm,more"]
+    lines += [f"deep/walk.yaml,{seed},1.0,succeeded,,goal reached,0.00{seed},0.0{seed},0,600,{seed},0" for seed in (3, 2, 1)]
+    runs.write_text("\n".join([*lines, "deep/walk.yaml,4,1.0,failed,fell,fell,0.123456789,,1,200,,0"]))
     table = "| `walk` | 3 (30.1–95.4 %) | 2, 2.8, 3 | 1 of 2,000 | 2, 2.8, 3 |"
 
-    def made(*words):
-        done = subprocess.run([sys.executable, ROOT / "tools/campaign_table.py", *words], capture_output=True, text=True,
+    def tool(*words):
+        return subprocess.run([sys.executable, ROOT / "tools/campaign_table.py", *words], capture_output=True, text=True,
                               env={"PYTHONPATH": str(ROOT / "python")})
+
+    def made(*words):
+        done = tool(*words)
         assert done.returncode == 0, done.stderr
         return done.stdout
 
     printed = made(runs, "--keep", kept)
     assert "| `walk` | 20, 100 % | 0, 0, 0 | – | 0, 0, 0 |" in printed
     assert table in printed and "walk, of 4 failed: 4 (fell)" in printed
-    assert made(kept) == printed
+    assert made(kept) == printed and "Of 1.0 (4)" in printed
+    twice = tool(runs, kept)
+    assert twice.returncode == 1 and "walk with seed 1 stands there twice" in twice.stderr
     rows = [row.split(",") for row in kept.read_text().splitlines()]
     assert [row[1] for row in rows] == ["seed", "1", "2", "3", "4"]
     assert {row[0] for row in rows[1:]} == {"walk"}
@@ -405,6 +411,14 @@ def test_a_range_that_makes_no_sense_is_told_with_its_line(tmp_path):
     text = "scenario: walk_flat\nseeds: [1]\nset:\n  randomise.terrain.friction: [1.0, 0.4]\n"
     said = CampaignFolder(tmp_path, PROGRAM).write(text).complaint()
     assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not be above max" in said
+
+
+def test_a_draw_of_a_key_of_whole_numbers_is_told_where_it_belongs(tmp_path):
+    draw = "draw: {actuators.delay_ticks: [1, 3]}"
+    said = CampaignFolder(tmp_path, PROGRAM).write(f"scenario: walk_flat\nseeds: [1]\n{draw}\n").complaint("--dry-run")
+    assert "spec.yaml:3: draw: actuators.delay_ticks=1.0: " in said
+    (advice,) = re.findall(r"let the program draw, (set: \{.*?\]\})", said)
+    assert CampaignFolder(tmp_path, PROGRAM).write(f"scenario: walk_flat\nseeds: [1]\n{advice}\n").run("--dry-run").returncode == 0
 
 
 def test_a_range_beyond_its_keys_limits_is_told_with_its_line_wherever_it_stands(tmp_path):

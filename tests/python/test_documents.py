@@ -92,6 +92,12 @@ def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
         assert colours((ROOT / file).read_text(), variables) == picture, file
 
 
+def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
+    ships = {file.stem for file in (ROOT / "campaigns").glob("*.yaml")}
+    table = (ROOT / "docs/campaigns.md").read_text().split("What ships in")[1].split("\n\n")[1]
+    assert set(re.findall(r"^\| \[(\w+)\]\(\.\./campaigns/\1\.yaml\)", table, re.MULTILINE)) == ships
+
+
 def kept_runs():
     sys.path.insert(0, str(ROOT / "tools"))
     try:

@@ -215,7 +215,10 @@ TEST(Sensors, TheNoiseOfOneIsTheSameWhateverTheOthersAre) {
   const std::vector<std::function<void(SensorOptions&)>> changes{
       [](SensorOptions& o) { o.encoders = {.resolution = 0.1, .noise = 0.0, .rate_hz = 30.0}; },
       [](SensorOptions& o) { o.joint_torques = {.noise = 0.0, .rate_hz = 90.0}; },
-      [](SensorOptions& o) { o.imu = {0.0, 0.0, 0.0, 0.0, 70.0}; },
+      [](SensorOptions& o) {
+        o.imu.gyro_noise = o.imu.accelerometer_noise = 0.0;
+        o.imu.rate_hz = 70.0;
+      },
       [](SensorOptions& o) { o.foot_force.present = false; }};
   for (std::size_t changed = 0; changed < changes.size(); ++changed) {
     SensorOptions options = plain;
