@@ -11,6 +11,11 @@ constexpr int kMostCollisions = 2;     // of one swing with an edge, before the 
 constexpr double kRetreatSpeed = 0.5;  // of a foot that found no ground [m/s]
 constexpr double kWider = 0.01;        // a support that is worth another leg's step, by [m]
 constexpr double kSamePlace = 1e-3;    // [m]
+constexpr double kFolded = 0.20;       // of a hip over its foot: the leg folds no further [m]
+
+bool is_folded(Leg leg, const Dynamics& dynamics) {
+  return dynamics.hip[index(leg)].p.z() - dynamics.foot[index(leg)].p.z() < kFolded;
+}
 
 }  // namespace
 
@@ -75,12 +80,13 @@ void Planner::reach_beyond_edge(Leg k, const UserCommand& user, const Dynamics& 
 }
 
 // A touch well above ground whose height is known is a shin or knee against the edge: up again, and
-// down further on. Found there once more, the ground really is higher.
+// down further on. Found there once more, or as high as the leg folds, the ground really is higher.
 bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   const Vec3& p_WF = dynamics.foot[index(k)].p;
   const SwingTarget& target = leg(k).target();
   const bool above = p_WF.z() > target.goal.z() + options_.probe.lift + options_.probe.tolerance;
   if (!knows_ground(k) || !above || collisions_ >= kMostCollisions) return false;
+  if (is_folded(k, dynamics)) return false;
   ++collisions_;
   event_ = PlanEvent::collision;
   const Vec2 step = (target.goal - leg(k).foothold()).head<2>();
@@ -93,7 +99,7 @@ bool Planner::hit_above_known_ground(Leg k, const UserCommand& user, const Dynam
 
 // A riser, or an edge that a shin or knee hangs on. The ground behind it lies higher by what nobody
 // knows, so the foot rises anew from where it is, away from the edge, and comes down well behind
-// it. Caught too often, it comes down before it.
+// it. Caught too often, or as high as the leg folds, it comes down before it.
 void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics) {
   if (emergency_) return;
   const Vec3& p_WF = dynamics.foot[index(k)].p;
@@ -103,7 +109,8 @@ void Planner::on_caught(Leg k, const UserCommand& user, const Dynamics& dynamics
   const Vec2 way = step.norm() > kSamePlace ? Vec2(step.normalized()) : probe_direction_;
   event_ = PlanEvent::caught;
   if (caught_ == 0) caught_at_ = p_WF.head<2>();
-  if (++caught_ > reflex.most) {
+  caught_ = is_folded(k, dynamics) ? reflex.most + 1 : caught_ + 1;
+  if (caught_ > reflex.most) {
     Vec3 goal = leg(k).foothold();
     goal.head<2>() = p_WF.head<2>() - reflex.back * way;
     probing_ = false;

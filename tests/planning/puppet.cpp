@@ -11,7 +11,6 @@ constexpr double kStiffness = 2e4;  // of the ground under a foot that comes dow
 constexpr double kCarried = 75.0;   // by a foot on the ground [N]
 constexpr double kWall = 0.02;      // ground this far above a foot stands in its way [m]
 constexpr double kHeld = 15.0;      // force of such ground on it [N]
-constexpr double kLegLength = 0.3;  // of every leg at any time: none is ever too short [m]
 constexpr double kTouching = 1e-3;  // [m]
 
 /// Its hips go down with its feet: no matter how low.
@@ -39,7 +38,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
     Vec3& p = dynamics_.foot[index(leg)].p;
     p.head<2>() = position + R.topLeftCorner<2, 2>() * nominal_offset(options.stance, leg);
     p.z() = ground(p.head<2>());
-    dynamics_.hip[index(leg)].p = p + kLegLength * Vec3::UnitZ();
+    dynamics_.hip[index(leg)].p = p + leg_length * Vec3::UnitZ();
     mean += 0.25 * p.z();
     state_.foot_force[index(leg)] = kCarried * Vec3::UnitZ();
   }
@@ -55,7 +54,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
 void Puppet::place(Leg leg, const Vec2& place) {
   Vec3& p = dynamics_.foot[index(leg)].p;
   p << place, ground(place);
-  dynamics_.hip[index(leg)].p = p + kLegLength * Vec3::UnitZ();
+  dynamics_.hip[index(leg)].p = p + leg_length * Vec3::UnitZ();
 }
 
 void Puppet::fling(Leg leg, const Vec3& by, const Vec3& velocity) {
@@ -118,7 +117,7 @@ void Puppet::move_foot(std::size_t k) {
   state_.slips[k] = in_contact(reference.phase) && slide[k].norm() > 0.0;
   if (state_.slips[k]) held = slide[k];
   state_.foot_force[k] << held, force;
-  dynamics_.hip[k].p = p + kLegLength * Vec3::UnitZ();
+  dynamics_.hip[k].p = p + leg_length * Vec3::UnitZ();
 }
 
 void Puppet::note_event(const MotionPlan& before) {

@@ -166,5 +166,19 @@ TEST(Planner, BeforeAWallAFootComesDownAfterAFewTries) {
   EXPECT_GT(puppet.planner().steps_taken(), 4) << "the others go on";
 }
 
+TEST(Planner, AFootIsNotLiftedHigherThanItsLegFolds) {
+  Puppet puppet = walker({}, step_at(0.45, 1.0));
+  puppet.leg_length = 0.15;
+  run(puppet, 30.0);
+  ASSERT_GT(puppet.happenings(PlanEvent::caught).size(), 1u);
+  bool caught = false;
+  for (const Happening& happening : puppet.happenings()) {
+    if (happening.event != PlanEvent::caught && happening.event != PlanEvent::touchdown) continue;
+    EXPECT_FALSE(caught && happening.event == PlanEvent::caught) << happening.time;
+    caught = happening.event == PlanEvent::caught;
+  }
+  for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.0, 2e-3);
+}
+
 }  // namespace
 }  // namespace surefoot::test
