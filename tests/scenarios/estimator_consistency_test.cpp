@@ -44,8 +44,9 @@ struct Case {
 class EstimatorConsistency : public testing::TestWithParam<Case> {};
 
 /// Errors of one walk belong together (a bias, a leg that is longer), so a walk counts little more
-/// than a sample does and χ² has no sharp bounds for the mean of a few walks. 30 walks of 60 s have
-/// 0.62 as modelled and 8.2 with everything wrong, of 5.
+/// than a sample does: six of a filter that is right are χ² of 30 degrees of freedom, whose mean
+/// stays below 1.57 of the expected in 97.5 %, standard deviations 1.25 times too small. Seeds 1 to
+/// 6 of walk_flat have 5.0 of 5; a change that changes bits alone moves that by 0.6.
 TEST_P(EstimatorConsistency, InAWalkItKnowsHowWrongItIs) {
   constexpr int kWalks = 6;
   double mean = 0.0;
@@ -59,7 +60,7 @@ TEST_P(EstimatorConsistency, InAWalkItKnowsHowWrongItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, EstimatorConsistency,
-                         testing::Values(Case{"walk_flat", 4.0, 1.0},
+                         testing::Values(Case{"walk_flat", 4.0, 1.25},
                                          Case{"walk_flat_mismatch", 4.0, 1.6}),
                          [](const auto& test) { return std::string(test.param.scenario); });
 
