@@ -1,9 +1,9 @@
+#include "tests/logging/temporary_folder.hpp"
 #include "tests/simulation/plant_support.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -186,15 +186,13 @@ class EditedUrdf {
     std::ifstream file(robot_.urdf_path);
     std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     content.replace(content.find(from), from.size(), to);
-    robot_.urdf_path = testing::TempDir() + "surefoot_edited.urdf";
+    robot_.urdf_path = folder_ / "surefoot_edited.urdf";
     std::ofstream(robot_.urdf_path) << content;
   }
-  EditedUrdf(const EditedUrdf&) = delete;
-  EditedUrdf& operator=(const EditedUrdf&) = delete;
-  ~EditedUrdf() { std::remove(robot_.urdf_path.c_str()); }
   [[nodiscard]] const RobotDescription& robot() const { return robot_; }
 
  private:
+  test::TemporaryFolder folder_;
   RobotDescription robot_;
 };
 
