@@ -125,6 +125,20 @@ TEST(Planner, OnlyAHindFootThatKnowsTheGroundRefusesOneThatLiesHigher) {
   for (const Leg leg : kLegs) EXPECT_NEAR(puppet.foot(leg).z(), 0.08, 2e-3) << "all went up";
 }
 
+TEST(Planner, AHindFootDoesNotRefuseGroundAsHighAsItsLegFolds) {
+  for (const bool folded : {false, true}) {
+    Puppet puppet = walker();
+    puppet.run(12.0);
+    const auto rises = [&] { return puppet.foot(Leg::LH).z() > 0.07; };
+    while (!rises() && puppet.time() < 20.0) puppet.tick();
+    ASSERT_TRUE(rises());
+    if (folded) puppet.leg_length = 0.15;
+    puppet.ground = level_ground(0.06);  // that no front foot found
+    puppet.run(1.0);
+    EXPECT_EQ(puppet.happenings(PlanEvent::collision).empty(), folded);
+  }
+}
+
 TEST(Planner, LeansWithTheSlopeThatItsFeetFind) {
   const double slope = 0.15;
   const Ground ramp = [=](const Vec2& p) { return slope * std::max(0.0, p.x() - 0.5); };
