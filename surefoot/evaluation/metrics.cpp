@@ -54,6 +54,8 @@ std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metr
       {"position_drift_m", metrics.position_drift_m},
       {"heading_drift_rad", metrics.heading_drift_rad},
       {"touchdown_latency_p95_s", metrics.touchdown_latency_p95_s},
+      {"touchdowns_noticed", metrics.touchdowns_noticed},
+      {"touchdowns_late", metrics.touchdowns_late},
       {"false_touchdowns", metrics.false_touchdowns},
       {"contact_losses_noticed", metrics.contact_losses_noticed},
       {"contact_losses_missed", metrics.contact_losses_missed},

@@ -59,6 +59,8 @@ struct Metrics {
   double position_drift_m = kNaN;         ///< of the believed way since the start, at the end
   double heading_drift_rad = kNaN;        ///< the same of the heading
   double touchdown_latency_p95_s = kNaN;  ///< from a foot's touch to the tick that notices it
+  int touchdowns_noticed = 0;             ///< true ones (evaluation/touchdown_judge.hpp)
+  int touchdowns_late = 0;                ///< of these, more than 30 ms after the touch
   int false_touchdowns = 0;               ///< noticed, but not there
 
   /// Of feet that were to stand (evaluation/contact_loss_judge.hpp): true losses of the ground that

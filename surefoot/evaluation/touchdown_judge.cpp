@@ -2,11 +2,14 @@
 
 #include "surefoot/evaluation/quantile.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 namespace {
 
 constexpr double kBounce = 0.05;   // [s]
 constexpr double kJustNow = 0.02;  // [s]
+constexpr double kLate = 0.03;     // [s]
 
 }  // namespace
 
@@ -36,6 +39,9 @@ void TouchdownJudge::judge(const Foot& foot, double time) {
 void TouchdownJudge::write(Metrics& metrics) const {
   metrics.false_touchdowns = false_touchdowns_;
   metrics.touchdown_latency_p95_s = quantile_of(latencies_, 0.95);
+  metrics.touchdowns_noticed = static_cast<int>(latencies_.size());
+  metrics.touchdowns_late = static_cast<int>(
+      std::ranges::count_if(latencies_, [](double latency) { return latency > kLate + 1e-9; }));
 }
 
 }  // namespace surefoot

@@ -56,6 +56,8 @@ constexpr std::array kQuantities{
     Quantity{"position_drift_m", "drift of the believed position", 1e3, 1, "mm", false},
     Quantity{"heading_drift_rad", "drift of the believed heading", kDegrees, 2, "°", false},
     Quantity{"touchdown_latency_p95_s", "touchdowns noticed after, 95 %", 1.0, 3, "s", false},
+    Quantity{"touchdowns_noticed", "touchdowns noticed", 1.0, 0, "", false},
+    Quantity{"touchdowns_late", "touchdowns noticed after more than 30 ms", 1.0, 0, "", false},
     Quantity{"false_touchdowns", "touchdowns that were none", 1.0, 0, "", false},
     Quantity{"contact_losses_noticed", "losses of contact noticed", 1.0, 0, "", false},
     Quantity{"contact_losses_missed", "losses of contact missed", 1.0, 0, "", false},

@@ -93,7 +93,20 @@ TEST(TouchdownJudge, LatencyRunsFromTheFirstTouch) {
   steps.ticks(2, true, false);
   steps.tick(true, true);
   EXPECT_NEAR(steps.metrics().touchdown_latency_p95_s, 15 * 0.0025, 1e-9);
+  EXPECT_EQ(steps.metrics().touchdowns_noticed, 1);
+  EXPECT_EQ(steps.metrics().touchdowns_late, 1);
   EXPECT_EQ(steps.metrics().false_touchdowns, 0);
+}
+
+TEST(TouchdownJudge, LateIsMoreThan30Milliseconds) {
+  Steps steps;
+  for (const int ticks : {12, 13, 5}) {  // of 2.5 ms
+    steps.ticks(100, false, false);
+    steps.ticks(ticks, true, false);
+    steps.ticks(40, true, true);
+  }
+  EXPECT_EQ(steps.metrics().touchdowns_noticed, 3);
+  EXPECT_EQ(steps.metrics().touchdowns_late, 1);
 }
 
 TEST(TouchdownJudge, AFootInTheAirThatIsBelievedToStandIsAFalseTouchdown) {
@@ -102,6 +115,7 @@ TEST(TouchdownJudge, AFootInTheAirThatIsBelievedToStandIsAFalseTouchdown) {
   steps.ticks(100, false, false);
   steps.tick(false, true);
   EXPECT_EQ(steps.metrics().false_touchdowns, 1);
+  EXPECT_EQ(steps.metrics().touchdowns_noticed, 0);
   EXPECT_TRUE(std::isnan(steps.metrics().touchdown_latency_p95_s));
 }
 
