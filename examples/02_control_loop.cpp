@@ -1,6 +1,6 @@
-// The control loop: ten simulated seconds, in which the robot turns on the spot to find its IMU's
-// biases and begins to walk, and how far its believed velocity was off. On a robot, your RobotPort
-// takes the plant's place.
+// The control loop: fifteen simulated seconds, in which the robot turns on the spot to find its
+// IMU's biases and begins to walk, and how far its believed velocity was off. On a robot, your
+// RobotPort takes the plant's place.
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
 #include "surefoot/estimation/leg_inertial_estimator.hpp"

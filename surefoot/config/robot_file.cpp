@@ -32,14 +32,25 @@ void read_per_joint(Section& section, const char* key, JointVector& value) {
   value = joints.replicate<kNumLegs, 1>();
 }
 
+/// One number for all joints, or those of HAA, HFE and KFE.
+void read_drive_limit(Section& limits, const char* key, JointVector& value) {
+  const ConfigNode* given = limits.node(key);
+  Vec3 joints = Vec3::Zero();
+  if (given != nullptr && given->kind == ConfigNode::Kind::scalar) {
+    limits.number(key, joints[0], kPositive);
+    joints.setConstant(joints[0]);
+  } else {
+    limits.elements(key, joints.data(), {"HAA", "HFE", "KFE"}, kPositive);
+    if ((joints.array() <= 0.0).any()) limits.fail(key, "does not tell all of HAA, HFE and KFE");
+  }
+  value = joints.replicate<kNumLegs, 1>();
+}
+
 void read_limits(Section& limits, RobotDescription& robot) {
   for (const char* key : {"torque", "velocity", "position_min", "position_max"})
     limits.require(key);
-  double torque = 0.0, velocity = 0.0;
-  limits.number("torque", torque, kPositive);
-  limits.number("velocity", velocity, kPositive);
-  robot.torque_limit.setConstant(torque);
-  robot.velocity_limit.setConstant(velocity);
+  read_drive_limit(limits, "torque", robot.torque_limit);
+  read_drive_limit(limits, "velocity", robot.velocity_limit);
   read_per_joint(limits, "position_min", robot.q_min);
   read_per_joint(limits, "position_max", robot.q_max);
   if ((robot.q_min.array() >= robot.q_max.array()).any()) {

@@ -100,6 +100,25 @@ TEST_F(RobotFile, with_a_misspelt_key_says_so) {
   EXPECT_TRUE(holds(complaint(), "did you mean \"limits\"?"));
 }
 
+TEST_F(RobotFile, may_have_drives_that_differ_along_a_leg) {
+  change(text_, "torque: 40.0", "torque: [30, 35.5, 50]");
+  change(text_, "velocity: ", "velocity: {KFE: 9, HAA: 12, HFE: 11}  # ");
+  test::write_file(folder_ / "robot.yaml", text_);
+  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  EXPECT_EQ(robot.torque_limit, Vec3(30.0, 35.5, 50.0).replicate(4, 1));
+  EXPECT_EQ(robot.velocity_limit, Vec3(12.0, 11.0, 9.0).replicate(4, 1));
+}
+
+TEST_F(RobotFile, whose_drives_are_told_in_part_says_so) {
+  for (const char* limits :
+       {"torque: {HAA: 40, KFE: 40}", "torque: [40, 40]", "torque: [40, -1, 40]"}) {
+    const std::string before = text_;
+    change(text_, "torque: 40.0", limits);
+    EXPECT_TRUE(holds(complaint(), "limits.torque")) << limits;
+    text_ = before;
+  }
+}
+
 TEST_F(RobotFile, with_limits_upside_down_says_so) {
   change(text_, "position_max: [1.2", "position_max: [-1.3");
   EXPECT_TRUE(holds(complaint(), "limits.position_max"));
