@@ -6,9 +6,9 @@
 A line a scenario: successes of runs with Wilson's 95 % interval; the worst tick's COM error of a run that succeeds
 (median, 90th percentile, worst run); false touchdowns of steps, of all runs; the largest change of a torque in a tick
 (median, 90th percentile, worst run). Another: the 95th percentile of a walk's touchdown latencies (median walk, share of
-the walks within 30 ms, share of all touchdowns within 30 ms); contacts that a standing foot lost, how many were noticed, missed, and told where there were
-none, and how late; slips likewise. Then the seeds that failed. With --keep the runs are written to a file, shortened to the columns
-that the documents speak of and to five digits.
+the walks within 30 ms, share of all touchdowns within 30 ms); contacts that a standing foot lost, how many were
+detected, missed, and reported where there were none, and how late; slips likewise. Then the seeds that failed. With
+--keep the runs are written to a file, shortened to the columns that the documents speak of and to five digits.
 """
 
 import argparse
@@ -20,7 +20,10 @@ import sys
 from surefoot_campaign.statistics import Rate, quantile
 
 HEAD = "| scenario | succeed (95 % interval) | COM error [mm] | false touchdowns | torque step [N·m] |"
-CONTACTS = "| scenario | touchdown latency [ms] | contact lost: noticed, missed, false | latency [ms] | slips: told, missed, false |"
+CONTACTS = (
+    "| scenario | touchdown: latency [ms], walks, touchdowns within 30 ms | contact lost: detected, missed, false | latency [ms] "
+    "| slips: detected, missed, false |"
+)
 KEPT = (
     "scenario seed version outcome reason missed com_error_max_m velocity_error_rms_mps tilt_error_rms_rad "
     "position_drift_m distance_m touchdown_latency_p95_s touchdowns_noticed touchdowns_late false_touchdowns steps_taken "

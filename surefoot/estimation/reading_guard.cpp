@@ -91,6 +91,9 @@ void ReadingGuard::take(Instrument& instrument, const Vec3& raw, double range, d
 }
 
 void ReadingGuard::describe(const SensorReading& reading) {
+  repaired_.encoder_time = encoder_watch_.given_time();
+  repaired_.torque_time = torque_watch_.given_time();
+  repaired_.imu_time = imu_watch_.given_time();
   repaired_.q = angles_.repaired();
   repaired_.torque = torques_.repaired();
   repaired_.gyro = gyro_.values.repaired();

@@ -25,7 +25,7 @@ class ReadingGuard {
 
   /// False where the reading's clock was such.
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
-  /// The reading with what is filled in.
+  /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
   /// The same, but with NaN in the place of joint angles that are at fault.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }

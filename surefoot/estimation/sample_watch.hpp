@@ -28,6 +28,8 @@ class SampleWatch {
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Of the newest sample [s].
   [[nodiscard]] double sample_time() const { return sample_time_; }
+  /// Of this tick's, as it is believed [s].
+  [[nodiscard]] double given_time() const { return given_time_; }
   /// How long new samples have been older than `max_delay` [s].
   [[nodiscard]] double delayed_for() const { return delayed_for_; }
   /// Of what is believed at this tick: how old the newest sample is, or, where the next is overdue

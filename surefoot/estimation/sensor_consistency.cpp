@@ -1,7 +1,5 @@
 #include "surefoot/estimation/sensor_consistency.hpp"
 
-#include "surefoot/estimation/sample_watch.hpp"
-
 #include <cmath>
 
 namespace surefoot {
@@ -11,14 +9,6 @@ void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
 
-/// With the sample times that are believed.
-SensorReading timed(const SensorReading& given) {
-  SensorReading reading = given;
-  for (double* sample : {&reading.encoder_time, &reading.torque_time, &reading.imu_time})
-    *sample = believed_sample_time(*sample, reading.time);
-  return reading;
-}
-
 }  // namespace
 
 void SensorConsistency::forget() noexcept {
@@ -26,10 +16,9 @@ void SensorConsistency::forget() noexcept {
   torques_.forget();
 }
 
-void SensorConsistency::update(const SensorReading& given, const ConsistencyInputs& known,
+void SensorConsistency::update(const SensorReading& reading, const ConsistencyInputs& known,
                                SensorHealth& health) noexcept {
   if (!enabled_) return;
-  const SensorReading reading = timed(given);
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
   // What is filled in says nothing.

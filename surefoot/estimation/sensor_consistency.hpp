@@ -28,8 +28,8 @@ class SensorConsistency {
         frozen_(options.frozen, period),
         torques_(options.torques, period) {}
 
-  /// One tick, with the reading as it is used. What contradicts the others is written into
-  /// `health`, where nothing worse is known of it.
+  /// One tick, with the reading as `ReadingGuard` repairs it. What contradicts the others is
+  /// written into `health`, where nothing worse is known of it.
   void update(const SensorReading& reading, const ConsistencyInputs& known,
               SensorHealth& health) noexcept;
   /// The legs are found to be other than was believed: what was held against them says nothing.

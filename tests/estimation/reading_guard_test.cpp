@@ -244,6 +244,20 @@ TEST(ReadingGuard, WhatTheRobotDoesNotHaveHasNoAge) {
   EXPECT_EQ(robot.guard.health().encoders.age, 0.0);
 }
 
+TEST(ReadingGuard, ASampleTimeThatIsNoneOrAheadIsThatOfTheReading) {
+  Swinging robot;
+  for (const double told : {kNaN, 1e3}) {
+    robot.tick([&](SensorReading& reading) {
+      reading.encoder_time = reading.torque_time = reading.imu_time = told;
+    });
+    const SensorReading& used = robot.guard.repaired();
+    EXPECT_EQ(used.encoder_time, used.time);
+    EXPECT_EQ(used.torque_time, used.time);
+    EXPECT_EQ(used.imu_time, used.time);
+    EXPECT_TRUE(robot.is_well());
+  }
+}
+
 TEST(ReadingGuard, AClockThatLeapsChangesNothing) {
   Swinging robot;
   robot.run(100);

@@ -30,8 +30,7 @@ struct Standing {
   }
   void tick() {
     state.time = reading.time = kPeriod * ++ticks;
-    const double sampled = has_times ? reading.time : kNaN;
-    reading.encoder_time = reading.torque_time = reading.imu_time = sampled;
+    reading.encoder_time = reading.torque_time = reading.imu_time = reading.time;
     reading.q = state.q;
     if (!torques_stay) {
       for (double& torque : reading.torque) torque = 10.0 + random.uniform(-0.2, 0.2);
@@ -74,7 +73,7 @@ struct Standing {
   JointVector torque_error = JointVector::Zero();
   double command = 10.0;  // [N·m]
   bool is_imu_late = false, are_encoders_late = false, torques_are_none = false;
-  bool torques_stay = false, has_times = true;
+  bool torques_stay = false;
   int ticks = 0;
 };
 
@@ -94,16 +93,6 @@ TEST(SensorConsistency, AnAccelerometerThatDoesNotFitTheFeetIsALostImu) {
   EXPECT_EQ(robot.health.imu.fault, SampleFault::contradicts);
   EXPECT_GT(robot.health.imu.age, 0.02) << "beyond what is bridged";
   EXPECT_EQ(robot.health.imu.joint, -1);
-}
-
-TEST(SensorConsistency, WithoutSampleTimesEachTickHasItsSamples) {
-  Standing robot;
-  robot.has_times = false;
-  robot.run(0.5);
-  EXPECT_TRUE(robot.is_well());
-  robot.accelerometer_error = {0.0, 3.0, 0.0};
-  robot.run(0.2);
-  EXPECT_EQ(robot.health.imu.fault, SampleFault::contradicts);
 }
 
 TEST(SensorConsistency, TorquesThatWereNotCommandedAreFoundAndTheOnlyJointIsNamed) {
