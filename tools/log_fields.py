@@ -12,6 +12,8 @@ Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a te
 holds for all fields, and what the topics are for, stands in [log.md](log.md). `<leg>` is LF, RF, LH or RH; `[]` are the
 elements of a list.
 """
+EVENTS = """What `event` says; the names stand in `header.json`, too, as `event_names`:
+"""
 LEGS = {"LF", "RF", "LH", "RH"}
 UNIT = re.compile(r"\s*\[([^\]]*)\]")
 
@@ -61,6 +63,11 @@ def table(schema):
     return "\n".join(lines)
 
 
+def events(names):
+    lines = ["| `event` | |", "|---|---|"]
+    return "\n".join(lines + [f"| {code} | {name} |" for code, name in enumerate(names)])
+
+
 def document(path):
     with open(path, "rb") as file:
         reader = make_reader(file)
@@ -70,6 +77,8 @@ def document(path):
     for channel in summary.channels.values():
         schema = summary.schemas[channel.schema_id]
         parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{table(json.loads(schema.data))}\n")
+        if channel.topic == "/plan":
+            parts.append(f"{EVENTS}\n{events(header['event_names'])}\n")
     return "\n".join(parts)
 
 

@@ -21,7 +21,8 @@ Loop::Loop(const Scenario& scenario)
                                                        plant_, scenario.estimator})) {}
 
 PlanEvent Loop::tick() {
-  const SensorReading& reading = plant_.read();
+  SensorReading reading = plant_.read();
+  if (!has_sample_times_) reading.encoder_time = reading.torque_time = reading.imu_time = kNaN;
   const UserCommand& user = scenario_.user(reading.time);
   const MallocCounter counter;
   const JointCommand& command = controller_.step(reading, user);

@@ -21,6 +21,8 @@ class Loop {
  public:
   explicit Loop(const Scenario& scenario);
 
+  /// From now on the robot does not say when its samples were taken.
+  void take_sample_times_away() { has_sample_times_ = false; }
   /// One tick; returns its event.
   PlanEvent tick();
   /// Until the time, or until `stop` says so.
@@ -39,6 +41,7 @@ class Loop {
   Scenario scenario_;
   Plant plant_;
   Controller controller_;
+  bool has_sample_times_ = true;
   std::vector<PlanEvent> events_;
   std::size_t allocations_ = 0;
   double last_allocation_ = 0.0;  // [s]

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace surefoot {
@@ -113,6 +114,22 @@ TEST(SensorConsistencyInWalks, ChangesNoTorqueWhileSensorsAreHonest) {
     }
     EXPECT_EQ(with.record().command.cause, StopCause::none);
     EXPECT_EQ(with.allocations(), 0U) << with.last_allocation();
+  }
+}
+
+TEST(SensorConsistencyInWalks, LiesAreFoundOnARobotThatGivesNoSampleTimesToo) {
+  for (const auto& [fault, cause, latest] :
+       {std::tuple("sensor: accelerometer, kind: jump, size: 30", StopCause::imu, 0.05),
+        std::tuple("sensor: joint_torques, kind: jump, size: -20", StopCause::joint_torques,
+                   0.3)}) {
+    Loop loop(scenario("walk_flat", walk(fault)));
+    loop.take_sample_times_away();
+    loop.run_until(kFaultTime);
+    ASSERT_EQ(loop.record().command.cause, StopCause::none) << "honest until then";
+    loop.run_until(kFaultTime + latest);
+    EXPECT_EQ(loop.record().command.mode, CommandMode::sit) << fault;
+    EXPECT_EQ(loop.record().command.cause, cause);
+    EXPECT_EQ(loop.record().command.fault, SampleFault::contradicts);
   }
 }
 
