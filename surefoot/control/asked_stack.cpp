@@ -4,11 +4,12 @@
 
 namespace surefoot {
 
-// The lying posture is of no use: where no sensor is said to be at fault, no ladder leads to `sit`.
+// Lying posture and period are of no use: where no sensor is said to be at fault, no ladder leads
+// to `sit`, and every state that is asked has its time.
 AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
                        const SafetyOptions& safety, const RobotDescription& robot)
     : solved_(stack, solver, robot),
-      ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero()),
+      ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero(), 0.0),
       ladder_(ladder_at_start_) {
   at_rest_.before.set();
   at_rest_.after.set();

@@ -95,7 +95,7 @@ struct Controller::Implementation {
         solved(std::make_unique<SolvedStack>(options.stack, options.solver, robot)),
         switcher(options.stack, options.level_switches),
         safety(options.safety, robot, solved->stack.first_free_level(),
-               lying_posture(model, options.safety.sit_height)) {}
+               lying_posture(model, options.safety.sit_height), options.period) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   [[nodiscard]] bool estimate() noexcept;
@@ -167,7 +167,7 @@ bool Controller::Implementation::estimate() noexcept {
   record.health = guard.health();
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
-    record.state.q = reading.q;  // for the safe commands: what the joints do now
+    record.state.q = guard.measured().q;  // for the safe commands: what the joints do now
     record.state.qd = joint_velocity = contact_force.observe(guard.measured(), guard.torque_lag());
     return false;
   }

@@ -48,19 +48,20 @@ double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
 }  // namespace
 
 Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
-               const JointVector& lying)
+               const JointVector& lying, double period)
     : options_(options),
       torque_limit_(robot.torque_limit),
       hold_kp_(robot.hold_kp),
       hold_kd_(robot.hold_kd),
       damping_kd_(robot.damping_kd),
+      period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {}
 
 const JointCommand& Safety::command(const RobotState& state, const Solution* solution,
                                     const SensorHealth& health) noexcept {
   const JointVector before = command_.torque;
-  command_.time = std::isfinite(state.time) ? state.time : command_.time;
+  command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(solution);
   failures_ = good ? 0 : failures_ + 1;
   look_for_a_stop(state, health);

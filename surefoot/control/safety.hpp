@@ -33,11 +33,12 @@ namespace surefoot {
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
-  /// `sit` leads [rad].
+  /// `sit` leads [rad]. `period` of the control loop [s].
   Safety(const SafetyOptions& options, const RobotDescription& robot, int first_free_level,
-         const JointVector& lying);
+         const JointVector& lying, double period);
 
-  /// `state` may hold NaN; `solution` is null where the tick could not come to solve.
+  /// `state` may hold NaN, and without a time a period has gone by; `solution` is null where the
+  /// tick could not come to solve.
   [[nodiscard]] const JointCommand& command(const RobotState& state, const Solution* solution,
                                             const SensorHealth& health = {}) noexcept;
 
@@ -71,6 +72,7 @@ class Safety {
   SafetyOptions options_;
   JointVector torque_limit_;
   double hold_kp_, hold_kd_, damping_kd_;
+  double period_;
   int first_free_level_;
   JointVector lying_q_;
   int failures_ = 0;

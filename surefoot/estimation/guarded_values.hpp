@@ -41,6 +41,17 @@ class GuardedValues {
     }
   }
 
+  /// The values that can be by these limits, NaN in the place of others; they are no samples.
+  [[nodiscard]] Vector plausible(const Vector& raw, const Limits& limits) const noexcept {
+    Vector result = raw;
+    for (int i = 0; i < n; ++i) {
+      if (check(i, raw[i], limits.range[i], limits.tolerance[i]) != SampleFault::none) {
+        result[i] = kNaN;
+      }
+    }
+    return result;
+  }
+
   /// They were no samples since then.
   void forget_since(double time) noexcept { seen_ = seen_.cwiseMin(time); }
 

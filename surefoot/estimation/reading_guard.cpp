@@ -5,7 +5,8 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLostFactor = 5.0;  // of the patience, until any value is believed again
+constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
+constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
   JointVector result;
@@ -36,13 +37,15 @@ ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescri
 
 void ReadingGuard::update(const SensorReading& reading,
                           const JointVector& joint_velocity) noexcept {
-  const bool is_first = std::isnan(time_);
-  const double dt = is_first ? 0.0 : reading.time - time_;
-  const bool goes_on = is_first || dt > 0.0;  // a driver that is dead gives its last reading again
-  clock_is_right_ = std::isfinite(reading.time) && goes_on && dt <= kLongestReadingGap;
-  repaired_ = measured_ = reading;
-  if (!clock_is_right_) return;
+  clock_is_right_ = goes_on(reading.time);
+  if (!clock_is_right_) {
+    miss(reading);
+    return;
+  }
+  const double dt = std::isnan(time_) ? 0.0 : reading.time - time_;
   time_ = reading.time;
+  missed_ = 0;
+  repaired_ = measured_ = reading;
   encoder_watch_.update(time_, reading.encoder_time);
   torque_watch_.update(time_, reading.torque_time);
   imu_watch_.update(time_, reading.imu_time);
@@ -51,16 +54,47 @@ void ReadingGuard::update(const SensorReading& reading,
   describe(reading);
 }
 
+// A driver that is dead gives its last reading again; one wrong time is no reason to believe no
+// other after it.
+bool ReadingGuard::goes_on(double time) noexcept {
+  if (!std::isfinite(time)) return false;
+  if (std::isnan(time_)) return true;
+  const double dt = time - time_, since_leap = time - leapt_to_;
+  const double sure = kSurePeriods * period_;
+  const bool is_confirmed = since_leap > 0.0 && since_leap <= sure;
+  const bool is_right = dt > 0.0 && (dt <= sure || (is_confirmed && dt <= kLongestReadingGap));
+  leapt_to_ = is_right ? kNaN : time;
+  return is_right;
+}
+
+// While the last good angles will do nothing is measured; then it is better than nothing.
+void ReadingGuard::miss(const SensorReading& reading) noexcept {
+  ++missed_;
+  measured_ = repaired_;
+  measured_.time = kNaN;
+  if (missed_ * period_ > options_.patience) {
+    const JointVector unseen = encoder_age().cwiseMax(0.0).array() + missed_ * period_;
+    measured_.q = angles_.plausible(reading.q, angle_limits(unseen));
+  } else {
+    measured_.q.setConstant(kNaN);
+  }
+  for (GroupHealth* group : {&health_.encoders, &health_.joint_torques, &health_.imu}) {
+    *group = {.fault = SampleFault::silent, .age = group->age + period_};
+  }
+}
+
+GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
+  return {.range = JointVector::Constant(options_.max_angle),
+          .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
+                       JointVector::Constant(options_.angle_margin)};
+}
+
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
                                double dt) {
   const double lost = kLostFactor * options_.patience;
   angles_.move(dt * limited(joint_velocity, velocity_limit_));
-  const JointVector unseen = encoder_age().cwiseMax(0.0);
   angles_.take(reading.q, encoder_watch_.fault(), encoder_watch_,
-               {.range = JointVector::Constant(options_.max_angle),
-                .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
-                             JointVector::Constant(options_.angle_margin)},
-               lost);
+               angle_limits(encoder_age().cwiseMax(0.0)), lost);
   torques_.take(reading.torque, torque_watch_.fault(), torque_watch_,
                 {.range = options_.max_torque * torque_limit_,
                  .tolerance = options_.max_torque_step * torque_limit_},

@@ -20,14 +20,18 @@ class ReadingGuard {
   ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot, double period);
 
   /// One tick. `joint_velocity` is that of the last one [rad/s]. A reading whose clock is not a
-  /// number, goes back, or leaps by more than a second changes nothing and passes as it is.
+  /// number, stands still, goes back, or leaps by more than a second brings no samples: all
+  /// sensors are silent. So does the first after a leap of more than 4 periods, which is believed
+  /// when the next goes on from there.
   void update(const SensorReading& reading, const JointVector& joint_velocity) noexcept;
 
   /// False where the reading's clock was such.
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
-  /// The same, but with NaN in the place of joint angles that are at fault.
+  /// The same, but with NaN in the place of joint angles that are at fault. Where the clock is
+  /// wrong it has no time and no angles, or, when that lasts longer than `patience`, those of the
+  /// reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
   [[nodiscard]] const SensorHealth& health() const { return health_; }
   /// Time since each joint's last good angle [s].
@@ -47,6 +51,9 @@ class ReadingGuard {
     int repeats = 0;
   };
 
+  [[nodiscard]] bool goes_on(double time) noexcept;
+  void miss(const SensorReading& reading) noexcept;
+  [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
   void take_imu(const SensorReading& reading);
   void take(Instrument& instrument, const Vec3& raw, double range, double tolerance);
@@ -59,6 +66,8 @@ class ReadingGuard {
   GuardedValues<kNumJoints> angles_, torques_;
   Instrument gyro_, accelerometer_;
   double time_ = kNaN;
+  double leapt_to_ = kNaN;  // by the clock of the reading before, if that was not believed [s]
+  int missed_ = 0;          // readings since the last that was
   bool clock_is_right_ = true;
   SensorReading repaired_, measured_;
   SensorHealth health_;

@@ -126,10 +126,45 @@ TEST(Controller, TheSameReadingOverAndOverIsNoNews) {
   statue.run(20);
   EXPECT_EQ(statue.controller.step(statue.reading, statue.user).mode, CommandMode::hold);
   EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
-  for (int i = 0; i <= SafetyOptions{}.damp_after_failures; ++i) {
-    ASSERT_NO_FATAL_FAILURE(expect_legal(statue.controller.step(statue.reading, statue.user)));
+  JointVector before = statue.controller.record().command.torque;
+  for (int i = 1; i <= 9; ++i) {
+    const JointCommand& command = statue.controller.step(statue.reading, statue.user);
+    ASSERT_EQ(command.mode, i <= 8 ? CommandMode::hold : CommandMode::damping) << i;
+    ASSERT_LT((command.torque - before).norm(), 1.0) << "its torques fade";
+    before = command.torque;
   }
-  EXPECT_EQ(statue.controller.step(statue.reading, statue.user).mode, CommandMode::damping);
+  const JointCommand& command = statue.controller.record().command;
+  EXPECT_EQ(command.cause, StopCause::encoders);
+  EXPECT_EQ(command.fault, SampleFault::silent);
+  EXPECT_EQ(statue.tick().mode, CommandMode::damping) << "latched";
+}
+
+TEST(Controller, AnEmptyReadingLeavesNoTrace) {
+  Statue statue, other;
+  statue.run(20);
+  other.run(21);
+  JointVector before = statue.controller.record().command.torque;
+  SensorReading empty;
+  empty.time = empty.encoder_time = empty.torque_time = empty.imu_time = 0.0;
+  empty.q.setZero();
+  empty.torque.setZero();
+  empty.gyro.setZero();
+  empty.accelerometer.setZero();
+  const double most = SafetyOptions{}.max_torque_change + 1e-9;
+  EXPECT_LE((statue.controller.step(empty, {}).torque - before).cwiseAbs().maxCoeff(), most);
+  statue.state.time += statue.period;
+  for (int i = 0; i < 40; ++i) {
+    before = statue.controller.record().command.torque;
+    (void)statue.tick();
+    (void)other.tick();
+    const TickRecord& record = statue.controller.record();
+    ASSERT_EQ(record.command.mode, CommandMode::optimal);
+    ASSERT_LE((record.command.torque - before).cwiseAbs().maxCoeff(), most);
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      const Vec3& usual = other.controller.record().state.foot_force[k];
+      ASSERT_LT((record.state.foot_force[k] - usual).norm(), 20.0) << i;
+    }
+  }
 }
 
 TEST(Controller, WithoutAClockItDampsTheJointsAsTheyMoveNow) {

@@ -48,7 +48,7 @@ struct Stage {
     return safety.command(state, nullptr, health);
   }
 
-  Safety safety{{}, anymal_b(), 4, lying()};
+  Safety safety{{}, anymal_b(), 4, lying(), kPeriod};
   RobotState state;
   Solution solution;
   int ticks = 0;
@@ -109,6 +109,22 @@ TEST(SafetyOfSensors, WithoutEncodersOfOneLegTheOtherJointsSitDown) {
   EXPECT_GT(std::abs(before[1] - 10.0), 1.0) << "its leg goes down with the others";
   (void)stage.tick(health);
   EXPECT_EQ(stage.tick(health).mode, CommandMode::damping);
+}
+
+TEST(SafetyOfSensors, SittingDownEndsWithoutAClockToo) {
+  Stage stage, other;
+  for (Stage* one : {&stage, &other}) {
+    (void)one->tick();
+    (void)one->tick(failing(&SensorHealth::imu, 0.03));
+  }
+  for (int i = 0; i < 799; ++i) {
+    stage.state.time = kNaN;
+    const JointCommand& command = stage.safety.command(stage.state, nullptr, {});
+    ASSERT_EQ(command.mode, CommandMode::sit);
+    ASSERT_LT((command.torque - other.tick().torque).norm(), 1e-6) << "as with one";
+  }
+  for (int i = 0; i < 2; ++i) (void)stage.safety.command(stage.state, nullptr, {});
+  EXPECT_EQ(stage.safety.command(stage.state, nullptr, {}).mode, CommandMode::damping);
 }
 
 TEST(SafetyOfSensors, TheLastTorquesFadeSoonWhereASensorLied) {

@@ -18,6 +18,7 @@ using test::anymal_b;
 using test::RandomMatrices;
 
 constexpr int kFirstFreeLevel = 4;
+constexpr double kPeriod = 0.0025;  // [s]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLimit = 40.0;  // of every joint of the robot [N·m]
 
@@ -58,7 +59,7 @@ Solution solved(const JointVector& torque, SolveStatus status = SolveStatus::opt
 JointVector lying() { return 2.5 * anymal_b().q_nominal; }
 
 Safety make_safety(const SafetyOptions& options = {}) {
-  return Safety(options, anymal_b(), kFirstFreeLevel, lying());
+  return Safety(options, anymal_b(), kFirstFreeLevel, lying(), kPeriod);
 }
 
 void expect_legal(const JointCommand& command) {
@@ -217,19 +218,19 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
 TEST(Safety, ClipsEveryJointToItsOwnLimit) {
   RobotDescription robot = anymal_b();
   robot.torque_limit = JointVector::LinSpaced(kNumJoints, 1.0, 12.0);
-  Safety safety({}, robot, kFirstFreeLevel, lying());
+  Safety safety({}, robot, kFirstFreeLevel, lying(), kPeriod);
   const Solution strong = solved(JointVector::Constant(-1e3));
   EXPECT_EQ(safety.command(standing(), &strong).torque, -robot.torque_limit);
 }
 
-TEST(Safety, AStateOfNaNGivesAFiniteCommandAndKeepsTheLastTime) {
+TEST(Safety, AStateOfNaNGivesAFiniteCommandOneTickLater) {
   Safety safety = make_safety();
   const Solution good = solved(torques());
   (void)safety.command(standing(3.5), &good);
   const JointCommand command = safety.command(RobotState{}, nullptr);
   expect_legal(command);
   EXPECT_EQ(command.mode, CommandMode::hold);
-  EXPECT_EQ(command.time, 3.5);
+  EXPECT_EQ(command.time, 3.5 + kPeriod);
   EXPECT_EQ(command.torque, torques()) << "what is not measured adds nothing";
 }
 

@@ -261,13 +261,81 @@ TEST(ReadingGuard, ASampleTimeThatIsNoneOrAheadIsThatOfTheReading) {
 TEST(ReadingGuard, AClockThatLeapsChangesNothing) {
   Swinging robot;
   robot.run(100);
-  for (const double leap : {1e6, -1e6, 5.0, kNaN}) {
+  for (const double leap : {1e6, -1e6, 5.0, 0.5, 0.02, -0.02, kNaN}) {
     robot.tick([&](SensorReading& reading) { reading.time += leap; });
-    EXPECT_FALSE(robot.guard.clock_is_right());
+    EXPECT_FALSE(robot.guard.clock_is_right()) << leap;
     robot.run(1);
     EXPECT_TRUE(robot.is_well());
     EXPECT_EQ(robot.guard.repaired().q, robot.angle(robot.time));
   }
+}
+
+TEST(ReadingGuard, ATickOrTwoThatWereMissedAreNoLeap) {
+  Swinging robot;
+  robot.run(100);
+  for (const int missed : {1, 2, 3}) {
+    robot.ticks += missed;
+    robot.run(1);
+    EXPECT_TRUE(robot.guard.clock_is_right()) << missed;
+  }
+}
+
+TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
+  for (const auto& [pause, is_believed] : {std::pair(0.3, true), std::pair(1.3, false)}) {
+    Swinging robot;
+    robot.run(100);
+    robot.ticks += static_cast<int>(std::round(pause / kPeriod));
+    robot.run(1);
+    EXPECT_FALSE(robot.guard.clock_is_right());
+    for (int i = 0; i < 20; ++i) {
+      robot.run(1);
+      ASSERT_EQ(robot.guard.clock_is_right(), is_believed) << pause;
+    }
+  }
+}
+
+TEST(ReadingGuard, WithoutAClockAllSensorsAreSilent) {
+  Swinging robot;
+  robot.run(100);
+  SensorReading dead = robot.guard.repaired();
+  for (const double clock : {dead.time, kNaN, -3.0}) {
+    dead.time = clock;
+    for (int i = 1; i <= 9; ++i) {
+      robot.guard.update(dead, JointVector::Zero());
+      const SensorHealth& health = robot.guard.health();
+      for (const GroupHealth& group : {health.encoders, health.joint_torques, health.imu}) {
+        EXPECT_EQ(group.fault, SampleFault::silent);
+        EXPECT_NEAR(group.age, i * kPeriod, 1e-12);
+        EXPECT_EQ(group.joint, -1);
+      }
+    }
+    robot.run(1);
+    EXPECT_TRUE(robot.is_well());
+    EXPECT_EQ(robot.guard.health().imu.age, 0.0);
+  }
+}
+
+TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {
+  Swinging robot;
+  robot.run(100);
+  SensorReading reading = robot.guard.repaired();
+  const JointVector before = reading.q;
+  reading.time = 0.0;
+  reading.q[4] += 0.01;
+  reading.q[kKnee] = 0.0;
+  reading.q[7] = kNaN;
+  reading.gyro.setConstant(1e9);
+  for (int i = 1; i <= 8; ++i) {
+    robot.guard.update(reading, JointVector::Zero());
+    EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all()) << "bridged";
+  }
+  robot.guard.update(reading, JointVector::Zero());
+  const SensorReading& measured = robot.guard.measured();
+  EXPECT_TRUE(std::isnan(measured.time));
+  EXPECT_EQ(measured.q[4], before[4] + 0.01);
+  EXPECT_TRUE(std::isnan(measured.q[kKnee]));
+  EXPECT_TRUE(std::isnan(measured.q[7]));
+  EXPECT_LT(measured.gyro.norm(), 2.0);
 }
 
 TEST(ReadingGuard, AllocatesNothing) {
