@@ -86,18 +86,27 @@ def description(run, spec):
     return " ".join([run.scenario, *values, f"seed {run.seed}"])
 
 
-def check_unchanged(run, row):
-    found = (row["result"] or {}).get("sources_hash", run.sources_hash)
-    if found != run.sources_hash:
+def sources_hash_now(run, row, program):
+    """Of the scenario's files as they were when it ran; None if they are no scenario any more."""
+    if row["result"] is not None:
+        return row["result"]["sources_hash"]
+    try:
+        return program.check(run.file, run.parameters).sources_hash
+    except InputError:
+        return None
+
+
+def check_unchanged(run, row, program):
+    if sources_hash_now(run, row, program) != run.sources_hash:
         raise InputError(
             f"a file of the scenario {run.scenario} (its own, a base, stack, robot or URDF) changed while the campaign ran; "
             "rows so far are kept and belong to the files as they were; start again for the new ones"
         )
 
 
-def run_missing(plan, missing, scheduler, journal, command_path):
+def run_missing(plan, missing, scheduler, journal, program):
     """Runs what has no row yet. Returns how many were ended from outside, so that they still have none."""
-    tasks = {run.id: Task(run.id, [str(command_path), *arguments_of(run.file, run.seed, run.parameters), "--json"],
+    tasks = {run.id: Task(run.id, [str(program.path), *arguments_of(run.file, run.seed, run.parameters), "--json"],
                           plan.spec.timeout) for run in missing}  # fmt: skip
     of_id = {run.id: run for run in missing}
     progress = Progress(plan.spec.name, len(plan.runs) - len(missing), len(plan.runs))
@@ -110,7 +119,7 @@ def run_missing(plan, missing, scheduler, journal, command_path):
                     ended += 1
                     continue
                 row = row_of(plan.spec.name, run, tasks[run.id], result)
-                check_unchanged(run, row)
+                check_unchanged(run, row, program)
                 journal.append(row)
                 progress.update()
                 if row["outcome"] in BROKEN:
@@ -153,7 +162,7 @@ def make_campaign(plan, program, arguments, folder, typed):
         copy = program.copied_to(folder / "program")
         trouble = None
         try:
-            ended = run_missing(plan, missing, scheduler, journal, copy.absolute())
+            ended = run_missing(plan, missing, scheduler, journal, Program(copy.absolute()))
             if ended:
                 trouble = f"{ended} runs were ended from outside"
         except KeyboardInterrupt:

@@ -5,7 +5,9 @@ import os
 
 import ray
 
-from surefoot_campaign.scheduler import run_one
+from surefoot_campaign.scheduler import Result, run_one
+
+LOST = 255  # the status of a task whose worker did not come back
 
 
 class RayScheduler:
@@ -17,12 +19,21 @@ class RayScheduler:
             ray.init(runtime_env={"env_vars": {"PYTHONPATH": os.environ.get("PYTHONPATH", "")}})
         remote = ray.remote(num_cpus=1, max_retries=2)(run_one)  # again where a machine was lost
         tasks = iter(tasks)
-        running = [remote.remote(task) for task in itertools.islice(tasks, self.jobs)]
+        running = {remote.remote(task): task for task in itertools.islice(tasks, self.jobs)}
         try:
             while running:
-                done, running = ray.wait(running, num_returns=1)
-                running += [remote.remote(task) for task in itertools.islice(tasks, 1)]
-                yield ray.get(done[0])
+                done = ray.wait(list(running), num_returns=1)[0][0]
+                task = running.pop(done)
+                running |= {remote.remote(task): task for task in itertools.islice(tasks, 1)}
+                yield result_of(task, done)
         finally:
-            for task in running:
-                ray.cancel(task, force=True)
+            for reference in running:
+                ray.cancel(reference, force=True)
+
+
+def result_of(task, reference):
+    try:
+        return ray.get(reference)
+    except ray.exceptions.RayError as error:
+        words = str(error).strip().splitlines() or [type(error).__name__]
+        return Result(task.id, LOST, False, "", f"lost by Ray: {words[0]}", 0.0)

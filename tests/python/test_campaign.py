@@ -276,6 +276,18 @@ def test_a_file_that_changes_while_the_campaign_runs_ends_it(folder):
     assert found["runs"]["finished"] == 20 and len(folder.rows()) == kept + 20  # no row of before counts
 
 
+def test_a_file_that_is_no_scenario_any_more_ends_the_campaign_too(folder):
+    (folder.path / "mine.yaml").write_text("before")
+    folder.write("scenario: mine.yaml\nseeds: {count: 20}\nset: {mode: slow}\n")
+    process = folder.start("--jobs", 1)
+    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
+        time.sleep(0.02)
+    (folder.path / "mine.yaml").unlink()
+    _, err = process.communicate(timeout=30)
+    assert process.returncode == 2 and "changed while the campaign ran" in err
+    assert {row["outcome"] for row in folder.rows()} <= {"succeeded", "failed"}
+
+
 def test_a_dry_run_lists_what_would_run_and_writes_nothing(folder):
     done = folder.run("--dry-run")
     lines = done.stdout.splitlines()

@@ -1,5 +1,6 @@
 """The parts of a campaign by themselves: specs that are refused, statistics, the journal, schedulers."""
 
+import functools
 import json
 import math
 import random
@@ -13,6 +14,7 @@ from campaign_folder import SPEC, CampaignFolder, is_running
 from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
+from surefoot_campaign.outcome import judge
 from surefoot_campaign.plots import curve_figure
 from surefoot_campaign.results import Record
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
@@ -192,7 +194,8 @@ class FakeRay(types.ModuleType):
     def __init__(self):
         super().__init__("ray")
         self.__spec__ = types.SimpleNamespace(name="ray")
-        self.most, self.cancelled, self.started = 0, [], False
+        self.most, self.cancelled, self.started, self.lost = 0, [], False, None
+        self.exceptions = types.SimpleNamespace(RayError=type("RayError", (Exception,), {}))
 
     def is_initialized(self):
         return self.started
@@ -201,15 +204,16 @@ class FakeRay(types.ModuleType):
         self.started = True
 
     def remote(self, **_):
-        return lambda function: types.SimpleNamespace(remote=lambda task: (function, task))
+        return lambda function: types.SimpleNamespace(remote=lambda task: functools.partial(function, task))
 
     def wait(self, running, num_returns):
         self.most = max(self.most, len(running))
         return running[-1:], running[:-1]
 
     def get(self, reference):
-        function, task = reference
-        return function(task)
+        if reference.args[0].id == self.lost:
+            raise self.exceptions.RayError("The worker died.\nIts node is gone.")
+        return reference()
 
     def cancel(self, reference, force):
         self.cancelled.append(reference)
@@ -243,6 +247,14 @@ def test_ray_has_as_many_tasks_at_once_as_jobs_and_cancels_them_when_it_is_left(
     next(running)
     running.close()
     assert ray.most == 2 and len(ray.cancelled) == 2
+
+
+def test_a_task_that_ray_lost_is_a_crash_and_the_others_go_on(ray):
+    ray.lost = TASKS[1].id
+    results = {result.id: result for result in make_scheduler("ray", 2).run(TASKS)}
+    assert len(results) == len(TASKS)
+    outcome, reason, _ = judge(TASKS[1], results[ray.lost])
+    assert outcome == "crashed" and reason == "exit code 255: lost by Ray: The worker died."
 
 
 def test_without_ray_its_scheduler_is_refused(monkeypatch):
