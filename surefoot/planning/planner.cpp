@@ -64,6 +64,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
   restarts_ = wants_calibration_ && event_ == PlanEvent::none && is_at_rest(state);
   if (restarts_) event_ = PlanEvent::calibration;
+  tell_limits();
   tell_calibration_waits();
   write_plan(user);
   return plan_;

@@ -55,6 +55,7 @@ class Planner {
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
   void note_calibration_wish(bool asked);
+  void tell_limits();
   void tell_calibration_waits();
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
@@ -74,8 +75,8 @@ class Planner {
   /// Of the gait's durations, longer where a foot has little friction: a factor.
   [[nodiscard]] double pace() const;
   void on_touchdown(Leg leg, const UserCommand& user, const Dynamics& dynamics);
-  /// A front foot's first touch: goes back or beyond. Returns false if this touch is the foothold.
-  bool continue_probe(Leg leg, const Vec3& p_WF);
+  /// A front foot's first touch: goes back or beyond.
+  void continue_probe(Leg leg, const Vec3& p_WF);
   void reach_beyond_edge(Leg leg, const UserCommand& user, const Dynamics& dynamics);
   void swing_again(Leg leg, const SwingTarget& target, const UserCommand& user,
                    const Dynamics& dynamics);
@@ -167,8 +168,8 @@ class Planner {
   PerLeg<Vec2> hips_{};         // about the torso's centre, in heading axes
   bool learns_ground_ = false;  // once more, as soon as the calibration is over
   bool initialised_ = false;
-  bool slowed_ = false;   // strides are too short for the commanded velocity
-  bool lowered_ = false;  // legs are too short for the commanded height
+  bool slows_ = false, slowed_ = false;    // strides too short for the velocity; that it was told
+  bool lowers_ = false, lowered_ = false;  // legs too short for the height; that it was told
   double time_ = 0.0;
   double initialised_at_ = 0.0;     // [s]
   bool asked_before_ = false;       // for a calibration, at the last tick

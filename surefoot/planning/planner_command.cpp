@@ -22,9 +22,7 @@ UserCommand Planner::within_strides(const UserCommand& user) {
     return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
   };
   const double share = user.walk ? feasible_share(cycle_duration()) : 1.0;
-  const bool slows = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
-  if (slows && !slowed_) event_ = PlanEvent::slowed;
-  slowed_ = slows;
+  slows_ = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
   UserCommand result = user;
   result.velocity *= share;
   result.yaw_rate *= share;
@@ -35,7 +33,7 @@ UserCommand Planner::within_strides(const UserCommand& user) {
 UserCommand Planner::within_height(const UserCommand& user) {
   UserCommand result = user;
   if (!(user.height > 0.0)) {
-    lowered_ = false;
+    lowers_ = false;
     return result;
   }
   UserCommand strides = user;
@@ -48,10 +46,9 @@ UserCommand Planner::within_height(const UserCommand& user) {
   const bool turns = calibrating() || wants_calibration_;
   const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
   if (user.height <= most) {
-    lowered_ = false;
-  } else if (!turns && !lowered_ && event_ == PlanEvent::none) {
-    event_ = PlanEvent::lowered;
-    lowered_ = true;
+    lowers_ = false;
+  } else if (!turns) {
+    lowers_ = true;
   }
   result.height = std::min(user.height, most);
   return result;
@@ -80,6 +77,20 @@ void Planner::note_calibration_wish(bool asked) {
     tells_wait_at_ = time_ + kPatience;
   }
   asked_before_ = asked;
+}
+
+// Once, at the first tick at which nothing else happens.
+void Planner::tell_limits() {
+  slowed_ = slowed_ && slows_;
+  lowered_ = lowered_ && lowers_;
+  if (event_ != PlanEvent::none) return;
+  if (slows_ && !slowed_) {
+    event_ = PlanEvent::slowed;
+    slowed_ = true;
+  } else if (lowers_ && !lowered_) {
+    event_ = PlanEvent::lowered;
+    lowered_ = true;
+  }
 }
 
 // Again and again, so that whoever asked sees why nothing happens.

@@ -24,7 +24,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const Dynamics& dynam
   const bool was_swinging = mode_ == Mode::swing && next_leg() == k;
   const bool is_picky = was_swinging && !emergency_;
   if (is_picky && touches_the_edge(p_WF)) return on_caught(k, user, dynamics);
-  if (is_picky && probing_ && continue_probe(k, p_WF)) return;
+  if (is_picky && probing_) return continue_probe(k, p_WF);
   if (is_picky && hit_above_known_ground(k, user, dynamics)) return;
   event_ = PlanEvent::touchdown;
   leg(k).plant(time_, p_WF);
@@ -38,7 +38,7 @@ void Planner::on_touchdown(Leg k, const UserCommand& user, const Dynamics& dynam
   replan_com(user, dynamics);
 }
 
-bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
+void Planner::continue_probe(Leg k, const Vec3& p_WF) {
   probing_ = false;
   const double from_last = std::abs(p_WF.z() - leg(k).foothold().z());
   const double from_plane = std::abs(p_WF.z() - plane_.height(p_WF.head<2>()));
@@ -51,7 +51,6 @@ bool Planner::continue_probe(Leg k, const Vec3& p_WF) {
   }
   event_ = same_ground ? PlanEvent::probe_same_ground : PlanEvent::probe_edge;
   leg(k).lift(time_, {p_WF, goal, plane_.normal, options_.probe.duration, options_.probe.lift});
-  return true;
 }
 
 // The foot stays in the air longer than the COM plan knows: a new plan, or the balance goes on

@@ -42,10 +42,21 @@ SupportRegion::SupportRegion(const PerLeg<Vec2>& feet, const PerLeg<double>& sha
   close();
 }
 
+// From where one foot carries to the middle of all feet: a direction that turns with them.
+Vec2 SupportRegion::inward() const {
+  Vec2 middle = Vec2::Zero(), carrying = Vec2::Zero();
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    middle += feet_[i] / kNumLegs;
+    if (share_[i] > kSmallShare) carrying = feet_[i];
+  }
+  const Vec2 way = middle - carrying;
+  return way.norm() > kCoincident ? way.normalized() : Vec2::UnitX();
+}
+
 // Feet in a line have edges along it only, and one foot has none: the ends are added.
 void SupportRegion::close() {
   const bool point = num_edges_ == 0;
-  const Vec2 normal = point ? Vec2::UnitX() : edge(0).normal;
+  const Vec2 normal = point ? inward() : edge(0).normal;
   const Vec2 along(-normal.y(), normal.x());
   for (int i = 0; i < num_edges_; ++i) {
     if (std::abs(along.dot(edge(i).normal)) > kParallel) return;

@@ -44,6 +44,7 @@ class SupportRegion {
   void add_edges_between(std::size_t i, std::size_t j);
   void add_edge(const Vec2& normal, double height);
   void close();
+  [[nodiscard]] Vec2 inward() const;
   [[nodiscard]] double support(const Vec2& normal) const;
 
   PerLeg<Vec2> feet_{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};

@@ -227,6 +227,22 @@ TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
   EXPECT_EQ(puppet.happenings(PlanEvent::lift_off_aborted).size(), 0u);
 }
 
+TEST(Planner, SaysThatItWalksSlowerWhereAFootComesDownAtThatTick) {
+  Puppet puppet = walker();
+  const auto comes_down = [&] {
+    return puppet.plan().event == static_cast<int>(PlanEvent::touchdown);
+  };
+  Puppet other = walker();
+  int ticks = 0;
+  for (; !comes_down(); ++ticks) puppet.tick();
+  for (int i = 0; i + 1 < ticks; ++i) other.tick();
+  other.user = walking(5.0);
+  other.tick();
+  ASSERT_EQ(other.plan().event, static_cast<int>(PlanEvent::touchdown));
+  other.tick();
+  EXPECT_EQ(other.plan().event, static_cast<int>(PlanEvent::slowed));
+}
+
 TEST(Planner, TheZmpNeverHasToLeaveTheSupportOfAWalkOnLevelGround) {
   Puppet puppet = walker();
   double slack = 0.0;

@@ -216,8 +216,27 @@ TEST(SupportRegion, OfOneFootIsItsPoint) {
   const Feet feet{Vec2(0.1, 0.2), Vec2(1.0, 0.0), Vec2(0.0, 1.0), Vec2(5.0, 6.0)};
   const SupportRegion region(feet, {0.8, 0.0, 0.0, 0.0});
   EXPECT_NEAR(region.margin(feet[0]), 0.0, 1e-12);
-  for (const Vec2& off : {Vec2(0.1, 0.0), Vec2(-0.1, 0.0), Vec2(0.0, 0.1), Vec2(0.0, -0.1)}) {
-    EXPECT_NEAR(region.margin(feet[0] + off), -0.1, 1e-12);
+  const Vec2 inward = (Vec2(6.1, 7.2) / 4.0 - feet[0]).normalized();
+  const Vec2 across(-inward.y(), inward.x());
+  for (const Vec2& off : {inward, across}) {
+    EXPECT_NEAR(region.margin(feet[0] + 0.1 * off), -0.1, 1e-12);
+    EXPECT_NEAR(region.margin(feet[0] - 0.1 * off), -0.1, 1e-12);
+  }
+}
+
+TEST(SupportRegion, TurnsWithTheFeet) {
+  RandomMatrices random(8);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Feet feet = random_stance(random);
+    Shares shares{};
+    for (double& share : shares) share = random.chance(0.5) ? 1.0 : 0.0;
+    if (shares == Shares{}) continue;
+    const Eigen::Rotation2Dd turn(random.uniform(-3.0, 3.0));
+    Feet turned;
+    for (std::size_t k = 0; k < kNumLegs; ++k) turned[k] = turn * feet[k];
+    const Vec2 p = random_point(random);
+    EXPECT_NEAR(SupportRegion(turned, shares).margin(turn * p),
+                SupportRegion(feet, shares).margin(p), 1e-12);
   }
 }
 
