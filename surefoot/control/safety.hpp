@@ -53,7 +53,6 @@ class Safety {
   [[nodiscard]] bool has_stopped() const { return is_sensor(command_.cause); }
 
  private:
-  [[nodiscard]] static bool is_sensor(StopCause cause) { return cause >= StopCause::encoders; }
   [[nodiscard]] bool is_good(const Solution* solution) const;
   void note_lame_joints(const RobotState& state, const SensorHealth& health);
   /// Can the robot sit down with the joints whose angles are known?

@@ -49,7 +49,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   add_progress(truth, tick);
   add_torques(truth, tick);
   add_body_contacts(truth);
-  check_fall(truth, tick.command.cause >= StopCause::encoders);
+  check_fall(truth, is_sensor(tick.command.cause));
   ++ticks_;
 }
 

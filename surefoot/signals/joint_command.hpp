@@ -23,6 +23,12 @@ enum class StopCause : int {
   imu = 5,
 };
 
+/// Was a sensor lost?
+[[nodiscard]] constexpr bool is_sensor(StopCause cause) {
+  return cause == StopCause::encoders || cause == StopCause::joint_torques ||
+         cause == StopCause::imu;
+}
+
 /// The sensors that a stop is because of; null: it is because of something else.
 [[nodiscard]] constexpr const GroupHealth* group_of(const SensorHealth& health, StopCause cause) {
   switch (cause) {

@@ -13,15 +13,21 @@ using test::Loop;
 using test::scenario;
 
 TEST(Slip, OnVerySlipperyGroundItIsNoticedBelievedAndWalkedOver) {
-  Loop loop(scenario("slippery", {"terrain.friction=0.2"}, 1));
-  loop.run_until(20.0);
-  EXPECT_GT(loop.count(PlanEvent::slip), 0);
-  EXPECT_EQ(loop.count(PlanEvent::slowed), 0) << "nobody commands more than before";
-  double least = 1.0;
-  for (const FootPlan& foot : loop.record().plan.feet) least = std::min(least, foot.friction);
-  EXPECT_LT(least, 0.45);
-  EXPECT_LT(std::abs(loop.record().state.v_WB.norm()), 0.5);
-  EXPECT_GT(loop.truth().p_WB.z(), 0.4);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Loop loop(scenario("slippery", {"terrain.friction=0.2"}, seed));
+    double least = 1.0;
+    const Vec3 start = loop.truth().p_WB;
+    loop.run_until(20.0, [&] {
+      for (const FootPlan& foot : loop.record().plan.feet) least = std::min(least, foot.friction);
+      return false;
+    });
+    EXPECT_GT(loop.count(PlanEvent::slip), 0);
+    EXPECT_EQ(loop.count(PlanEvent::slowed), 0) << "nobody commands more than before";
+    EXPECT_LT(least, 0.25) << "it is 0.2, and 0.5 was believed";
+    const double way = (loop.truth().p_WB - start).head<2>().norm();
+    EXPECT_GT(way, 1.0);
+    EXPECT_GT(loop.truth().p_WB.z(), 0.4);
+  }
 }
 
 TEST(Slip, OnGoodGroundNoneIsSeenAndTheBeliefStays) {

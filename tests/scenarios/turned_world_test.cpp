@@ -1,5 +1,6 @@
 #include "surefoot/control/controller.hpp"
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/signals/plan_event.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 #include "tests/scenarios/loop.hpp"
 #include "tests/support/random_hierarchy.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +48,7 @@ struct Case {
   const char* calibration;  // [s]
   double push;              // sideways, from 3.5 s on for a second [N]
   int ticks;
+  std::vector<PlanEvent> seen = {};  // what it is about
 };
 
 class TurnedWorld : public testing::TestWithParam<Case> {};
@@ -77,6 +80,7 @@ TEST_P(TurnedWorld, GetsTheSameTorques) {
     elsewhere.push_back(std::make_unique<Controller>(scenario.robot, scenario.controller, pose()));
   }
   double felt = 0.0;
+  std::set<int> events;
   for (int tick = 0; tick < run.ticks; ++tick) {
     const SensorReading reading = plant.read();
     const UserCommand user = scenario.user(reading.time);
@@ -86,24 +90,28 @@ TEST_P(TurnedWorld, GetsTheSameTorques) {
       ASSERT_LT((command.torque - other).cwiseAbs().maxCoeff(), 1e-6)
           << "pose " << i << ", tick " << tick;
     }
+    events.insert(here.record().plan.event);
     felt = std::max(felt, here.record().state.external_force.norm());
     plant.write(command);
   }
   EXPECT_GE(here.steps_taken(), 3);
   EXPECT_GE(felt, 0.5 * run.push);
+  for (const PlanEvent event : run.seen) {
+    EXPECT_TRUE(events.contains(static_cast<int>(event))) << static_cast<int>(event);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, TurnedWorld,
-                         testing::Values(Case{"Walk", "walk_flat", "0", 0.0, 2400},
-                                         Case{"Calibrated", "walk_flat", "6", 0.0, 5600},
-                                         Case{"CalibratedMismatch", "walk_flat_mismatch", "6", 0.0,
-                                              5600},
-                                         Case{"StepDown", "step_down", "0", 0.0, 2400},
-                                         Case{"Rough", "rough_field", "0", 0.0, 2400},
-                                         Case{"Slippery", "slippery", "0", 0.0, 2400},
-                                         Case{"PushedToStep", "walk_flat", "0", 200.0, 2400},
-                                         Case{"Pushed", "walk_flat", "0", 60.0, 2400}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, TurnedWorld,
+    testing::Values(
+        Case{"Walk", "walk_flat", "0", 0.0, 2400}, Case{"Calibrated", "walk_flat", "6", 0.0, 5600},
+        Case{"CalibratedMismatch", "walk_flat_mismatch", "6", 0.0, 5600},
+        Case{"StepDown", "step_down", "0", 0.0, 6000, {PlanEvent::probe_edge, PlanEvent::late}},
+        Case{"Rough", "rough_field", "0", 0.0, 2400},
+        Case{"Slippery", "slippery", "0", 0.0, 2400, {PlanEvent::slip}},
+        Case{"PushedToStep", "walk_flat", "0", 200.0, 2400, {PlanEvent::push_step}},
+        Case{"Pushed", "walk_flat", "0", 60.0, 2400, {PlanEvent::push_reloaded}}),
+    [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace surefoot
