@@ -50,10 +50,13 @@ void read_guard(Section& section, ReadingGuardOptions& options,
   section.number("velocity_margin", options.velocity_margin, kNotNegative);
   section.number("max_torque", options.max_torque, kPositive);
   section.number("max_torque_step", options.max_torque_step, kPositive);
+  section.number("sure_torque_step", options.sure_torque_step, kPositive);
   section.number("max_gyro", options.max_gyro, kPositive);
   section.number("max_gyro_step", options.max_gyro_step, kPositive);
+  section.number("sure_gyro_step", options.sure_gyro_step, kPositive);
   section.number("max_acceleration", options.max_acceleration, kPositive);
   section.number("max_acceleration_step", options.max_acceleration_step, kPositive);
+  section.number("sure_acceleration_step", options.sure_acceleration_step, kPositive);
   section.integer("repeats", options.repeats, 1);
   section.section("consistency", [&](Section& s) { read_consistency(s, consistency); });
 }

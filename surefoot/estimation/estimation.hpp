@@ -7,7 +7,7 @@ namespace surefoot {
 
 /// Where the controller's state comes from: what a scenario's `estimation:` chooses.
 enum class Estimation : int {
-  truth = 0,    ///< base state and joint velocities from the simulator's truth, the rest from sensors
+  truth = 0,  ///< base state and joint velocities from the simulator's truth, the rest from sensors
   sensors = 1,  ///< base state from IMU, encoders and contacts
 };
 

@@ -6,6 +6,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
+constexpr double kDriven = 1.5;       // of its limit, how fast a joint turns that is hit
 constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
@@ -74,7 +75,7 @@ void ReadingGuard::miss(const SensorReading& reading) noexcept {
   measured_.time = kNaN;
   if (missed_ * period_ > options_.patience) {
     const JointVector unseen = encoder_age().cwiseMax(0.0).array() + missed_ * period_;
-    measured_.q = angles_.plausible(reading.q, angle_limits(unseen));
+    measured_.q = angles_.plausible(reading.q, angle_limits(unseen), unseen);
   } else {
     measured_.q.setConstant(kNaN);
   }
@@ -86,7 +87,10 @@ void ReadingGuard::miss(const SensorReading& reading) noexcept {
 GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
   return {.range = JointVector::Constant(options_.max_angle),
           .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
-                       JointVector::Constant(options_.angle_margin)};
+                       JointVector::Constant(options_.angle_margin),
+          .sure = period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin),
+          .margin = JointVector::Constant(options_.angle_margin),
+          .speed = kDriven * velocity_limit_};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
@@ -97,17 +101,24 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                angle_limits(encoder_age().cwiseMax(0.0)), lost);
   torques_.take(reading.torque, torque_watch_.fault(), torque_watch_,
                 {.range = options_.max_torque * torque_limit_,
-                 .tolerance = options_.max_torque_step * torque_limit_},
+                 .tolerance = options_.max_torque_step * torque_limit_,
+                 .sure = options_.sure_torque_step * torque_limit_},
                 lost);
 }
 
 void ReadingGuard::take_imu(const SensorReading& reading) {
-  take(gyro_, reading.gyro, options_.max_gyro, options_.max_gyro_step);
-  take(accelerometer_, reading.accelerometer, options_.max_acceleration,
-       options_.max_acceleration_step);
+  take(gyro_, reading.gyro,
+       {.range = Vec3::Constant(options_.max_gyro),
+        .tolerance = Vec3::Constant(options_.max_gyro_step),
+        .sure = Vec3::Constant(options_.sure_gyro_step)});
+  take(accelerometer_, reading.accelerometer,
+       {.range = Vec3::Constant(options_.max_acceleration),
+        .tolerance = Vec3::Constant(options_.max_acceleration_step),
+        .sure = Vec3::Constant(options_.sure_acceleration_step)});
 }
 
-void ReadingGuard::take(Instrument& instrument, const Vec3& raw, double range, double tolerance) {
+void ReadingGuard::take(Instrument& instrument, const Vec3& raw,
+                        const GuardedValues<3>::Limits& limits) {
   if (imu_watch_.is_new()) {
     const bool is_same = raw == instrument.raw;
     instrument.repeats = is_same ? instrument.repeats + 1 : 0;
@@ -119,9 +130,7 @@ void ReadingGuard::take(Instrument& instrument, const Vec3& raw, double range, d
     fault = SampleFault::repeats;
     instrument.values.forget_since(instrument.raw_since);
   }
-  instrument.values.take(raw, fault, imu_watch_,
-                         {.range = Vec3::Constant(range), .tolerance = Vec3::Constant(tolerance)},
-                         kLostFactor * options_.patience);
+  instrument.values.take(raw, fault, imu_watch_, limits, kLostFactor * options_.patience);
 }
 
 void ReadingGuard::describe(const SensorReading& reading) {

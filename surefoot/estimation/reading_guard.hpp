@@ -56,7 +56,7 @@ class ReadingGuard {
   [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
   void take_imu(const SensorReading& reading);
-  void take(Instrument& instrument, const Vec3& raw, double range, double tolerance);
+  void take(Instrument& instrument, const Vec3& raw, const GuardedValues<3>::Limits& limits);
   void describe(const SensorReading& reading);
 
   ReadingGuardOptions options_;

@@ -21,10 +21,12 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
   if (!enabled_) return;
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
-  // What is filled in says nothing.
+  // What is filled in says nothing, but for the one sample that waits for the next to confirm it.
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
   const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
-             turns_well = is_well(health.imu);
+             jumps = health.imu.fault == SampleFault::jump,
+             turns_well = is_well(health.imu) || (jumps && !jumped_);
+  jumped_ = jumps;
   if (moves_well && turns_well) {
     imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   } else {

@@ -41,6 +41,7 @@ class SensorConsistency {
   FrozenJoints frozen_;
   TorqueCheck torques_;
   double encoder_time_ = kNaN;  // [s]
+  bool jumped_ = false;         // the IMU, in the tick before
 };
 
 }  // namespace surefoot

@@ -21,11 +21,12 @@ struct Group {
   void take(const Vec3& raw, SampleFault common = SampleFault::none) {
     time += kPeriod;
     watch.update(time, time);
-    values.take(raw, common, watch, {Vec3(10.0, 10.0, 10.0), Vec3(1.0, 1.0, 2.0)}, kPatience);
+    values.take(raw, common, watch, limits, kPatience);
   }
   [[nodiscard]] GroupHealth health() const { return values.health(time); }
 
   Values values;
+  Values::Limits limits{.range = Vec3(10.0, 10.0, 10.0), .tolerance = Vec3(1.0, 1.0, 2.0)};
   SampleWatch watch{kPeriod, kPatience, kPatience};
   double time = 0.0;
 };
@@ -90,6 +91,52 @@ TEST(GuardedValues, AJumpThatStaysIsBelievedAfterThePatience) {
     EXPECT_EQ(group.health().fault, is_over ? SampleFault::none : SampleFault::jump) << i;
     EXPECT_EQ(group.values.repaired()[0], is_over ? 5.0 : 0.0) << i;
   }
+}
+
+TEST(GuardedValues, AStepThatIsNotSureIsBelievedWhenTheNextSampleSaysSoToo) {
+  Group group;
+  group.limits.sure.setConstant(0.5);
+  for (int i = 0; i < 3; ++i) {
+    group.take(Vec3::Zero());
+    EXPECT_EQ(group.health().fault, SampleFault::none) << "a spike leaves no trace";
+    group.take(Vec3(0.8, 0.0, 0.0));
+    EXPECT_EQ(group.health().fault, SampleFault::jump);
+    EXPECT_EQ(group.health().joint, 0);
+    EXPECT_EQ(group.values.repaired(), Vec3::Zero());
+  }
+  group.take(Vec3(0.9, 0.4, 0.0));
+  EXPECT_EQ(group.health().fault, SampleFault::none);
+  EXPECT_EQ(group.values.repaired(), Vec3(0.9, 0.4, 0.0));
+}
+
+TEST(GuardedValues, WhatIsShakenIsBelievedFromTheSecondSampleOnUntilItWasCalm) {
+  Group group;
+  group.limits.sure.setConstant(0.5);
+  for (int shock = 0; shock < 2; ++shock) {
+    group.take(Vec3::Zero());
+    group.take(Vec3(0.7, 0.0, 0.0));
+    EXPECT_EQ(group.health().fault, SampleFault::jump);
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 raw(i % 2 == 0 ? -0.6 : 0.3, 0.0, 0.0);
+      group.take(raw);
+      ASSERT_EQ(group.values.repaired(), raw) << i;
+    }
+    for (int i = 0; i < 10; ++i) group.take(Vec3::Zero());
+  }
+}
+
+TEST(GuardedValues, NoValueGoesFasterThanItCan) {
+  Group group;
+  group.limits.margin.setConstant(0.1);
+  group.limits.speed.setConstant(40.0);  // 0.1 in a period
+  group.take(Vec3::Zero());
+  group.take(Vec3(0.19, 0.21, 0.0));
+  EXPECT_EQ(group.health().joint, 1);
+  group.take(Vec3(0.19, 0.29, 0.0));
+  EXPECT_EQ(group.health().fault, SampleFault::none) << "there were two periods for it";
+  group.take(Vec3(0.19, 0.29, kNaN));
+  group.take(Vec3(0.19, 0.29, 0.39));
+  EXPECT_EQ(group.health().fault, SampleFault::jump);
 }
 
 TEST(GuardedValues, ACommonFaultIsThatOfAll) {

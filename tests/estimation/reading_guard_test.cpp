@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -114,6 +116,44 @@ TEST(ReadingGuard, ASpikeIsFoundAndLeavesNoTrace) {
   EXPECT_TRUE(robot.is_well());
   EXPECT_EQ(robot.guard.repaired().q, other.guard.repaired().q);
   EXPECT_EQ(robot.guard.repaired().gyro, other.guard.repaired().gyro);
+}
+
+TEST(ReadingGuard, ASpikeThatARobotCouldMakeLeavesNoTraceEither) {
+  const std::array<std::function<void(SensorReading&)>, 4> spikes{
+      [](SensorReading& reading) { reading.q.array() += 0.06; },
+      [](SensorReading& reading) { reading.torque[kKnee] -= 60.0; },
+      [](SensorReading& reading) { reading.gyro[0] += 1.0; },
+      [](SensorReading& reading) { reading.accelerometer[0] += 100.0; }};
+  for (const auto& spike : spikes) {
+    Swinging robot, other;
+    robot.run(100);
+    other.run(101);
+    robot.tick(spike);
+    EXPECT_FALSE(robot.is_well());
+    robot.run(1);
+    other.run(1);
+    EXPECT_TRUE(robot.is_well());
+    EXPECT_EQ(robot.guard.repaired().q, other.guard.repaired().q);
+    EXPECT_EQ(robot.guard.repaired().torque, other.guard.repaired().torque);
+    EXPECT_EQ(robot.guard.repaired().gyro, other.guard.repaired().gyro);
+    EXPECT_EQ(robot.guard.repaired().accelerometer, other.guard.repaired().accelerometer);
+  }
+}
+
+TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
+  Swinging robot;
+  robot.run(100);
+  const auto hit = [](SensorReading& reading) {
+    reading.gyro[0] += 2.0;
+    reading.accelerometer[0] += 100.0;
+  };
+  robot.tick(hit);
+  EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::jump);
+  for (int i = 0; i < 4; ++i) {
+    robot.tick(hit);
+    EXPECT_TRUE(robot.is_well());
+    EXPECT_GT(robot.guard.repaired().accelerometer[0], 90.0);
+  }
 }
 
 TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {
