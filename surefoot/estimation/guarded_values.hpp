@@ -9,20 +9,42 @@
 
 namespace surefoot {
 
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Whether a step is believed that is larger than usual: if the next sample is as far off, too, and
+/// from then on until it was calm for `patience`.
+class Doubt {
+ public:
+  /// Of a new sample; true: it is not believed.
+  [[nodiscard]] bool of(bool is_large, double sample_time, double patience) noexcept {
+    const bool is_believed = !is_large || doubts_ || sample_time - shaken_ <= patience;
+    if (is_large && is_believed) shaken_ = sample_time;
+    doubts_ = !is_believed;
+    return doubts_;
+  }
+  /// The last sample was not believed.
+  [[nodiscard]] bool doubts() const { return doubts_; }
+
+ private:
+  double shaken_ = kNaN;  // when a large step was believed [s]
+  bool doubts_ = false;
+};
+
 /// n values that are sampled together: the last good samples, and what this tick's are worth. Each
-/// value is judged by itself.
+/// value is judged by itself, and all together.
 template <int n>
 class GuardedValues {
  public:
   using Vector = Eigen::Matrix<double, n, 1>;
 
   /// What a value can be, and how far its next sample can be from what is expected: beyond
-  /// `tolerance` it is not believed; beyond `sure` only if the next is, too, and from then on until
-  /// it was calm for `patience`. How fast it can go from one sample to the next: by `margin` and
-  /// `speed` × time.
+  /// `tolerance` it is not believed, beyond `sure` only as `Doubt` says, nor is any where half of
+  /// them are beyond `together`; these two for each period between the samples. How fast it can go
+  /// from one sample to the next: by `margin` and `speed` × time.
   struct Limits {
     Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited),
                   margin = Vector::Constant(kUnlimited), speed = Vector::Zero();
+    double together = kUnlimited;
   };
 
   /// Moves what is expected of the next samples; without it, they are expected to stay.
@@ -32,25 +54,21 @@ class GuardedValues {
   /// believed at any place in its range.
   void take(const Vector& raw, SampleFault common, const SampleWatch& watch, const Limits& limits,
             double patience) noexcept {
+    const double span = (watch.sample_time() - sampled_) / watch.period();
+    const double periods = std::max(1.0, span);  // not NaN
+    if (common == SampleFault::none && doubts_all(raw, watch, limits, periods, patience)) {
+      common = SampleFault::jump;
+    }
     for (int i = 0; i < n; ++i) {
       SampleFault& fault = faults_[static_cast<std::size_t>(i)];
-      fault = common;
-      if (common == SampleFault::none) {
-        const double age = watch.sample_time() - seen_[i];
-        const double apart = std::abs(watch.given_time() - seen_[i]);
-        fault = age <= patience ? check(i, raw[i], limits, apart)
-                                : check(i, raw[i], {.range = limits.range}, apart);
-        if (fault == SampleFault::none && std::abs(raw[i] - expected_[i]) > limits.sure[i]) {
-          fault = doubt(i, watch.sample_time(), patience);
-        } else if (watch.is_new()) {
-          doubted_[static_cast<std::size_t>(i)] = false;
-        }
-      }
+      fault =
+          common != SampleFault::none ? common : judge(i, raw[i], watch, limits, periods, patience);
       const bool good = fault == SampleFault::none;
       if (good && watch.is_new()) accept(i, raw[i], watch.sample_time());
       repaired_[i] = good ? raw[i] : expected_[i];
       measured_[i] = good ? raw[i] : kNaN;
     }
+    sampled_ = watch.sample_time();
   }
 
   /// The values that can be by these limits `age` after the last samples, NaN in the place of
@@ -89,11 +107,31 @@ class GuardedValues {
   [[nodiscard]] const Vector& seen() const { return seen_; }
 
  private:
-  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
   void accept(int i, double value, double time) noexcept {
     expected_[i] = last_[i] = value;
     seen_[i] = time;
+  }
+
+  /// `periods` since the sample before.
+  [[nodiscard]] SampleFault judge(int i, double raw, const SampleWatch& watch, const Limits& limits,
+                                  double periods, double patience) noexcept {
+    const double apart = std::abs(watch.given_time() - seen_[i]);
+    const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
+    if (is_lost) return check(i, raw, {.range = limits.range}, apart);
+    const SampleFault fault = check(i, raw, limits, apart);
+    if (fault != SampleFault::none) return fault;
+    const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * periods;
+    Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
+    const bool is_doubted =
+        watch.is_new() ? doubt.of(is_large, watch.sample_time(), patience) : doubt.doubts();
+    return is_doubted ? SampleFault::jump : SampleFault::none;
+  }
+
+  [[nodiscard]] bool doubts_all(const Vector& raw, const SampleWatch& watch, const Limits& limits,
+                                double periods, double patience) noexcept {
+    if (!watch.is_new()) return all_.doubts();
+    const auto is_off = (raw - expected_).array().abs() > limits.together * periods;  // not if NaN
+    return all_.of(2 * is_off.count() > n, watch.sample_time(), patience);
   }
 
   /// Of a sample so long `apart` from the last good one; NaN before it.
@@ -106,20 +144,13 @@ class GuardedValues {
     return is_too_far || is_too_fast ? SampleFault::jump : SampleFault::none;
   }
 
-  [[nodiscard]] SampleFault doubt(int i, double sample_time, double patience) noexcept {
-    bool& doubted = doubted_[static_cast<std::size_t>(i)];
-    const bool is_believed = doubted || sample_time - shaken_[i] <= patience;
-    if (is_believed) shaken_[i] = sample_time;
-    doubted = !is_believed;
-    return is_believed ? SampleFault::none : SampleFault::jump;
-  }
-
   Vector expected_ = Vector::Constant(kNaN), seen_ = Vector::Constant(kNaN);
-  Vector last_ = Vector::Constant(kNaN);    // good sample
-  Vector shaken_ = Vector::Constant(kNaN);  // when a step was large and believed [s]
-  std::array<bool, n> doubted_{};           // the sample before
+  Vector last_ = Vector::Constant(kNaN);  // good sample
+  double sampled_ = kNaN;                 // when the sample before was taken [s]
   Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
   std::array<SampleFault, n> faults_{};
+  std::array<Doubt, n> doubts_{};
+  Doubt all_;
 };
 
 }  // namespace surefoot

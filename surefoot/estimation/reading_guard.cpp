@@ -90,7 +90,8 @@ GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& 
                        JointVector::Constant(options_.angle_margin),
           .sure = period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin),
           .margin = JointVector::Constant(options_.angle_margin),
-          .speed = kDriven * velocity_limit_};
+          .speed = kDriven * velocity_limit_,
+          .together = options_.sure_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,

@@ -24,6 +24,7 @@ class SampleWatch {
   /// One tick. The sample time is believed as `believed_sample_time` says.
   void update(double time, double sample_time) noexcept;
 
+  [[nodiscard]] double period() const { return period_; }
   /// This tick has a sample that is later than all before, and not too old.
   [[nodiscard]] bool is_new() const { return is_new_; }
   /// Of the newest sample [s].

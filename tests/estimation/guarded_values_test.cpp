@@ -125,6 +125,36 @@ TEST(GuardedValues, WhatIsShakenIsBelievedFromTheSecondSampleOnUntilItWasCalm) {
   }
 }
 
+TEST(GuardedValues, WhereMostJumpTogetherNoneIsBelievedBeforeTheNextSampleSaysSoToo) {
+  Group group;
+  group.limits.together = 0.1;
+  group.take(Vec3::Zero());
+  group.take(Vec3(0.2, 0.0, 0.0));
+  EXPECT_EQ(group.health().fault, SampleFault::none) << "one of three";
+  group.take(Vec3(0.4, 0.2, 0.0));
+  EXPECT_EQ(group.health().fault, SampleFault::jump);
+  EXPECT_EQ(group.health().joint, -1);
+  EXPECT_EQ(group.values.repaired(), Vec3(0.2, 0.0, 0.0));
+  group.take(Vec3(0.4, 0.2, 0.0));
+  EXPECT_EQ(group.values.repaired(), Vec3(0.4, 0.2, 0.0));
+}
+
+TEST(GuardedValues, ADoubtedSampleThatComesAgainIsNoOtherSample) {
+  GuardedValues<3> values;
+  SampleWatch watch(kPeriod, kPatience, kPatience);
+  const GuardedValues<3>::Limits limits{.range = Vec3::Constant(10.0), .sure = Vec3::Constant(0.5)};
+  const auto take = [&](int tick, int sampled, double raw) {
+    watch.update(tick * kPeriod, sampled * kPeriod);
+    values.take(Vec3(raw, 0.0, 0.0), SampleFault::none, watch, limits, kPatience);
+    return values.repaired()[0];
+  };
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(take(2 * i, 2 * i, 0.0) + take(2 * i + 1, 2 * i, 0.0), 0.0);
+  EXPECT_EQ(take(40, 40, 1.5), 0.0);
+  EXPECT_EQ(take(41, 40, 1.5), 0.0) << "every second tick has a sample";
+  EXPECT_EQ(take(42, 42, 1.5), 1.5);
+}
+
 TEST(GuardedValues, NoValueGoesFasterThanItCan) {
   Group group;
   group.limits.margin.setConstant(0.1);

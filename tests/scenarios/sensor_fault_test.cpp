@@ -211,7 +211,7 @@ TEST(SensorSpike, ChangesNothingThatLasts) {
         Fault{"accelerometer", "spike", "size: 100", ""},
         Fault{"encoders", "spike", "size: 0.3", ""},
         Fault{"encoders", "spike", "size: 0.08, joint: RF_KFE", ""},
-        Fault{"encoders", "spike", "size: 0.06", ""},
+        Fault{"encoders", "spike", "size: 0.06", ""}, Fault{"encoders", "spike", "size: 0.01", ""},
         Fault{"joint_torques", "spike", "size: 150", ""},
         Fault{"joint_torques", "spike", "size: 60", ""}}) {
     for (const double time : {kFaultTime, 2.8, 3.1}) {
