@@ -40,6 +40,8 @@ inline void bind_signals(nb::module_& module) {
           },
           nb::arg("torque") = Twelve{});
 
+  signal<GroupHealth>(module, "GroupHealth", "How one group of sensors is at one tick.");
+  signal<SensorHealth>(module, "SensorHealth", "How the readings of one tick are.");
   signal<RobotState>(module, "RobotState", "The state that the controller believes.");
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");

@@ -149,6 +149,9 @@ inline void bind_controller(nb::module_& module) {
           "state", [](const Self& self) { return self.controller.record().state; },
           "as believed at the last tick")
       .def_prop_ro(
+          "health", [](const Self& self) { return self.controller.record().health; },
+          "of the sensors at the last tick: what is wrong, and for how long")
+      .def_prop_ro(
           "plan", [](const Self& self) { return self.controller.record().plan; },
           "of the last tick")
       .def_prop_ro(

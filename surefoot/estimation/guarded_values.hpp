@@ -18,14 +18,18 @@ class Doubt {
   /// Of a new sample; true: it is not believed.
   [[nodiscard]] bool of(bool is_large, double sample_time, double patience) noexcept {
     const bool is_believed = !is_large || doubts_ || sample_time - shaken_ <= patience;
+    if (is_large) large_ = sample_time;
     if (is_large && is_believed) shaken_ = sample_time;
     doubts_ = !is_believed;
     return doubts_;
   }
   /// The last sample was not believed.
   [[nodiscard]] bool doubts() const { return doubts_; }
+  /// A step was large since then.
+  [[nodiscard]] bool is_shaken_since(double time) const { return large_ >= time; }
 
  private:
+  double large_ = kNaN;   // when a step was [s]
   double shaken_ = kNaN;  // when a large step was believed [s]
   bool doubts_ = false;
 };
@@ -39,11 +43,9 @@ class GuardedValues {
 
   /// What a value can be, and how far its next sample can be from what is expected: beyond
   /// `tolerance` it is not believed, beyond `sure` only as `Doubt` says, nor is any where half of
-  /// them are beyond `together`; these two for each period between the samples. How fast it can go
-  /// from one sample to the next: by `margin` and `speed` × time.
+  /// them are beyond `together`; these two for each period between the samples.
   struct Limits {
-    Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited),
-                  margin = Vector::Constant(kUnlimited), speed = Vector::Zero();
+    Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
     double together = kUnlimited;
   };
 
@@ -54,6 +56,7 @@ class GuardedValues {
   /// believed at any place in its range.
   void take(const Vector& raw, SampleFault common, const SampleWatch& watch, const Limits& limits,
             double patience) noexcept {
+    const bool all_waited = all_.doubts();
     const double span = (watch.sample_time() - sampled_) / watch.period();
     const double periods = std::max(1.0, span);  // not NaN
     if (common == SampleFault::none && doubts_all(raw, watch, limits, periods, patience)) {
@@ -61,8 +64,10 @@ class GuardedValues {
     }
     for (int i = 0; i < n; ++i) {
       SampleFault& fault = faults_[static_cast<std::size_t>(i)];
-      fault =
-          common != SampleFault::none ? common : judge(i, raw[i], watch, limits, periods, patience);
+      fault = common;
+      if (common == SampleFault::none) {
+        fault = judge(i, raw[i], watch, limits, {periods, all_waited}, patience);
+      }
       const bool good = fault == SampleFault::none;
       if (good && watch.is_new()) accept(i, raw[i], watch.sample_time());
       repaired_[i] = good ? raw[i] : expected_[i];
@@ -71,19 +76,23 @@ class GuardedValues {
     sampled_ = watch.sample_time();
   }
 
-  /// The values that can be by these limits `age` after the last samples, NaN in the place of
-  /// others; they are no samples.
-  [[nodiscard]] Vector plausible(const Vector& raw, const Limits& limits,
-                                 const Vector& age) const noexcept {
+  /// The values that can be by these limits, NaN in the place of others; they are no samples.
+  [[nodiscard]] Vector plausible(const Vector& raw, const Limits& limits) const noexcept {
     Vector result = raw;
     for (int i = 0; i < n; ++i) {
-      if (check(i, raw[i], limits, age[i]) != SampleFault::none) result[i] = kNaN;
+      const SampleFault fault = check(i, raw[i], limits.range[i], limits.tolerance[i]);
+      if (fault != SampleFault::none) result[i] = kNaN;
     }
     return result;
   }
 
   /// They were no samples since then.
   void forget_since(double time) noexcept { seen_ = seen_.cwiseMin(time); }
+
+  /// Have there been steps larger than usual?
+  [[nodiscard]] bool is_shaken_since(double time) const noexcept {
+    return std::ranges::any_of(doubts_, [&](const Doubt& d) { return d.is_shaken_since(time); });
+  }
 
   [[nodiscard]] GroupHealth health(double time) const noexcept {
     GroupHealth result;
@@ -108,20 +117,25 @@ class GuardedValues {
 
  private:
   void accept(int i, double value, double time) noexcept {
-    expected_[i] = last_[i] = value;
+    expected_[i] = value;
     seen_[i] = time;
   }
 
-  /// `periods` since the sample before.
+  struct Before {
+    double periods;   // since the sample before
+    bool all_waited;  // was it doubted with all?
+  };
+
+  /// Of what waited for this sample nothing is known of two periods.
   [[nodiscard]] SampleFault judge(int i, double raw, const SampleWatch& watch, const Limits& limits,
-                                  double periods, double patience) noexcept {
-    const double apart = std::abs(watch.given_time() - seen_[i]);
+                                  const Before& before, double patience) noexcept {
     const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
-    if (is_lost) return check(i, raw, {.range = limits.range}, apart);
-    const SampleFault fault = check(i, raw, limits, apart);
-    if (fault != SampleFault::none) return fault;
-    const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * periods;
+    if (is_lost) return check(i, raw, limits.range[i], kUnlimited);
     Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
+    const double share = before.all_waited || doubt.doubts() ? 2.0 : 1.0;
+    const SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
+    if (fault != SampleFault::none) return fault;
+    const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * before.periods;
     const bool is_doubted =
         watch.is_new() ? doubt.of(is_large, watch.sample_time(), patience) : doubt.doubts();
     return is_doubted ? SampleFault::jump : SampleFault::none;
@@ -134,19 +148,15 @@ class GuardedValues {
     return all_.of(2 * is_off.count() > n, watch.sample_time(), patience);
   }
 
-  /// Of a sample so long `apart` from the last good one; NaN before it.
-  [[nodiscard]] SampleFault check(int i, double raw, const Limits& limits,
-                                  double apart) const noexcept {
+  [[nodiscard]] SampleFault check(int i, double raw, double range,
+                                  double tolerance) const noexcept {
     if (!std::isfinite(raw)) return SampleFault::not_a_number;
-    if (std::abs(raw) > limits.range[i]) return SampleFault::out_of_range;
-    const bool is_too_far = std::abs(raw - expected_[i]) > limits.tolerance[i];
-    const bool is_too_fast = std::abs(raw - last_[i]) > limits.margin[i] + limits.speed[i] * apart;
-    return is_too_far || is_too_fast ? SampleFault::jump : SampleFault::none;
+    if (std::abs(raw) > range) return SampleFault::out_of_range;
+    return std::abs(raw - expected_[i]) > tolerance ? SampleFault::jump : SampleFault::none;
   }
 
   Vector expected_ = Vector::Constant(kNaN), seen_ = Vector::Constant(kNaN);
-  Vector last_ = Vector::Constant(kNaN);  // good sample
-  double sampled_ = kNaN;                 // when the sample before was taken [s]
+  double sampled_ = kNaN;  // when the sample before was taken [s]
   Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
   std::array<SampleFault, n> faults_{};
   std::array<Doubt, n> doubts_{};

@@ -6,7 +6,6 @@ namespace surefoot {
 namespace {
 
 constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
-constexpr double kDriven = 1.5;       // of its limit, how fast a joint turns that is hit
 constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
@@ -75,7 +74,7 @@ void ReadingGuard::miss(const SensorReading& reading) noexcept {
   measured_.time = kNaN;
   if (missed_ * period_ > options_.patience) {
     const JointVector unseen = encoder_age().cwiseMax(0.0).array() + missed_ * period_;
-    measured_.q = angles_.plausible(reading.q, angle_limits(unseen), unseen);
+    measured_.q = angles_.plausible(reading.q, angle_limits(unseen));
   } else {
     measured_.q.setConstant(kNaN);
   }
@@ -84,14 +83,18 @@ void ReadingGuard::miss(const SensorReading& reading) noexcept {
   }
 }
 
+// Joints of a robot that its IMU feels to be hit may well turn about, several at once.
 GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
-  return {.range = JointVector::Constant(options_.max_angle),
-          .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
-                       JointVector::Constant(options_.angle_margin),
-          .sure = period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin),
-          .margin = JointVector::Constant(options_.angle_margin),
-          .speed = kDriven * velocity_limit_,
-          .together = options_.sure_angles};
+  const double lately = time_ - options_.patience;
+  const bool is_hit =
+      gyro_.values.is_shaken_since(lately) || accelerometer_.values.is_shaken_since(lately);
+  const double share = is_hit ? kUnlimited : 1.0;
+  return {
+      .range = JointVector::Constant(options_.max_angle),
+      .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
+                   JointVector::Constant(options_.angle_margin),
+      .sure = share * (period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin)),
+      .together = share * options_.sure_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,

@@ -11,10 +11,9 @@ struct ReadingGuardOptions {
   double max_encoder_delay = 0.006, max_torque_delay = 0.011, max_imu_delay = 0.011;
 
   double max_angle = 2.0 * kPi;  ///< no joint turns further [rad]
-  /// How far an encoder may be from its last sample: as 1.5 times the joint's velocity limit leads,
-  /// and `angle_margin`; and from where the joint's velocity led: as the limit leads in a period,
-  /// or, when the next sample says so, too, as twice the limit does, which an impact can turn
-  /// about; and …
+  /// How far an encoder may be from where the joint's velocity led: as its velocity limit leads in
+  /// a period, or, when the next sample says so, too, as twice the limit does, which an impact can
+  /// turn about; and …
   double angle_margin = 0.01;    ///< [rad] …
   double velocity_margin = 2.0;  ///< of a joint that was not seen for a time [rad/s]
   /// Half of the joints this far from where their velocities led at once is believed when the next

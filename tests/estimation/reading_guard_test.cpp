@@ -156,6 +156,17 @@ TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
   }
 }
 
+TEST(ReadingGuard, JointsOfARobotThatIsHitAreNotDoubted) {
+  for (const double hit : {0.0, 100.0}) {
+    Swinging robot;
+    robot.run(100);
+    robot.tick([&](SensorReading& reading) { reading.accelerometer[2] += hit; });
+    robot.tick([](SensorReading& reading) { reading.q.array() += 0.02; });
+    EXPECT_EQ(robot.guard.health().encoders.fault,
+              hit > 0.0 ? SampleFault::none : SampleFault::jump);
+  }
+}
+
 TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {
   Swinging robot;
   robot.run(100);

@@ -197,6 +197,17 @@ def test_arrays_have_the_shapes_that_their_help_says(scenario):
                 assert value.flags.writeable != is_quaternion
 
 
+def test_a_reading_at_fault_is_marked(scenario):
+    plant, controller = walked(scenario, 40)
+    before = controller.health
+    reading = plant.read()
+    reading.q[4] = np.nan
+    controller.step(reading, scenario.user(plant.time))
+    assert before.encoders.fault == "none" and before.encoders.age == 0
+    assert controller.health.encoders.fault == "not_a_number" and controller.health.encoders.joint == 4
+    assert controller.health.imu.fault == "none"
+
+
 def test_what_is_read_is_what_the_simulator_knows(scenario):
     plant, controller = walked(scenario, 40)
     truth, reading, state = plant.truth, plant.read(), controller.state
