@@ -15,7 +15,7 @@ from surefoot_campaign.journal import Journal, check_campaign, read_rows
 from surefoot_campaign.outcome import ended_from_outside, row_of
 from surefoot_campaign.plan import by_seed, folder_of, make_plan
 from surefoot_campaign.plots import write_plots
-from surefoot_campaign.program import Program, arguments_of
+from surefoot_campaign.program import Program, Refused, arguments_of
 from surefoot_campaign.progress import Progress
 from surefoot_campaign.report import short_table, write_all
 from surefoot_campaign.results import records_of
@@ -89,11 +89,13 @@ def description(run, spec):
 def sources_hash_now(run, row, program):
     """Of the scenario's files as they were when it ran; None if they are no scenario any more."""
     if row["result"] is not None:
-        return row["result"]["sources_hash"]
+        return row["result"].get("sources_hash", run.sources_hash)
     try:
         return program.check(run.file, run.parameters).sources_hash
-    except InputError:
+    except Refused:
         return None
+    except (InputError, OSError, ValueError):
+        return run.sources_hash  # nobody can say
 
 
 def check_unchanged(run, row, program):

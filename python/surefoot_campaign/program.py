@@ -10,7 +10,12 @@ import subprocess
 from dataclasses import dataclass
 
 from surefoot_campaign.errors import InputError
+from surefoot_campaign.outcome import WRONG_INPUT
 from surefoot_campaign.spec import yaml_text
+
+
+class Refused(InputError):
+    """The program does not take a scenario with these parameters."""
 
 
 @dataclass(frozen=True)
@@ -36,12 +41,13 @@ class Program:
             raise InputError(f"the program {self.path} is not there; start campaigns with bin/surefoot campaign")
 
     def check(self, scenario, parameters):
-        """Throws what the program says, if it refuses them."""
+        """Throws what the program says: Refused, if it refuses them."""
         command = [str(self.path), *arguments_of(scenario, 0, parameters), "--check", "--json"]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
         if done.returncode != 0:
             lines = done.stderr.strip().splitlines() or [f"the program ended with {done.returncode}"]
-            raise InputError(lines[-1].removeprefix("surefoot: "))
+            kind = Refused if done.returncode == WRONG_INPUT else InputError
+            raise kind(lines[-1].removeprefix("surefoot: "))
         found = json.loads(done.stdout)
         return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]))
 

@@ -34,6 +34,8 @@ class RayScheduler:
 def result_of(task, reference):
     try:
         return ray.get(reference)
+    except ray.exceptions.RayTaskError:
+        raise  # of ours: the program can't be started there
     except ray.exceptions.RayError as error:
         words = str(error).strip().splitlines() or [type(error).__name__]
         return Result(task.id, LOST, False, "", f"lost by Ray: {words[0]}", 0.0)

@@ -58,6 +58,9 @@ constexpr double kFastest = 1e3;     // [m/s] and [rad/s]
 constexpr double kMostTurned = 1e3;  // [rad]
 constexpr double kStrongest = 1e4;   // [N·m]
 
+/// Without a state that is believed; behind it the plan's time leaps [s].
+constexpr double kLongestHold = 1.0;
+
 /// Can the robot be so? Not where a number is NaN.
 bool is_plausible(const RobotState& state) {
   const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
@@ -173,7 +176,7 @@ bool Controller::Implementation::estimate() noexcept {
   }
   record.state = estimator->update(guard.repaired(), context());
   forget_lost_joints();
-  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestReadingGap;
+  const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestHold;
   const bool believed = is_plausible(record.state) && !clock_jumps;
   if (believed) last_time = record.state.time;
   return believed && !safety.has_stopped() && safety.lost_sensor(record.health) == StopCause::none;

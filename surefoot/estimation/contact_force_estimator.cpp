@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kBaseCutoffHz = 40.0;  // of the base's acceleration
 constexpr double kMostPeriods = 1e6;
-constexpr double kMostSensed = 1e4;  // no foot bears more [N]
 
 int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 
@@ -23,7 +22,9 @@ ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options,
       period_(period),
       force_observer_(2.0 * kPi * options.bandwidth_hz, period),
       velocity_observer_(force_observer_),
-      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period) {}
+      tare_(options.tare, 2.0 * kPi * options.bandwidth_hz, period),
+      foot_sensors_{FootSensorTrust(period), FootSensorTrust(period), FootSensorTrust(period),
+                    FootSensorTrust(period)} {}
 
 // Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {
@@ -44,7 +45,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
                                                   double torque_lag) noexcept {
   is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
   periods_ = periods_until(reading.time);
-  time_ = reading.time;
+  time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
   const double lag = std::round(torque_lag / period_);
   torque_lag_ = std::abs(lag) < kKept ? static_cast<int>(lag) : 0;  // 0 if NaN, too
   if (is_first_) {
@@ -87,9 +88,10 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
     Vec3& force = state.foot_force[k];
     force = damped_inverse(leg_jacobian(dynamics.contact[k], leg)).transpose() *
             by_ground.segment<3>(first_joint(leg));
-    const bool sensed =
-        options_.use_foot_sensor && std::abs(reading.foot_force[k]) <= kMostSensed;  // not if NaN
-    if (sensed) force += (reading.foot_force[k] - terrain_normal_W.dot(force)) * terrain_normal_W;
+    if (!options_.use_foot_sensor) continue;
+    const double by_joints = terrain_normal_W.dot(force);
+    const double believed = foot_sensors_[k].force(reading.foot_force[k], by_joints);
+    force += (believed - by_joints) * terrain_normal_W;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/estimation/foot_sensor_trust.hpp"
 #include "surefoot/estimation/joint_observer.hpp"
 #include "surefoot/estimation/swing_tare.hpp"
 #include "surefoot/model/dynamics.hpp"
@@ -13,7 +14,7 @@ namespace surefoot {
 struct ContactForceOptions {
   double bandwidth_hz = 40.0;  ///< of the observers' poles, ω / 2π
   /// Take the force along the terrain's normal from a foot force sensor, where there is one and it
-  /// tells a force that can be: 10 kN at most. What is along the ground the joints tell.
+  /// fits what the joints tell (FootSensorTrust). What is along the ground the joints tell.
   bool use_foot_sensor = false;
   SwingTareOptions tare = {};
 };
@@ -70,6 +71,7 @@ class ContactForceEstimator {
   double period_;
   JointObserver force_observer_, velocity_observer_;
   SwingTare tare_;
+  PerLeg<FootSensorTrust> foot_sensors_;
   Recent angles_, torques_;
   int torque_lag_ = 0;  // behind the angles; negative: before them [ticks]
   double time_ = kNaN;  ///< of the last reading [s]

@@ -11,17 +11,22 @@ namespace surefoot {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Whether a step is believed that is larger than usual: if the next sample is as far off, too, and
-/// from then on until it was calm for `patience`.
+/// Whether a step is believed that is larger than usual: if the one to the next sample is large,
+/// too, and from then on until it was calm for `patience`.
 class Doubt {
  public:
-  /// Of a new sample; true: it is not believed.
-  [[nodiscard]] bool of(bool is_large, double sample_time, double patience) noexcept {
-    const bool is_believed = !is_large || doubts_ || sample_time - shaken_ <= patience;
+  /// Of a new sample; `waited`: those before it were doubted with others. True: not believed.
+  [[nodiscard]] bool of(bool is_large, bool waited, double sample_time, double patience) noexcept {
+    const bool is_believed = !is_large || doubts_ || waited || sample_time - shaken_ <= patience;
     if (is_large) large_ = sample_time;
     if (is_large && is_believed) shaken_ = sample_time;
     doubts_ = !is_believed;
     return doubts_;
+  }
+  /// Of a sample that is at fault for another reason.
+  void skip(bool is_large, double sample_time) noexcept {
+    if (is_large) large_ = sample_time;
+    doubts_ = false;
   }
   /// The last sample was not believed.
   [[nodiscard]] bool doubts() const { return doubts_; }
@@ -134,18 +139,28 @@ class GuardedValues {
     Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
     const double share = before.all_waited || doubt.doubts() ? 2.0 : 1.0;
     const SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
-    if (fault != SampleFault::none) return fault;
     const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * before.periods;
+    if (fault != SampleFault::none) {
+      if (watch.is_new()) doubt.skip(is_large, watch.sample_time());
+      return fault;
+    }
     const bool is_doubted =
-        watch.is_new() ? doubt.of(is_large, watch.sample_time(), patience) : doubt.doubts();
+        watch.is_new() ? doubt.of(is_large, before.all_waited, watch.sample_time(), patience)
+                       : doubt.doubts();
     return is_doubted ? SampleFault::jump : SampleFault::none;
   }
 
+  /// Of the values that are not lost.
   [[nodiscard]] bool doubts_all(const Vector& raw, const SampleWatch& watch, const Limits& limits,
                                 double periods, double patience) noexcept {
     if (!watch.is_new()) return all_.doubts();
-    const auto is_off = (raw - expected_).array().abs() > limits.together * periods;  // not if NaN
-    return all_.of(2 * is_off.count() > n, watch.sample_time(), patience);
+    int num_off = 0;
+    for (int i = 0; i < n; ++i) {
+      const bool is_known = watch.sample_time() - seen_[i] <= patience;  // not if NaN
+      const bool is_off = std::abs(raw[i] - expected_[i]) > limits.together * periods;
+      num_off += is_known && is_off ? 1 : 0;
+    }
+    return all_.of(2 * num_off >= n, false, watch.sample_time(), patience);
   }
 
   [[nodiscard]] SampleFault check(int i, double raw, double range,

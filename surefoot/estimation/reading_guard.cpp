@@ -45,6 +45,7 @@ void ReadingGuard::update(const SensorReading& reading,
   const double dt = std::isnan(time_) ? 0.0 : reading.time - time_;
   time_ = reading.time;
   missed_ = 0;
+  raw_q_ = reading.q;
   repaired_ = measured_ = reading;
   encoder_watch_.update(time_, reading.encoder_time);
   torque_watch_.update(time_, reading.torque_time);
@@ -61,26 +62,33 @@ bool ReadingGuard::goes_on(double time) noexcept {
   if (std::isnan(time_)) return true;
   const double dt = time - time_, since_leap = time - leapt_to_;
   const double sure = kSurePeriods * period_;
-  const bool is_confirmed = since_leap > 0.0 && since_leap <= sure;
+  const double as_before = std::max(sure, 1.5 * (leapt_to_ - time_));  // not NaN
+  const bool is_confirmed = since_leap > 0.0 && since_leap <= as_before;
   const bool is_right = dt > 0.0 && (dt <= sure || (is_confirmed && dt <= kLongestReadingGap));
   leapt_to_ = is_right ? kNaN : time;
   return is_right;
 }
 
-// While the last good angles will do nothing is measured; then it is better than nothing.
+// While the last good angles will do nothing is measured; then, if they change from reading to
+// reading, it is better than nothing.
 void ReadingGuard::miss(const SensorReading& reading) noexcept {
+  moves_ = (missed_ > 0 && moves_) || reading.q != raw_q_;
+  raw_q_ = reading.q;
   ++missed_;
   measured_ = repaired_;
   measured_.time = kNaN;
-  if (missed_ * period_ > options_.patience) {
+  if (moves_ && missed_ * period_ > options_.patience) {
     const JointVector unseen = encoder_age().cwiseMax(0.0).array() + missed_ * period_;
     measured_.q = angles_.plausible(reading.q, angle_limits(unseen));
   } else {
     measured_.q.setConstant(kNaN);
   }
   for (GroupHealth* group : {&health_.encoders, &health_.joint_torques, &health_.imu}) {
-    *group = {.fault = SampleFault::silent, .age = group->age + period_};
+    const double silent = missed_ * period_;
+    const bool is_older = !(group->age < silent);  // also one that never came
+    *group = {.fault = SampleFault::silent, .age = is_older ? group->age : silent};
   }
+  if (moves_) health_.encoders.fault = SampleFault::late;
 }
 
 // Joints of a robot that its IMU feels to be hit may well turn about, several at once.

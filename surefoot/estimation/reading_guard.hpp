@@ -20,9 +20,10 @@ class ReadingGuard {
   ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot, double period);
 
   /// One tick. `joint_velocity` is that of the last one [rad/s]. A reading whose clock is not a
-  /// number, stands still, goes back, or leaps by more than a second brings no samples: all
-  /// sensors are silent. So does the first after a leap of more than 4 periods, which is believed
-  /// when the next goes on from there.
+  /// number, stands still, goes back, or leaps by more than 0.1 s brings no samples: all
+  /// sensors are silent; but of encoders whose angles change from reading to reading it is told
+  /// that they are late. So does the first after a leap of more than 4 periods, which is believed
+  /// when the next goes on from there, by no more than half as far again.
   void update(const SensorReading& reading, const JointVector& joint_velocity) noexcept;
 
   /// False where the reading's clock was such.
@@ -30,8 +31,8 @@ class ReadingGuard {
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
   /// The same, but with NaN in the place of joint angles that are at fault. Where the clock is
-  /// wrong it has no time and no angles, or, when that lasts longer than `patience`, those of the
-  /// reading's that can be.
+  /// wrong it has no time and no angles, or, when that lasts longer than `patience` and they
+  /// change, those of the reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
   [[nodiscard]] const SensorHealth& health() const { return health_; }
   /// Time since each joint's last good angle [s].
@@ -68,6 +69,8 @@ class ReadingGuard {
   double time_ = kNaN;
   double leapt_to_ = kNaN;  // by the clock of the reading before, if that was not believed [s]
   int missed_ = 0;          // readings since the last that was
+  bool moves_ = false;      // their angles change
+  JointVector raw_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
   bool clock_is_right_ = true;
   SensorReading repaired_, measured_;
   SensorHealth health_;

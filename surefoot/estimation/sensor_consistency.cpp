@@ -5,6 +5,9 @@
 namespace surefoot {
 namespace {
 
+constexpr double kSameForce = 12.0;  // [m/s²]
+constexpr double kSameTurn = 0.3;    // [rad/s]
+
 void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
 }
@@ -26,7 +29,14 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
   const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
              jumps = health.imu.fault == SampleFault::jump,
              turns_well = is_well(health.imu) || (jumps && !jumped_);
+  // A blow that was over with one sample: what was held in its place is no motion.
+  const bool is_over = jumped_ && is_well(health.imu) &&
+                       (reading.accelerometer - held_force_).norm() < kSameForce &&
+                       (reading.gyro - held_turn_).norm() < kSameTurn;
+  if (is_over) imu_.forget();
   jumped_ = jumps;
+  held_force_ = reading.accelerometer;
+  held_turn_ = reading.gyro;
   if (moves_well && turns_well) {
     imu_.update(reading, known.state, known.dynamics, known.stands, known.normal_W);
   } else {

@@ -41,7 +41,8 @@ class SensorConsistency {
   FrozenJoints frozen_;
   TorqueCheck torques_;
   double encoder_time_ = kNaN;  // [s]
-  bool jumped_ = false;         // the IMU, in the tick before
+  bool jumped_ = false;         // the IMU, in the tick before, when it gave these:
+  Vec3 held_force_ = Vec3::Constant(kNaN), held_turn_ = Vec3::Constant(kNaN);
 };
 
 }  // namespace surefoot

@@ -9,7 +9,7 @@ namespace surefoot {
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Between two readings; behind a longer gap nothing is known of what was before [s].
-inline constexpr double kLongestReadingGap = 1.0;
+inline constexpr double kLongestReadingGap = 0.1;
 
 /// What the robot's sensors give at one control tick. Members that a robot does not measure stay
 /// NaN.

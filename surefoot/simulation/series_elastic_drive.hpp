@@ -24,8 +24,8 @@ namespace surefoot::simulation {
 ///     kp = max(0, I ω_c²/k − 1),   kd = max(0, 2 ζ ω_c I − viscous),   ω_c = 2π bandwidth
 ///
 /// so that with a held joint τ follows τ_ref like a second-order low-pass of that bandwidth, until
-/// the motor's torque–speed line limits it. (Of a bandwidth below √(k/I)/2π, 8.7 Hz of ANYmal B, the
-/// spring's own frequency, kp is 0: only the speed is fed back.)
+/// the motor's torque–speed line limits it. (Of a bandwidth below √(k/I)/2π, 8.7 Hz of ANYmal B,
+/// the spring's own frequency, kp is 0: only the speed is fed back.)
 ///
 /// Rotor and spring are integrated by the implicit midpoint rule, with the joint moving evenly over
 /// the step: stable for any inertia and stiffness, and without energy of its own.

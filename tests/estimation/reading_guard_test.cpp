@@ -156,8 +156,20 @@ TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
   }
 }
 
+TEST(ReadingGuard, JointsThatAllJumpWaitForOneSampleHoweverFar) {
+  for (const double far : {0.01, 0.06}) {
+    Swinging robot;
+    robot.run(100);
+    const auto jump = [&](SensorReading& reading) { reading.q.array() += far; };
+    robot.tick(jump);
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump) << far;
+    robot.tick(jump);
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::none) << far;
+  }
+}
+
 TEST(ReadingGuard, JointsOfARobotThatIsHitAreNotDoubted) {
-  for (const double hit : {0.0, 100.0}) {
+  for (const double hit : {0.0, 100.0, 200.0}) {
     Swinging robot;
     robot.run(100);
     robot.tick([&](SensorReading& reading) { reading.accelerometer[2] += hit; });
@@ -330,7 +342,7 @@ TEST(ReadingGuard, ATickOrTwoThatWereMissedAreNoLeap) {
 }
 
 TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
-  for (const auto& [pause, is_believed] : {std::pair(0.3, true), std::pair(1.3, false)}) {
+  for (const auto& [pause, is_believed] : {std::pair(0.05, true), std::pair(0.3, false)}) {
     Swinging robot;
     robot.run(100);
     robot.ticks += static_cast<int>(std::round(pause / kPeriod));
@@ -346,8 +358,8 @@ TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
 TEST(ReadingGuard, WithoutAClockAllSensorsAreSilent) {
   Swinging robot;
   robot.run(100);
-  SensorReading dead = robot.guard.repaired();
-  for (const double clock : {dead.time, kNaN, -3.0}) {
+  for (const double clock : {robot.time, kNaN, -3.0}) {
+    SensorReading dead = robot.guard.repaired();
     dead.time = clock;
     for (int i = 1; i <= 9; ++i) {
       robot.guard.update(dead, JointVector::Zero());
@@ -362,6 +374,20 @@ TEST(ReadingGuard, WithoutAClockAllSensorsAreSilent) {
     EXPECT_TRUE(robot.is_well());
     EXPECT_EQ(robot.guard.health().imu.age, 0.0);
   }
+}
+
+TEST(ReadingGuard, OfALateSensorSilenceWithoutAClockIsNoLongerThanOfOthers) {
+  Swinging robot;
+  for (int i = 0; i < 200; ++i) {
+    robot.tick([&](SensorReading& reading) { reading.imu_time -= 0.01; });
+  }
+  SensorReading dead = robot.guard.repaired();
+  for (int i = 1; i <= 8; ++i) {
+    robot.guard.update(dead, JointVector::Zero());
+    EXPECT_LE(robot.guard.health().imu.age, 0.02 + 1e-9) << i;
+  }
+  robot.guard.update(dead, JointVector::Zero());
+  EXPECT_GT(robot.guard.health().imu.age, 0.02);
 }
 
 TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {

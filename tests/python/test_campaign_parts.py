@@ -195,7 +195,8 @@ class FakeRay(types.ModuleType):
         super().__init__("ray")
         self.__spec__ = types.SimpleNamespace(name="ray")
         self.most, self.cancelled, self.started, self.lost = 0, [], False, None
-        self.exceptions = types.SimpleNamespace(RayError=type("RayError", (Exception,), {}))
+        lost = type("RayError", (Exception,), {})
+        self.exceptions = types.SimpleNamespace(RayError=lost, RayTaskError=type("RayTaskError", (lost,), {}))
 
     def is_initialized(self):
         return self.started

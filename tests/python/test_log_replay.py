@@ -77,7 +77,16 @@ def test_another_stack_is_asked_at_each_tick_for_itself(tmp_path):
 
 
 # Unchecked, it falls and is not stopped for torques or an IMU that can't be.
-UNCHECKED = ["guard.consistency.enabled=false", "guard.max_acceleration_step=1e4", "guard.max_gyro_step=1e3", "disturbances.pushes.lateral.time=0.5"]
+UNCHECKED = [
+    "guard.consistency.enabled=false",
+    "guard.max_acceleration_step=1e4",
+    "guard.sure_acceleration_step=1e4",
+    "guard.max_gyro_step=1e3",
+    "guard.sure_gyro_step=1e3",
+    "guard.angle_margin=1",
+    "guard.sure_angles=1",
+    "disturbances.pushes.lateral.time=0.5",
+]
 
 
 # Which of them ends a walk how depends on the walk; together they end walks in every way.

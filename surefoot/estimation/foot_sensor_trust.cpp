@@ -1,0 +1,29 @@
+#include "surefoot/estimation/foot_sensor_trust.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLess = 20.0, kMore = 40.0;  // [N]
+constexpr double kShare = 0.3;                // of the joints' force
+constexpr double kPatience = 0.05;            // with one that tells more [s]
+constexpr double kProof = 0.5;                // of one that was off [s]
+constexpr double kRounding = 1e-9;            // [s]
+constexpr double kMost = 1e4;                 // no foot bears more [N]
+
+}  // namespace
+
+double FootSensorTrust::force(double sensed, double by_joints) noexcept {
+  if (!(std::abs(sensed) <= kMost)) return by_joints;  // nor if it is NaN
+  const double error = sensed - by_joints;
+  const double margin = error < 0.0 ? kLess : kMore;
+  const bool fits = std::abs(error) <= margin + kShare * std::abs(by_joints);
+  off_for_ = fits ? 0.0 : off_for_ + period_;
+  fits_for_ = fits ? fits_for_ + period_ : 0.0;
+  if (off_for_ > kPatience + kRounding) is_trusted_ = false;
+  if (fits_for_ > kProof) is_trusted_ = true;
+  return is_trusted_ && (fits || error > 0.0) ? sensed : by_joints;
+}
+
+}  // namespace surefoot
