@@ -262,30 +262,28 @@ def test_two_campaigns_do_not_write_into_one_folder(folder):
     assert done.returncode == 2 and "another campaign writes to" in done.stderr
 
 
-def test_a_file_that_changes_while_the_campaign_runs_ends_it(folder):
+def spoilt_meanwhile(folder, spoil):
+    """The rows of a campaign whose scenario's file is spoilt after two of its twenty runs; that ends it."""
     (folder.path / "mine.yaml").write_text("before")
     folder.write("scenario: mine.yaml\nseeds: {count: 20}\nset: {mode: slow}\n")
     process = folder.start("--jobs", 1)
     while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
         time.sleep(0.02)
-    (folder.path / "mine.yaml").write_text("after")
+    spoil(folder.path / "mine.yaml")
     _, err = process.communicate(timeout=30)
     assert process.returncode == 2 and "changed while the campaign ran" in err
-    kept = len(folder.rows())
+    return folder.rows()
+
+
+def test_a_file_that_changes_while_the_campaign_runs_ends_it(folder):
+    kept = len(spoilt_meanwhile(folder, lambda file: file.write_text("after")))
     found = folder.result()
     assert found["runs"]["finished"] == 20 and len(folder.rows()) == kept + 20  # no row of before counts
 
 
 def test_a_file_that_is_no_scenario_any_more_ends_the_campaign_too(folder):
-    (folder.path / "mine.yaml").write_text("before")
-    folder.write("scenario: mine.yaml\nseeds: {count: 20}\nset: {mode: slow}\n")
-    process = folder.start("--jobs", 1)
-    while not (folder.out / "rows.jsonl").exists() or len(folder.rows()) < 2:
-        time.sleep(0.02)
-    (folder.path / "mine.yaml").unlink()
-    _, err = process.communicate(timeout=30)
-    assert process.returncode == 2 and "changed while the campaign ran" in err
-    assert {row["outcome"] for row in folder.rows()} <= {"succeeded", "failed"}
+    rows = spoilt_meanwhile(folder, lambda file: file.unlink())
+    assert {row["outcome"] for row in rows} <= {"succeeded", "failed"}
 
 
 def test_a_dry_run_lists_what_would_run_and_writes_nothing(folder):
