@@ -42,7 +42,7 @@ that show what happens, as found, have success_rate 0: they end with 0 even if t
 Examples:
   surefoot run walk_flat                                 once, a table of results
   surefoot run step_down --seeds 100 --jobs 2            success rate over 100 random trials
-  surefoot run step_down --set terrain.elements.ground.height=-0.20 --report out
+  surefoot run step_down --set terrain.elements.ground.height=-0.17 --report out
   surefoot run my_scenario.yaml --record run.mcap        a file of your own, and its log
   surefoot run step_down --seed 3 --view                 watch and steer it in a browser
 )";

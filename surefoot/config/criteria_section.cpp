@@ -15,6 +15,8 @@ void read_limits(Section& limits, Criterion& criterion) {
     limits.number(key, value);
     *limit = value;
   }
+  if (criterion.min && criterion.max && *criterion.max < *criterion.min)
+    limits.fail("max", "must not be below min");
 }
 
 Criterion read_criterion(Section& section, const std::string& metric) {

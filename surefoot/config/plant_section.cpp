@@ -122,6 +122,7 @@ void read_plant(Section& scenario, PlantOptions& options) {
   scenario.section("terrain", [&](Section& s) { read_terrain(s, options.terrain); });
   scenario.section("foot_contact",
                    [&](Section& s) { read_foot_contact(s, options.timestep, options.contact); });
+  options.actuators.model = ActuatorModel::sea;  // of a scenario that names none
   scenario.section("actuators", [&](Section& s) { read_actuators(s, options.actuators); });
   scenario.section("sensors", [&](Section& s) { read_sensors(s, options.sensors); });
   scenario.section("disturbances", [&](Section& s) { read_disturbances(s, options.disturbances); });

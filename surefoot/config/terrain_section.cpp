@@ -1,5 +1,6 @@
 #include "surefoot/config/terrain_section.hpp"
 
+#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/simulation/random.hpp"
 #include "surefoot/simulation/terrain_generators.hpp"
@@ -205,9 +206,17 @@ void read_slope(Section& section, Elements& elements) {
   add_slope(slope, elements);
 }
 
+/// An element without a shape is one that `elements` does not have: a new one, or one misspelt.
+void require_shape(const std::string& name, Section& elements, Section& element) {
+  if (element.node("shape") != nullptr) return;
+  std::vector<std::string> others = elements.keys();
+  std::erase(others, name);
+  const std::string new_one = "this key is missing, and \"" + name + "\" is a new element";
+  element.fail("shape", others.empty() ? new_one : new_one + "; " + valid_names(name, others));
+}
+
 void read_element(Section& section, Elements& elements) {
   using Reader = void (*)(Section&, Elements&);
-  section.require("shape");
   Reader reader = [](Section&, Elements&) {};
   section.choice<Reader>("shape", reader,
                          {{"plane", read_plane},
@@ -228,7 +237,10 @@ void read_terrain(Section& section, TerrainOptions& terrain) {
     for (const std::string& name : elements.keys()) {
       // An element of the base file is taken away by `name:` with nothing behind it.
       if (elements.node(name.c_str())->kind == ConfigNode::Kind::null) continue;
-      elements.section(name.c_str(), [&](Section& s) { read_element(s, terrain.elements); });
+      elements.section(name.c_str(), [&](Section& s) {
+        require_shape(name, elements, s);
+        read_element(s, terrain.elements);
+      });
     }
   });
   if (terrain.elements.empty()) terrain.elements.emplace_back(TerrainLevel{});

@@ -15,7 +15,10 @@ constexpr double kMost = 1e4;                 // no foot bears more [N]
 }  // namespace
 
 double FootSensorTrust::force(double sensed, double by_joints) noexcept {
-  if (!(std::abs(sensed) <= kMost)) return by_joints;  // nor if it is NaN
+  if (!(std::abs(sensed) <= kMost)) {  // nor if it is NaN
+    fits_for_ = 0.0;
+    return by_joints;
+  }
   const double error = sensed - by_joints;
   const double margin = error < 0.0 ? kLess : kMore;
   const bool fits = std::abs(error) <= margin + kShare * std::abs(by_joints);

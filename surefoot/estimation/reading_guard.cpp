@@ -23,6 +23,11 @@ void tell_delay(const SampleWatch& watch, GroupHealth& health) {
   health = {.fault = SampleFault::late, .age = std::fmax(health.age, watch.delayed_for())};
 }
 
+/// NaN is the same as NaN.
+bool are_same(const JointVector& a, const JointVector& b) {
+  return (a.array() == b.array() || (a.array().isNaN() && b.array().isNaN())).all();
+}
+
 }  // namespace
 
 ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescription& robot,
@@ -72,7 +77,9 @@ bool ReadingGuard::goes_on(double time) noexcept {
 // While the last good angles will do nothing is measured; then, if they change from reading to
 // reading, it is better than nothing.
 void ReadingGuard::miss(const SensorReading& reading) noexcept {
-  moves_ = (missed_ > 0 && moves_) || reading.q != raw_q_;
+  const bool stays = are_same(reading.q, raw_q_);
+  still_ = stays && missed_ > 0 ? still_ + 1 : 0;
+  moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < options_.patience);
   raw_q_ = reading.q;
   ++missed_;
   measured_ = repaired_;

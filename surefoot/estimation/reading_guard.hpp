@@ -69,6 +69,7 @@ class ReadingGuard {
   double time_ = kNaN;
   double leapt_to_ = kNaN;  // by the clock of the reading before, if that was not believed [s]
   int missed_ = 0;          // readings since the last that was
+  int still_ = 0;           // of these, readings since their angles changed
   bool moves_ = false;      // their angles change
   JointVector raw_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
   bool clock_is_right_ = true;

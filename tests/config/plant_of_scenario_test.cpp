@@ -55,6 +55,7 @@ TEST_F(PlantOfScenario, takes_the_numbers_of_a_vector_by_name) {
 }
 
 TEST_F(PlantOfScenario, has_actuators_of_two_levels) {
+  EXPECT_EQ(read("").plant.actuators.model, ActuatorModel::sea) << "ideal ones must be asked for";
   EXPECT_EQ(read("").plant.actuators.level, 1);
   const ActuatorOptions actuators =
       read(
@@ -123,6 +124,11 @@ TEST_F(PlantOfScenario, says_what_a_shape_or_payload_needs) {
   const auto element = [&](const std::string& text) {
     return complaint("terrain: {elements: {a: {" + text + "}}}\n");
   };
+  EXPECT_TRUE(holds(element("height: -0.2"), "a.shape: this key is missing, and \"a\" is a new"));
+  EXPECT_TRUE(
+      holds(complaint("terrain: {elements: {ground: {shape: plane}, grond: {height: 1}}}\n"),
+            "terrain.elements.grond.shape: this key is missing, and \"grond\" is a new "
+            "element; did you mean \"ground\"?"));
   EXPECT_TRUE(holds(element("shape: box"), "trial.yaml:2: terrain.elements.a.size: this key is"));
   EXPECT_TRUE(holds(element("shape: height_field"), "either heights, with columns and rows, or"));
   EXPECT_TRUE(holds(element("shape: height_field, amplitude: 0.02"), "terrain.elements.a.size_x"));

@@ -72,6 +72,8 @@ TEST_F(ScenarioFile, takes_a_criterion_away_by_naming_nothing) {
 }
 
 TEST_F(ScenarioFile, that_asks_for_a_goal_which_it_has_not_says_so) {
+  EXPECT_TRUE(holds(complaint("criteria: {speed_mps: {min: 2, max: 1}}\n"),
+                    "trial.yaml:2: criteria.speed_mps.max: must not be below min"));
   EXPECT_TRUE(holds(complaint("criteria: {goal_reached: true}\n"),
                     "trial.yaml:2: criteria.goal_reached: the scenario has no goal"));
 }

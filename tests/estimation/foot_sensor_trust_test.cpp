@@ -48,5 +48,13 @@ TEST(FootSensorTrust, WhatIsNoForceIsLeftOut) {
   EXPECT_EQ(trust.force(60.0, 50.0), 60.0);
 }
 
+TEST(FootSensorTrust, WhatIsNoForceIsNoProof) {
+  FootSensorTrust trust(kPeriod);
+  for (int i = 0; i < 30; ++i) (void)trust.force(120.0, 2.0);
+  for (int i = 0; i < 195; ++i) EXPECT_EQ(trust.force(120.0, 110.0), 110.0) << i;
+  EXPECT_EQ(trust.force(std::numeric_limits<double>::quiet_NaN(), 110.0), 110.0);
+  for (int i = 0; i < 190; ++i) EXPECT_EQ(trust.force(120.0, 110.0), 110.0) << i;
+}
+
 }  // namespace
 }  // namespace surefoot

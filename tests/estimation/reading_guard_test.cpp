@@ -396,21 +396,45 @@ TEST(ReadingGuard, WithoutAClockOnlyAnglesThatCanBeAreMeasured) {
   SensorReading reading = robot.guard.repaired();
   const JointVector before = reading.q;
   reading.time = 0.0;
-  reading.q[4] += 0.01;
   reading.q[kKnee] = 0.0;
   reading.q[7] = kNaN;
   reading.gyro.setConstant(1e9);
-  for (int i = 1; i <= 8; ++i) {
+  const auto repeat = [&](double step) {
+    reading.q[4] += step;
     robot.guard.update(reading, JointVector::Zero());
+  };
+  for (int i = 1; i <= 8; ++i) {
+    repeat(1e-3);
     EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all()) << "bridged";
   }
-  robot.guard.update(reading, JointVector::Zero());
+  repeat(1e-3);
   const SensorReading& measured = robot.guard.measured();
   EXPECT_TRUE(std::isnan(measured.time));
-  EXPECT_EQ(measured.q[4], before[4] + 0.01);
+  EXPECT_EQ(measured.q[4], reading.q[4]);
+  EXPECT_NE(measured.q[4], before[4]);
   EXPECT_TRUE(std::isnan(measured.q[kKnee]));
   EXPECT_TRUE(std::isnan(measured.q[7]));
   EXPECT_LT(measured.gyro.norm(), 2.0);
+  for (int i = 1; i <= 7; ++i) repeat(0.0);
+  EXPECT_EQ(measured.q[4], reading.q[4]) << "encoders may be slower than this";
+  repeat(0.0);
+  EXPECT_TRUE(measured.q.array().isNaN().all()) << "a driver that is dead by now";
+  repeat(1e-3);
+  EXPECT_EQ(measured.q[4], reading.q[4]) << "it lives again";
+}
+
+TEST(ReadingGuard, ADeadDriversLastReadingIsNotMeasuredThoughItsClockWasWrong) {
+  Swinging robot;
+  robot.run(100);
+  SensorReading reading = robot.guard.repaired();
+  reading.time = kNaN;
+  reading.q[4] += 1e-3;
+  reading.q[7] = kNaN;
+  for (int i = 0; i < 40; ++i) {
+    robot.guard.update(reading, JointVector::Zero());
+    EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all()) << i;
+  }
+  EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::silent);
 }
 
 TEST(ReadingGuard, AllocatesNothing) {
