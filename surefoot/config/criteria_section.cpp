@@ -16,7 +16,7 @@ void read_limits(Section& limits, Criterion& criterion) {
     *limit = value;
   }
   if (criterion.min && criterion.max && *criterion.max < *criterion.min)
-    limits.fail("max", "must not be below min");
+    limits.fail("max", "must not be below min: between them there is nothing");
 }
 
 Criterion read_criterion(Section& section, const std::string& metric) {

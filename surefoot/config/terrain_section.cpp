@@ -210,7 +210,9 @@ void read_slope(Section& section, Elements& elements) {
 void require_shape(const std::string& name, Section& elements, Section& element) {
   if (element.node("shape") != nullptr) return;
   std::vector<std::string> others = elements.keys();
-  std::erase(others, name);
+  std::erase_if(others, [&](const std::string& one) {
+    return one == name || elements.node(one.c_str())->kind == ConfigNode::Kind::null;
+  });
   const std::string new_one = "this key is missing, and \"" + name + "\" is a new element";
   element.fail("shape", others.empty() ? new_one : new_one + "; " + valid_names(name, others));
 }

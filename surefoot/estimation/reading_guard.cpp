@@ -6,6 +6,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
+constexpr double kStill = 0.2;        // all angles at once, of a robot that lives [s]
 constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
@@ -74,12 +75,12 @@ bool ReadingGuard::goes_on(double time) noexcept {
   return is_right;
 }
 
-// While the last good angles will do nothing is measured; then, if they change from reading to
-// reading, it is better than nothing.
+// While the last good angles will do nothing is measured; then, if they have changed lately, it is
+// better than nothing.
 void ReadingGuard::miss(const SensorReading& reading) noexcept {
   const bool stays = are_same(reading.q, raw_q_);
   still_ = stays && missed_ > 0 ? still_ + 1 : 0;
-  moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < options_.patience);
+  moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < kStill);
   raw_q_ = reading.q;
   ++missed_;
   measured_ = repaired_;

@@ -32,7 +32,7 @@ class ReadingGuard {
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
   /// The same, but with NaN in the place of joint angles that are at fault. Where the clock is
   /// wrong it has no time and no angles, or, when that lasts longer than `patience` and they
-  /// change, those of the reading's that can be.
+  /// change within 0.2 s, those of the reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
   [[nodiscard]] const SensorHealth& health() const { return health_; }
   /// Time since each joint's last good angle [s].

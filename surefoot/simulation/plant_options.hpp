@@ -91,7 +91,7 @@ struct TorqueLoopOptions {
 };
 
 struct ActuatorOptions {
-  ActuatorModel model = ActuatorModel::ideal;
+  ActuatorModel model = ActuatorModel::ideal;  ///< of a scenario that names none: sea
   // sea:
   int level = 1;                ///< 1: delay and lag; 2: motor, spring and torque loop
   int delay_ticks = 1;          ///< control ticks between command and motor

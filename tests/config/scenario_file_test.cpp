@@ -72,10 +72,15 @@ TEST_F(ScenarioFile, takes_a_criterion_away_by_naming_nothing) {
 }
 
 TEST_F(ScenarioFile, that_asks_for_a_goal_which_it_has_not_says_so) {
-  EXPECT_TRUE(holds(complaint("criteria: {speed_mps: {min: 2, max: 1}}\n"),
-                    "trial.yaml:2: criteria.speed_mps.max: must not be below min"));
   EXPECT_TRUE(holds(complaint("criteria: {goal_reached: true}\n"),
                     "trial.yaml:2: criteria.goal_reached: the scenario has no goal"));
+}
+
+TEST_F(ScenarioFile, a_criterion_that_no_value_meets_is_refused) {
+  EXPECT_TRUE(holds(complaint("criteria: {speed_mps: {min: 2, max: 1}}\n"),
+                    "trial.yaml:2: criteria.speed_mps.max: must not be below min"));
+  EXPECT_EQ(criteria_of(read("criteria: {speed_mps: {min: 2, max: 2}}\n")),
+            (std::vector<std::string>{"fell", "speed_mps"}));
 }
 
 TEST_F(ScenarioFile, shows_no_figures_of_the_paper_beside_another_experiment) {
