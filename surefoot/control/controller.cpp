@@ -211,7 +211,7 @@ TickContext Controller::Implementation::context() noexcept {
 
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
   model.set_leg_lengths(kinematics.errors());
-  model.set_com_offset(com_calibration.offset());
+  model.set_base_load(com_calibration.load());
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
@@ -275,7 +275,9 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   }
   link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());
-  if (is_quiet || !weighing) com_calibration.update(dynamics, record.state.foot_force, weighing);
+  if (is_quiet || !(turning || weighing)) {
+    com_calibration.update(dynamics, record.state.foot_force, stage);
+  }
 }
 
 void Controller::Implementation::describe(const Dynamics& dynamics,

@@ -10,41 +10,43 @@
 namespace surefoot {
 namespace {
 
-constexpr double kFadeIn = 0.5;      // of a weighing [s]
-constexpr double kFollow = 0.5;      // of what links are found to weigh, a time constant [s]
-constexpr double kLargest = 0.10;    // of an offset that is believed [m]
-constexpr double kLeastShare = 0.5;  // of the weight that the feet must feel
-constexpr double kLeast = 1.0;       // of a weighing that counts [s]
-constexpr double kMemory = 1.0;      // the vertical is known only at the end of the motion [s]
+constexpr double kFadeIn = 0.5;    // of a weighing [s]
+constexpr double kFollow = 0.5;    // of what links are found to weigh, a time constant [s]
+constexpr double kLargest = 0.10;  // of an offset that is believed [m]
+constexpr double kLightest = -0.3, kHeaviest = 0.6;  // of a load that is, in model's masses
+constexpr double kLeastShare = 0.5;                  // of the weight that the feet must feel
+constexpr double kLeast = 1.0;                       // of a weighing that counts [s]
+constexpr double kMemory = 1.0;  // the vertical is known only at the end of the motion [s]
 
 }  // namespace
 
 void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
-                            bool listening) noexcept {
-  if (!listening) {
-    end_weighing(dynamics);
-    share_ = std::min(1.0, share_ + period_ / kFadeIn);
-    heavier_in_use_ += period_ / kFollow * (heavier_ - heavier_in_use_);
+                            CalibrationStage stage) noexcept {
+  const bool turns = stage == CalibrationStage::turning;
+  if (turns && !turning_) height_.begin();
+  turning_ = turns;
+  const GroundReaction reaction = ground_reaction(dynamics, foot_force);
+  const bool is_felt = reaction.force.z() > kLeastShare * dynamics.mass * kGravity;
+  if (stage == CalibrationStage::weighing) {
+    if (is_felt) weigh(dynamics, reaction);
     return;
   }
-  Vec3 F = Vec3::Zero(), M = Vec3::Zero();
-  double ground = 0.0;
-  for (const Leg leg : kLegs) {
-    const Vec3& f = foot_force[index(leg)];
-    F += f;
-    M += dynamics.contact[index(leg)].p.cross(f);
-    ground += dynamics.contact[index(leg)].p.z() / kNumLegs;
-  }
-  if (!(F.z() > kLeastShare * dynamics.mass * kGravity)) return;
-  const Vec3& c = dynamics.com.p;
-  const Vec3 error((ground * F.x() - M.y()) / F.z() - c.x(),
-                   (ground * F.y() + M.x()) / F.z() - c.y(), 0.0);
+  end_weighing(dynamics);
+  share_ = std::min(1.0, share_ + period_ / kFadeIn);
+  heavier_in_use_ += period_ / kFollow * (heavier_ - heavier_in_use_);
+  if (turns && is_felt) height_.add(dynamics, reaction);
+}
+
+void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& reaction) {
+  Vec3 error = Vec3::Zero();
+  error.head<2>() = reaction.line_of_action(0.0) - dynamics.com.p.head<2>();
   const Vec3 in_base = dynamics.base_rotation.R.transpose() * error;
   if (!in_base.allFinite()) return;
   const double share = std::max(1.0 / ++samples_, period_ / kMemory);
-  mean_ += share * (Vec3(in_base.x(), in_base.y(), 0.0) - mean_);
-  F_ = F;
-  centre_ = Vec3(c.x() + error.x(), c.y() + error.y(), ground);
+  mean_.offset += share * (in_base - mean_.offset);
+  mean_.mass += share * (reaction.force.z() / kGravity - dynamics.mass - mean_.mass);
+  F_ = reaction.force;
+  centre_ << dynamics.com.p.head<2>() + error.head<2>(), reaction.ground;
 }
 
 ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
@@ -64,22 +66,46 @@ ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
   return result;
 }
 
-// The weighing knows nothing of heavier links, the offset that was in use while it lasted does.
+ComCalibration::Bare ComCalibration::bare(const Dynamics& dynamics) const {
+  const BaseLoad now = load();
+  const double mass = dynamics.mass - now.mass;
+  const Vec3 com = dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
+  return {.mass = mass, .com = (dynamics.mass * com - now.moment) / mass};
+}
+
+// The weighing knows nothing of heavier links, the offset that was in use while it lasted does. It
+// knows of a line that the COM is on, the turning how high.
 void ComCalibration::end_weighing(const Dynamics& dynamics) {
   if (samples_ >= std::lround(kLeast / period_)) {
-    const Vec3 offset_now = offset();
+    const Mat3 R_BW = dynamics.base_rotation.R.transpose();
+    const double mass_now = in_use().mass;
+    bare_ = bare(dynamics);
+    const Vec3 offset_now = R_BW * (dynamics.com.p - dynamics.base.p) - bare_.com;
+    const Vec3 up = R_BW.col(2);
+    const Vec3 found = mean_.offset + (height_.found() - mean_.offset.z()) / up.z() * up;
     slope_ = slope(dynamics);
-    before_ = offset_now - slope_ * heavier_in_use_;
-    offset_ = clip_norm<3>(offset_now + mean_, kLargest);
+    before_ = {.mass = mass_now, .offset = offset_now - slope_ * heavier_in_use_};
+    weighed_ = {
+        .mass = std::clamp(mass_now + mean_.mass, kLightest * bare_.mass, kHeaviest * bare_.mass),
+        .offset = clip_norm<3>(offset_now + found, kLargest)};
     share_ = 0.0;
+    height_.begin();
   }
-  mean_.setZero();
+  mean_ = Weight{};
   samples_ = 0;
 }
 
-Vec3 ComCalibration::offset() const noexcept {
-  const Vec3 weighed = before_ + smoothstep(share_) * (offset_ - before_);
-  return clip_norm<3>(weighed + slope_ * heavier_in_use_, kLargest);
+ComCalibration::Weight ComCalibration::in_use() const {
+  const double share = smoothstep(share_);
+  const Vec3 offset = before_.offset + share * (weighed_.offset - before_.offset);
+  return {.mass = before_.mass + share * (weighed_.mass - before_.mass),
+          .offset = clip_norm<3>(offset + slope_ * heavier_in_use_, kLargest)};
+}
+
+BaseLoad ComCalibration::load() const noexcept {
+  const Weight weight = in_use();
+  return {.mass = weight.mass,
+          .moment = weight.mass * bare_.com + (bare_.mass + weight.mass) * weight.offset};
 }
 
 }  // namespace surefoot

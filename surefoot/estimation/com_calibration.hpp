@@ -1,50 +1,70 @@
 #pragma once
 
+#include "surefoot/estimation/com_height.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
+#include "surefoot/model/base_load.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/motion_plan.hpp"
 
 namespace surefoot {
 
-/// How far the centre of mass lies from where the model has it, as standing feet feel it: payload,
-/// wrong masses, and a vertical that is believed askew.
+/// What the robot carries beyond its model and where, as standing feet feel it: payload, wrong
+/// masses, and a vertical that is believed askew.
 ///
-/// At rest the COM stands over the centre of pressure of the ground forces f_k. With F = Σ f_k,
-/// M = Σ p_k × f_k and z the height of the ground,
-///
-///     c_x = (z F_x − M_y) / F_z,   c_y = (z F_y + M_x) / F_z
-///
-/// The mean of c − c_model, forgetting what is older than a second, is the offset. It is taken to
-/// be fixed in B, without a part along z, and fades in.
+/// At rest the COM stands over the centre of pressure of the ground forces f_k, of which m = F_z /
+/// g are felt (GroundReaction). The means of m − m_model and c − c_model, forgetting what is older
+/// than a second, fade in. How high the COM lies is found before, while the torso turns
+/// (ComHeight). Both are taken for a load of the base, with mass m − m_model and first moment m c −
+/// m_model c_model in B: legs that move under a payload move the COM by less than they would
+/// without.
 ///
 /// The forces are those that the joint torques leave when they have carried the legs, so links that
 /// are heavier than modelled by shares s_l, as is found later, in the air, have moved them:
-/// ∂f_k / ∂s_l = (J_kᵀ)⁻¹ g_l, with g_l the torques that carry link l as modelled. The offset moves
+/// ∂f_k / ∂s_l = (J_kᵀ)⁻¹ g_l, with g_l the torques that carry link l as modelled. The COM moves
 /// by ∂c / ∂s_l s_l, little by little. Does not allocate.
 class ComCalibration {
  public:
   explicit ComCalibration(double period) : period_(period) {}
 
-  /// One tick; `listening` while the robot stands still on all feet. Forces in W [N].
-  void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force, bool listening) noexcept;
+  /// One tick: turns or weighs with the robot on all feet, as the stage says; forces in W [N].
+  /// Ticks of these stages may be missed. `dynamics` are of a model that has the load.
+  void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
+              CalibrationStage stage) noexcept;
 
   /// What the links are found to weigh, from now on (LinkMassEstimator).
   void correct(const LinkMassEstimator::Shares& heavier) noexcept { heavier_ = heavier; }
 
-  /// To be added to the model's COM, in B [m].
-  [[nodiscard]] Vec3 offset() const noexcept;
+  /// What the model's base carries.
+  [[nodiscard]] BaseLoad load() const noexcept;
 
  private:
   using Shares = LinkMassEstimator::Shares;
   using Slope = Eigen::Matrix<double, 3, LinkMassEstimator::kNumLinks>;
 
+  /// In the posture of the weighing.
+  struct Weight {
+    double mass = 0.0;           // of the load [kg]
+    Vec3 offset = Vec3::Zero();  // of the COM from the bare model's, in B [m]
+  };
+  struct Bare {
+    double mass = 0.0;        // of the model without a load [kg]
+    Vec3 com = Vec3::Zero();  // in B [m]
+  };
+
   [[nodiscard]] Slope slope(const Dynamics& dynamics) const;
+  [[nodiscard]] Bare bare(const Dynamics& dynamics) const;
+  [[nodiscard]] Weight in_use() const;
+  void weigh(const Dynamics& dynamics, const GroundReaction& reaction);
   void end_weighing(const Dynamics& dynamics);
 
   double period_;
-  Vec3 mean_ = Vec3::Zero();
+  bool turning_ = false;
+  ComHeight height_;
+  Weight mean_;  // by which the model's are off, and level
   int samples_ = 0;
-  Vec3 before_ = Vec3::Zero(), offset_ = Vec3::Zero();
-  double share_ = 1.0;                             // of the offset that is in use
+  Weight before_, weighed_;
+  Bare bare_;
+  double share_ = 1.0;                             // of what was weighed that is in use
   Vec3 F_ = Vec3::Zero(), centre_ = Vec3::Zero();  // of the last tick weighed, in W [N], [m]
   Slope slope_ = Slope::Zero();                    // of the last weighing, in B [m]
   Shares heavier_ = Shares::Zero(), heavier_in_use_ = Shares::Zero();

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/external_force.hpp"
 
+#include "surefoot/model/angular_momentum.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,13 +9,6 @@ namespace surefoot {
 namespace {
 
 constexpr double kLongestGap = 0.05;  // between two updates; after a longer one it starts anew [s]
-
-/// Of the whole body about its centre of mass, in W.
-Vec3 angular_momentum(const Dynamics& dynamics) {
-  const Vec3 about_base = dynamics.base_rotation.R * (dynamics.M.middleRows<3>(3) * dynamics.u);
-  const Vec3 lever = dynamics.com.p - dynamics.base.p;
-  return about_base - lever.cross(dynamics.mass * dynamics.com.v);
-}
 
 /// What is left of v beyond a ball of radius `band`, at most `most` long: v (1 − (band / |v|)²), so
 /// that nearly all of what is clearly beyond is left.

@@ -80,15 +80,16 @@ struct RobotModel::Implementation {
       }
     }
     set_leg_lengths(KinematicErrors{});
-    nominal_base_lever = model.inertias[kBaseJoint].lever();
+    bare_base = model.inertias[kBaseJoint];
     // crba of the rest posture gives the mass.
     q[6] = 1.0;
     update_dynamics();
   }
 
-  void set_com_offset(const Vec3& offset) {
+  void set_base_load(const BaseLoad& load) {
     pinocchio::Inertia& base = model.inertias[kBaseJoint];
-    base.lever() = nominal_base_lever + dynamics.mass / base.mass() * offset;
+    base.mass() = bare_base.mass() + load.mass;
+    base.lever() = (bare_base.mass() * bare_base.lever() + load.moment) / base.mass();
   }
 
   void set_leg_lengths(const KinematicErrors& legs) {
@@ -220,9 +221,9 @@ struct RobotModel::Implementation {
   const BodyTree tree;
   pinocchio::Model model;
   pinocchio::Data data;
-  PerLeg<LegChain> chains;                 // with the lengths that are believed
-  Vec3 nominal_base_lever = Vec3::Zero();  // COM of the base body in B, as in the URDF [m]
-  Eigen::VectorXd q;                       // p_WB, q_WB (x y z w), joints
+  PerLeg<LegChain> chains;       // with the lengths that are believed
+  pinocchio::Inertia bare_base;  // without a load
+  Eigen::VectorXd q;             // p_WB, q_WB (x y z w), joints
   Eigen::VectorXd u;
   const Eigen::VectorXd zero;
   Dynamics dynamics;
@@ -248,8 +249,8 @@ void RobotModel::set_leg_lengths(const KinematicErrors& legs) noexcept {
   implementation_->set_leg_lengths(legs);
 }
 
-void RobotModel::set_com_offset(const Vec3& offset) noexcept {
-  implementation_->set_com_offset(offset);
+void RobotModel::set_base_load(const BaseLoad& load) noexcept {
+  implementation_->set_base_load(load);
 }
 
 void RobotModel::load(const Vec3& force, const Vec3& moment) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/model/base_load.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
@@ -32,9 +33,9 @@ class RobotModel {
   /// the masses stay where they are. Does not allocate.
   void set_leg_lengths(const KinematicErrors& legs) noexcept;
 
-  /// Moves the base's mass so that the COM of the whole robot lies this far, in B, from where the
-  /// URDF has it, from the next update on [m]. Does not allocate.
-  void set_com_offset(const Vec3& offset) noexcept;
+  /// Lets the base carry a load as part of itself, from the next update on. Its own mass and the
+  /// load's must not cancel. Does not allocate.
+  void set_base_load(const BaseLoad& load) noexcept;
 
   /// Lets a wrench at the centre of mass, in W [N], [N·m], act on the base as gravity does: it is
   /// taken off h of the last update, M u̇ + h − J_bᵀ w = Sᵀτ + Σ J_Cᵀ λ.

@@ -32,7 +32,7 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
     : options_(options),
       period_(period),
       com_planner_(options.com, options.force, weight),
-      balance_(options.push, weight, period),
+      balance_(options.push, period),
       foothold_planner_(options.stance, options.foothold),
       torso_(options.torso, period),
       friction_frame_(options.friction_frame, period),

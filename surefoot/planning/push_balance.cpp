@@ -13,6 +13,7 @@ constexpr double kLeastWeight = 0.5;  // that the ground must carry, as a share 
 void PushBalance::update(const RobotState& state, const Dynamics& dynamics,
                          double height) noexcept {
   height_ = height;
+  weight_ = kGravity * dynamics.mass;
   force_.setZero();
   load_ = ComLoad{};
   if (options_.enabled && state.external_force.allFinite() && state.external_moment.allFinite()) {

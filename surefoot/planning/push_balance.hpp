@@ -13,9 +13,8 @@ namespace surefoot {
 /// rest, and whether the force is one that a plan can rely on.
 class PushBalance {
  public:
-  /// `weight` of the robot [N]; `period` of the control loop [s].
-  PushBalance(const PushOptions& options, double weight, double period)
-      : options_(options), weight_(weight), period_(period) {}
+  /// `period` of the control loop [s].
+  PushBalance(const PushOptions& options, double period) : options_(options), period_(period) {}
 
   /// One tick. `height` is that of the COM over the ground [m].
   void update(const RobotState& state, const Dynamics& dynamics, double height) noexcept;
@@ -60,8 +59,8 @@ class PushBalance {
 
  private:
   PushOptions options_;
-  double weight_;
   double period_;
+  double weight_ = kNaN;  // of the robot [N]
   double height_ = 0.5;
   double planned_at_ = 0.0;
   ComLoad load_;

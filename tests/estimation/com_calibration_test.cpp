@@ -1,143 +1,179 @@
 #include "surefoot/estimation/com_calibration.hpp"
 
-#include "surefoot/model/robot_model.hpp"
-#include "tests/support/anymal_b.hpp"
+#include "surefoot/planning/calibration_motion.hpp"
+#include "tests/support/laden_robot.hpp"
 
 #include <gtest/gtest.h>
 
 namespace surefoot {
 namespace {
 
-constexpr double kPeriod = 0.0025;
+using test::kPeriod;
+using test::LadenRobot;
 
-/// A standing robot whose feet feel that it stands over another point than its model says.
-struct Standing {
-  Standing() : model(test::anymal_b()) {
-    RobotState state;
-    state.time = 0.0;
-    state.p_WB = Vec3(0.3, -0.2, 0.5);
-    state.q_WB = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
-    state.v_WB.setZero();
-    state.w_WB_B.setZero();
-    state.q = model.description().q_nominal;
-    state.qd.setZero();
-    dynamics = model.update(state, Vec3::UnitZ());
+/// A calibration and the robot that it is about; every tick the model has the load in use.
+struct Weighing {
+  explicit Weighing(const BaseLoad& truth) : robot(truth) {}
+
+  void run(double duration, CalibrationStage stage) {
+    for (double t = 0.0; t < duration; t += kPeriod) tick(stage);
   }
 
-  /// Vertical forces whose centre of pressure lies `offset` in B from the model's COM.
-  [[nodiscard]] PerLeg<Vec3> forces(const Vec2& offset) const {
-    const Vec2 centre =
-        dynamics.com.p.head<2>() + dynamics.base_rotation.R.topLeftCorner<2, 2>() * offset;
-    Eigen::Matrix<double, 3, kNumLegs> A;
-    for (int k = 0; k < kNumLegs; ++k) {
-      A.col(k) << 1.0, dynamics.contact[static_cast<std::size_t>(k)].p.head<2>();
+  void tick(CalibrationStage stage) {
+    robot.model.set_base_load(calibration.load());
+    robot.update();
+    PerLeg<Vec3> forces = robot.forces();
+    for (std::size_t k = 0; k < kNumLegs; ++k) forces[k] = forces[k] * felt + misread[k];
+    calibration.update(robot.believed(), forces, stage);
+  }
+
+  void turn() {
+    const CalibrationOptions options{.duration = 6.0};
+    const CalibrationMotion motion(options);
+    for (double t = 0.0; t < options.settle + options.duration; t += kPeriod) {
+      robot.turn(motion, t);
+      tick(motion.stage(t));
     }
-    const Vec3 b = dynamics.mass * kGravity * Vec3(1.0, centre.x(), centre.y());
-    const Eigen::Vector4d f = A.transpose() * (A * A.transpose()).ldlt().solve(b);
-    PerLeg<Vec3> result;
-    for (int k = 0; k < kNumLegs; ++k) result[static_cast<std::size_t>(k)] = f[k] * Vec3::UnitZ();
-    return result;
+    robot.stand();
   }
 
-  RobotModel model;
-  Dynamics dynamics;
+  void weigh() {
+    run(1.5, CalibrationStage::weighing);
+    run(1.0, CalibrationStage::settling);
+  }
+
+  /// What the forces become of which the model takes links to be lighter than they are.
+  void misread_by(const LinkMassEstimator::Shares& heavier) {
+    for (const Leg leg : kLegs) {
+      const std::size_t k = index(leg);
+      const Vec3 weight =
+          -robot.believed().links[k].free_rate * heavier.segment<kJointsPerLeg>(first_joint(leg));
+      const Mat3 J = robot.believed().contact[k].J.middleCols<3>(6 + first_joint(leg));
+      misread[k] = -J.transpose().inverse() * weight;
+    }
+  }
+
+  /// How far the model's COM is off the true one, in B [m].
+  Vec3 error() {
+    robot.model.set_base_load(calibration.load());
+    robot.update();
+    return robot.believed().base_rotation.R.transpose() *
+           (robot.believed().com.p - robot.actual().com.p);
+  }
+
+  LadenRobot robot;
+  ComCalibration calibration{kPeriod};
+  double felt = 1.0;
+  PerLeg<Vec3> misread{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
-void run(ComCalibration& calibration, const Standing& robot, const PerLeg<Vec3>& forces,
-         double duration, bool listening) {
-  for (double t = 0.0; t < duration; t += kPeriod) {
-    calibration.update(robot.dynamics, forces, listening);
-  }
-}
+constexpr double kMass = 30.4754;  // of the model [kg]
+
+/// That moves the COM by an offset in B [m].
+BaseLoad shifted_by(const Vec3& offset) { return {.mass = 0.0, .moment = kMass * offset}; }
+
+BaseLoad payload(double mass, const Vec3& at) { return {.mass = mass, .moment = mass * at}; }
 
 TEST(ComCalibration, FindsWhereTheRobotStands) {
-  const Standing robot;
-  ComCalibration calibration(kPeriod);
-  run(calibration, robot, robot.forces({0.02, -0.013}), 1.5, true);
-  EXPECT_EQ(calibration.offset(), Vec3::Zero()) << "in use only when it has ended";
-  run(calibration, robot, robot.forces({0.0, 0.0}), 0.25, false);
-  EXPECT_GT(calibration.offset().norm(), 0.2 * 0.0239) << "little by little";
-  EXPECT_LT(calibration.offset().norm(), 0.8 * 0.0239);
-  run(calibration, robot, robot.forces({0.0, 0.0}), 0.5, false);
-  EXPECT_LT((calibration.offset() - Vec3(0.02, -0.013, 0.0)).norm(), 1e-9);
+  Weighing weighing(shifted_by({0.02, -0.013, 0.0}));
+  weighing.run(1.5, CalibrationStage::weighing);
+  EXPECT_EQ(weighing.calibration.load().moment, Vec3::Zero()) << "in use only when it has ended";
+  weighing.run(0.25, CalibrationStage::settling);
+  EXPECT_GT(weighing.error().norm(), 0.2 * 0.0239) << "little by little";
+  EXPECT_LT(weighing.error().norm(), 0.8 * 0.0239);
+  weighing.run(0.5, CalibrationStage::settling);
+  EXPECT_LT(weighing.error().norm(), 1e-9);
+}
+
+TEST(ComCalibration, FindsWhatAPayloadWeighsAndHowHighItLies) {
+  Weighing weighing(payload(6.9, {0.06, -0.04, 0.2}));
+  const double higher = weighing.error().norm();
+  EXPECT_GT(higher, 0.03);
+  weighing.turn();
+  EXPECT_EQ(weighing.calibration.load().mass, 0.0) << "in use only when it is weighed";
+  weighing.weigh();
+  EXPECT_NEAR(weighing.calibration.load().mass, 6.9, 1e-6);
+  EXPECT_LT(weighing.error().head<2>().norm(), 1e-5);
+  EXPECT_LT(std::abs(weighing.error().z()), 0.006) << "of 40 mm; it has an inertia of its own";
+}
+
+TEST(ComCalibration, KnowsWhereTheComIsWhenLegsMoveUnderAPayload) {
+  Weighing weighing(payload(6.9, {0.0, 0.0, 0.05}));
+  weighing.weigh();
+  weighing.robot.move_legs(0.5);
+  EXPECT_GT((weighing.robot.believed().com.p - weighing.robot.believed().base.p).norm(), 0.0);
+  EXPECT_LT(weighing.error().head<2>().norm(), 1e-6);
+  weighing.robot.model.set_base_load(shifted_by({0.0, 0.0, 0.0}));
+  weighing.robot.update();
+  const Vec2 unladen = (weighing.robot.believed().com.p - weighing.robot.actual().com.p).head<2>();
+  EXPECT_GT(unladen.norm(), 0.003) << "the same posture, by the model alone";
+}
+
+TEST(ComCalibration, FindsNothingOnARobotThatIsAsModelled) {
+  Weighing weighing(BaseLoad{});
+  weighing.turn();
+  weighing.weigh();
+  EXPECT_LT(std::abs(weighing.calibration.load().mass), 1e-9);
+  EXPECT_LT(weighing.error().norm(), 0.002);
 }
 
 TEST(ComCalibration, ListensForASecondAtLeastAndOnlyToFeetThatCarry) {
-  const Standing robot;
-  ComCalibration calibration(kPeriod);
-  run(calibration, robot, robot.forces({0.02, 0.0}), 0.5, true);
-  run(calibration, robot, robot.forces({0.0, 0.0}), 1.0, false);
-  EXPECT_EQ(calibration.offset(), Vec3::Zero());
-  PerLeg<Vec3> light = robot.forces({0.02, 0.0});
-  for (Vec3& force : light) force *= 0.3;
-  run(calibration, robot, light, 2.0, true);
-  run(calibration, robot, light, 1.0, false);
-  EXPECT_EQ(calibration.offset(), Vec3::Zero());
+  Weighing weighing(shifted_by({0.02, 0.0, 0.0}));
+  weighing.run(0.5, CalibrationStage::weighing);
+  weighing.run(1.0, CalibrationStage::settling);
+  EXPECT_EQ(weighing.calibration.load().moment, Vec3::Zero());
+  weighing.felt = 0.3;
+  weighing.turn();
+  weighing.weigh();
+  EXPECT_EQ(weighing.calibration.load().moment, Vec3::Zero());
 }
 
-TEST(ComCalibration, BelievesNoOffsetBeyondTenCentimetresAndNoNumberThatIsNone) {
-  const Standing robot;
-  ComCalibration calibration(kPeriod);
-  run(calibration, robot, robot.forces({0.3, 0.0}), 1.5, true);
-  PerLeg<Vec3> broken = robot.forces({0.3, 0.0});
-  broken[2].x() = kNaN;
-  run(calibration, robot, broken, 0.5, true);
-  run(calibration, robot, broken, 1.0, false);
-  EXPECT_NEAR(calibration.offset().norm(), 0.1, 1e-9);
-}
-
-/// What the forces become of which the model takes links to be lighter than they are by `heavier`.
-PerLeg<Vec3> misread(const Standing& robot, PerLeg<Vec3> forces,
-                     const LinkMassEstimator::Shares& heavier) {
-  for (const Leg leg : kLegs) {
-    const std::size_t k = index(leg);
-    const Vec3 weight =
-        -robot.dynamics.links[k].free_rate * heavier.segment<kJointsPerLeg>(first_joint(leg));
-    const Mat3 J = robot.dynamics.contact[k].J.middleCols<3>(6 + first_joint(leg));
-    forces[k] -= J.transpose().inverse() * weight;
-  }
-  return forces;
+TEST(ComCalibration, BelievesNoOffsetBeyondTenCentimetresNoMonsterAndNoNumberThatIsNone) {
+  Weighing weighing(shifted_by({0.3, 0.0, 0.0}));
+  weighing.run(1.5, CalibrationStage::weighing);
+  weighing.misread[2].x() = kNaN;
+  weighing.run(0.5, CalibrationStage::weighing);
+  weighing.turn();
+  weighing.misread[2].x() = 0.0;
+  weighing.run(1.0, CalibrationStage::settling);
+  EXPECT_NEAR(weighing.error().norm(), 0.2, 1e-6);
+  Weighing monster(payload(40.0, {0.0, 0.0, 0.0}));
+  monster.weigh();
+  EXPECT_NEAR(monster.calibration.load().mass, 0.6 * kMass, 1e-3);
 }
 
 TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {
-  const Standing robot;
   LinkMassEstimator::Shares heavier;
   heavier << 0.1, -0.15, 0.12, 0.0, 0.1, -0.1, 0.15, 0.15, 0.15, -0.1, 0.1, -0.05;
-  const Vec3 truth(0.011, -0.007, 0.0);
-  const PerLeg<Vec3> felt = misread(robot, robot.forces(truth.head<2>()), heavier);
-  ComCalibration calibration(kPeriod);
-  run(calibration, robot, felt, 1.5, true);
-  run(calibration, robot, felt, 2.0, false);
-  const Vec3 wrong = calibration.offset();
-  EXPECT_GT((wrong - truth).norm(), 1e-3);
-  calibration.correct(heavier);
-  EXPECT_EQ(calibration.offset(), wrong) << "not at once";
-  run(calibration, robot, felt, 0.01, false);
-  EXPECT_LT((calibration.offset() - wrong).norm(), 0.1 * (truth - wrong).norm()) << "not at once";
-  run(calibration, robot, felt, 8.0, false);
-  EXPECT_LT((calibration.offset() - truth).norm(), 0.05 * (wrong - truth).norm());
+  Weighing weighing(shifted_by({0.011, -0.007, 0.0}));
+  weighing.misread_by(heavier);
+  weighing.weigh();
+  const double wrong = weighing.error().norm();
+  EXPECT_GT(wrong, 1e-3);
+  weighing.calibration.correct(heavier);
+  EXPECT_NEAR(weighing.error().norm(), wrong, 1e-12) << "not at once";
+  weighing.run(0.01, CalibrationStage::none);
+  EXPECT_GT(weighing.error().norm(), 0.9 * wrong) << "not at once";
+  weighing.run(8.0, CalibrationStage::none);
+  EXPECT_LT(weighing.error().norm(), 0.05 * wrong);
 }
 
-// The model has the offset in use; a second weighing finds nothing more, and it stays, as do the
+// The model has the load in use; a second weighing finds nothing more, and it stays, as do the
 // links, for which it has begun already.
 TEST(ComCalibration, WeighsAgainWithLinksThatAreKnown) {
-  const Standing robot;
   const LinkMassEstimator::Shares heavier = LinkMassEstimator::Shares::Constant(0.1);
-  const Vec3 truth(0.011, -0.007, 0.0);
-  const PerLeg<Vec3> felt = misread(robot, robot.forces(truth.head<2>()), heavier);
-  ComCalibration calibration(kPeriod);
-  run(calibration, robot, felt, 1.5, true);
-  calibration.correct(heavier);
-  run(calibration, robot, felt, 8.0, false);
-  const Vec3 known = calibration.offset();
-  Standing moved;  // the same robot; its model has the offset
-  moved.dynamics.com.p += moved.dynamics.base_rotation.R * known;
-  run(calibration, moved, felt, 1.5, true);
-  EXPECT_LT((calibration.offset() - known).norm(), 1e-12) << "while it lasts";
-  run(calibration, moved, felt, kPeriod, false);
-  EXPECT_LT((calibration.offset() - known).norm(), 1e-4) << "no jump";
-  run(calibration, moved, felt, 8.0, false);
-  EXPECT_LT((calibration.offset() - truth).norm(), 1e-4);
+  Weighing weighing(payload(5.0, {0.08, -0.05, 0.1}));
+  weighing.misread_by(heavier);
+  weighing.weigh();
+  weighing.calibration.correct(heavier);
+  weighing.run(8.0, CalibrationStage::none);
+  const Vec3 known = weighing.error();
+  weighing.run(1.5, CalibrationStage::weighing);
+  EXPECT_LT((weighing.error() - known).norm(), 1e-12) << "while it lasts";
+  weighing.tick(CalibrationStage::settling);
+  EXPECT_LT((weighing.error() - known).norm(), 1e-4) << "no jump";
+  weighing.run(8.0, CalibrationStage::none);
+  EXPECT_LT((weighing.error() - known).norm(), 1e-3);
 }
 
 }  // namespace

@@ -201,6 +201,28 @@ TEST(RobotModel, can_be_moved) {
   EXPECT_NEAR(other.mass(), 30.4754, 1e-4);
 }
 
+TEST(RobotModel, CarriesALoadAsAPointMassOfTheBase) {
+  RobotModel model(anymal_b()), bare(anymal_b());
+  const Vec3 at(0.1, -0.05, 0.2);
+  constexpr double kLoad = 7.0;
+  model.set_base_load({.mass = kLoad, .moment = kLoad * at});
+  Random random(13);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const RobotState state = random.state();
+    const Dynamics& laden = model.update(state, kUp);
+    const Dynamics& dynamics = bare.update(state, kUp);
+    const Vec3 p = state.p_WB + state.R_WB() * at;
+    const Vec3 v = state.v_WB + state.R_WB() * state.w_WB_B.cross(at);
+    EXPECT_NEAR(laden.mass, dynamics.mass + kLoad, 1e-9);
+    EXPECT_LT((laden.mass * laden.com.p - dynamics.mass * dynamics.com.p - kLoad * p).norm(), 1e-9);
+    EXPECT_LT((laden.mass * laden.com.v - dynamics.mass * dynamics.com.v - kLoad * v).norm(), 1e-9);
+    EXPECT_EQ(laden.foot[0].p, dynamics.foot[0].p);
+  }
+  model.set_base_load({});
+  const RobotState state = random.state();
+  EXPECT_LT((model.update(state, kUp).M - bare.update(state, kUp).M).norm(), 1e-12);
+}
+
 TEST(RobotModel, ALoadDoesTheWorkOfAWrenchOnTheBaseAtTheCentreOfMass) {
   RobotModel model(anymal_b());
   Random random(12);

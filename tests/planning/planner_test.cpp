@@ -354,6 +354,7 @@ TEST(Planner, AllocatesNothingInATick) {
   state.v_WB = state.w_WB_B = Vec3::Zero();
   Dynamics dynamics;
   dynamics.com.p = state.p_WB;
+  dynamics.mass = Puppet::kWeight / kGravity;
   Planner planner(probing(), Puppet::kWeight, kPeriod);
   std::size_t most = 0;
   puppet.run(20.0, [&] {

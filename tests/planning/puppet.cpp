@@ -47,6 +47,7 @@ Puppet::Puppet(const PlannerOptions& options, Ground terrain, const Vec2& positi
   state_.q_WB = Quat(R);
   state_.v_WB.setZero();
   state_.w_WB_B.setZero();
+  dynamics_.mass = kWeight / kGravity;
   dynamics_.com.p = state_.p_WB;
   plan_ = planner_.update(user, state_, dynamics_, last);
 }

@@ -20,8 +20,14 @@ RobotState loaded(const Vec3& force, const Vec3& moment) {
   return state;
 }
 
-PushBalance after(const RobotState& state, const Dynamics& dynamics) {
-  PushBalance balance({}, kWeight, kPeriod);
+Dynamics standing() {
+  Dynamics result;
+  result.mass = kWeight / kGravity;
+  return result;
+}
+
+PushBalance after(const RobotState& state, const Dynamics& dynamics = standing()) {
+  PushBalance balance({}, kPeriod);
   balance.update(state, dynamics, kHeight);
   return balance;
 }
@@ -30,7 +36,7 @@ TEST(PushBalance, TheGroundsForceThroughTheShiftedZmpBalancesTheLoad) {
   test::Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Vec3 force = random.vector(60.0), moment = random.vector(15.0);
-    const PushBalance balance = after(loaded(force, moment), {});
+    const PushBalance balance = after(loaded(force, moment));
     const Vec3 zmp(balance.shift().x(), balance.shift().y(), -kHeight);  // from the COM
     const Vec3 ground = kWeight * Vec3::UnitZ() - force;
     const Vec3 about_com = zmp.cross(ground) + moment;
@@ -40,14 +46,14 @@ TEST(PushBalance, TheGroundsForceThroughTheShiftedZmpBalancesTheLoad) {
 
 TEST(PushBalance, APayloadInFrontMovesTheZmpForwardAndNothingElseDoes) {
   const Vec3 force(0.0, 0.0, -60.0), place(0.2, 0.0, 0.1);
-  const PushBalance balance = after(loaded(force, place.cross(force)), {});
+  const PushBalance balance = after(loaded(force, place.cross(force)));
   EXPECT_NEAR(balance.shift().x(), 60.0 * 0.2 / 360.0, 1e-12);
   EXPECT_NEAR(balance.shift().y(), 0.0, 1e-12);
   EXPECT_FALSE(balance.is_pushed()) << "it pushes nowhere";
 }
 
 TEST(PushBalance, TheCapturePointIsThatOfThePendulum) {
-  Dynamics dynamics;
+  Dynamics dynamics = standing();
   dynamics.com.p = {1.0, 2.0, kHeight};
   dynamics.com.v = {0.3, -0.1, 0.0};
   const PushBalance balance = after(loaded(Vec3::Zero(), Vec3::Zero()), dynamics);
@@ -57,19 +63,19 @@ TEST(PushBalance, TheCapturePointIsThatOfThePendulum) {
 }
 
 TEST(PushBalance, AForceIsSteadyOnceItHasStayed) {
-  PushBalance balance({}, kWeight, kPeriod);
+  PushBalance balance({}, kPeriod);
   const PushOptions options;
-  balance.update(loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero()), {}, kHeight);
+  balance.update(loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero()), standing(), kHeight);
   EXPECT_FALSE(balance.is_steady());
   for (double t = 0.0; t < 5.0 * options.settling_time; t += kPeriod)
-    balance.update(loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero()), {}, kHeight);
+    balance.update(loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero()), standing(), kHeight);
   EXPECT_TRUE(balance.is_steady());
-  balance.update(loaded(Vec3::Zero(), Vec3::Zero()), {}, kHeight);
+  balance.update(loaded(Vec3::Zero(), Vec3::Zero()), standing(), kHeight);
   EXPECT_FALSE(balance.is_steady()) << "nor when it ends";
 }
 
 TEST(PushBalance, WhatIsNoNumberIsNoLoad) {
-  const PushBalance balance = after(loaded(Vec3::Constant(kNaN), Vec3::Zero()), {});
+  const PushBalance balance = after(loaded(Vec3::Constant(kNaN), Vec3::Zero()));
   EXPECT_FALSE(balance.is_pushed());
   EXPECT_EQ(balance.shift(), Vec2::Zero());
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "surefoot/model/dynamics.hpp"
+
+namespace surefoot {
+
+/// What the ground does to the feet all together, in W.
+struct GroundReaction {
+  Vec3 force = Vec3::Zero();   ///< F = Σ f_k [N]
+  Vec3 moment = Vec3::Zero();  ///< M = Σ p_k × f_k about W's origin [N·m]
+  double ground = 0.0;         ///< z of the feet in the mean [m]
+
+  /// Where, `height` above the ground, its line of action passes: with h = z + height
+  ///
+  ///     x = (h F_x − M_y) / F_z,   y = (h F_y + M_x) / F_z
+  ///
+  /// at height 0 the centre of pressure [m].
+  [[nodiscard]] Vec2 line_of_action(double height) const {
+    const double h = ground + height;
+    return Vec2(h * force.x() - moment.y(), h * force.y() + moment.x()) / force.z();
+  }
+};
+
+/// Of forces on the four contact points.
+[[nodiscard]] inline GroundReaction ground_reaction(const Dynamics& dynamics,
+                                                    const PerLeg<Vec3>& foot_force) noexcept {
+  GroundReaction result;
+  for (const Leg leg : kLegs) {
+    const Vec3& f = foot_force[index(leg)];
+    const Vec3& p = dynamics.contact[index(leg)].p;
+    result.force += f;
+    result.moment += p.cross(f);
+    result.ground += p.z() / kNumLegs;
+  }
+  return result;
+}
+
+}  // namespace surefoot

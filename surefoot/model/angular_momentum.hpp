@@ -1,0 +1,16 @@
+#pragma once
+
+#include "surefoot/math/types.hpp"
+#include "surefoot/model/dynamics.hpp"
+
+namespace surefoot {
+
+/// Of the whole body about its centre of mass, in W [N·m·s]: the rows of M u that turn the base,
+/// moved from B's origin to the COM.
+[[nodiscard]] inline Vec3 angular_momentum(const Dynamics& dynamics) noexcept {
+  const Vec3 about_base = dynamics.base_rotation.R * (dynamics.M.middleRows<3>(3) * dynamics.u);
+  const Vec3 lever = dynamics.com.p - dynamics.base.p;
+  return about_base - lever.cross(dynamics.mass * dynamics.com.v);
+}
+
+}  // namespace surefoot
