@@ -15,8 +15,9 @@ void read_limits(Section& limits, Criterion& criterion) {
     limits.number(key, value);
     *limit = value;
   }
-  if (criterion.min && criterion.max && *criterion.max < *criterion.min)
-    limits.fail("max", "must not be below min: between them there is nothing");
+  if (criterion.min && criterion.max) {
+    limits.require_order("min", *criterion.min, "max", *criterion.max);
+  }
 }
 
 Criterion read_criterion(Section& section, const std::string& metric) {

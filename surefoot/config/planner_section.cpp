@@ -55,7 +55,7 @@ void read_force(Section& section, ForceOptions& force) {
   section.number("ramp_up", force.ramp_up, kNotNegative);
   section.number("ramp_down", force.ramp_down, kNotNegative);
   section.flag("ramps", force.ramps);
-  if (force.max < force.min) section.fail("max", "must not be below min");
+  section.require_order("min", force.min, "max", force.max);
 }
 
 void read_grip(Section& section, GripOptions& grip) {

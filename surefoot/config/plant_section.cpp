@@ -19,8 +19,7 @@ void read_foot_contact(Section& section, double timestep, ContactOptions& contac
   section.number("impratio", contact.impratio, kPositive);
   if (contact.solref_time < 2.0 * timestep)
     section.fail("solref_time", "must be at least two timesteps");
-  if (contact.solimp_max < contact.solimp_min)
-    section.fail("solimp_max", "must not be below solimp_min");
+  section.require_order("solimp_min", contact.solimp_min, "solimp_max", contact.solimp_max);
 }
 
 void read_rotor(Section& section, RotorOptions& rotor) {

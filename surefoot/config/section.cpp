@@ -1,6 +1,7 @@
 #include "surefoot/config/section.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/nearest_name.hpp"
 
 #include <algorithm>
@@ -117,6 +118,17 @@ void Section::integer(const char* key, std::uint64_t& value) {
   if (given->kind != ConfigNode::Kind::scalar || !parse(given->text, value)) {
     fail(key, describe(*given) + " is not a whole number of at least 0");
   }
+}
+
+void Section::require_order(const char* low_key, double low, const char* high_key,
+                            double high) const {
+  if (!(high < low)) return;
+  const bool high_is_given = node_.find(high_key) != nullptr;
+  const auto said = [](const char* side, const char* key, double value) {
+    return formatted(" must not be %s %s, which is %g", side, key, value);
+  };
+  if (high_is_given) fail(high_key, formatted("%g", high) + said("below", low_key, low));
+  fail(low_key, formatted("%g", low) + said("above", high_key, high));
 }
 
 void Section::flag(const char* key, bool& value) {

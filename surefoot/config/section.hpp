@@ -53,6 +53,9 @@ class Section {
   void elements(const char* key, double* values, const std::vector<std::string>& names,
                 NumberRange range = kAnyNumber);
 
+  /// Of two numbers that were read: an error, with both, where the high one is below the low one.
+  void require_order(const char* low_key, double low, const char* high_key, double high) const;
+
   /// One of the named values of an enumeration.
   template <typename T>
   void choice(const char* key, T& value, const std::vector<std::pair<std::string, T>>& choices);

@@ -123,8 +123,7 @@ void read_friction_tiles(Section& section, Elements& elements) {
   section.number("friction_min", tiles.friction_min, kNotNegative);
   section.number("friction_max", tiles.friction_max, kNotNegative);
   section.integer("seed", tiles.seed);
-  if (tiles.friction_max < tiles.friction_min)
-    section.fail("friction_max", "must not be below friction_min");
+  section.require_order("friction_min", tiles.friction_min, "friction_max", tiles.friction_max);
   if (tiles.size_x / tiles.tile * (tiles.size_y / tiles.tile) > kMostTiles)
     section.fail("tile", "makes more than 2000 tiles of this field; larger ones would be valid");
   add_friction_tiles(tiles, elements);

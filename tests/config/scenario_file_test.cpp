@@ -78,7 +78,7 @@ TEST_F(ScenarioFile, that_asks_for_a_goal_which_it_has_not_says_so) {
 
 TEST_F(ScenarioFile, a_criterion_that_no_value_meets_is_refused) {
   EXPECT_TRUE(holds(complaint("criteria: {speed_mps: {min: 2, max: 1}}\n"),
-                    "trial.yaml:2: criteria.speed_mps.max: must not be below min"));
+                    "trial.yaml:2: criteria.speed_mps.max: 1 must not be below min, which is 2"));
   EXPECT_EQ(criteria_of(read("criteria: {speed_mps: {min: 2, max: 2}}\n")),
             (std::vector<std::string>{"fell", "speed_mps"}));
 }

@@ -118,6 +118,24 @@ TEST(Section, a_whole_number_is_whole_and_neither_too_small_nor_too_large) {
   EXPECT_TRUE(holds(complaint("count: 5", read_count), "more than 4"));
 }
 
+TEST(Section, two_numbers_in_the_wrong_order_are_told_with_both_at_one_that_is_written) {
+  const auto read_both = [](Section& section) {
+    double low = 10.0, high = 400.0;
+    section.number("min", low);
+    section.number("max", high);
+    section.require_order("min", low, "max", high);
+  };
+  EXPECT_EQ(complaint("max: 5", read_both),
+            "f.yaml:1: part.max: 5 must not be below min, which is 10");
+  EXPECT_EQ(complaint("min: 500", read_both),
+            "f.yaml:1: part.min: 500 must not be above max, which is 400");
+  EXPECT_EQ(complaint("min: 500\nmax: 450", read_both),
+            "f.yaml:2: part.max: 450 must not be below min, which is 500");
+  EXPECT_EQ(complaint("{min: 400, mx: 0}", read_both),
+            "f.yaml:1: part.mx: unknown key; did you mean \"max\"? valid are: min, max")
+      << "the same twice is in order";
+}
+
 TEST(Section, a_missing_required_key_is_named_after_unknown_ones) {
   const auto read_required = [](Section& section) {
     std::string name;
