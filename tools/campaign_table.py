@@ -28,7 +28,7 @@ KEPT = (
     "scenario seed version outcome reason missed com_error_max_m velocity_error_rms_mps tilt_error_rms_rad "
     "position_drift_m distance_m touchdown_latency_p95_s touchdowns_noticed touchdowns_late false_touchdowns steps_taken "
     "slips_detected slips_missed slips_false contact_losses_noticed contact_losses_missed contact_losses_false contact_loss_latency_p95_s "
-    "torque_step_max_nm path_deviation_max_m path_deviation_base_max_m"
+    "torque_step_max_nm path_deviation_max_m path_deviation_base_max_m com_error_calibrating_max_m"
 ).split()
 
 

@@ -71,7 +71,8 @@ bool is_plausible(const RobotState& state) {
 
 ModelRecord unknown_model() {
   const Vec3 unknown = Vec3::Constant(kNaN);
-  ModelRecord model{.p_WCom = unknown, .v_WCom = unknown};
+  ModelRecord model{
+      .p_WCom = unknown, .v_WCom = unknown, .load = {.mass = kNaN, .first_moment = unknown}};
   for (PerLeg<Vec3>* vectors : {&model.p_WF, &model.p_WH, &model.force}) vectors->fill(unknown);
   return model;
 }
@@ -87,7 +88,7 @@ struct Controller::Implementation {
         contact_force(options.contact_force, checked_period(options.period)),
         kinematics(robot, options.period),
         link_masses(options.link_masses, options.period),
-        com_calibration(options.period),
+        com_calibration(options.period, model.base_mass()),
         weighs_by_torques(!options.contact_force.use_foot_sensor),
         slip(options.slip, options.period),
         external_force(options.external_force),
@@ -122,6 +123,7 @@ struct Controller::Implementation {
   KinematicCalibration kinematics;
   LinkMassEstimator link_masses;
   ComCalibration com_calibration;
+  BaseLoad base_load;            // of this tick
   const bool weighs_by_torques;  // and so with the links that the torques carry
   SlipDetector slip;
   ExternalForceEstimator external_force;
@@ -211,7 +213,8 @@ TickContext Controller::Implementation::context() noexcept {
 
 const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
   model.set_leg_lengths(kinematics.errors());
-  model.set_base_load(com_calibration.load());
+  base_load = com_calibration.load();
+  model.set_base_load(base_load);
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
                        record.state);
@@ -219,7 +222,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   external_force.update(dynamics, standing(record.plan), record.state);
   compare_sensors(dynamics);
   calibrate(dynamics);
-  model.load(record.state.external_force, record.state.external_moment);
+  model.apply_wrench(record.state.external_force, record.state.external_moment);
   ended(Stage::model);
   record.plan = planner.update(user, record.state, dynamics, last);
   ended(Stage::plan);
@@ -267,7 +270,6 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
                         record.state.external_force.head<2>().isZero();
   const CalibrationStage stage = record.plan.calibration;
   const bool turning = stage == CalibrationStage::turning;
-  const bool weighing = stage == CalibrationStage::weighing;
   if (turning && !is_quiet) {
     kinematics.forget();
   } else {
@@ -275,9 +277,7 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   }
   link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());
-  if (is_quiet || !(turning || weighing)) {
-    com_calibration.update(dynamics, record.state.foot_force, stage);
-  }
+  com_calibration.update(dynamics, record.state.foot_force, stage, is_quiet);
 }
 
 void Controller::Implementation::describe(const Dynamics& dynamics,
@@ -298,6 +298,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
           .pyramid_normal = stack.pyramid_normals(record.plan)};
   record.model.p_WCom = dynamics.com.p;
   record.model.v_WCom = dynamics.com.v;
+  record.model.load = base_load;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     record.model.p_WF[k] = dynamics.foot[k].p;

@@ -12,21 +12,32 @@ namespace {
 
 constexpr double kFadeIn = 0.5;    // of a weighing [s]
 constexpr double kFollow = 0.5;    // of what links are found to weigh, a time constant [s]
-constexpr double kLargest = 0.10;  // of an offset that is believed [m]
-constexpr double kLightest = -0.3, kHeaviest = 0.6;  // of a load that is, in model's masses
-constexpr double kLeastShare = 0.5;                  // of the weight that the feet must feel
-constexpr double kLeast = 1.0;                       // of a weighing that counts [s]
-constexpr double kMemory = 1.0;  // the vertical is known only at the end of the motion [s]
+constexpr double kLargest = 0.10;  // that the COM is believed to be off, in B level and upright [m]
+constexpr double kLightest = -0.5;   // of a load that is believed, in masses of the base …
+constexpr double kHeaviest = 1.0;    // …
+constexpr double kLeastShare = 0.5;  // of the weight that the feet must feel
+constexpr double kLeast = 1.0;       // of a weighing that counts [s]
+constexpr double kMemory = 1.0;      // the vertical is known only at the end of the motion [s]
+
+Vec3 com_in_base(const Dynamics& dynamics) {
+  return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
+}
+
+Vec3 believable(const Vec3& offset) {
+  Vec3 result;
+  result << clip_norm<2>(offset.head<2>(), kLargest), std::clamp(offset.z(), -kLargest, kLargest);
+  return result;
+}
 
 }  // namespace
 
 void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force,
-                            CalibrationStage stage) noexcept {
+                            CalibrationStage stage, bool is_quiet) noexcept {
   const bool turns = stage == CalibrationStage::turning;
-  if (turns && !turning_) height_.begin();
+  if (turns && (!turning_ || !is_quiet)) height_.forget();
   turning_ = turns;
   const GroundReaction reaction = ground_reaction(dynamics, foot_force);
-  const bool is_felt = reaction.force.z() > kLeastShare * dynamics.mass * kGravity;
+  const bool is_felt = is_quiet && reaction.force.z() > kLeastShare * dynamics.mass * kGravity;
   if (stage == CalibrationStage::weighing) {
     if (is_felt) weigh(dynamics, reaction);
     return;
@@ -39,14 +50,40 @@ void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_f
 
 void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& reaction) {
   Vec3 error = Vec3::Zero();
-  error.head<2>() = reaction.line_of_action(0.0) - dynamics.com.p.head<2>();
+  error.head<2>() = reaction.line_of_action(reaction.ground) - dynamics.com.p.head<2>();
   const Vec3 in_base = dynamics.base_rotation.R.transpose() * error;
   if (!in_base.allFinite()) return;
   const double share = std::max(1.0 / ++samples_, period_ / kMemory);
-  mean_.offset += share * (in_base - mean_.offset);
-  mean_.mass += share * (reaction.force.z() / kGravity - dynamics.mass - mean_.mass);
+  mean_offset_ += share * (in_base - mean_offset_);
+  mean_mass_ += share * (reaction.force.z() / kGravity - dynamics.mass - mean_mass_);
   F_ = reaction.force;
   centre_ << dynamics.com.p.head<2>() + error.head<2>(), reaction.ground;
+}
+
+// The weighing knows nothing of heavier links, the load that was in use while it lasted does.
+void ComCalibration::end_weighing(const Dynamics& dynamics) {
+  if (samples_ >= std::lround(kLeast / period_)) {
+    const BaseLoad now = load();
+    const Vec3 com = com_in_base(dynamics);
+    const double bare_mass = dynamics.mass - now.mass;
+    const Vec3 bare_com = (dynamics.mass * com - now.first_moment) / bare_mass;
+    const Vec3 up = dynamics.base_rotation.R.row(2);
+    const std::optional<double> higher = height_.found();
+    const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
+    const Vec3 offset = believable(com - bare_com + found);
+    const double mass =
+        higher ? std::clamp(now.mass + mean_mass_, kLightest * base_mass_, kHeaviest * base_mass_)
+               : now.mass;
+    slope_ = (bare_mass + mass) * slope(dynamics);
+    before_ = {.mass = now.mass, .first_moment = now.first_moment - slope_ * heavier_in_use_};
+    weighed_ = {.mass = mass,
+                .first_moment = (bare_mass + mass) * (bare_com + offset) - bare_mass * bare_com};
+    share_ = 0.0;
+    height_.forget();
+  }
+  mean_offset_.setZero();
+  mean_mass_ = 0.0;
+  samples_ = 0;
 }
 
 ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
@@ -66,46 +103,11 @@ ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {
   return result;
 }
 
-ComCalibration::Bare ComCalibration::bare(const Dynamics& dynamics) const {
-  const BaseLoad now = load();
-  const double mass = dynamics.mass - now.mass;
-  const Vec3 com = dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
-  return {.mass = mass, .com = (dynamics.mass * com - now.moment) / mass};
-}
-
-// The weighing knows nothing of heavier links, the offset that was in use while it lasted does. It
-// knows of a line that the COM is on, the turning how high.
-void ComCalibration::end_weighing(const Dynamics& dynamics) {
-  if (samples_ >= std::lround(kLeast / period_)) {
-    const Mat3 R_BW = dynamics.base_rotation.R.transpose();
-    const double mass_now = in_use().mass;
-    bare_ = bare(dynamics);
-    const Vec3 offset_now = R_BW * (dynamics.com.p - dynamics.base.p) - bare_.com;
-    const Vec3 up = R_BW.col(2);
-    const Vec3 found = mean_.offset + (height_.found() - mean_.offset.z()) / up.z() * up;
-    slope_ = slope(dynamics);
-    before_ = {.mass = mass_now, .offset = offset_now - slope_ * heavier_in_use_};
-    weighed_ = {
-        .mass = std::clamp(mass_now + mean_.mass, kLightest * bare_.mass, kHeaviest * bare_.mass),
-        .offset = clip_norm<3>(offset_now + found, kLargest)};
-    share_ = 0.0;
-    height_.begin();
-  }
-  mean_ = Weight{};
-  samples_ = 0;
-}
-
-ComCalibration::Weight ComCalibration::in_use() const {
-  const double share = smoothstep(share_);
-  const Vec3 offset = before_.offset + share * (weighed_.offset - before_.offset);
-  return {.mass = before_.mass + share * (weighed_.mass - before_.mass),
-          .offset = clip_norm<3>(offset + slope_ * heavier_in_use_, kLargest)};
-}
-
 BaseLoad ComCalibration::load() const noexcept {
-  const Weight weight = in_use();
-  return {.mass = weight.mass,
-          .moment = weight.mass * bare_.com + (bare_.mass + weight.mass) * weight.offset};
+  const double share = smoothstep(share_);
+  const Vec3 moment = before_.first_moment + share * (weighed_.first_moment - before_.first_moment);
+  return {.mass = before_.mass + share * (weighed_.mass - before_.mass),
+          .first_moment = moment + slope_ * heavier_in_use_};
 }
 
 }  // namespace surefoot

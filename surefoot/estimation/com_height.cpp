@@ -5,21 +5,28 @@
 namespace surefoot {
 namespace {
 
-constexpr double kDoubt = 0.01;  // rms of a tilt that tells as much as is known beforehand [rad]
+constexpr double kLeast =
+    0.01;  // ∫ of the tilts' squares about their means [rad² s]: a third of a turn
+
+/// Onto B's x and y, along `up` in B.
+Vec2 projected(const Vec3& v, const Vec3& up) {
+  return v.head<2>() - v.z() / up.z() * up.head<2>();
+}
 
 }  // namespace
 
 void ComHeight::add(const Dynamics& dynamics, const GroundReaction& reaction) noexcept {
   const Mat3 R_BW = dynamics.base_rotation.R.transpose();
   const Vec3& c = dynamics.com.p;
-  Vec3 error = Vec3::Zero();
-  error.head<2>() = reaction.line_of_action(c.z() - reaction.ground) - c.head<2>();
-  const Vec3 L = angular_momentum(dynamics);
-  const Vec2 e = (R_BW * error).head<2>();
-  const Vec2 D = (R_BW * Vec3(L.y(), -L.x(), 0.0)).head<2>() / reaction.force.z();
   const Vec3 up = R_BW.col(2);
-  const Vec2 tilt = -up.head<2>();
-  const Vec2 rate = Vec3(R_BW * dynamics.base_rotation.w).cross(up).head<2>();
+  Vec3 error = Vec3::Zero();
+  error.head<2>() = reaction.line_of_action(c.z()) - c.head<2>();
+  const Vec3 L = angular_momentum(dynamics);
+  const Vec2 e = projected(R_BW * error, up);
+  const Vec2 D = projected(R_BW * Vec3(L.y(), -L.x(), 0.0), up) / reaction.force.z();
+  const Vec2 tilt = -up.head<2>() / up.z();
+  const Vec3 up_rate = up.cross(R_BW * dynamics.base_rotation.w);
+  const Vec2 rate = -(up_rate.head<2>() + up_rate.z() * tilt) / up.z();
   if (!e.allFinite() || !D.allFinite() || !rate.allFinite()) return;
   ++sums_.ticks;
   sums_.tilt += tilt;
@@ -29,13 +36,13 @@ void ComHeight::add(const Dynamics& dynamics, const GroundReaction& reaction) no
   sums_.rate_momentum += rate.cwiseProduct(D);
 }
 
-double ComHeight::found() const noexcept {
-  if (sums_.ticks == 0) return 0.0;
+std::optional<double> ComHeight::found() const noexcept {
   const double n = sums_.ticks;
+  const Vec2 spread = sums_.tilt_tilt - sums_.tilt.cwiseAbs2() / n;
+  if (!(period_ * spread.sum() > kLeast)) return std::nullopt;
   const Vec2 together =
       sums_.tilt_error - sums_.tilt.cwiseProduct(sums_.error) / n - sums_.rate_momentum;
-  const Vec2 spread = sums_.tilt_tilt - sums_.tilt.cwiseAbs2() / n;
-  return together.sum() / (spread.sum() + n * kDoubt * kDoubt);
+  return together.sum() / spread.sum();
 }
 
 }  // namespace surefoot

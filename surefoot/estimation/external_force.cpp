@@ -21,6 +21,15 @@ Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double 
 
 }  // namespace
 
+// What the model carries from now on was part of the load before.
+void ExternalForceEstimator::take_over(const Dynamics& dynamics) {
+  const double more = dynamics.mass - mass_;
+  mass_ = dynamics.mass;
+  if (!std::isfinite(more)) return;
+  explained_ += more * dynamics.com.v;
+  explained_.z() -= options_.load_time_constant * more * kGravity;
+}
+
 void ExternalForceEstimator::start(const Vec3& momentum, const Vec3& angular_momentum) {
   force_.setZero();
   moment_.setZero();
@@ -42,6 +51,7 @@ void ExternalForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>
     ground += f;
     turning += (dynamics.contact[index(leg)].p - dynamics.com.p).cross(f);
   }
+  take_over(dynamics);
   const double dt = state.time - time_;
   time_ = state.time;
   const bool usable = ground.allFinite() && turning.allFinite() && explained_.allFinite() &&

@@ -16,7 +16,9 @@ struct ExternalForceOptions {
   double max_moment = 20.0;         ///< [N·m]
 };
 
-/// What pushes, pulls or loads the robot beside the ground: a momentum observer on the whole body.
+/// What pushes, pulls or loads the robot beside the ground and what its model carries: a momentum
+/// observer on the whole body. Mass that the model takes over (BaseLoad) leaves the residual at
+/// once.
 ///
 ///     d/dt (m v_com) = m g + Σ f_k + F,    d/dt L_com = Σ (p_k − c) × f_k + τ
 ///
@@ -41,9 +43,11 @@ class ExternalForceEstimator {
 
  private:
   void start(const Vec3& momentum, const Vec3& angular_momentum);
+  void take_over(const Dynamics& dynamics);
 
   ExternalForceOptions options_;
   double time_ = kNaN;  // of the last update [s]
+  double mass_ = kNaN;  // of the model then [kg]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
   Vec3 explained_ = Vec3::Zero();          // momentum by the forces known so far [N·s]
   Vec3 angular_explained_ = Vec3::Zero();  // [N·m·s]

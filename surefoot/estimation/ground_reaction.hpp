@@ -10,14 +10,13 @@ struct GroundReaction {
   Vec3 moment = Vec3::Zero();  ///< M = Σ p_k × f_k about W's origin [N·m]
   double ground = 0.0;         ///< z of the feet in the mean [m]
 
-  /// Where, `height` above the ground, its line of action passes: with h = z + height
+  /// Where its line of action passes the height z in W, with F_z ≠ 0
   ///
-  ///     x = (h F_x − M_y) / F_z,   y = (h F_y + M_x) / F_z
+  ///     x = (z F_x − M_y) / F_z,   y = (z F_y + M_x) / F_z
   ///
-  /// at height 0 the centre of pressure [m].
-  [[nodiscard]] Vec2 line_of_action(double height) const {
-    const double h = ground + height;
-    return Vec2(h * force.x() - moment.y(), h * force.y() + moment.x()) / force.z();
+  /// on the ground the centre of pressure [m].
+  [[nodiscard]] Vec2 line_of_action(double z) const {
+    return Vec2(z * force.x() - moment.y(), z * force.y() + moment.x()) / force.z();
   }
 };
 

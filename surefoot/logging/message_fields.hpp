@@ -201,7 +201,8 @@ void fields(Archive& field, T& plan) {
         "a point of the terrain plane, at sphere-centre height, in W [m]");
   field("com_zmp_slack", plan.com_zmp_slack, "how far the plan's ZMP had to leave the polygon [m]");
   field("calibration", plan.calibration,
-        "what the robot does about itself: it turns on the spot, then weighs where its COM is");
+        "what the robot does about itself: it turns on the spot, then weighs what it carries and "
+        "where its COM is");
   field("event", plan.event, "what the planner did at this tick, 0 nothing");
 }
 
@@ -213,6 +214,9 @@ void fields(Archive& field, T& model) {
   field("p_WF", model.p_WF, "centres of the foot spheres in W [m]");
   field("p_WH", model.p_WH, "hips in W [m]");
   field("force", model.force, "contact forces of the solution, on each foot in W [N]");
+  field("load_mass", model.load.mass,
+        "what the base carries beyond its description, as weighed before the walk [kg]");
+  field("load_first_moment", model.load.first_moment, "its mass times its place in B [kg·m]");
 }
 
 template <typename Archive, Is<Level> T>

@@ -6,7 +6,9 @@
 namespace surefoot {
 
 /// Of the whole body about its centre of mass, in W [N·m·s]: the rows of M u that turn the base,
-/// moved from B's origin to the COM.
+/// moved from B's origin to the COM,
+///
+///     L = R_WB (M u)_4..6 − (c − p_WB) × m ċ
 [[nodiscard]] inline Vec3 angular_momentum(const Dynamics& dynamics) noexcept {
   const Vec3 about_base = dynamics.base_rotation.R * (dynamics.M.middleRows<3>(3) * dynamics.u);
   const Vec3 lever = dynamics.com.p - dynamics.base.p;

@@ -89,7 +89,7 @@ struct RobotModel::Implementation {
   void set_base_load(const BaseLoad& load) {
     pinocchio::Inertia& base = model.inertias[kBaseJoint];
     base.mass() = bare_base.mass() + load.mass;
-    base.lever() = (bare_base.mass() * bare_base.lever() + load.moment) / base.mass();
+    base.lever() = (bare_base.mass() * bare_base.lever() + load.first_moment) / base.mass();
   }
 
   void set_leg_lengths(const KinematicErrors& legs) {
@@ -253,7 +253,7 @@ void RobotModel::set_base_load(const BaseLoad& load) noexcept {
   implementation_->set_base_load(load);
 }
 
-void RobotModel::load(const Vec3& force, const Vec3& moment) noexcept {
+void RobotModel::apply_wrench(const Vec3& force, const Vec3& moment) noexcept {
   Dynamics& dynamics = implementation_->dynamics;
   const Vec3 lever = dynamics.com.p - dynamics.base.p;
   const Vec3 about_base = moment + lever.cross(force);
@@ -264,6 +264,7 @@ void RobotModel::load(const Vec3& force, const Vec3& moment) noexcept {
 const Dynamics& RobotModel::dynamics() const { return implementation_->dynamics; }
 const RobotDescription& RobotModel::description() const { return implementation_->description; }
 double RobotModel::mass() const { return implementation_->dynamics.mass; }
+double RobotModel::base_mass() const { return implementation_->bare_base.mass(); }
 const std::vector<std::string>& RobotModel::notes() const { return implementation_->notes; }
 
 Vec3 RobotModel::foot_in_base(Leg leg, const Vec3& q_leg) const noexcept {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "surefoot/model/base_load.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/dynamics.hpp"
+#include "surefoot/signals/base_load.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
@@ -33,17 +33,18 @@ class RobotModel {
   /// the masses stay where they are. Does not allocate.
   void set_leg_lengths(const KinematicErrors& legs) noexcept;
 
-  /// Lets the base carry a load as part of itself, from the next update on. Its own mass and the
-  /// load's must not cancel. Does not allocate.
+  /// Lets the base carry a load as part of itself, in M, h and the centre of mass, from the next
+  /// update on. The base's mass with it must be above 0. Does not allocate.
   void set_base_load(const BaseLoad& load) noexcept;
 
   /// Lets a wrench at the centre of mass, in W [N], [N·m], act on the base as gravity does: it is
   /// taken off h of the last update, M u̇ + h − J_bᵀ w = Sᵀτ + Σ J_Cᵀ λ.
-  void load(const Vec3& force, const Vec3& moment) noexcept;
+  void apply_wrench(const Vec3& force, const Vec3& moment) noexcept;
 
   [[nodiscard]] const Dynamics& dynamics() const;
   [[nodiscard]] const RobotDescription& description() const;
-  [[nodiscard]] double mass() const;  ///< [kg]
+  [[nodiscard]] double mass() const;       ///< of the last update, with the base's load [kg]
+  [[nodiscard]] double base_mass() const;  ///< of the base as described, without a load [kg]
   [[nodiscard]] const std::vector<std::string>& notes() const;
 
   /// Centre of the foot sphere in B for joint angles q of that leg (HAA, HFE, KFE) [m].

@@ -13,7 +13,8 @@ namespace surefoot {
 ///
 /// for roll (n = 2), pitch (n = 3) and yaw (n = 1) with their amplitudes A; begins and ends at
 /// rest. Before it the robot settles; after it the legs' lengths and zeros that it has found come
-/// into use (KinematicCalibration), then it feels where its centre of mass is (ComCalibration).
+/// into use (KinematicCalibration), then it feels what it carries and where its centre of mass is
+/// (ComCalibration).
 class CalibrationMotion {
  public:
   explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}

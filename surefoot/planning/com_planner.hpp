@@ -63,6 +63,8 @@ class ComPlanner {
 
   ComPlanner(const ComPlannerOptions& options, const ForceOptions& force, double robot_weight);
 
+  /// What the robot weighs, in the plans that follow [N].
+  void weigh(double weight) { weight_ = weight; }
   /// Borne by the plans that follow, from their begin to their end.
   void bear(const ComLoad& load) { next_load_ = load; }
   /// μ that the feet have together, in the plans that follow, along the sides of pyramids that look

@@ -285,6 +285,7 @@ void Planner::replan_com(const UserCommand& user, const Dynamics& dynamics) {
     phase.lifts_in[index(k)] = kInfinity;
   };
 
+  com_planner_.weigh(kGravity * dynamics.mass);
   com_planner_.bear(balance_.load());
   com_planner_.stand_on(mean_friction(), yaw_);
   balance_.planned(time_);

@@ -9,7 +9,7 @@ enum class CalibrationStage : int {
   none = 0,
   settling = 1,  ///< it stands still, or takes over what it has found
   turning = 2,   ///< the torso turns on the spot
-  weighing = 3,  ///< it stands still, and feels over which point
+  weighing = 3,  ///< it stands still, and feels what it weighs, over which point
 };
 
 /// What a leg is doing. `stance` and `unloading` carry force, the others do not.

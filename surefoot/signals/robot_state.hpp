@@ -19,7 +19,8 @@ struct RobotState {
   /// Of each foot's contact point along the ground, against the other standing feet, in W [m/s].
   PerLeg<Vec3> slip_velocity{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   PerLeg<bool> slips{};  ///< the foot is believed to slide
-  /// Estimated, of whatever isn't the ground, at the centre of mass, in W; zero within the error of
+  /// Estimated, of whatever isn't the ground or what the model's base carries (BaseLoad), at the
+  /// centre of mass, in W; zero within the error of
   /// the estimate [N], [N·m].
   Vec3 external_force = Vec3::Zero();
   Vec3 external_moment = Vec3::Zero();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/signals/base_load.hpp"
 #include "surefoot/signals/hierarchy_report.hpp"
 #include "surefoot/signals/joint_command.hpp"
 #include "surefoot/signals/motion_plan.hpp"
@@ -23,6 +24,7 @@ struct ModelRecord {
   PerLeg<Vec3> p_WH{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< hips
   PerLeg<Vec3> force{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                      Vec3::Zero()};  ///< λ of the solution [N]
+  BaseLoad load;                     ///< that its base carries
 };
 
 /// One tick of the control loop, complete: a controller that gets readings and commands from the

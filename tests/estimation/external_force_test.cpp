@@ -50,6 +50,26 @@ TEST(ExternalForce, APushIsFoundBeyondTheDeadBand) {
   EXPECT_NEAR(lump.state.external_force.x(), 0.0, 1e-6);
 }
 
+// As the load that was weighed fades in, which moves at the time.
+TEST(ExternalForce, WhatTheModelTakesOverIsNoLongerALoad) {
+  const ExternalForceOptions options;
+  ExternalForceEstimator estimator(options);
+  Lump lump;
+  constexpr double kPayload = 7.0;
+  for (Vec3& force : lump.state.foot_force) force.z() += 0.25 * kPayload * kGravity;
+  lump.run(estimator, 20.0 * options.load_time_constant, Vec3::Zero());
+  EXPECT_NEAR(estimator.force().z(), -kPayload * kGravity, 0.1);
+  lump.dynamics.com.v = {0.1, 0.0, 0.02};
+  lump.run(estimator, 20.0 * options.load_time_constant, Vec3::Zero());
+  const double load = estimator.force().z() - kGravity * lump.dynamics.mass;
+  for (int i = 0; i < 200; ++i) {
+    lump.dynamics.mass += kPayload / 200;
+    lump.run(estimator, kPeriod, Vec3::Zero());
+    EXPECT_NEAR(estimator.force().z() - kGravity * lump.dynamics.mass, load, 1.0);
+    EXPECT_NEAR(estimator.force().x(), 0.0, 0.1);
+  }
+}
+
 TEST(ExternalForce, WhatTheGroundTakesUpIsAPushToo) {
   const ExternalForceOptions options;
   ExternalForceEstimator estimator(options);
@@ -128,7 +148,7 @@ TEST(ExternalForce, TheWrenchOnARobotThatTumblesIsFound) {
     for (int tick = 0; tick < 60; ++tick) {  // 7 time constants
       for (int i = 0; i < kSubsteps; ++i) {
         model.update(state, Vec3::UnitZ());
-        model.load(force, moment);
+        model.apply_wrench(force, moment);
         const Dynamics& dynamics = model.dynamics();
         const GeneralizedVector u = state.u() - kStep * dynamics.M.llt().solve(dynamics.h);
         state = test::moved(state, u, kStep);

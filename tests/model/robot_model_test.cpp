@@ -1,5 +1,6 @@
 #include "surefoot/model/robot_model.hpp"
 
+#include "surefoot/math/rotation.hpp"
 #include "tests/model/mujoco_reference.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -201,22 +202,33 @@ TEST(RobotModel, can_be_moved) {
   EXPECT_NEAR(other.mass(), 30.4754, 1e-4);
 }
 
-TEST(RobotModel, CarriesALoadAsAPointMassOfTheBase) {
+TEST(RobotModel, HasMassFirstMomentAndWeightOfALoadOfTheBase) {
   RobotModel model(anymal_b()), bare(anymal_b());
   const Vec3 at(0.1, -0.05, 0.2);
   constexpr double kLoad = 7.0;
-  model.set_base_load({.mass = kLoad, .moment = kLoad * at});
+  model.set_base_load({.mass = kLoad, .first_moment = kLoad * at});
+  EXPECT_EQ(model.base_mass(), bare.base_mass());
   Random random(13);
   for (int trial = 0; trial < kTrials; ++trial) {
-    const RobotState state = random.state();
-    const Dynamics& laden = model.update(state, kUp);
-    const Dynamics& dynamics = bare.update(state, kUp);
+    RobotState state = random.state();
+    const Dynamics laden = model.update(state, kUp), unladen = bare.update(state, kUp);
     const Vec3 p = state.p_WB + state.R_WB() * at;
     const Vec3 v = state.v_WB + state.R_WB() * state.w_WB_B.cross(at);
-    EXPECT_NEAR(laden.mass, dynamics.mass + kLoad, 1e-9);
-    EXPECT_LT((laden.mass * laden.com.p - dynamics.mass * dynamics.com.p - kLoad * p).norm(), 1e-9);
-    EXPECT_LT((laden.mass * laden.com.v - dynamics.mass * dynamics.com.v - kLoad * v).norm(), 1e-9);
-    EXPECT_EQ(laden.foot[0].p, dynamics.foot[0].p);
+    EXPECT_NEAR(laden.mass, unladen.mass + kLoad, 1e-9);
+    EXPECT_LT((laden.mass * laden.com.p - unladen.mass * unladen.com.p - kLoad * p).norm(), 1e-9);
+    EXPECT_LT((laden.mass * laden.com.v - unladen.mass * unladen.com.v - kLoad * v).norm(), 1e-9);
+    EXPECT_EQ(laden.foot[0].p, unladen.foot[0].p);
+    const MassMatrix M = laden.M - unladen.M;
+    EXPECT_LT((M.topLeftCorner<3, 3>() - kLoad * Mat3::Identity()).norm(), 1e-9);
+    EXPECT_LT((M.block<3, 3>(0, 3) + kLoad * state.R_WB() * skew(at)).norm(), 1e-9);
+    EXPECT_LT(M.bottomRows<kNumJoints>().norm(), 1e-9);
+    state.v_WB.setZero();
+    state.w_WB_B.setZero();
+    state.qd.setZero();
+    const GeneralizedVector h = model.update(state, kUp).h - bare.update(state, kUp).h;
+    const Vec3 weight(0.0, 0.0, -kLoad * kGravity);
+    EXPECT_LT((h.head<3>() + weight).norm(), 1e-9);
+    EXPECT_LT((h.segment<3>(3) + at.cross(state.R_WB().transpose() * weight)).norm(), 1e-9);
   }
   model.set_base_load({});
   const RobotState state = random.state();
@@ -233,7 +245,7 @@ TEST(RobotModel, ALoadDoesTheWorkOfAWrenchOnTheBaseAtTheCentreOfMass) {
     const Vec3 force = random.vector(100.0), moment = random.vector(20.0);
     const Vec3 w_W = state.R_WB() * state.w_WB_B;
     const Vec3 v = state.v_WB + w_W.cross(dynamics.com.p - state.p_WB);
-    model.load(force, moment);
+    model.apply_wrench(force, moment);
     const double power = force.dot(v) + moment.dot(w_W);
     EXPECT_NEAR((h - dynamics.h).dot(state.u()), power, 1e-9 * (1.0 + std::abs(power)));
     EXPECT_EQ((h - dynamics.h).tail<kNumJoints>(), JointVector::Zero());

@@ -229,7 +229,7 @@ TEST(ComPlanner, LeavesOutPhasesThatAreTooShortOrTooMany) {
 
 TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   const ForceOptions force{.max = 240.0, .ramp_up = 0.1, .ramp_down = 0.2};
-  const ComPlanner planner({.leg_share = 1.0}, force, kWeight);
+  ComPlanner planner({.leg_share = 1.0}, force, kWeight);
   SupportPhase phase = standing(1.0, nominal_feet());
   phase.loaded_for[0] = 0.0;
   phase.lifts_in[0] = 0.8;
@@ -240,6 +240,8 @@ TEST(ComPlanner, AFootsShareRampsUpFromTouchdownAndDownToLiftOff) {
   EXPECT_NEAR(planner.share(phase, 0, 0.8), 0.0, 1e-12);
   EXPECT_NEAR(planner.share(phase, 0, 0.9), 0.0, 1e-12);
   EXPECT_NEAR(planner.share(phase, 1, 0.5), 0.8, 1e-12);
+  planner.weigh(1.25 * kWeight);
+  EXPECT_NEAR(planner.share(phase, 1, 0.5), 0.64, 1e-12) << "of a heavier robot";
   phase.down[1] = false;
   EXPECT_EQ(planner.share(phase, 1, 0.5), 0.0);
 }

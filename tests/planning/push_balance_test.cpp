@@ -52,6 +52,13 @@ TEST(PushBalance, APayloadInFrontMovesTheZmpForwardAndNothingElseDoes) {
   EXPECT_FALSE(balance.is_pushed()) << "it pushes nowhere";
 }
 
+TEST(PushBalance, APushLeansAHeavierRobotLess) {
+  Dynamics laden = standing();
+  laden.mass *= 1.25;
+  const RobotState pushed = loaded(Vec3(50.0, 0.0, 0.0), Vec3::Zero());
+  EXPECT_NEAR(after(pushed, laden).shift().x(), after(pushed).shift().x() / 1.25, 1e-12);
+}
+
 TEST(PushBalance, TheCapturePointIsThatOfThePendulum) {
   Dynamics dynamics = standing();
   dynamics.com.p = {1.0, 2.0, kHeight};
