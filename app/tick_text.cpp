@@ -48,6 +48,19 @@ std::string velocity(const Vec3& v, const Vec3& w) {
                    rounded(w.y(), 1e-3), rounded(w.z(), 1e-3));
 }
 
+/// Nothing where it is less than a weighing tells, or where no one has weighed.
+std::string carried(const BaseLoad& load) {
+  constexpr double kTold = 0.5, kPlaced = 1.0;  // [kg]
+  const double mass = std::abs(load.mass);
+  if (!(mass >= kTold) || !load.first_moment.allFinite()) return "";
+  const std::string much =
+      formatted("%.1f kg %s than described", mass, load.mass > 0.0 ? "more" : "less");
+  if (!(load.mass >= kPlaced)) return much;
+  const Vec3 at = load.first_moment / load.mass;
+  return much + formatted(", at x %.2f, y %.2f, z %.2f m in B", rounded(at.x(), 0.01),
+                          rounded(at.y(), 0.01), rounded(at.z(), 0.01));
+}
+
 std::string asked(const UserCommand& user) {
   if (!user.walk) return formatted("stands, height %+g m", user.height);
   return formatted("walks, %g m/s forward, %g m/s to the left, turns by %g rad/s, height %+g m",
@@ -88,6 +101,8 @@ std::string facts(const TickExplanation& explanation) {
   const TickRecord& tick = explanation.tick;
   Table table{{"base", pose(tick.state.p_WB, tick.state.q_WB)},
               {"moves by", velocity(tick.state.v_WB, tick.state.w_WB_B)}};
+  const std::string load = carried(tick.model.load);
+  if (!load.empty()) table.push_back({"weighs", load});
   if (explanation.truth)
     table.push_back({"in truth", pose(explanation.truth->p_WB, explanation.truth->q_WB)});
   if (explanation.estimate)

@@ -1,6 +1,7 @@
 #include "surefoot/config/randomise.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/plant_vectors.hpp"
 #include "surefoot/config/section.hpp"
@@ -36,7 +37,9 @@ Range read_range(const ConfigNode& range, const std::string& path) {
   if (range.items.size() != 2) fail_at(range, key, "must be a range [min, max]");
   const double min = read_number(range.items[0], key);
   const double max = read_number(range.items[1], key);
-  if (min > max) fail_at(range, key, "min must not be above max");
+  if (min > max) {
+    fail_at(range, key, formatted("min, %g, must not be above max, which is %g", min, max));
+  }
   const bool whole = is_whole_number(path);
   if (whole && (min != std::floor(min) || max != std::floor(max)))
     fail_at(range, key, "the ends of this range must be whole numbers");

@@ -16,7 +16,7 @@ constexpr double kLargest = 0.10;  // that the COM is believed to be off, in B l
 constexpr double kLightest = -0.5;   // of a load that is believed, in masses of the base …
 constexpr double kHeaviest = 1.0;    // …
 constexpr double kLeastShare = 0.5;  // of the weight that the feet must feel
-constexpr double kLeast = 1.0;       // of a weighing that counts [s]
+constexpr double kLeast = 0.5;       // of a weighing that counts [s]
 constexpr double kMemory = 1.0;      // the vertical is known only at the end of the motion [s]
 
 Vec3 com_in_base(const Dynamics& dynamics) {

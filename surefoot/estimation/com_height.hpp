@@ -21,7 +21,7 @@ namespace surefoot {
 /// forces drop out. The robot rests at both ends of the motion, D = 0 there, so Σ s dD/dt = −Σ
 /// ds/dt D and nothing is differentiated. Left out are o_z F_xy / F_z, some percent of
 /// o_z, and the inertia that a load has of its own: 6.9 kg that lie 0.2 m high seem a seventh
-/// higher. Ours (decision 0028). Does not allocate.
+/// higher by that. Ours (decision 0028). Does not allocate.
 class ComHeight {
  public:
   explicit ComHeight(double period) : period_(period) {}

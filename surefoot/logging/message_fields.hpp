@@ -215,8 +215,13 @@ void fields(Archive& field, T& model) {
   field("p_WH", model.p_WH, "hips in W [m]");
   field("force", model.force, "contact forces of the solution, on each foot in W [N]");
   field("load_mass", model.load.mass,
-        "what the base carries beyond its description, as weighed before the walk [kg]");
-  field("load_first_moment", model.load.first_moment, "its mass times its place in B [kg·m]");
+        "by how much the base is believed to be heavier than described, payload and wrong masses "
+        "together, as it was weighed; 0 where no height was found; null where nothing was solved "
+        "[kg]");
+  field("load_first_moment", model.load.first_moment,
+        "that goes with it, about the origin of B in B: of a payload its mass times its place, and "
+        "of a centre of mass that lies elsewhere the whole mass times how far; moves as links are "
+        "weighed in the air [kg·m]");
 }
 
 template <typename Archive, Is<Level> T>

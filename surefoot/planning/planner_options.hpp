@@ -147,7 +147,7 @@ struct FootholdOptions {
 
 /// Turning on the spot before the first step, for the estimator.
 struct CalibrationOptions {
-  double duration = 0.0;  ///< 0: none [s]
+  double duration = 0.0;  ///< 0: none; a payload's height needs 3 s, and roll or pitch [s]
   double settle = 0.5;    ///< standing still before it [s]
   double roll = 0.12;     ///< amplitudes, under a window that rises and falls [rad]
   double pitch = 0.10;

@@ -235,6 +235,23 @@ TEST(TickText, WhatPushesTheRobotIsToldInTextAndJson) {
   EXPECT_EQ(json.at("events").at(0).at("by"), "outside");
 }
 
+TEST(TickText, WhatTheRobotIsFoundToCarryIsToldWithItsPlace) {
+  TickExplanation explanation;
+  const auto says = [&](double mass, const Vec3& at) {
+    explanation.tick.model.load = {.mass = mass, .first_moment = mass * at};
+    return tick_text("run.mcap", explanation);
+  };
+  const Vec3 at(0.05, -0.02, 0.2);
+  EXPECT_NE(
+      says(6.9, at).find("weighs    6.9 kg more than described, at x 0.05, y -0.02, z 0.20 m"),
+      std::string::npos)
+      << says(6.9, at);
+  EXPECT_NE(says(-2.0, at).find("2.0 kg less than described\n"), std::string::npos)
+      << says(-2.0, at);
+  for (const double nothing : {0.0, -0.2, kNaN})
+    EXPECT_EQ(says(nothing, at).find("weighs"), std::string::npos) << nothing;
+}
+
 TEST(TickText, ASolveThatWasCutOffIsSaidToBe) {
   TickExplanation explanation;
   explanation.header.level_names = {"dynamics", "com_xy"};

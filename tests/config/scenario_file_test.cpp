@@ -365,9 +365,9 @@ TEST_F(ScenarioFile, names_the_range_of_the_command_line_that_is_wrong) {
                       "randomise.terrain.friction: must be a range [min, max]"))
         << wrong;
   }
-  EXPECT_TRUE(holds(
-      complaint("", {"randomise.terrain.friction=[1.0, 0.4]"}),
-      "--set randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not"));
+  EXPECT_TRUE(holds(complaint("", {"randomise.terrain.friction=[1.0, 0.4]"}),
+                    "--set randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min, "
+                    "1, must not be above max, which is 0.4"));
 }
 
 TEST_F(ScenarioFile, with_a_bound_beyond_reach_is_told_where_the_number_stands) {

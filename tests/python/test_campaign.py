@@ -420,7 +420,7 @@ def test_with_the_real_program_a_replay_gives_the_same_numbers(tmp_path):
 def test_a_range_that_makes_no_sense_is_told_with_its_line(tmp_path):
     text = "scenario: walk_flat\nseeds: [1]\nset:\n  randomise.terrain.friction: [1.0, 0.4]\n"
     said = CampaignFolder(tmp_path, PROGRAM).write(text).complaint()
-    assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min must not be above max" in said
+    assert "spec.yaml:4: set: randomise.terrain.friction=[1.0, 0.4]: randomise.terrain.friction: min, 1, must not be above max, which is 0.4" in said
 
 
 def test_a_draw_of_a_key_of_whole_numbers_is_told_where_it_belongs(tmp_path):
