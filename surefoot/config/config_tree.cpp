@@ -1,10 +1,12 @@
 #include "surefoot/config/config_tree.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/config/nearest_name.hpp"
 
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -14,6 +16,8 @@ namespace {
 
 constexpr int kMaxDepth = 32;
 constexpr const char* kRandomise = "randomise";
+constexpr std::array<std::string_view, 3> kNamedEntries{"terrain.elements", "disturbances.pushes",
+                                                        "sensors.faults"};
 
 /// Turns yaml-cpp's nodes into ours; the only place that knows them.
 class Converter {
@@ -113,6 +117,22 @@ std::size_t equals_sign(const std::string& assignment) {
   return position;
 }
 
+/// Whoever takes off an entry that has a name of its own means one that is there.
+void check_taken_off(const ConfigNode& tree, const std::string& path) {
+  const std::vector<std::string> keys = split(path);
+  const std::string map = path.substr(0, path.rfind('.'));
+  if (keys.size() != 3 || std::ranges::find(kNamedEntries, map) == kNamedEntries.end()) return;
+  const ConfigNode* section = tree.find(keys[0]);
+  const ConfigNode* entries = section == nullptr ? nullptr : section->find(keys[1]);
+  std::vector<std::string> names;
+  if (entries != nullptr) {
+    for (const auto& [name, entry] : entries->members) names.push_back(name);
+  }
+  if (std::ranges::find(names, keys[2]) != names.end()) return;
+  throw Error(path + ": \"" + keys[2] + "\" is not there to be taken off; " +
+              (names.empty() ? map + " has no entries" : valid_names(keys[2], names)));
+}
+
 void set_places(ConfigNode& node, const std::string& where) {
   node.where = where;
   for (ConfigNode& entry : node.items) set_places(entry, where);
@@ -191,6 +211,7 @@ void apply_assignment(ConfigNode& tree, const std::string& assignment) {
   const std::string where = "--set " + assignment;
   ConfigNode value = parse_yaml(assignment.substr(equals_sign(assignment) + 1), where);
   set_places(value, where);
+  if (value.kind == ConfigNode::Kind::null) check_taken_off(tree, assigned_path(assignment));
   set_path(tree, assigned_path(assignment), std::move(value));
 }
 

@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 
@@ -261,13 +260,8 @@ void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexc
                      record.health);
 }
 
-// From feet that stand, and while nobody pushes. A payload, which the external force has too, is
-// what the weighing is about.
 void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
-  const auto& slips = record.state.slips;
-  const bool is_quiet = record.plan.num_contacts() == kNumLegs &&
-                        std::ranges::none_of(slips, std::identity{}) &&
-                        record.state.external_force.head<2>().isZero();
+  const bool is_quiet = planner.is_undisturbed(record.state);
   const CalibrationStage stage = record.plan.calibration;
   const bool turning = stage == CalibrationStage::turning;
   if (turning && !is_quiet) {

@@ -50,6 +50,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   event_ = PlanEvent::none;
   if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
+  watch_calibration(state);
   note_calibration_wish(command.calibrate);
   UserCommand user = within_height(with_caution(within_strides(command)));
   user.walk = user.walk && !calibrating() && !wants_calibration_;
@@ -62,6 +63,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
   if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
+  tell_calibration_ended();
   restarts_ = wants_calibration_ && event_ == PlanEvent::none && is_at_rest(state);
   if (restarts_) event_ = PlanEvent::calibration;
   tell_limits();
@@ -72,7 +74,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = learns_ground_ = true;
-  restarts_ = wants_calibration_ = false;
+  restarts_ = wants_calibration_ = disturbed_ = false;
   initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {

@@ -44,6 +44,9 @@ class Planner {
   /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,
   /// once all feet stand and nothing moves.
   [[nodiscard]] bool restarts() const { return restarts_; }
+  /// May a calibration listen? By the last plan all feet stand, none slides, and nobody pushes. A
+  /// payload, which pushes downward, is what it listens to.
+  [[nodiscard]] bool is_undisturbed(const RobotState& state) const;
 
  private:
   enum class Mode { stand, support, swing };
@@ -54,8 +57,12 @@ class Planner {
   static constexpr double kLeastWay = 0.02;  // a step that is shorter has no direction [m]
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
+  void watch_calibration(const RobotState& state);
+  void end_calibration();
   void note_calibration_wish(bool asked);
+  void want_calibration();
   void tell_limits();
+  void tell_calibration_ended();
   void tell_calibration_waits();
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
@@ -171,10 +178,13 @@ class Planner {
   bool slows_ = false, slowed_ = false;    // strides too short for the velocity; that it was told
   bool lowers_ = false, lowered_ = false;  // legs too short for the height; that it was told
   double time_ = 0.0;
-  double initialised_at_ = 0.0;     // [s]
-  bool asked_before_ = false;       // for a calibration, at the last tick
-  bool wants_calibration_ = false;  // … which has not begun
-  double tells_wait_at_ = 0.0;      // that it has not [s]
+  double initialised_at_ = 0.0;                  // [s]
+  bool asked_before_ = false;                    // for a calibration, at the last tick
+  bool wants_calibration_ = false;               // … which has not begun
+  double tells_wait_at_ = 0.0;                   // that it has not [s]
+  bool disturbed_ = false;                       // the calibration that goes on, or the last one
+  int repeats_ = 0;                              // of one that was disturbed
+  PlanEvent calibration_end_ = PlanEvent::none;  // that is still to be told
   bool restarts_ = false;
   double stands_from_ = 0.0;           // on all feet [s]
   double yaw_ = 0.0, yaw_rate_ = 0.0;  // of the heading that the torso is to have

@@ -2,6 +2,8 @@
 #include "surefoot/planning/planner.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -9,6 +11,7 @@ namespace {
 constexpr double kStill = 0.02;     // [m/s] and [rad/s]
 constexpr double kSpare = 0.01;     // of a leg's reach, that no torso is held so high for [m]
 constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
+constexpr int kMostRepeats = 2;     // of a calibration that is disturbed
 
 }  // namespace
 
@@ -73,10 +76,46 @@ UserCommand Planner::with_caution(const UserCommand& user) const {
 
 void Planner::note_calibration_wish(bool asked) {
   if (asked && !asked_before_) {
-    wants_calibration_ = true;
-    tells_wait_at_ = time_ + kPatience;
+    repeats_ = 0;
+    want_calibration();
   }
   asked_before_ = asked;
+}
+
+void Planner::want_calibration() {
+  wants_calibration_ = true;
+  tells_wait_at_ = time_ + kPatience;
+}
+
+bool Planner::is_undisturbed(const RobotState& state) const {
+  return plan_.num_contacts() == kNumLegs && std::ranges::none_of(state.slips, std::identity{}) &&
+         state.external_force.head<2>().isZero();
+}
+
+void Planner::watch_calibration(const RobotState& state) {
+  const CalibrationStage stage = plan_.calibration;
+  const bool listens = stage == CalibrationStage::turning || stage == CalibrationStage::weighing;
+  if (listens && !is_undisturbed(state)) disturbed_ = true;
+  if (stage != CalibrationStage::none && !calibrating()) end_calibration();
+}
+
+// Not for ever: somebody who goes on pushing wants the robot to walk.
+void Planner::end_calibration() {
+  if (!disturbed_) {
+    repeats_ = 0;
+  } else if (repeats_ < kMostRepeats) {
+    ++repeats_;
+    calibration_end_ = PlanEvent::calibration_disturbed;
+    want_calibration();
+  } else {
+    repeats_ = 0;
+    calibration_end_ = PlanEvent::calibration_given_up;
+  }
+}
+
+// At the first tick at which nothing else happens.
+void Planner::tell_calibration_ended() {
+  if (event_ == PlanEvent::none) event_ = std::exchange(calibration_end_, PlanEvent::none);
 }
 
 // Once, at the first tick at which nothing else happens.

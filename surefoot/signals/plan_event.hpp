@@ -26,6 +26,8 @@ enum class PlanEvent : int {
   calibration_waits = 17,  ///< it was asked for, but the robot does not come to rest on all feet
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
   lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
+  calibration_disturbed = 20,  ///< somebody pushed or a foot slid: it is done once more
+  calibration_given_up = 21,   ///< … and again: the robot goes on with what it has found
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -70,6 +72,10 @@ enum class PlanEvent : int {
       return "support too thin for the next swing: another foot steps first";
     case PlanEvent::lowered:
       return "height out of the legs' reach: torso lower than commanded";
+    case PlanEvent::calibration_disturbed:
+      return "calibration was disturbed: once more, at rest on all feet";
+    case PlanEvent::calibration_given_up:
+      return "calibration was disturbed each time: going on with what it found";
   }
   return "unknown";
 }

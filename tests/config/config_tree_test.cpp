@@ -87,6 +87,20 @@ TEST(ConfigTree, an_assignment_takes_what_follows_randomise_for_one_key) {
             R"({"randomise":{"initial.yaw":null,"a.b":[3,4],"c.d.e":[5,6],"include":"mismatch"}})");
 }
 
+TEST(ConfigTree, an_assignment_takes_off_only_what_is_there) {
+  ConfigNode changed = parse_yaml("terrain: {elements: {ground: {shape: plane}}}\n", "a.yaml");
+  const auto told = [&changed](const char* assignment) {
+    return message_of([&] { apply_assignment(changed, assignment); });
+  };
+  EXPECT_TRUE(holds(told("terrain.elements.grond=~"),
+                    "terrain.elements.grond: \"grond\" is not there to be taken off; did you mean "
+                    "\"ground\"?"));
+  EXPECT_TRUE(holds(told("disturbances.pushes.kick=~"), "disturbances.pushes has no entries"));
+  apply_assignment(changed, "terrain.elements.ground=~");
+  apply_assignment(changed, "goal=~");
+  EXPECT_EQ(to_json(changed), R"({"terrain":{"elements":{"ground":null}},"goal":null})");
+}
+
 TEST(ConfigTree, an_assignment_without_a_path_or_a_value_is_told) {
   ConfigNode changed = tree();
   for (const char* wrong : {"terrain.friction", "=3", "a..b=3", ".a=3", "a.=3",

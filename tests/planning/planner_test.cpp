@@ -127,6 +127,62 @@ TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 2u) << "asked for again";
 }
 
+/// A robot that calibrates itself for 10 s and is told to walk, `push`ed from `from` to `to` [s].
+struct Disturbed {
+  Disturbed(double from, double to, const Vec3& push) {
+    puppet.user = walking(0.05);
+    puppet.run(70.0, [&] {
+      const bool pushed = puppet.time() > from && puppet.time() < to;
+      puppet.push = pushed ? push : Vec3::Zero();
+      turning += puppet.plan().calibration == CalibrationStage::turning ? Puppet::kPeriod : 0.0;
+    });
+  }
+
+  static PlannerOptions options() {
+    PlannerOptions result;
+    result.calibration.duration = 6.0;
+    return result;
+  }
+  double first(PlanEvent event) const { return puppet.happenings(event).front().time; }
+
+  Puppet puppet{options()};
+  double turning = 0.0;  // in all [s]
+};
+
+const Vec3 kSomePush(20.0, 0.0, 0.0);
+
+TEST(Planner, ACalibrationThatIsDisturbedIsDoneOnceMoreBeforeTheWalk) {
+  for (const double from : {3.0, 7.5}) {
+    const Disturbed turned(from, from + 0.5, kSomePush);
+    ASSERT_EQ(turned.puppet.happenings(PlanEvent::calibration_disturbed).size(), 1u) << from;
+    ASSERT_EQ(turned.puppet.happenings(PlanEvent::calibration).size(), 1u) << from;
+    EXPECT_TRUE(turned.puppet.happenings(PlanEvent::calibration_given_up).empty()) << from;
+    EXPECT_NEAR(turned.turning, 12.0, 0.02) << from;
+    EXPECT_LT(turned.first(PlanEvent::calibration_disturbed), turned.first(PlanEvent::calibration));
+    EXPECT_GT(turned.first(PlanEvent::lift_off), turned.first(PlanEvent::calibration) + 9.0);
+  }
+}
+
+TEST(Planner, ACalibrationThatIsAlwaysDisturbedDoesNotKeepTheRobotFromWalking) {
+  const Disturbed leaned_on(1.0, 1e3, kSomePush);
+  EXPECT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration_disturbed).size(), 2u);
+  EXPECT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration).size(), 2u);
+  ASSERT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration_given_up).size(), 1u);
+  EXPECT_NEAR(leaned_on.turning, 18.0, 0.02);
+  EXPECT_GT(leaned_on.first(PlanEvent::lift_off), leaned_on.first(PlanEvent::calibration_given_up));
+}
+
+TEST(Planner, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
+  const Disturbed laden(1.0, 1e3, {0.0, 0.0, -60.0});
+  EXPECT_NEAR(laden.turning, 6.0, 0.02) << "a payload";
+  const Disturbed later(9.6, 12.0, kSomePush);
+  EXPECT_NEAR(later.turning, 6.0, 0.02) << "when it is over";
+  for (const Disturbed* robot : {&laden, &later}) {
+    EXPECT_TRUE(robot->puppet.happenings(PlanEvent::calibration_disturbed).empty());
+    EXPECT_FALSE(robot->puppet.happenings(PlanEvent::lift_off).empty());
+  }
+}
+
 TEST(Planner, TellsAgainAndAgainThatACalibrationWaitsForARobotThatNeverRests) {
   Puppet puppet;
   puppet.run(3.0);

@@ -65,6 +65,23 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
   EXPECT_LT(with, 0.5 * without);
 }
 
+// As long as the robot turns and as long as it is weighed.
+TEST(Walk, APushBeforeItDoesNotHideAPayload) {
+  for (const char* time : {"3", "8"}) {
+    Loop loop(scenario("walk_flat",
+                       {"disturbances.payload.mass=6",
+                        std::string("disturbances.pushes.kick={duration: 1, force: [30, 20, 0], "
+                                    "time: ") +
+                            time + "}"},
+                       2));
+    loop.run_until(21.0);
+    EXPECT_EQ(loop.count(PlanEvent::calibration_disturbed), 1) << time;
+    EXPECT_EQ(loop.count(PlanEvent::calibration), 1) << time;
+    EXPECT_NEAR(loop.record().model.load.mass, 6.0, 0.5) << time;
+    EXPECT_GT(loop.count(PlanEvent::touchdown), 0) << time;
+  }
+}
+
 TEST(Walk, BeginsItsEstimateAnewWhenItIsAskedTo) {
   Scenario asked = scenario("walk_flat", {"planner.calibration.duration=3"}, 4);
   asked.commands.push_back(asked.commands.back());
