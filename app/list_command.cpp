@@ -4,6 +4,8 @@
 #include "app/results_table.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
+#include "surefoot/config/config_json.hpp"
+#include "surefoot/config/config_tree.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/stack_file.hpp"
@@ -69,10 +71,24 @@ Table tasks() {
   return table;
 }
 
+/// Each with the files that it includes and its ranges.
+Table randomisations() {
+  constexpr const char* kFolder = "randomisations";
+  Table table;
+  for (const std::string& name : list_data(kFolder)) {
+    table.push_back({name});
+    for (const auto& [path, range] : parse_yaml_file(find_data_file(kFolder, name)).members) {
+      table.push_back({"  " + path, to_json(range)});
+    }
+  }
+  return table;
+}
+
 }  // namespace
 
 const std::vector<std::string>& listable() {
-  static const std::vector<std::string> kListable{"robots", "stacks", "scenarios", "tasks"};
+  static const std::vector<std::string> kListable{"robots", "stacks", "scenarios", "randomisations",
+                                                  "tasks"};
   return kListable;
 }
 
@@ -81,6 +97,7 @@ int list_command(const std::string& what) {
   if (what == "robots") table = robots();
   if (what == "stacks") table = stacks();
   if (what == "scenarios") table = scenarios();
+  if (what == "randomisations") table = randomisations();
   if (what == "tasks") table = tasks();
   std::cout << printable(aligned(table), "\n");
   return kPassed;

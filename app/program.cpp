@@ -125,6 +125,7 @@ constexpr const char* kListFooter = R"(
 Examples:
   surefoot list scenarios
   surefoot list tasks                                    with parameters, defaults and units
+  surefoot list randomisations                           what randomise.include=NAME draws
 )";
 
 constexpr const char* kReportFooter = R"(
@@ -166,7 +167,8 @@ void add_run(CLI::App& app, Command& chosen) {
       ->required();
   run->add_option("--seed", arguments->seed,
                   "Seed of what the scenario randomises and of the noise, 0 to " +
-                      std::to_string(kLargestSeed) + "; 0 (default) draws nothing")
+                      std::to_string(kLargestSeed) +
+                      "; 0 (default) draws nothing: the robot is as modelled")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
       ->check(whole_number(1));
@@ -185,18 +187,18 @@ void add_run(CLI::App& app, Command& chosen) {
                   "Film the run into this file (MP4), as `surefoot video` does of its log")
       ->check(some_name());
   run->add_flag("--check", arguments->check,
-                "Read the scenario and say what is wrong; run nothing");
+                "Read the scenario, stand the robot up and say what is wrong; no run");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
 }
 
 void add_list(CLI::App& app, Command& chosen) {
-  CLI::App* list =
-      app.add_subcommand("list", "Show what there is: robots, stacks, scenarios or tasks");
+  CLI::App* list = app.add_subcommand(
+      "list", "Show what there is: robots, stacks, scenarios, randomisations or tasks");
   list->footer(kListFooter);
   const auto what = std::make_shared<std::string>();
-  list->add_option("what", *what, "robots, stacks, scenarios or tasks")
+  list->add_option("what", *what, "robots, stacks, scenarios, randomisations or tasks")
       ->required()
       ->check(CLI::IsMember(listable()));
   list->callback([&chosen, what] { chosen = [what] { return list_command(*what); }; });

@@ -80,12 +80,15 @@ std::string title(const Scenario& scenario, const Json& json) {
          (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
 }
 
-std::string drawn_values(const Json& run) {
+/// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
+std::string seed_line(const Json& run) {
+  const auto seed = run.at("seed").get<std::uint64_t>();
+  if (seed == 0) return "seed 0, of which nothing is drawn at random (--seed 1 draws)";
   std::string text;
   for (const auto& [path, value] : run.at("drawn").items()) {
     text += (text.empty() ? ": " : ", ") + path + " " + number(value.get<double>());
   }
-  return text;
+  return "seed " + std::to_string(seed) + text;
 }
 
 std::string verdict(const Json& run) {
@@ -217,9 +220,8 @@ std::string run_table(const Scenario& scenario, const Json& run) {
     table.push_back({metric, pretty(metric, *found), asked_of(run, metric),
                      paper_of(scenario, metric), remark(metric)});
   }
-  return title(scenario, run) + "seed " + std::to_string(run.at("seed").get<std::uint64_t>()) +
-         drawn_values(run) + "\n" + verdict(run) + steered(run) + "\n" + aligned(table) +
-         events_of_run(run);
+  return title(scenario, run) + seed_line(run) + "\n" + verdict(run) + steered(run) + "\n" +
+         aligned(table) + events_of_run(run);
 }
 
 std::string seeds_line(const Scenario& scenario, const Json& seeds) {

@@ -145,7 +145,11 @@ def finish(plan, journal, program, arguments, folder):
     if not arguments.no_plots:
         write_plots(plan, records, folder / "plots")
     print(json.dumps(found) if arguments.json else short_table(plan, found, folder), end="\n" if arguments.json else "")
-    return SOME_BROKE if any(found["runs"][outcome] for outcome in BROKEN) else ALL_RIGHT
+    broken = sum(found["runs"][outcome] for outcome in BROKEN)
+    if not broken:
+        return ALL_RIGHT
+    print(f"surefoot: {broken} of {len(records)} runs crashed, took too long or were refused; --retry makes them again", file=sys.stderr)
+    return SOME_BROKE
 
 
 def open_journal(folder):

@@ -10,7 +10,7 @@ from surefoot_campaign.pairs import pairs, pairs_rows
 from surefoot_campaign.results import Table, csv_text, is_number
 from surefoot_campaign.spec import CASE, yaml_text
 from surefoot_campaign.statistics import median, rate_of
-from surefoot_campaign.worst import worst, worst_text
+from surefoot_campaign.worst import entry, told, worst, worst_text
 
 
 def points(plan, records):
@@ -54,16 +54,7 @@ def summary(plan, records, program, table):
         "judge": plan.spec.judge,
         "all": rate_json(records),
         "points": [point_json(plan, of_point) for of_point in points(plan, records)],
-        "worst": [
-            {
-                "id": record.run.id,
-                "outcome": record.row["outcome"],
-                "reason": record.row["reason"],
-                plan.spec.judge: record.metric(plan.spec.judge),
-                "command": program.command(record.run.file, record.run.seed, record.run.parameters),
-            }
-            for record in worst(plan, records)
-        ],
+        "worst": [entry(plan, record, program) for record in worst(plan, records)],
         "pairs": pairs(plan, records),
         "digest": table.digest(),
     }
@@ -125,8 +116,7 @@ def short_table(plan, found, folder):
     text = aligned(rows)
     if found["worst"]:
         first = found["worst"][0]
-        measured = f", {judge} {number(first[judge])}" if first[judge] is not None else ""
-        text += f"\nworst: {first['outcome'].replace('_', ' ')}, {first['reason']}{measured}\n  {first['command']}\n"
+        text += f"\nworst: {told(plan, first)}\n  {first['command']}\n"
     if found["pairs"]:
         text += "\nseed by seed against " + f'"{found["pairs"][0]["against"]}":\n' + aligned(pairs_rows(found["pairs"], judge))
     return text + f"\nall of it: {folder}/  digest {found['digest']}\n"

@@ -46,7 +46,8 @@ def flat(result, prefix=""):
 
 
 def missed(result):
-    return " ".join(c["metric"] for c in result.get("criteria", []) if not c.get("passed", True))
+    """Names of the criteria that a run missed."""
+    return [c["metric"] for c in result.get("criteria", []) if not c.get("passed", True)]
 
 
 def cells_of(record):
@@ -56,7 +57,7 @@ def cells_of(record):
     if run.case is not None:
         cells[CASE] = run.case
     cells |= {key: value if is_number(value) or isinstance(value, bool) else yaml_text(value) for key, value in run.parameters.items()}
-    cells |= {"outcome": row["outcome"], "reason": row["reason"], "missed": missed(result)}
+    cells |= {"outcome": row["outcome"], "reason": row["reason"], "missed": " ".join(missed(result))}
     return cells | flat(result) | {WALL_TIME: row["wall_time_s"]}
 
 

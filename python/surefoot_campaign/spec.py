@@ -13,6 +13,7 @@ from surefoot_campaign.yaml_tree import read_yaml
 KEYS = ["name", "scenario", "seeds", "cases", "grid", "draw", "set", "timeout", "judge", "units"]
 CASE = "case"  # what tables and figures call the column of `cases:`
 TIMEOUT = 600.0  # s
+LEAST_TIMEOUT = 1.0  # s; no program begins in less
 JUDGE = "com_error_max_m"
 MAX_SEED = 999_999_999  # of the program's --seed
 MOST_SEEDS = 1_000_000  # of a campaign: each is a run, and stands in its table
@@ -93,8 +94,8 @@ class Reader:
         )
         if "timeout" in self.tree.value:
             spec.timeout = self.number("timeout", self.tree.value["timeout"])
-            if spec.timeout <= 0:
-                self.fail(self.lines["timeout"], "timeout", f"{spec.timeout:g} is not a number of seconds above 0")
+            if spec.timeout < LEAST_TIMEOUT:
+                self.fail(self.lines["timeout"], "timeout", f"{spec.timeout:g} is not a number of at least {LEAST_TIMEOUT:g} s")
         if "judge" in self.tree.value:
             spec.judge = self.word("judge", self.tree.value["judge"])
         self.check_parameters(spec)
@@ -234,6 +235,10 @@ class Reader:
                 self.fail(nodes[number].line, key, f"{yaml_text(value)} is given twice")
 
     def check_parameters(self, spec):
+        for name in spec.draw:
+            other = f"randomise.{name}"
+            if other in spec.parameters():
+                self.fail(self.lines[other], other, f'is drawn by "draw" of line {self.lines[name]}; one of them is valid')
         for name, other in itertools.permutations(spec.parameters(), 2):
             if other.startswith(name + "."):
                 self.fail(self.lines[other], other, f'lies below "{name}" of line {self.lines[name]}; one of them is valid')

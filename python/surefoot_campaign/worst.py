@@ -2,6 +2,8 @@
 
 import pathlib
 
+from surefoot_campaign.results import missed
+
 COUNT = 10
 
 
@@ -26,6 +28,28 @@ def worst(plan, records, count=COUNT):
     return sorted(records, key=key)[:count]
 
 
+def entry(plan, record, program):
+    """A run as the summary has it."""
+    judge = plan.spec.judge
+    return {
+        "id": record.run.id,
+        "outcome": record.row["outcome"],
+        "reason": record.row["reason"],
+        "missed": missed(record.row["result"] or {}),
+        judge: record.metric(judge),
+        "command": program.command(record.run.file, record.run.seed, record.run.parameters),
+    }
+
+
+def told(plan, entry):
+    """Outcome, why the run ended, the criteria that it missed, and the metric that judges."""
+    judge = plan.spec.judge
+    text = f"{entry['outcome'].replace('_', ' ')}: {entry['reason']}"
+    if entry["missed"]:
+        text += f"; missed: {', '.join(entry['missed'])}"
+    return text if entry[judge] is None else f"{text}; {judge} {entry[judge]:.4g}"
+
+
 def worst_text(plan, records, program):
     """A page of Markdown."""
     judge = plan.spec.judge
@@ -37,12 +61,6 @@ def worst_text(plan, records, program):
         "",
     ]
     for number, record in enumerate(worst(plan, records), 1):
-        row, value = record.row, record.metric(judge)
-        measured = "" if value is None else f", {judge} {value:.4g}"
-        lines += [
-            f"{number}. {row['outcome'].replace('_', ' ')}: {row['reason']}{measured} (`{row['id']}`)",
-            "   ```sh",
-            f"   {program.command(record.run.file, record.run.seed, record.run.parameters)}",
-            "   ```",
-        ]
+        of = entry(plan, record, program)
+        lines += [f"{number}. {told(plan, of)} (`{of['id']}`)", "   ```sh", f"   {of['command']}", "   ```"]
     return "\n".join(lines) + "\n"

@@ -97,13 +97,16 @@ void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
   section.section("pushes", [&](Section& s) { read_pushes(s, disturbances.pushes); });
   section.section("payload", [&](Section& payload) {
     if (is_map(section, "payload")) payload.require("mass");
-    payload.number("mass", disturbances.payload.mass, kNotNegative);
+    constexpr NumberRange kMass{
+        .min = 0.0, .max = kMaxPayload, .words = "a number from 0 to 200 kg"};
+    payload.number("mass", disturbances.payload.mass, kMass);
     payload.vector("position", disturbances.payload.position);
   });
-  section.number("base_mass_scale", disturbances.base_mass_scale, kPositive);
-  section.number("leg_mass_scale", disturbances.leg_mass_scale, kPositive);
-  section.elements("link_mass_scale", disturbances.link_mass_scale.data(), link_elements(),
-                   kPositive);
+  constexpr NumberRange kScale{
+      .min = 1.0 / kMaxMassScale, .max = kMaxMassScale, .words = "a number from 0.1 to 10"};
+  section.number("base_mass_scale", disturbances.base_mass_scale, kScale);
+  section.number("leg_mass_scale", disturbances.leg_mass_scale, kScale);
+  section.elements("link_mass_scale", disturbances.link_mass_scale.data(), link_elements(), kScale);
   section.vector("base_com_offset", disturbances.base_com_offset);
   constexpr NumberRange kLength{.min = -kMaxLengthOffset,
                                 .max = kMaxLengthOffset,

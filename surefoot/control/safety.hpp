@@ -29,7 +29,8 @@ namespace surefoot {
 ///                lost, on top of the last good torques, which fade out
 ///
 /// While a sensor is at fault, and after that until they are back where they should be, torques
-/// change by no more than `max_torque_change` a tick, unless it damps for another reason.
+/// change by no more than `max_torque_change` a tick; a damping for another reason that begins
+/// while nothing is at fault is free.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where

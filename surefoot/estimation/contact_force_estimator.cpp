@@ -45,6 +45,7 @@ const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
                                                   double torque_lag) noexcept {
   is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
   periods_ = periods_until(reading.time);
+  periods_of_base_ += periods_;
   time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
   const double lag = std::round(torque_lag / period_);
   torque_lag_ = std::abs(lag) < kKept ? static_cast<int>(lag) : 0;  // 0 if NaN, too
@@ -97,7 +98,8 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
 
 void ContactForceEstimator::update_base_acceleration(const GeneralizedVector& u) {
   const BaseVector velocity = u.head<6>();
-  const double dt = periods_ * period_;
+  const double dt = periods_of_base_ * period_;
+  periods_of_base_ = 0.0;
   const double gain = is_first_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * kBaseCutoffHz * dt);
   base_acceleration_ += gain * ((velocity - base_velocity_) / dt - base_acceleration_);
   base_velocity_ = velocity;

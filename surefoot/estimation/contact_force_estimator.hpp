@@ -76,6 +76,8 @@ class ContactForceEstimator {
   int torque_lag_ = 0;  // behind the angles; negative: before them [ticks]
   double time_ = kNaN;  ///< of the last reading [s]
   int periods_ = 0;     ///< between the last two readings
+  double periods_of_base_ =
+      0.0;  ///< since its velocity was known; there are readings without a state
   bool is_first_ = true;
   BaseVector base_velocity_ = BaseVector::Zero(), base_acceleration_ = BaseVector::Zero();
 };

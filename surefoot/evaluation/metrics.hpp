@@ -75,7 +75,7 @@ struct Metrics {
   int slips_false = 0;               ///< noticed, but not there
   double slip_latency_p95_s = kNaN;  ///< from a foot's sliding to the tick that notices it
 
-  int steps_taken = 0;        ///< swings that ended on the ground
+  int steps_taken = 0;        ///< feet that came to stand, also those that had lost their ground
   int edge_landings = 0;      ///< of these, on an edge (evaluation/landing.hpp)
   int no_ground_events = 0;   ///< feet that were taken back because there was no ground in reach
   double search_max_s = 0.0;  ///< longest time in which a foot looked for ground

@@ -155,7 +155,8 @@ void fields(Archive& field, T& state) {
       "of each foot's contact point along the ground, against the other standing feet, in W [m/s]");
   field("slips", state.slips, "the foot is believed to slide");
   field("external_force", state.external_force,
-        "estimated, of whatever isn't the ground, at the centre of mass, in W [N]");
+        "estimated, of whatever isn't the ground or what the base carries as weighed, at the "
+        "centre of mass, in W [N]");
   field("external_moment", state.external_moment, "that goes with it, in W [N·m]");
 }
 

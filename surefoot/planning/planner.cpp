@@ -1,5 +1,6 @@
 #include "surefoot/planning/planner.hpp"
 
+#include "surefoot/base/error.hpp"
 #include "surefoot/math/disc.hpp"
 #include "surefoot/math/rotation.hpp"
 #include "surefoot/model/leg_jacobian.hpp"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace surefoot {
 namespace {
@@ -26,10 +28,22 @@ double force_per_torque(const PointKinematics& foot, Leg leg, const Vec3& normal
   return (damped_inverse(leg_jacobian(foot, leg)) * normal).norm();
 }
 
+/// The gait goes from leg to leg until it comes to the one that is looked for.
+const PlannerOptions& checked(const PlannerOptions& options) {
+  const PerLeg<Leg>& order = options.gait.order;
+  for (const Leg k : kLegs) {
+    if (std::ranges::count(order, k) == 1) continue;
+    throw Error("gait.order has " + std::string(kLegNames[index(k)]) + " " +
+                std::to_string(std::ranges::count(order, k)) +
+                " times; it must have each of LF, RF, LH, RH once");
+  }
+  return options;
+}
+
 }  // namespace
 
 Planner::Planner(const PlannerOptions& options, double weight, double period)
-    : options_(options),
+    : options_(checked(options)),
       period_(period),
       com_planner_(options.com, options.force, weight),
       balance_(options.push, period),
@@ -74,7 +88,7 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = learns_ground_ = true;
-  restarts_ = wants_calibration_ = disturbed_ = false;
+  restarts_ = wants_calibration_ = will_repeat_ = disturbed_ = false;
   initialised_at_ = time_;
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
@@ -332,7 +346,7 @@ void Planner::write_plan(const UserCommand& user) {
   friction_frame_.update(plane_.normal);
   plan_.R_WC = control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = plane_.point;
-  plan_.calibration = calibration_.stage(time_ - initialised_at_);
+  plan_.calibration = calibration_stage();
   plan_.event = static_cast<int>(event_);
 }
 

@@ -26,7 +26,8 @@ namespace surefoot {
 /// world's origin lies.
 class Planner {
  public:
-  /// `weight` of the robot [N]; `period` of the control loop [s].
+  /// `weight` of the robot [N]; `period` of the control loop [s]. Throws Error unless the gait's
+  /// order has each leg once.
   Planner(const PlannerOptions& options, double weight, double period);
 
   /// One tick. Allocates nothing, throws nothing.
@@ -42,7 +43,7 @@ class Planner {
   [[nodiscard]] const Vec3& terrain_normal() const { return friction_frame_.normal(); }
   [[nodiscard]] int steps_taken() const { return steps_taken_; }
   /// Is the estimate to begin anew before the next update, and the plan with it? As the user asked,
-  /// once all feet stand and nothing moves.
+  /// or after a calibration that was disturbed, once all feet stand and nothing has moved for 1 s.
   [[nodiscard]] bool restarts() const { return restarts_; }
   /// May a calibration listen? By the last plan all feet stand, none slides, and nobody pushes. A
   /// payload, which pushes downward, is what it listens to.
@@ -59,6 +60,7 @@ class Planner {
   void initialise(const RobotState& state, const Dynamics& dynamics);
   void watch_calibration(const RobotState& state);
   void end_calibration();
+  void give_up_calibration();
   void note_calibration_wish(bool asked);
   void want_calibration();
   void tell_limits();
@@ -136,6 +138,8 @@ class Planner {
   [[nodiscard]] bool calibrating() const {
     return calibration_.stage(time_ - initialised_at_) != CalibrationStage::none;
   }
+  /// It still settles where it will calibrate once more.
+  [[nodiscard]] CalibrationStage calibration_stage() const;
 
   /// Of the feet that stand.
   [[nodiscard]] double mean_friction() const;
@@ -182,11 +186,14 @@ class Planner {
   bool asked_before_ = false;                    // for a calibration, at the last tick
   bool wants_calibration_ = false;               // … which has not begun
   double tells_wait_at_ = 0.0;                   // that it has not [s]
+  bool was_calibrating_ = false;                 // at the last tick
   bool disturbed_ = false;                       // the calibration that goes on, or the last one
+  bool will_repeat_ = false;                     // that one, as soon as the robot is at rest
   int repeats_ = 0;                              // of one that was disturbed
   PlanEvent calibration_end_ = PlanEvent::none;  // that is still to be told
   bool restarts_ = false;
   double stands_from_ = 0.0;           // on all feet [s]
+  double rests_from_ = 0.0;            // without going anywhere [s]
   double yaw_ = 0.0, yaw_rate_ = 0.0;  // of the heading that the torso is to have
   Mode mode_ = Mode::stand;
   int cursor_ = 0;         // place of the next leg in the gait's order

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kStill = 0.02;     // [m/s] and [rad/s]
 constexpr double kSpare = 0.01;     // of a leg's reach, that no torso is held so high for [m]
-constexpr double kPatience = 10.0;  // of who asked for a calibration, until its waiting is told [s]
+constexpr double kPatience = 10.0;  // until it is told that a calibration waits to begin, and one
+                                    // that nobody asked for is given up [s]
 constexpr int kMostRepeats = 2;     // of a calibration that is disturbed
 
 }  // namespace
@@ -77,6 +78,7 @@ UserCommand Planner::with_caution(const UserCommand& user) const {
 void Planner::note_calibration_wish(bool asked) {
   if (asked && !asked_before_) {
     repeats_ = 0;
+    will_repeat_ = false;  // as it was asked for, it waits as long as it has to
     want_calibration();
   }
   asked_before_ = asked;
@@ -93,10 +95,13 @@ bool Planner::is_undisturbed(const RobotState& state) const {
 }
 
 void Planner::watch_calibration(const RobotState& state) {
+  if (!(state.v_WB.norm() < kStill)) rests_from_ = time_;
   const CalibrationStage stage = plan_.calibration;
   const bool listens = stage == CalibrationStage::turning || stage == CalibrationStage::weighing;
   if (listens && !is_undisturbed(state)) disturbed_ = true;
-  if (stage != CalibrationStage::none && !calibrating()) end_calibration();
+  if (was_calibrating_ && !calibrating()) end_calibration();
+  was_calibrating_ = calibrating();
+  if (will_repeat_ && time_ > tells_wait_at_) give_up_calibration();
 }
 
 // Not for ever: somebody who goes on pushing wants the robot to walk.
@@ -105,12 +110,24 @@ void Planner::end_calibration() {
     repeats_ = 0;
   } else if (repeats_ < kMostRepeats) {
     ++repeats_;
+    will_repeat_ = true;
     calibration_end_ = PlanEvent::calibration_disturbed;
     want_calibration();
   } else {
-    repeats_ = 0;
-    calibration_end_ = PlanEvent::calibration_given_up;
+    give_up_calibration();
   }
+}
+
+void Planner::give_up_calibration() {
+  if (will_repeat_) wants_calibration_ = false;
+  will_repeat_ = false;
+  repeats_ = 0;
+  calibration_end_ = PlanEvent::calibration_given_up;
+}
+
+CalibrationStage Planner::calibration_stage() const {
+  const CalibrationStage stage = calibration_.stage(time_ - initialised_at_);
+  return will_repeat_ && stage == CalibrationStage::none ? CalibrationStage::settling : stage;
 }
 
 // At the first tick at which nothing else happens.
@@ -141,8 +158,9 @@ void Planner::tell_calibration_waits() {
 }
 
 bool Planner::is_at_rest(const RobotState& state) const {
-  return !calibrating() && !recovering_ && time_ > stands_from_ + kStandDuration &&
-         state.v_WB.norm() < kStill && state.w_WB_B.norm() < kStill;
+  return !calibrating() && !recovering_ &&
+         time_ > std::max(stands_from_, rests_from_) + kStandDuration &&
+         state.w_WB_B.norm() < kStill;
 }
 
 }  // namespace surefoot

@@ -22,11 +22,11 @@ enum class PlanEvent : int {
   push_reloaded = 13,      ///< pushed before a lift-off: the leg carries again
   push_step = 14,          ///< pushed with all feet down: a step to recover
   caught = 15,             ///< a rising foot met something on its way: back, higher, over
-  calibration = 16,        ///< as asked for, the estimate begins anew and calibrates on the spot
-  calibration_waits = 17,  ///< it was asked for, but the robot does not come to rest on all feet
+  calibration = 16,        ///< the estimate begins anew and calibrates on the spot
+  calibration_waits = 17,  ///< it is to begin, but the robot does not come to rest on all feet
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
   lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
-  calibration_disturbed = 20,  ///< somebody pushed or a foot slid: it is done once more
+  calibration_disturbed = 20,  ///< somebody pushed, or a foot did not stay: it is done once more
   calibration_given_up = 21,   ///< … and again: the robot goes on with what it has found
 };
 

@@ -184,6 +184,11 @@ void require_length_offset(const char* link, std::size_t leg, double offset) {
           text("between -", kMaxLengthOffset, " and ", kMaxLengthOffset, " m"));
 }
 
+void require_mass_scale(const std::string& name, double scale) {
+  require(scale >= 1.0 / kMaxMassScale && scale <= kMaxMassScale, name, scale,
+          text("between ", 1.0 / kMaxMassScale, " and ", kMaxMassScale));
+}
+
 void check(const DisturbanceOptions& disturbances) {
   for (std::size_t i = 0; i < disturbances.pushes.size(); ++i) {
     const Push& push = disturbances.pushes[i];
@@ -192,14 +197,16 @@ void check(const DisturbanceOptions& disturbances) {
     require_positive(name + ".duration", push.duration);
     require_all_finite(name + ".force", push.force);
   }
-  require_not_negative("disturbances.payload.mass", disturbances.payload.mass);
+  const double payload = disturbances.payload.mass;
+  require(payload >= 0.0 && payload <= kMaxPayload, "disturbances.payload.mass", payload,
+          text("between 0 and ", kMaxPayload, " kg"));
   require_all_finite("disturbances.payload.position", disturbances.payload.position);
-  require_positive("disturbances.base_mass_scale", disturbances.base_mass_scale);
-  require_positive("disturbances.leg_mass_scale", disturbances.leg_mass_scale);
+  require_mass_scale("disturbances.base_mass_scale", disturbances.base_mass_scale);
+  require_mass_scale("disturbances.leg_mass_scale", disturbances.leg_mass_scale);
   require_all_finite("disturbances.base_com_offset", disturbances.base_com_offset);
   for (Eigen::Index i = 0; i < kNumJoints; ++i) {
-    require_positive(text("disturbances.link_mass_scale[", i, "]"),
-                     disturbances.link_mass_scale[i]);
+    require_mass_scale(text("disturbances.link_mass_scale[", i, "]"),
+                       disturbances.link_mass_scale[i]);
   }
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
     require_length_offset("thigh", leg, disturbances.thigh_length_offset[leg]);

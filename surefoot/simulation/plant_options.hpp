@@ -14,6 +14,9 @@ namespace surefoot {
 inline constexpr int kMaxDelayTicks = 1000;
 /// A thigh or shank may be longer or shorter by this [m].
 inline constexpr double kMaxLengthOffset = 0.1;
+inline constexpr double kMaxPayload = 200.0;  ///< [kg]
+/// Masses may be so many times as large or as small.
+inline constexpr double kMaxMassScale = 10.0;
 
 /// A box of terrain; `position` is its centre.
 struct TerrainBox {

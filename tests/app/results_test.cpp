@@ -192,6 +192,17 @@ TEST(Aligned, columns_start_together_whatever_the_letters_bytes) {
   EXPECT_EQ(aligned({{"µ", "x"}, {"abc", "y"}}), "µ     x\nabc   y\n");
 }
 
+TEST(RunTable, says_what_the_seed_drew_or_that_it_drew_nothing) {
+  RunResult result;
+  result.drawn = {{"terrain.friction", 0.5}};
+  result.metrics.seed = 3;
+  const auto table = [&] { return run_table(Scenario{}, run_json(Scenario{}, result)); };
+  EXPECT_NE(table().find("seed 3: terrain.friction 0.5\n"), std::string::npos) << table();
+  result.metrics.seed = 0;
+  result.drawn.clear();
+  EXPECT_NE(table().find("seed 0, of which nothing is drawn at random"), std::string::npos);
+}
+
 TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {
   Scenario scenario;
   scenario.name = "trial";

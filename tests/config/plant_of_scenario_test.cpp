@@ -51,7 +51,8 @@ TEST_F(PlantOfScenario, takes_the_numbers_of_a_vector_by_name) {
                     "a list of 2 is not a list of 12 numbers, nor a map from LF_HAA … RH_KFE"));
   EXPECT_TRUE(holds(complaint("disturbances: {shank_length_offset: {LF: 0.3}}\n"),
                     "shank_length_offset.LF: \"0.3\" is not a number between -0.1 and 0.1 m"));
-  EXPECT_TRUE(holds(complaint("disturbances: {link_mass_scale: {LF_HIP: 0}}\n"), "above 0"));
+  EXPECT_TRUE(holds(complaint("disturbances: {link_mass_scale: {LF_HIP: 0}}\n"),
+                    "\"0\" is not a number from 0.1 to 10"));
 }
 
 TEST_F(PlantOfScenario, has_actuators_of_two_levels) {

@@ -308,7 +308,7 @@ TEST_F(ScenarioFile, is_refused_with_any_seed_where_an_end_of_a_range_is_beyond_
     const char *range, *told;
   };
   constexpr std::array<Case, 7> kCases{{
-      {"disturbances.payload.mass=[-1e-9, 5]", "\"-1e-09\" is not a number of at least 0"},
+      {"disturbances.payload.mass=[-1e-9, 5]", "\"-1e-09\" is not a number from 0 to 200 kg"},
       {"sensors.imu.delay_ticks=[0, 1001]", "\"1001\" is more than 1000"},
       {"disturbances.shank_length_offset=[0, 0.11]", "LF: \"0.11\" is not a number between"},
       {"slip.end_speed=[0.01, 10]", "it must not be above begin_speed"},

@@ -65,10 +65,14 @@ const ContactForceOptions kWithoutTare{.tare = {.enabled = false}};
 struct Bench {
   explicit Bench(const ContactForceOptions& options = {}) : estimator(options, kPeriod) {}
 
-  void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
+  void observe(const RobotState& state) {
     reading.time = state.time;
     reading.q = state.q;
     velocity = estimator.observe(reading, torque_lag);
+  }
+
+  void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
+    observe(state);
     estimator.update(dynamics, stands, normal, reading, state);
   }
 
@@ -144,6 +148,30 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
     for (int tick = 0; tick < 200; ++tick) {
       move(dynamics, state, acceleration, tick < 199 ? kPeriod : (1 + left_out) * kPeriod);
       bench.tick(dynamics, state);
+    }
+    for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+  }
+}
+
+// Nor are ticks without a state taken for a hard stop of the base.
+TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
+  RobotModel model(anymal_b());
+  Random random(7);
+  for (int without = 0; without < 20; ++without) {
+    SCOPED_TRACE(std::to_string(without) + " ticks without a state");
+    RobotState state = random.standing_state(model.description().q_nominal);
+    state.time = 0.0;
+    state.torque.setZero();
+    Dynamics dynamics = model.update(state, kUp);
+    const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
+    Bench bench(kWithoutTare);
+    for (int tick = 0; tick < 200; ++tick) {
+      move(dynamics, state, acceleration, kPeriod);
+      if (tick < 199 - without || tick == 199) {
+        bench.tick(dynamics, state);
+      } else {
+        bench.observe(state);
+      }
     }
     for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
   }

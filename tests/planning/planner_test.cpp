@@ -1,11 +1,15 @@
 // The walk on level ground.
+#include "surefoot/base/error.hpp"
 #include "tests/planning/watch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/random_hierarchy.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace surefoot::test {
 namespace {
@@ -127,14 +131,16 @@ TEST(Planner, AskedToCalibrateItStandsDoesSoOnceAndWalksOn) {
   EXPECT_EQ(puppet.happenings(PlanEvent::calibration).size(), 2u) << "asked for again";
 }
 
-/// A robot that calibrates itself for 10 s and is told to walk, `push`ed from `from` to `to` [s].
+/// A robot that calibrates itself for 9.5 s and is told to walk, with something done to it `from` …
+/// `to` [s].
 struct Disturbed {
-  Disturbed(double from, double to, const Vec3& push) {
+  Disturbed(double from, double to, const std::function<void(Puppet&, bool)>& disturb) {
     puppet.user = walking(0.05);
     puppet.run(70.0, [&] {
-      const bool pushed = puppet.time() > from && puppet.time() < to;
-      puppet.push = pushed ? push : Vec3::Zero();
-      turning += puppet.plan().calibration == CalibrationStage::turning ? Puppet::kPeriod : 0.0;
+      disturb(puppet, puppet.time() > from && puppet.time() < to);
+      const CalibrationStage stage = puppet.plan().calibration;
+      turning += stage == CalibrationStage::turning ? Puppet::kPeriod : 0.0;
+      none_before_end = none_before_end || (stage == CalibrationStage::none && !has_ended());
     });
   }
 
@@ -143,44 +149,87 @@ struct Disturbed {
     result.calibration.duration = 6.0;
     return result;
   }
+  std::size_t count(PlanEvent event) const { return puppet.happenings(event).size(); }
   double first(PlanEvent event) const { return puppet.happenings(event).front().time; }
+  /// As many have begun as were to be, and the last one is over.
+  bool has_ended() const {
+    return puppet.time() > 9.5 + 1e-9 &&
+           count(PlanEvent::calibration) == count(PlanEvent::calibration_disturbed) &&
+           (count(PlanEvent::calibration) == 0 ||
+            puppet.time() > puppet.happenings(PlanEvent::calibration).back().time + 9.5);
+  }
 
   Puppet puppet{options()};
   double turning = 0.0;  // in all [s]
+  bool none_before_end = false;
 };
 
-const Vec3 kSomePush(20.0, 0.0, 0.0);
+void push_sideways(Puppet& puppet, bool now) {
+  puppet.push = now ? Vec3(20.0, 0.0, 0.0) : Vec3(0.0, 0.0, 0.0);
+}
+
+void press_down(Puppet& puppet, bool now) { puppet.push.z() = now ? -60.0 : 0.0; }
+
+void slide_a_foot(Puppet& puppet, bool now) {
+  puppet.slide[index(Leg::RF)] = now ? Vec2(30.0, 0.0) : Vec2(0.0, 0.0);
+}
 
 TEST(Planner, ACalibrationThatIsDisturbedIsDoneOnceMoreBeforeTheWalk) {
-  for (const double from : {3.0, 7.5}) {
-    const Disturbed turned(from, from + 0.5, kSomePush);
-    ASSERT_EQ(turned.puppet.happenings(PlanEvent::calibration_disturbed).size(), 1u) << from;
-    ASSERT_EQ(turned.puppet.happenings(PlanEvent::calibration).size(), 1u) << from;
-    EXPECT_TRUE(turned.puppet.happenings(PlanEvent::calibration_given_up).empty()) << from;
-    EXPECT_NEAR(turned.turning, 12.0, 0.02) << from;
-    EXPECT_LT(turned.first(PlanEvent::calibration_disturbed), turned.first(PlanEvent::calibration));
-    EXPECT_GT(turned.first(PlanEvent::lift_off), turned.first(PlanEvent::calibration) + 9.0);
+  for (const auto& [disturb, from] : std::vector<std::pair<void (*)(Puppet&, bool), double>>{
+           {push_sideways, 3.0}, {push_sideways, 7.5}, {slide_a_foot, 3.0}}) {
+    const Disturbed once(from, from + 0.5, disturb);
+    ASSERT_EQ(once.count(PlanEvent::calibration_disturbed), 1u) << from;
+    ASSERT_EQ(once.count(PlanEvent::calibration), 1u) << from;
+    EXPECT_EQ(once.count(PlanEvent::calibration_given_up), 0u) << from;
+    EXPECT_NEAR(once.turning, 12.0, 0.02) << from;
+    EXPECT_FALSE(once.none_before_end) << "or what it does not know yet is judged";
+    EXPECT_LT(once.first(PlanEvent::calibration_disturbed), once.first(PlanEvent::calibration));
+    EXPECT_GT(once.first(PlanEvent::lift_off), once.first(PlanEvent::calibration) + 9.0);
   }
 }
 
 TEST(Planner, ACalibrationThatIsAlwaysDisturbedDoesNotKeepTheRobotFromWalking) {
-  const Disturbed leaned_on(1.0, 1e3, kSomePush);
-  EXPECT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration_disturbed).size(), 2u);
-  EXPECT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration).size(), 2u);
-  ASSERT_EQ(leaned_on.puppet.happenings(PlanEvent::calibration_given_up).size(), 1u);
+  Disturbed leaned_on(1.0, 1e3, push_sideways);
+  EXPECT_EQ(leaned_on.count(PlanEvent::calibration_disturbed), 2u);
+  EXPECT_EQ(leaned_on.count(PlanEvent::calibration), 2u);
+  ASSERT_EQ(leaned_on.count(PlanEvent::calibration_given_up), 1u);
   EXPECT_NEAR(leaned_on.turning, 18.0, 0.02);
   EXPECT_GT(leaned_on.first(PlanEvent::lift_off), leaned_on.first(PlanEvent::calibration_given_up));
+  leaned_on.puppet.user.calibrate = true;
+  leaned_on.puppet.run(60.0);
+  EXPECT_EQ(leaned_on.count(PlanEvent::calibration_given_up), 2u) << "asked for, it tries anew";
+  EXPECT_EQ(leaned_on.count(PlanEvent::calibration), 5u);
+}
+
+TEST(Planner, ACalibrationIsNotRepeatedWhileTheRobotSwaysNorWaitedForForEver) {
+  const auto sway = [](Puppet& puppet, bool now) {
+    push_sideways(puppet, puppet.time() > 3.0 && puppet.time() < 3.5);
+    puppet.drift = now ? 0.2 * std::sin(2.0 * kPi * puppet.time()) : 0.0;
+  };
+  const Disturbed shortly(8.0, 14.0, sway);
+  ASSERT_EQ(shortly.count(PlanEvent::calibration), 1u);
+  EXPECT_GT(shortly.first(PlanEvent::calibration), 14.9) << "when it has been at rest for 1 s";
+  const Disturbed for_long(8.0, 1e3, sway);
+  EXPECT_EQ(for_long.count(PlanEvent::calibration), 0u);
+  ASSERT_EQ(for_long.count(PlanEvent::calibration_given_up), 1u);
+  EXPECT_GT(for_long.first(PlanEvent::lift_off), for_long.first(PlanEvent::calibration_given_up));
 }
 
 TEST(Planner, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
-  const Disturbed laden(1.0, 1e3, {0.0, 0.0, -60.0});
+  const Disturbed laden(1.0, 1e3, press_down);
   EXPECT_NEAR(laden.turning, 6.0, 0.02) << "a payload";
-  const Disturbed later(9.6, 12.0, kSomePush);
+  const Disturbed later(9.6, 12.0, push_sideways);
   EXPECT_NEAR(later.turning, 6.0, 0.02) << "when it is over";
   for (const Disturbed* robot : {&laden, &later}) {
-    EXPECT_TRUE(robot->puppet.happenings(PlanEvent::calibration_disturbed).empty());
-    EXPECT_FALSE(robot->puppet.happenings(PlanEvent::lift_off).empty());
+    EXPECT_EQ(robot->count(PlanEvent::calibration_disturbed), 0u);
+    EXPECT_GT(robot->count(PlanEvent::lift_off), 0u);
   }
+}
+
+TEST(Planner, AnOrderThatLeavesALegOutIsRefused) {
+  PlannerOptions options;
+  options.gait.order = {Leg::LH, Leg::LF, Leg::RH, Leg::LF};
+  EXPECT_THROW(Puppet{options}, Error);
 }
 
 TEST(Planner, TellsAgainAndAgainThatACalibrationWaitsForARobotThatNeverRests) {

@@ -17,7 +17,9 @@ constexpr double kSwitch = 2.0, kWatched = 0.6;  // [s]
 
 /// Torques commanded from the tick before the switch on.
 std::vector<JointVector> torques(const std::vector<std::string>& changes) {
-  Loop loop(test::scenario("walk_flat", changes));
+  std::vector<std::string> all = changes;
+  all.emplace_back("planner.calibration.duration=0");
+  Loop loop(test::scenario("walk_flat", all));
   loop.run_until(kSwitch - 1e-6);
   std::vector<JointVector> commands{loop.record().command.torque};
   while (loop.truth().time < kSwitch + kWatched) {
