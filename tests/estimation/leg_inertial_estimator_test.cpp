@@ -44,6 +44,35 @@ TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
   }
 }
 
+/// How fast the base of a robot that stands is believed to go at most, while a foot of it that has
+/// only just come down slides 2 cm before it bears its share [m/s].
+double speed_at_touchdown(const LegInertialOptions& options) {
+  constexpr double kLifted = 0.3, kDown = 0.4, kLoaded = 0.5, kWay = 0.04;  // [s], of the hip [rad]
+  TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 10.0});
+  LegInertialEstimator estimator(robot.description(), options, TurningRobot::kPeriod);
+  double fastest = 0.0;
+  while (robot.time() < 1.0) {
+    SensorReading reading = robot.reading();
+    const double share = std::clamp((robot.time() - kDown) / (kLoaded - kDown), 0.0, 1.0);
+    reading.q[first_joint(Leg::LF)] += kWay * smoothstep(std::min(1.0, 2.0 * share));
+    TickContext context = standing();
+    FootContact& contact = context.contacts[index(Leg::LF)];
+    contact.carries = robot.time() < kLifted || robot.time() >= kDown;
+    if (robot.time() >= kLifted) contact.normal_force *= share;
+    fastest = std::max(fastest, estimator.update(reading, context).v_WB.norm());
+    robot.tick();
+  }
+  return fastest;
+}
+
+TEST(LegInertialEstimator, AFootThatHasOnlyJustComeDownIsTrustedLittle) {
+  LegInertialOptions at_once;
+  at_once.trust_time = 1e-9;
+  at_once.trust_force = 1e-9;
+  EXPECT_LT(speed_at_touchdown({}), 0.01);
+  EXPECT_GT(speed_at_touchdown(at_once), 3.0 * speed_at_touchdown({}));
+}
+
 /// Largest error of joints [rad], of the tilt [rad], of a robot whose readings come `late` ticks
 /// late.
 std::pair<double, double> error_by_delay(int late, bool predict) {
