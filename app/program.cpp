@@ -168,7 +168,7 @@ void add_run(CLI::App& app, Command& chosen) {
   run->add_option("--seed", arguments->seed,
                   "Seed of what the scenario randomises and of the noise, 0 to " +
                       std::to_string(kLargestSeed) +
-                      "; 0 (default) draws nothing: the robot is as modelled")
+                      "; 0 (default): nothing is randomised but the noise")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
       ->check(whole_number(1));

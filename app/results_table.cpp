@@ -83,7 +83,7 @@ std::string title(const Scenario& scenario, const Json& json) {
 /// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
 std::string seed_line(const Json& run) {
   const auto seed = run.at("seed").get<std::uint64_t>();
-  if (seed == 0) return "seed 0, of which nothing is drawn at random (--seed 1 draws)";
+  if (seed == 0) return "seed 0: nothing of `randomise:` is drawn (--seed 1 draws)";
   std::string text;
   for (const auto& [path, value] : run.at("drawn").items()) {
     text += (text.empty() ? ": " : ", ") + path + " " + number(value.get<double>());

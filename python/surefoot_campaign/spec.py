@@ -13,6 +13,7 @@ from surefoot_campaign.yaml_tree import read_yaml
 KEYS = ["name", "scenario", "seeds", "cases", "grid", "draw", "set", "timeout", "judge", "units"]
 CASE = "case"  # what tables and figures call the column of `cases:`
 TIMEOUT = 600.0  # s
+RANDOMISE = "randomise."
 LEAST_TIMEOUT = 1.0  # s; no program begins in less
 JUDGE = "com_error_max_m"
 MAX_SEED = 999_999_999  # of the program's --seed
@@ -52,6 +53,11 @@ class Spec:
         """Every parameter, in the order of the file: those that vary first. Those of cases need not be in every run."""
         of_cases = dict.fromkeys(name for values in self.cases.values() for name in values)
         return [*of_cases, *self.grid, *self.draw, *self.fixed]
+
+    def values(self):
+        """Every parameter that the file gives values, with these."""
+        of_cases = [(name, [value]) for case in self.cases.values() for name, value in case.items()]
+        return [*of_cases, *self.grid.items(), *((name, [value]) for name, value in self.fixed.items())]
 
     def varied(self):
         """Those that take more than one value, the case among them."""
@@ -235,10 +241,11 @@ class Reader:
                 self.fail(nodes[number].line, key, f"{yaml_text(value)} is given twice")
 
     def check_parameters(self, spec):
-        for name in spec.draw:
-            other = f"randomise.{name}"
-            if other in spec.parameters():
-                self.fail(self.lines[other], other, f'is drawn by "draw" of line {self.lines[name]}; one of them is valid')
+        ranges = [name for name, values in spec.values() if name.startswith(RANDOMISE) and any(value is not None for value in values)]
+        for name in ranges:
+            given = name.removeprefix(RANDOMISE)
+            if given in spec.parameters():
+                self.fail(self.lines[name], name, f"{given} is given at line {self.lines[given]}; one of them is valid")
         for name, other in itertools.permutations(spec.parameters(), 2):
             if other.startswith(name + "."):
                 self.fail(self.lines[other], other, f'lies below "{name}" of line {self.lines[name]}; one of them is valid')

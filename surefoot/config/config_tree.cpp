@@ -117,11 +117,15 @@ std::size_t equals_sign(const std::string& assignment) {
   return position;
 }
 
+bool is_named_entry(const std::string& path) {
+  const std::string map = path.substr(0, path.rfind('.'));
+  return std::ranges::find(kNamedEntries, map) != kNamedEntries.end();
+}
+
 /// Whoever takes off an entry that has a name of its own means one that is there.
 void check_taken_off(const ConfigNode& tree, const std::string& path) {
   const std::vector<std::string> keys = split(path);
   const std::string map = path.substr(0, path.rfind('.'));
-  if (keys.size() != 3 || std::ranges::find(kNamedEntries, map) == kNamedEntries.end()) return;
   const ConfigNode* section = tree.find(keys[0]);
   const ConfigNode* entries = section == nullptr ? nullptr : section->find(keys[1]);
   std::vector<std::string> names;
@@ -131,6 +135,15 @@ void check_taken_off(const ConfigNode& tree, const std::string& path) {
   if (std::ranges::find(names, keys[2]) != names.end()) return;
   throw Error(path + ": \"" + keys[2] + "\" is not there to be taken off; " +
               (names.empty() ? map + " has no entries" : valid_names(keys[2], names)));
+}
+
+/// What is no longer there has nothing that could be drawn.
+void take_off_ranges_below(ConfigNode& tree, const std::string& path) {
+  ConfigNode* randomise = tree.find(kRandomise);
+  if (randomise == nullptr) return;
+  for (auto& [key, range] : randomise->members) {
+    if (key.starts_with(path + ".")) range = ConfigNode{.where = range.where};
+  }
 }
 
 void set_places(ConfigNode& node, const std::string& where) {
@@ -211,8 +224,12 @@ void apply_assignment(ConfigNode& tree, const std::string& assignment) {
   const std::string where = "--set " + assignment;
   ConfigNode value = parse_yaml(assignment.substr(equals_sign(assignment) + 1), where);
   set_places(value, where);
-  if (value.kind == ConfigNode::Kind::null) check_taken_off(tree, assigned_path(assignment));
-  set_path(tree, assigned_path(assignment), std::move(value));
+  const std::string path = assigned_path(assignment);
+  if (value.kind == ConfigNode::Kind::null && is_named_entry(path)) {
+    check_taken_off(tree, path);
+    take_off_ranges_below(tree, path);
+  }
+  set_path(tree, path, std::move(value));
 }
 
 }  // namespace surefoot

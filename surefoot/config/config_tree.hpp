@@ -46,8 +46,8 @@ void merge(ConfigNode& tree, ConfigNode overlay);
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
 /// An overlay from the command line, "path.to.key=value": the value is read as YAML.
-/// Throws Error if it has another form, and if no value takes off an element of the terrain, a push
-/// or a fault that is not there.
+/// No value takes off an element of the terrain, a push or a fault, and what would be drawn of it.
+/// Throws Error if it has another form, and if there is nothing to take off.
 void apply_assignment(ConfigNode& tree, const std::string& assignment);
 
 /// The path of an assignment. Throws Error if it has none.

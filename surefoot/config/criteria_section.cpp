@@ -54,12 +54,11 @@ void read_criteria(Section& section, bool has_goal, std::vector<Criterion>& crit
   by_default("fell", false);
   if (has_goal) by_default("goal_reached", true);
   for (const std::string& metric : section.keys()) {
-    const ConfigNode& given = *section.node(metric.c_str());
-    // `metric:` with nothing behind it takes away what is asked by default.
-    if (given.kind == ConfigNode::Kind::null) continue;
     if (!is_metric(metric)) {
       section.fail(metric, "unknown metric; " + valid_names(metric, metric_names()));
     }
+    // `metric:` with nothing behind it takes away what is asked by default.
+    if (section.node(metric.c_str())->kind == ConfigNode::Kind::null) continue;
     if (metric == "goal_reached" && !has_goal) {
       section.fail(metric, "the scenario has no goal; goal.feet_beyond_x gives it one");
     }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kStill = 0.02;     // [m/s] and [rad/s]
 constexpr double kSpare = 0.01;     // of a leg's reach, that no torso is held so high for [m]
-constexpr double kPatience = 10.0;  // until it is told that a calibration waits to begin, and one
-                                    // that nobody asked for is given up [s]
+constexpr double kPatience = 10.0;  // until it is told that a calibration waits to begin, and a
+                                    // repeated one is given up [s]
 constexpr int kMostRepeats = 2;     // of a calibration that is disturbed
 
 }  // namespace
@@ -101,7 +101,7 @@ void Planner::watch_calibration(const RobotState& state) {
   if (listens && !is_undisturbed(state)) disturbed_ = true;
   if (was_calibrating_ && !calibrating()) end_calibration();
   was_calibrating_ = calibrating();
-  if (will_repeat_ && time_ > tells_wait_at_) give_up_calibration();
+  if (will_repeat_ && time_ >= tells_wait_at_) give_up_calibration();
 }
 
 // Not for ever: somebody who goes on pushing wants the robot to walk.
@@ -137,6 +137,7 @@ void Planner::tell_calibration_ended() {
 
 // Once, at the first tick at which nothing else happens.
 void Planner::tell_limits() {
+  if (calibrating() || wants_calibration_) return;  // it doesn't walk
   slowed_ = slowed_ && slows_;
   lowered_ = lowered_ && lowers_;
   if (event_ != PlanEvent::none) return;

@@ -27,7 +27,8 @@ enum class PlanEvent : int {
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
   lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
   calibration_disturbed = 20,  ///< somebody pushed, or a foot did not stay: it is done once more
-  calibration_given_up = 21,   ///< … and again: the robot goes on with what it has found
+  calibration_given_up =
+      21,  ///< … and again, or it did not come to rest: the robot goes on with what it has found
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -75,7 +76,7 @@ enum class PlanEvent : int {
     case PlanEvent::calibration_disturbed:
       return "calibration was disturbed: once more, at rest on all feet";
     case PlanEvent::calibration_given_up:
-      return "calibration was disturbed each time: going on with what it found";
+      return "calibration was disturbed, and is given up: going on with what it found";
   }
   return "unknown";
 }

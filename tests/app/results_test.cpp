@@ -200,7 +200,7 @@ TEST(RunTable, says_what_the_seed_drew_or_that_it_drew_nothing) {
   EXPECT_NE(table().find("seed 3: terrain.friction 0.5\n"), std::string::npos) << table();
   result.metrics.seed = 0;
   result.drawn.clear();
-  EXPECT_NE(table().find("seed 0, of which nothing is drawn at random"), std::string::npos);
+  EXPECT_NE(table().find("seed 0: nothing of `randomise:` is drawn"), std::string::npos);
 }
 
 TEST(RunTable, shows_a_metric_beside_its_limit_and_the_papers_figure) {

@@ -88,7 +88,10 @@ TEST(ConfigTree, an_assignment_takes_what_follows_randomise_for_one_key) {
 }
 
 TEST(ConfigTree, an_assignment_takes_off_only_what_is_there) {
-  ConfigNode changed = parse_yaml("terrain: {elements: {ground: {shape: plane}}}\n", "a.yaml");
+  ConfigNode changed = parse_yaml(
+      "terrain: {elements: {ground: {shape: plane}}}\n"
+      "randomise: {terrain.elements.ground.tilt: [0, 1], terrain.elements.grounds.tilt: [0, 1]}\n",
+      "a.yaml");
   const auto told = [&changed](const char* assignment) {
     return message_of([&] { apply_assignment(changed, assignment); });
   };
@@ -98,7 +101,10 @@ TEST(ConfigTree, an_assignment_takes_off_only_what_is_there) {
   EXPECT_TRUE(holds(told("disturbances.pushes.kick=~"), "disturbances.pushes has no entries"));
   apply_assignment(changed, "terrain.elements.ground=~");
   apply_assignment(changed, "goal=~");
-  EXPECT_EQ(to_json(changed), R"({"terrain":{"elements":{"ground":null}},"goal":null})");
+  EXPECT_EQ(
+      to_json(changed),
+      R"({"terrain":{"elements":{"ground":null}},"randomise":{"terrain.elements.ground.tilt":)"
+      R"(null,"terrain.elements.grounds.tilt":[0,1]},"goal":null})");
 }
 
 TEST(ConfigTree, an_assignment_without_a_path_or_a_value_is_told) {

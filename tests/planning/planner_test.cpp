@@ -211,6 +211,7 @@ TEST(Planner, ACalibrationIsNotRepeatedWhileTheRobotSwaysNorWaitedForForEver) {
   EXPECT_GT(shortly.first(PlanEvent::calibration), 14.9) << "when it has been at rest for 1 s";
   const Disturbed for_long(8.0, 1e3, sway);
   EXPECT_EQ(for_long.count(PlanEvent::calibration), 0u);
+  EXPECT_EQ(for_long.count(PlanEvent::calibration_waits), 0u) << "or it would wait on";
   ASSERT_EQ(for_long.count(PlanEvent::calibration_given_up), 1u);
   EXPECT_GT(for_long.first(PlanEvent::lift_off), for_long.first(PlanEvent::calibration_given_up));
 }
@@ -224,6 +225,15 @@ TEST(Planner, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
     EXPECT_EQ(robot->count(PlanEvent::calibration_disturbed), 0u);
     EXPECT_GT(robot->count(PlanEvent::lift_off), 0u);
   }
+}
+
+TEST(Planner, WhileItCalibratesNoStrideIsTooLong) {
+  Puppet puppet(Disturbed::options());
+  puppet.user = walking(0.5);
+  puppet.run(9.0);
+  EXPECT_TRUE(puppet.happenings().empty());
+  puppet.run(3.0);
+  EXPECT_EQ(puppet.happenings(PlanEvent::slowed).size(), 1u);
 }
 
 TEST(Planner, AnOrderThatLeavesALegOutIsRefused) {
