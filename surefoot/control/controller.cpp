@@ -272,6 +272,7 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());
   com_calibration.update(dynamics, record.state.foot_force, stage, is_quiet);
+  planner.tell_load_known(com_calibration.knows_load());
 }
 
 void Controller::Implementation::describe(const Dynamics& dynamics,

@@ -39,10 +39,11 @@ void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_f
   const GroundReaction reaction = ground_reaction(dynamics, foot_force);
   const bool is_felt = is_quiet && reaction.force.z() > kLeastShare * dynamics.mass * kGravity;
   if (stage == CalibrationStage::weighing) {
+    weighing_ = true;
     if (is_felt) weigh(dynamics, reaction);
     return;
   }
-  end_weighing(dynamics);
+  if (weighing_) end_weighing(dynamics);
   share_ = std::min(1.0, share_ + period_ / kFadeIn);
   heavier_in_use_ += period_ / kFollow * (heavier_ - heavier_in_use_);
   if (turns && is_felt) height_.add(dynamics, reaction);
@@ -62,13 +63,15 @@ void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& react
 
 // The weighing knows nothing of heavier links, the load that was in use while it lasted does.
 void ComCalibration::end_weighing(const Dynamics& dynamics) {
-  if (samples_ >= std::lround(kLeast / period_)) {
+  const std::optional<double> higher = height_.found();
+  const bool is_long_enough = samples_ >= std::lround(kLeast / period_);
+  knows_load_ = is_long_enough && higher.has_value();
+  if (is_long_enough) {
     const BaseLoad now = load();
     const Vec3 com = com_in_base(dynamics);
     const double bare_mass = dynamics.mass - now.mass;
     const Vec3 bare_com = (dynamics.mass * com - now.first_moment) / bare_mass;
     const Vec3 up = dynamics.base_rotation.R.row(2);
-    const std::optional<double> higher = height_.found();
     const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
     const Vec3 offset = believable(com - bare_com + found);
     const double mass =
@@ -84,6 +87,7 @@ void ComCalibration::end_weighing(const Dynamics& dynamics) {
   mean_offset_.setZero();
   mean_mass_ = 0.0;
   samples_ = 0;
+  weighing_ = false;
 }
 
 ComCalibration::Slope ComCalibration::slope(const Dynamics& dynamics) const {

@@ -43,6 +43,9 @@ class ComCalibration {
 
   /// What the model's base carries.
   [[nodiscard]] BaseLoad load() const noexcept;
+  /// Was the last weighing long enough, and had the turn before it told a height? Not before one
+  /// has ended.
+  [[nodiscard]] bool knows_load() const noexcept { return knows_load_; }
 
  private:
   using Shares = LinkMassEstimator::Shares;
@@ -53,7 +56,7 @@ class ComCalibration {
   [[nodiscard]] Slope slope(const Dynamics& dynamics) const;
 
   double period_, base_mass_;
-  bool turning_ = false;
+  bool turning_ = false, weighing_ = false, knows_load_ = false;
   ComHeight height_;
   // The weighing that goes on: by how much the model's mass and COM are off in the mean, the latter
   // from it to the line, level, in B; and the last tick in W.

@@ -38,6 +38,10 @@ class Planner {
   /// unless it is above 0.
   void set_friction(double friction);
 
+  /// Before an update: does the calibration that has just ended know what the robot carries? Only
+  /// one that was disturbed and doesn't is repeated.
+  void tell_load_known(bool known) { load_known_ = known; }
+
   /// Unit normal of the terrain as believed, in W, through the filter of the friction frame: it
   /// lags, and jumps only where a calibration begins the plan anew.
   [[nodiscard]] const Vec3& terrain_normal() const { return friction_frame_.normal(); }
@@ -188,6 +192,7 @@ class Planner {
   double tells_wait_at_ = 0.0;                   // that it has not [s]
   bool was_calibrating_ = false;                 // at the last tick
   bool disturbed_ = false;                       // the calibration that goes on, or the last one
+  bool load_known_ = false;                      // after it
   bool will_repeat_ = false;                     // that one, as soon as the robot is at rest
   int repeats_ = 0;                              // of one that was disturbed
   PlanEvent calibration_end_ = PlanEvent::none;  // that is still to be told

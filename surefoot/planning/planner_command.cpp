@@ -106,7 +106,7 @@ void Planner::watch_calibration(const RobotState& state) {
 
 // Not for ever: somebody who goes on pushing wants the robot to walk.
 void Planner::end_calibration() {
-  if (!disturbed_) {
+  if (!disturbed_ || load_known_) {
     repeats_ = 0;
   } else if (repeats_ < kMostRepeats) {
     ++repeats_;

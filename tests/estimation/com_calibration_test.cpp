@@ -137,10 +137,13 @@ TEST(ComCalibration, TakesNoMassWhoseHeightItDoesNotKnow) {
   weighing.turn(0.0, 5.0);
   weighing.weigh();
   EXPECT_EQ(weighing.mass(), 0.0);
+  EXPECT_FALSE(weighing.calibration.knows_load());
   EXPECT_LT(weighing.error().head<2>().norm(), 1e-5) << "it stands over its COM all the same";
   Weighing shortly({{6.9, {0.06, -0.04, 0.2}}});
   shortly.turn(0.5, 0.6);
+  EXPECT_FALSE(shortly.calibration.knows_load()) << "not yet";
   shortly.weigh();
+  EXPECT_TRUE(shortly.calibration.knows_load());
   EXPECT_NEAR(shortly.mass(), 6.9, 1e-6);
   EXPECT_LT(std::abs(shortly.error().z()), 1.5 * kTooHigh) << "of what came afterwards";
 }
