@@ -134,22 +134,34 @@ TEST(ContactForceEstimator, FindsTheForcesOfAMovingRobotFromItsAcceleration) {
   }
 }
 
+/// A robot without torques that falls freely from a random posture.
+struct Fall {
+  Fall(RobotModel& model, Random& random)
+      : state(random.standing_state(model.description().q_nominal)) {
+    state.time = random.uniform(0.0, 1000.0);
+    state.torque.setZero();
+    dynamics = model.update(state, kUp);
+    acceleration = -dynamics.M.ldlt().solve(dynamics.h);
+  }
+  void on(double dt) { move(dynamics, state, acceleration, dt); }
+
+  RobotState state;
+  Dynamics dynamics;
+  GeneralizedVector acceleration;
+};
+
 TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
   RobotModel model(anymal_b());
   Random random(7);
   for (int left_out = 0; left_out < 40; ++left_out) {
     SCOPED_TRACE(std::to_string(left_out) + " ticks left out");
-    RobotState state = random.standing_state(model.description().q_nominal);
-    state.time = random.uniform(0.0, 1000.0);
-    state.torque.setZero();
-    Dynamics dynamics = model.update(state, kUp);
-    const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
+    Fall fall(model, random);
     Bench bench(kWithoutTare);
     for (int tick = 0; tick < 200; ++tick) {
-      move(dynamics, state, acceleration, tick < 199 ? kPeriod : (1 + left_out) * kPeriod);
-      bench.tick(dynamics, state);
+      fall.on(tick < 199 ? kPeriod : (1 + left_out) * kPeriod);
+      bench.tick(fall.dynamics, fall.state);
     }
-    for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+    for (const Vec3& force : fall.state.foot_force) EXPECT_LT(force.norm(), 1e-3);
   }
 }
 
@@ -159,21 +171,17 @@ TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
   Random random(7);
   for (int without = 0; without < 20; ++without) {
     SCOPED_TRACE(std::to_string(without) + " ticks without a state");
-    RobotState state = random.standing_state(model.description().q_nominal);
-    state.time = 0.0;
-    state.torque.setZero();
-    Dynamics dynamics = model.update(state, kUp);
-    const GeneralizedVector acceleration = -dynamics.M.ldlt().solve(dynamics.h);  // free fall
+    Fall fall(model, random);
     Bench bench(kWithoutTare);
     for (int tick = 0; tick < 200; ++tick) {
-      move(dynamics, state, acceleration, kPeriod);
+      fall.on(kPeriod);
       if (tick < 199 - without || tick == 199) {
-        bench.tick(dynamics, state);
+        bench.tick(fall.dynamics, fall.state);
       } else {
-        bench.observe(state);
+        bench.observe(fall.state);
       }
     }
-    for (const Vec3& force : state.foot_force) EXPECT_LT(force.norm(), 1e-3);
+    for (const Vec3& force : fall.state.foot_force) EXPECT_LT(force.norm(), 1e-3);
   }
 }
 
