@@ -62,34 +62,33 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   time_ = state.time;
   last_ = last;
   event_ = PlanEvent::none;
-  if (!initialised_) asked_before_ = command.calibrate;  // that is how it begins anyway
+  if (!initialised_) calibration_.expect_switch(command.calibrate);  // it begins so anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
-  watch_calibration(state);
-  note_calibration_wish(command.calibrate);
+  calibration_.update(time_, command.calibrate, is_undisturbed(state));
   UserCommand user = within_height(with_caution(within_strides(command)));
-  user.walk = user.walk && !calibrating() && !wants_calibration_;
+  user.walk = user.walk && !calibration_.is_due();
   user.yaw_rate *= turning_share(user.yaw_rate);
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
   yaw_ += period_ * yaw_rate_;
   observe_legs(user, state, dynamics);
-  if (learns_ground_ && !calibrating()) learn_ground();
+  if (learns_ground_ && !calibration_.is_going_on()) learn_ground();
   observe_grip(user, state, dynamics);
   react_to_push(user, state, dynamics);
   advance(user, dynamics);
-  if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
-  tell_calibration_ended();
-  restarts_ = wants_calibration_ && event_ == PlanEvent::none && is_at_rest(state);
+  note_rest(state);
+  if (event_ == PlanEvent::none) event_ = calibration_.take_end();
+  restarts_ = calibration_.is_wanted() && event_ == PlanEvent::none && is_at_rest(state);
   if (restarts_) event_ = PlanEvent::calibration;
   tell_limits();
-  tell_calibration_waits();
+  if (event_ == PlanEvent::none) event_ = calibration_.take_waiting();
   write_plan(user);
   return plan_;
 }
 
 void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
   initialised_ = learns_ground_ = true;
-  restarts_ = wants_calibration_ = will_repeat_ = disturbed_ = false;
-  initialised_at_ = time_;
+  restarts_ = false;
+  calibration_.begin(time_);
   yaw_ = surefoot::yaw(state.R_WB());
   for (const Leg k : kLegs) {
     leg(k).plant(time_, dynamics.foot[index(k)].p, true);
@@ -105,7 +104,7 @@ void Planner::initialise(const RobotState& state, const Dynamics& dynamics) {
 // An estimate that begins anew has other places for the same feet, and others again when it is
 // calibrated.
 void Planner::learn_ground() {
-  learns_ground_ = learns_ground_ && calibrating();
+  learns_ground_ = learns_ground_ && calibration_.is_going_on();
   foothold_planner_.forget();
   for (const Leg k : kLegs) foothold_planner_.remember(k, leg(k).foothold());
   plane_ = fit_terrain_plane(footholds(), options_.torso.max_tilt);
@@ -341,12 +340,12 @@ void Planner::write_plan(const UserCommand& user) {
   plan_.com = com_planner_.at(time_);
   plan_.com_zmp_slack = com_planner_.zmp_slack();
   torso_.update(plane_, yaw_, yaw_rate_, plan_.com, options_.stance.height + user.height,
-                calibration_.at(time_ - initialised_at_));
+                calibration_.motion());
   plan_.torso = torso_.plan();
   friction_frame_.update(plane_.normal);
   plan_.R_WC = control_frame(friction_frame_.normal(), yaw_);
   plan_.terrain_point = plane_.point;
-  plan_.calibration = calibration_stage();
+  plan_.calibration = calibration_.stage();
   plan_.event = static_cast<int>(event_);
 }
 

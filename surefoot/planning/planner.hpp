@@ -2,7 +2,7 @@
 
 #include "surefoot/estimation/terrain_plane.hpp"
 #include "surefoot/model/dynamics.hpp"
-#include "surefoot/planning/calibration_motion.hpp"
+#include "surefoot/planning/calibration_schedule.hpp"
 #include "surefoot/planning/capture_step.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
@@ -40,7 +40,7 @@ class Planner {
 
   /// Before an update: does the calibration that has just ended know what the robot carries? Only
   /// one that was disturbed and doesn't is repeated.
-  void tell_load_known(bool known) { load_known_ = known; }
+  void tell_load_known(bool known) { calibration_.tell_load_known(known); }
 
   /// Unit normal of the terrain as believed, in W, through the filter of the friction frame: it
   /// lags, and jumps only where a calibration begins the plan anew.
@@ -62,14 +62,8 @@ class Planner {
   static constexpr double kLeastWay = 0.02;  // a step that is shorter has no direction [m]
 
   void initialise(const RobotState& state, const Dynamics& dynamics);
-  void watch_calibration(const RobotState& state);
-  void end_calibration();
-  void give_up_calibration();
-  void note_calibration_wish(bool asked);
-  void want_calibration();
   void tell_limits();
-  void tell_calibration_ended();
-  void tell_calibration_waits();
+  void note_rest(const RobotState& state);
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
@@ -139,11 +133,6 @@ class Planner {
   [[nodiscard]] SupportPhase present_phase(const Dynamics& dynamics) const;
   void replan_com(const UserCommand& user, const Dynamics& dynamics);
   void write_plan(const UserCommand& user);
-  [[nodiscard]] bool calibrating() const {
-    return calibration_.stage(time_ - initialised_at_) != CalibrationStage::none;
-  }
-  /// It still settles where it will calibrate once more.
-  [[nodiscard]] CalibrationStage calibration_stage() const;
 
   /// Of the feet that stand.
   [[nodiscard]] double mean_friction() const;
@@ -175,7 +164,7 @@ class Planner {
   TorsoReference torso_;
   FrictionFrame friction_frame_;
   Grip grip_;
-  CalibrationMotion calibration_;
+  CalibrationSchedule calibration_;
   PerLeg<LegMotion> legs_;
   TerrainPlane plane_;
   MotionPlan plan_;
@@ -186,16 +175,6 @@ class Planner {
   bool slows_ = false, slowed_ = false;    // strides too short for the velocity; that it was told
   bool lowers_ = false, lowered_ = false;  // legs too short for the height; that it was told
   double time_ = 0.0;
-  double initialised_at_ = 0.0;                  // [s]
-  bool asked_before_ = false;                    // for a calibration, at the last tick
-  bool wants_calibration_ = false;               // … which has not begun
-  double tells_wait_at_ = 0.0;                   // that it has not [s]
-  bool was_calibrating_ = false;                 // at the last tick
-  bool disturbed_ = false;                       // the calibration that goes on, or the last one
-  bool load_known_ = false;                      // after it
-  bool will_repeat_ = false;                     // that one, as soon as the robot is at rest
-  int repeats_ = 0;                              // of one that was disturbed
-  PlanEvent calibration_end_ = PlanEvent::none;  // that is still to be told
   bool restarts_ = false;
   double stands_from_ = 0.0;           // on all feet [s]
   double rests_from_ = 0.0;            // without going anywhere [s]

@@ -1,18 +1,15 @@
-// What the planner makes of the user's command: what legs can follow, and when it calibrates.
+// What the planner makes of the user's command: what legs can follow, and when a calibration may
+// begin.
 #include "surefoot/planning/planner.hpp"
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 namespace surefoot {
 namespace {
 
-constexpr double kStill = 0.02;     // [m/s] and [rad/s]
-constexpr double kSpare = 0.01;     // of a leg's reach, that no torso is held so high for [m]
-constexpr double kPatience = 10.0;  // until it is told that a calibration waits to begin, and a
-                                    // repeated one is given up [s]
-constexpr int kMostRepeats = 2;     // of a calibration that is disturbed
+constexpr double kStill = 0.02;  // [m/s] and [rad/s]
+constexpr double kSpare = 0.01;  // of a leg's reach, that no torso is held so high for [m]
 
 }  // namespace
 
@@ -47,7 +44,7 @@ UserCommand Planner::within_height(const UserCommand& user) {
   }
   const double tallest = foothold_planner_.tallest(
       strides, leaning_hips(), options_.swing.reach_max - kSpare, cycle_duration());
-  const bool turns = calibrating() || wants_calibration_;
+  const bool turns = calibration_.is_due();
   const double most = turns ? 0.0 : std::max(0.0, tallest - options_.stance.height);
   if (user.height <= most) {
     lowers_ = false;
@@ -75,69 +72,14 @@ UserCommand Planner::with_caution(const UserCommand& user) const {
   return result;
 }
 
-void Planner::note_calibration_wish(bool asked) {
-  if (asked && !asked_before_) {
-    repeats_ = 0;
-    will_repeat_ = false;  // as it was asked for, it waits as long as it has to
-    want_calibration();
-  }
-  asked_before_ = asked;
-}
-
-void Planner::want_calibration() {
-  wants_calibration_ = true;
-  tells_wait_at_ = time_ + kPatience;
-}
-
 bool Planner::is_undisturbed(const RobotState& state) const {
   return plan_.num_contacts() == kNumLegs && std::ranges::none_of(state.slips, std::identity{}) &&
          state.external_force.head<2>().isZero();
 }
 
-void Planner::watch_calibration(const RobotState& state) {
-  if (!(state.v_WB.norm() < kStill)) rests_from_ = time_;
-  const CalibrationStage stage = plan_.calibration;
-  const bool listens = stage == CalibrationStage::turning || stage == CalibrationStage::weighing;
-  if (listens && !is_undisturbed(state)) disturbed_ = true;
-  if (was_calibrating_ && !calibrating()) end_calibration();
-  was_calibrating_ = calibrating();
-  if (will_repeat_ && time_ >= tells_wait_at_) give_up_calibration();
-}
-
-// Not for ever: somebody who goes on pushing wants the robot to walk.
-void Planner::end_calibration() {
-  if (!disturbed_ || load_known_) {
-    repeats_ = 0;
-  } else if (repeats_ < kMostRepeats) {
-    ++repeats_;
-    will_repeat_ = true;
-    calibration_end_ = PlanEvent::calibration_disturbed;
-    want_calibration();
-  } else {
-    give_up_calibration();
-  }
-}
-
-void Planner::give_up_calibration() {
-  if (will_repeat_) wants_calibration_ = false;
-  will_repeat_ = false;
-  repeats_ = 0;
-  calibration_end_ = PlanEvent::calibration_given_up;
-}
-
-CalibrationStage Planner::calibration_stage() const {
-  const CalibrationStage stage = calibration_.stage(time_ - initialised_at_);
-  return will_repeat_ && stage == CalibrationStage::none ? CalibrationStage::settling : stage;
-}
-
-// At the first tick at which nothing else happens.
-void Planner::tell_calibration_ended() {
-  if (event_ == PlanEvent::none) event_ = std::exchange(calibration_end_, PlanEvent::none);
-}
-
 // Once, at the first tick at which nothing else happens.
 void Planner::tell_limits() {
-  if (calibrating() || wants_calibration_) return;  // it doesn't walk
+  if (calibration_.is_due()) return;  // it doesn't walk
   slowed_ = slowed_ && slows_;
   lowered_ = lowered_ && lowers_;
   if (event_ != PlanEvent::none) return;
@@ -150,16 +92,13 @@ void Planner::tell_limits() {
   }
 }
 
-// Again and again, so that whoever asked sees why nothing happens.
-void Planner::tell_calibration_waits() {
-  const bool waits = wants_calibration_ && !restarts_ && !calibrating();
-  if (!waits || event_ != PlanEvent::none || time_ < tells_wait_at_) return;
-  event_ = PlanEvent::calibration_waits;
-  tells_wait_at_ = time_ + kPatience;
+void Planner::note_rest(const RobotState& state) {
+  if (mode_ != Mode::stand || !all_down()) stands_from_ = time_;
+  if (!(state.v_WB.norm() < kStill)) rests_from_ = time_;
 }
 
 bool Planner::is_at_rest(const RobotState& state) const {
-  return !calibrating() && !recovering_ &&
+  return !calibration_.is_going_on() && !recovering_ &&
          time_ > std::max(stands_from_, rests_from_) + kStandDuration &&
          state.w_WB_B.norm() < kStill;
 }
