@@ -3,7 +3,7 @@
     PYTHONPATH=python python3 tools/campaign_table.py results/blind/runs.csv [MORE.csv …]
     PYTHONPATH=python python3 tools/campaign_table.py --keep docs/results/blind.csv results/blind/runs.csv [MORE.csv …]
 
-A line a scenario: successes of runs with Wilson's 95 % interval; the worst tick's COM error of a run that succeeds
+A line a scenario, or a scenario and case: successes of runs with Wilson's 95 % interval; the worst tick's COM error of a run that succeeds
 (median, 90th percentile, worst run); false touchdowns of steps, of all runs; the largest change of a torque in a tick
 (median, 90th percentile, worst run). Another: the 95th percentile of a walk's touchdown latencies (median walk, share of
 the walks within 30 ms, share of all touchdowns within 30 ms); contacts that a standing foot lost, how many were
@@ -25,7 +25,7 @@ CONTACTS = (
     "| slips: detected, missed, false |"
 )
 KEPT = (
-    "scenario seed version outcome reason missed com_error_max_m velocity_error_rms_mps tilt_error_rms_rad "
+    "scenario case seed version outcome reason missed com_error_max_m velocity_error_rms_mps tilt_error_rms_rad "
     "position_drift_m distance_m touchdown_latency_p95_s touchdowns_noticed touchdowns_late false_touchdowns steps_taken "
     "slips_detected slips_missed slips_false contact_losses_noticed contact_losses_missed contact_losses_false contact_loss_latency_p95_s "
     "torque_step_max_nm path_deviation_max_m path_deviation_base_max_m com_error_calibrating_max_m"
@@ -38,7 +38,7 @@ def read(file):
 
 
 def read_once(files):
-    """Runs of several files, each scenario and seed once: counted twice they would narrow the intervals."""
+    """Runs of several files, each scenario, case and seed once: counted twice they would narrow the intervals."""
     runs = {}
     for file in files:
         for run in read(file):
@@ -57,20 +57,27 @@ def keep(runs, file):
             return value
 
     # What a run without a fault says is the same in all of them.
-    rows = [run | {"scenario": name_of(run), "reason": "" if run["outcome"] == "succeeded" else run["reason"]} for run in runs]
-    rows.sort(key=lambda run: (run["scenario"], int(run["seed"])))
+    rows = [run | {"scenario": scenario_of(run), "reason": "" if run["outcome"] == "succeeded" else run["reason"]} for run in runs]
+    rows.sort(key=lambda run: (name_of(run), int(run["seed"])))
+    columns = [name for name in KEPT if name != "case" or any(run.get("case") for run in rows)]
     with open(file, "w", newline="") as table:
         out = csv.writer(table, lineterminator="\n")
-        out.writerow(KEPT)
-        out.writerows([short(name, run.get(name, "")) for name in KEPT] for run in rows)
+        out.writerow(columns)
+        out.writerows([short(name, run.get(name, "")) for name in columns] for run in rows)
 
 
-def name_of(run):
+def scenario_of(run):
     """The name of a run's scenario, without folders and ending."""
     return pathlib.PurePath(run["scenario"]).stem
 
 
+def name_of(run):
+    """Of a line of the tables: the scenario, with the case where the campaign has cases."""
+    return ", ".join(filter(None, (scenario_of(run), run.get("case"))))
+
+
 def by_scenario(runs):
+    """The runs of each line."""
     scenarios = collections.defaultdict(list)
     for run in runs:
         scenarios[name_of(run)].append(run)

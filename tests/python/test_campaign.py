@@ -93,6 +93,13 @@ def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp
     assert {row[0] for row in rows[1:]} == {"walk"}
     assert "more" not in rows[0] and "goal reached" not in rows[1] and "0.12346" in rows[4]
 
+    cases = tmp_path / "cases.csv"
+    cases.write_text("scenario,seed,version,case,outcome,missed,reason\n" +
+                     "\n".join(f"walk,{seed},1.0,{case},succeeded,,ok" for case in ("soft", "stiff") for seed in (1, 2)))
+    printed = made(cases, "--keep", kept)
+    assert "| `walk, soft` | 2 (34.2–100 %)" in printed and "| `walk, stiff` | 2 (34.2–100 %)" in printed
+    assert made(kept) == printed
+
 
 def test_results_are_the_same_for_any_number_of_jobs(tmp_path):
     found = []
