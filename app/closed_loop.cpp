@@ -13,8 +13,10 @@
 #include "surefoot/runtime/steady_clock.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace surefoot {
@@ -196,7 +198,8 @@ class ClosedLoop {
     result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
     result.drawn = scenario_.drawn;
-    result.notes = run_notes(controller_, plant_);
+    result.notes = scenario_.notes;
+    std::ranges::copy(run_notes(controller_, plant_), std::back_inserter(result.notes));
     if (options_.steering != nullptr) {
       options_.steering->end(plant_.time());
       result.changes = changes_.count();

@@ -176,6 +176,7 @@ Json check_json(const Scenario& scenario) {
   json["version"] = build_info().version;
   json["commit"] = build_info().commit;
   json["sources_hash"] = hex(scenario.sources_hash);
+  json["notes"] = scenario.notes;
   json["metrics"] = Json::object();
   for (const std::string& metric : numeric_metrics()) {
     json["metrics"][metric] = {{"worst", more_is_better(metric) ? "least" : "greatest"},

@@ -26,6 +26,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+void tell_notes(const Scenario& scenario) {
+  for (const std::string& note : scenario.notes)
+    std::fprintf(stderr, "surefoot: warning: %s\n", note.c_str());
+}
+
 /// Where a run's log goes: a report needs one too, and so does a film, for which it goes away
 /// again.
 class LogPlace {
@@ -157,6 +162,7 @@ int run_one(const RunArguments& arguments) {
   check_outputs(arguments);
   remove_outdated_of(arguments,
                      {.request = {}, .log = log, .report = arguments.report, .video = {}});
+  tell_notes(scenario);
   RunResult result;
   {
     Progress progress(scenario.name, scenario.duration, "s");
@@ -181,6 +187,7 @@ int check_one(const RunArguments& arguments) {
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
   check_setup(scenario);
+  tell_notes(scenario);
   print(arguments, check_json(scenario), scenario.name + ": nothing is wrong with it\n");
   return kPassed;
 }

@@ -108,6 +108,9 @@ def latency(runs):
 
 
 def counts(runs, *names):
+    """Sums; of what no run has counted, nothing."""
+    if not any(numbers(runs, name) for name in names):
+        return "–"
     return ", ".join(f"{int(sum(numbers(runs, name))):,}" for name in names)
 
 
@@ -127,8 +130,8 @@ def success(runs):
 
 def cells(runs):
     """What the README says of a scenario: successes, COM error, false touchdowns."""
-    false, steps = (int(sum(numbers(runs, name))) for name in ("false_touchdowns", "steps_taken"))
-    return [success(runs), spread(numbers(succeeded(runs), "com_error_max_m", 1e3)), f"{false} of {steps:,}"]
+    touchdowns = counts(runs, "false_touchdowns", "steps_taken").replace(", ", " of ", 1)
+    return [success(runs), spread(numbers(succeeded(runs), "com_error_max_m", 1e3)), touchdowns]
 
 
 def main():

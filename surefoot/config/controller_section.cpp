@@ -12,7 +12,8 @@ namespace {
 void read_safety(Section& section, SafetyOptions& safety) {
   section.integer("damp_after_failures", safety.damp_after_failures, 1);
   section.number("max_tilt", safety.max_tilt, kPositive);
-  section.number("bridge_time", safety.bridge_time, kNotNegative);
+  section.number("bridge_time", safety.bridge_time,
+                 {.min = 0.0, .max = 0.02, .words = "a number from 0 to 0.02 s"});
   section.number("sit_duration", safety.sit_duration, kPositive);
   section.number("sit_height", safety.sit_height, kPositive);
   section.number("max_torque_change", safety.max_torque_change, kPositive);

@@ -66,6 +66,7 @@ struct Scenario {
   std::vector<PaperFigure> paper;
   std::vector<SourceFile> sources;
   std::uint64_t sources_hash = 0;  ///< of all these files and the URDF
+  std::vector<std::string> notes;  ///< what is worth telling of it, though nothing is wrong
   std::string options_json;  ///< the whole scenario as it was read, assignments and draws included
 
   /// The operator's command at a time.

@@ -167,7 +167,7 @@ bool Controller::Implementation::estimate() noexcept {
   reading.q -= kinematics.errors().zero;
   reading.gyro = imu * reading.gyro;
   reading.accelerometer = imu * reading.accelerometer;
-  guard.update(reading, joint_velocity);
+  guard.update(reading, joint_velocity, record.reading);
   record.health = guard.health();
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
@@ -267,7 +267,8 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   if (turning && !is_quiet) {
     kinematics.forget();
   } else {
-    kinematics.update(dynamics, guard.repaired().gyro, planner.terrain_normal(), turning);
+    kinematics.update(record.state.time, dynamics, guard.repaired().gyro, planner.terrain_normal(),
+                      turning);
   }
   link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());

@@ -43,17 +43,20 @@ const JointVector& ContactForceEstimator::Recent::ago(int ticks) const {
 
 const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
                                                   double torque_lag) noexcept {
-  is_first_ = periods_ == 0 || !force_observer_.q().allFinite();
+  const bool is_first = periods_ == 0 || !force_observer_.q().allFinite();
+  begins_ = begins_ || is_first;
   periods_ = periods_until(reading.time);
   periods_of_base_ += periods_;
   time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
   const double lag = std::round(torque_lag / period_);
   torque_lag_ = std::abs(lag) < kKept ? static_cast<int>(lag) : 0;  // 0 if NaN, too
-  if (is_first_) {
+  if (is_first) {
     angles_.start(reading.q);
+    torques_.start(reading.torque);
     force_observer_.start(reading.q);
   } else {
     angles_.add(reading.q);
+    torques_.add(reading.torque);
     force_observer_.update(angles_.ago(torque_lag_), periods_);
   }
   velocity_observer_.update(reading.q, periods_);
@@ -64,11 +67,6 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
                                    const Vec3& terrain_normal_W, const SensorReading& reading,
                                    RobotState& state) noexcept {
   update_base_acceleration(dynamics.u);
-  if (is_first_) {
-    torques_.start(state.torque);
-  } else {
-    torques_.add(state.torque);
-  }
   const JointVector& torque = torques_.ago(-torque_lag_);
   JointVector free, constrained;
   for (const Leg leg : kLegs) {
@@ -79,7 +77,8 @@ void ContactForceEstimator::update(const Dynamics& dynamics, const PerLeg<bool>&
   }
   force_observer_.expect(free);
   velocity_observer_.expect(constrained);
-  if (is_first_) force_observer_.balance();
+  if (begins_) force_observer_.balance();
+  begins_ = false;
   const JointVector missing = missing_torque(dynamics);
   tare_.update(stands, missing, torque, force_observer_.velocity(),
                free + force_observer_.disturbance());
@@ -100,7 +99,7 @@ void ContactForceEstimator::update_base_acceleration(const GeneralizedVector& u)
   const BaseVector velocity = u.head<6>();
   const double dt = periods_of_base_ * period_;
   periods_of_base_ = 0.0;
-  const double gain = is_first_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * kBaseCutoffHz * dt);
+  const double gain = begins_ ? 0.0 : 1.0 - std::exp(-2.0 * kPi * kBaseCutoffHz * dt);
   base_acceleration_ += gain * ((velocity - base_velocity_) / dt - base_acceleration_);
   base_velocity_ = velocity;
 }

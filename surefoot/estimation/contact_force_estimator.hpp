@@ -35,9 +35,9 @@ class ContactForceEstimator {
  public:
   ContactForceEstimator(const ContactForceOptions& options, double period);
 
-  /// First in a tick: takes the encoders in; joint velocities from the readings so far [rad/s].
-  /// `torque_lag` is how far the torques are sampled behind the encoders [s]: the forces are those
-  /// of the later of the two.
+  /// First in a tick: takes encoders and joint torques in; joint velocities from the readings so
+  /// far [rad/s]. `torque_lag` is how far the torques are sampled behind the encoders [s]: the
+  /// forces are those of the later of the two.
   const JointVector& observe(const SensorReading& reading, double torque_lag = 0.0) noexcept;
 
   /// Then, with the dynamics at the state: fills state.foot_force. `terrain_normal_W` is the unit
@@ -77,8 +77,8 @@ class ContactForceEstimator {
   double time_ = kNaN;  ///< of the last reading [s]
   int periods_ = 0;     ///< between the last two readings
   double periods_of_base_ =
-      0.0;  ///< since its velocity was known; there are readings without a state
-  bool is_first_ = true;
+      0.0;              ///< since its velocity was known; there are readings without a state
+  bool begins_ = true;  ///< no update was since the first reading
   BaseVector base_velocity_ = BaseVector::Zero(), base_acceleration_ = BaseVector::Zero();
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSampleInterval = 0.025;  // [s]
 constexpr int kLeastSamples = 80;
-constexpr double kFadeIn = 0.6;          // [s]
+constexpr double kLongestGap = 4.5;      // between two ticks, in periods
 constexpr double kCreep = 7e-4;          // of soft feet along the ground [m] …
 constexpr double kSinking = 4e-4;        // … and into it [m]
 constexpr double kTurnError = 3e-4;      // σ_φ of the gyroscope's turn [rad]
@@ -37,8 +37,15 @@ KinematicCalibration::KinematicCalibration(const RobotDescription& robot, double
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 
-void KinematicCalibration::update(const Dynamics& dynamics, const Vec3& gyro_B, const Vec3& normal,
-                                  bool listening) noexcept {
+double KinematicCalibration::periods_until(double time) const {
+  return std::fmax(1.0, std::round((time - time_) / period_));
+}
+
+void KinematicCalibration::update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
+                                  const Vec3& normal, bool listening) noexcept {
+  const double periods = periods_until(time);
+  time_ = time;
+  if (periods > kLongestGap) forget();
   if (!listening) {
     if (samples_ >= kLeastSamples) finish();
     samples_ = ticks_ = 0;
@@ -46,9 +53,10 @@ void KinematicCalibration::update(const Dynamics& dynamics, const Vec3& gyro_B, 
     return;
   }
   if (ticks_ == 0) start(dynamics.base_rotation.R);
-  turn(gyro_B);
+  const double dt = periods * period_;
+  turn(gyro_B, dt);
   for (const Leg leg : kLegs) {
-    rolled_[index(leg)] += period_ * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
+    rolled_[index(leg)] += dt * dynamics.shank[index(leg)].w.cross(foot_radius_ * normal);
   }
   if (ticks_++ % ticks_per_sample_ == 0) add_sample(dynamics);
 }
@@ -63,11 +71,11 @@ void KinematicCalibration::start(const Mat3& R_WB) noexcept {
   sum_HWy_.setZero();
 }
 
-void KinematicCalibration::turn(const Vec3& gyro_B) noexcept {
+void KinematicCalibration::turn(const Vec3& gyro_B, double dt) noexcept {
   if (!gyro_B.allFinite()) return;
   gyro_ = gyro_B;
-  R_ = R_ * exp_rotation(period_ * gyro_B).toRotationMatrix();
-  turned_ += period_ * R_;
+  R_ = R_ * exp_rotation(dt * gyro_B).toRotationMatrix();
+  turned_ += dt * R_;
 }
 
 void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {

@@ -4,6 +4,7 @@
 #include "surefoot/model/dynamics.hpp"
 #include "surefoot/model/leg_chain.hpp"
 #include "surefoot/signals/kinematic_errors.hpp"
+#include "surefoot/signals/sensor_reading.hpp"
 
 namespace surefoot {
 
@@ -29,18 +30,21 @@ namespace surefoot {
 /// Does not allocate.
 class KinematicCalibration {
  public:
+  static constexpr double kFadeIn = 0.6;  ///< of a new result [s]
+
   /// `period` of the control loop [s].
   KinematicCalibration(const RobotDescription& robot, double period);
 
-  /// One tick; `listening` while the torso turns with all feet down. `dynamics` with the errors
-  /// that errors() gave.
-  void update(const Dynamics& dynamics, const Vec3& gyro_B, const Vec3& terrain_normal_W,
-              bool listening) noexcept;
+  /// One tick at its time [s]; `listening` while the torso turns with all feet down. `dynamics`
+  /// with the errors that errors() gave. Over a few missed ticks it turns on as it does at this
+  /// one; a motion with a longer gap begins anew.
+  void update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
+              const Vec3& terrain_normal_W, bool listening) noexcept;
 
   /// What was heard in this motion is worth nothing: a foot did not stay, or somebody pushed.
   void forget() noexcept { samples_ = ticks_ = 0; }
 
-  /// What is known so far. A new result fades in.
+  /// What is known so far. A new result fades in within kFadeIn.
   [[nodiscard]] const KinematicErrors& errors() const { return in_use_; }
 
  private:
@@ -56,7 +60,9 @@ class KinematicCalibration {
   using Information = Eigen::Matrix<double, kNumErrors, kNumErrors>;
 
   void start(const Mat3& R_WB) noexcept;
-  void turn(const Vec3& gyro_B) noexcept;
+  void turn(const Vec3& gyro_B, double dt) noexcept;
+  /// Whole ones, 1 at least.
+  [[nodiscard]] double periods_until(double time) const;
   void add_sample(const Dynamics& dynamics) noexcept;
   [[nodiscard]] static Weights weights(const Coordinates& y);
   [[nodiscard]] static bool is_length(int error) {
@@ -68,6 +74,7 @@ class KinematicCalibration {
   void fade() noexcept;
 
   double period_;
+  double time_ = kNaN;  // of the last update [s]
   int ticks_per_sample_;
   double foot_radius_;
   PerLeg<LegChain> chains_;

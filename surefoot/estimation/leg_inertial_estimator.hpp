@@ -30,7 +30,8 @@ struct LegInertialOptions {
 /// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
 /// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
 /// since the last tick, r the radius and n the vertical. The filter takes no joint
-/// velocities. Position and heading begin at 0, with the feet's lowest points at z = 0; a restart
+/// velocities. Position and heading begin at 0, with the feet's lowest points at
+/// z = 0 in the mean; a restart
 /// (TickContext) keeps them and forgets the rest. Samples come late, by times that readings tell;
 /// with `predict` the state goes on from them to now as it moves,
 ///

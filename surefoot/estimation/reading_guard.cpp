@@ -41,23 +41,23 @@ ReadingGuard::ReadingGuard(const ReadingGuardOptions& options, const RobotDescri
       torque_watch_(period, options.patience, options.max_torque_delay),
       imu_watch_(period, options.patience, options.max_imu_delay) {}
 
-void ReadingGuard::update(const SensorReading& reading,
-                          const JointVector& joint_velocity) noexcept {
+void ReadingGuard::update(const SensorReading& reading, const JointVector& joint_velocity,
+                          const SensorReading& given) noexcept {
   clock_is_right_ = goes_on(reading.time);
   if (!clock_is_right_) {
-    miss(reading);
+    miss(reading, given.q);
     return;
   }
   const double dt = std::isnan(time_) ? 0.0 : reading.time - time_;
   time_ = reading.time;
   missed_ = 0;
-  raw_q_ = reading.q;
+  given_q_ = given.q;
   repaired_ = measured_ = reading;
   encoder_watch_.update(time_, reading.encoder_time);
   torque_watch_.update(time_, reading.torque_time);
   imu_watch_.update(time_, reading.imu_time);
   take_joints(reading, joint_velocity, dt);
-  take_imu(reading);
+  take_imu(reading, given);
   describe(reading);
 }
 
@@ -77,11 +77,11 @@ bool ReadingGuard::goes_on(double time) noexcept {
 
 // While the last good angles will do nothing is measured; then, if they have changed lately, it is
 // better than nothing.
-void ReadingGuard::miss(const SensorReading& reading) noexcept {
-  const bool stays = are_same(reading.q, raw_q_);
+void ReadingGuard::miss(const SensorReading& reading, const JointVector& given_q) noexcept {
+  const bool stays = are_same(given_q, given_q_);
   still_ = stays && missed_ > 0 ? still_ + 1 : 0;
   moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < kStill);
-  raw_q_ = reading.q;
+  given_q_ = given_q;
   ++missed_;
   measured_ = repaired_;
   measured_.time = kNaN;
@@ -126,31 +126,31 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                 lost);
 }
 
-void ReadingGuard::take_imu(const SensorReading& reading) {
-  take(gyro_, reading.gyro,
+void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& given) {
+  take(gyro_, reading.gyro, given.gyro,
        {.range = Vec3::Constant(options_.max_gyro),
         .tolerance = Vec3::Constant(options_.max_gyro_step),
         .sure = Vec3::Constant(options_.sure_gyro_step)});
-  take(accelerometer_, reading.accelerometer,
+  take(accelerometer_, reading.accelerometer, given.accelerometer,
        {.range = Vec3::Constant(options_.max_acceleration),
         .tolerance = Vec3::Constant(options_.max_acceleration_step),
         .sure = Vec3::Constant(options_.sure_acceleration_step)});
 }
 
-void ReadingGuard::take(Instrument& instrument, const Vec3& raw,
+void ReadingGuard::take(Instrument& instrument, const Vec3& value, const Vec3& given,
                         const GuardedValues<3>::Limits& limits) {
   if (imu_watch_.is_new()) {
-    const bool is_same = raw == instrument.raw;
+    const bool is_same = given == instrument.given;
     instrument.repeats = is_same ? instrument.repeats + 1 : 0;
-    if (!is_same) instrument.raw_since = imu_watch_.sample_time();
-    instrument.raw = raw;
+    if (!is_same) instrument.given_since = imu_watch_.sample_time();
+    instrument.given = given;
   }
   SampleFault fault = imu_watch_.fault();
   if (fault == SampleFault::none && instrument.repeats >= options_.repeats) {
     fault = SampleFault::repeats;
-    instrument.values.forget_since(instrument.raw_since);
+    instrument.values.forget_since(instrument.given_since);
   }
-  instrument.values.take(raw, fault, imu_watch_, limits, kLostFactor * options_.patience);
+  instrument.values.take(value, fault, imu_watch_, limits, kLostFactor * options_.patience);
 }
 
 void ReadingGuard::describe(const SensorReading& reading) {
@@ -163,6 +163,7 @@ void ReadingGuard::describe(const SensorReading& reading) {
   repaired_.accelerometer = accelerometer_.values.repaired();
   measured_ = repaired_;
   measured_.q = angles_.measured();
+  if (encoder_watch_.is_held()) measured_.q.setConstant(kNaN);
   health_.encoders = angles_.health(reading.time);
   health_.joint_torques = torques_.health(reading.time);
   const GroupHealth gyro = gyro_.values.health(reading.time);

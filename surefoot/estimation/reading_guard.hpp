@@ -24,13 +24,20 @@ class ReadingGuard {
   /// sensors are silent; but of encoders whose angles change from reading to reading it is told
   /// that they are late. So does the first after a leap of more than 4 periods, which is believed
   /// when the next goes on from there, by no more than half as far again.
-  void update(const SensorReading& reading, const JointVector& joint_velocity) noexcept;
+  void update(const SensorReading& reading, const JointVector& joint_velocity) noexcept {
+    update(reading, joint_velocity, reading);
+  }
+  /// The same with the reading as the driver gave it, `given`, where `reading` is corrected by what
+  /// changes from tick to tick: numbers that stay the same bit by bit are looked for there.
+  void update(const SensorReading& reading, const JointVector& joint_velocity,
+              const SensorReading& given) noexcept;
 
   /// False where the reading's clock was such.
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
-  /// The same, but with NaN in the place of joint angles that are at fault. Where the clock is
+  /// The same, but with NaN in the place of joint angles that are at fault, or of a sample that was
+  /// there before: it says nothing of what the joints did meanwhile. Where the clock is
   /// wrong it has no time and no angles, or, when that lasts longer than `patience` and they
   /// change within 0.2 s, those of the reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
@@ -40,24 +47,26 @@ class ReadingGuard {
   /// How far what repaired() has of the joints, and of the IMU, is behind its time [s].
   [[nodiscard]] double joint_lag() const { return encoder_watch_.lag(); }
   [[nodiscard]] double imu_lag() const { return imu_watch_.lag(); }
-  /// How far its joint torques are behind its joint angles, negative where they are before [s].
-  [[nodiscard]] double torque_lag() const { return torque_watch_.lag() - encoder_watch_.lag(); }
+  /// How far its joint torques are behind its joint angles, negative where they are before [s]: of
+  /// new samples. That one is late, or is held until the next, shifts no other.
+  [[nodiscard]] double torque_lag() const { return torque_watch_.delay() - encoder_watch_.delay(); }
 
  private:
   /// One of the IMU's two instruments.
   struct Instrument {
     GuardedValues<3> values;
-    Vec3 raw = Vec3::Constant(kNaN);
-    double raw_since = kNaN;  // of the first sample with these numbers [s]
+    Vec3 given = Vec3::Constant(kNaN);
+    double given_since = kNaN;  // of the first sample with these numbers [s]
     int repeats = 0;
   };
 
   [[nodiscard]] bool goes_on(double time) noexcept;
-  void miss(const SensorReading& reading) noexcept;
+  void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
   [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
-  void take_imu(const SensorReading& reading);
-  void take(Instrument& instrument, const Vec3& raw, const GuardedValues<3>::Limits& limits);
+  void take_imu(const SensorReading& reading, const SensorReading& given);
+  void take(Instrument& instrument, const Vec3& value, const Vec3& given,
+            const GuardedValues<3>::Limits& limits);
   void describe(const SensorReading& reading);
 
   ReadingGuardOptions options_;
@@ -71,7 +80,7 @@ class ReadingGuard {
   int missed_ = 0;          // readings since the last that was
   int still_ = 0;           // of these, readings since their angles changed
   bool moves_ = false;      // their angles change
-  JointVector raw_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
+  JointVector given_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
   bool clock_is_right_ = true;
   SensorReading repaired_, measured_;
   SensorHealth health_;

@@ -30,6 +30,8 @@ void SampleWatch::update(double time, double sample_time) noexcept {
     fault_ = stands_still ? SampleFault::silent : SampleFault::late;
   }
   if (is_new_ || fault_ == SampleFault::none) lag_ = std::min(age, patience_);
+  has_second_ = has_second_ || (is_new_ && !is_first);
+  if (is_new_ || !has_second_) delay_ = lag_;
   is_new_ = is_new_ && !is_too_old;
   given_time_ = given;
   time_before_ = time;

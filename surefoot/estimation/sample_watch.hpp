@@ -36,14 +36,20 @@ class SampleWatch {
   /// Of what is believed at this tick: how old the newest sample is, or, where the next is overdue
   /// and the values go on from it as expected, how old it was when it came; `patience` at most [s].
   [[nodiscard]] double lag() const { return lag_; }
+  /// This tick's sample was there before: it says nothing of what happened since. Not before the
+  /// second has come, as a robot begins at rest.
+  [[nodiscard]] bool is_held() const { return !is_new_ && has_second_; }
+  /// How old the newest sample was when it came, or of the first, how old it is; `patience` at most
+  /// [s].
+  [[nodiscard]] double delay() const { return delay_; }
   /// `silent`, `late` or `none`.
   [[nodiscard]] SampleFault fault() const { return fault_; }
 
  private:
   double period_, patience_, max_delay_, usual_age_;
   double sample_time_ = kNaN, time_before_ = kNaN, given_time_ = kNaN;
-  double delayed_for_ = 0.0, lag_ = 0.0;  // [s]
-  bool is_new_ = false;
+  double delayed_for_ = 0.0, lag_ = 0.0, delay_ = 0.0;  // [s]
+  bool is_new_ = false, has_second_ = false;
   SampleFault fault_ = SampleFault::none;
 };
 

@@ -44,7 +44,7 @@ void CalibrationSchedule::end() {
     repeats_ = 0;
   } else if (repeats_ < kMostRepeats) {
     ++repeats_;
-    will_repeat_ = true;
+    will_repeat_ = !is_wanted_;  // asked for meanwhile, it waits as long as it has to
     end_ = PlanEvent::calibration_disturbed;
     want();
   } else {

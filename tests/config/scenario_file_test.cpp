@@ -214,6 +214,20 @@ TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
   EXPECT_TRUE(holds(complaint("", {"duration=nan"}), "--set duration=nan: duration"));
 }
 
+TEST_F(ScenarioFile, refuses_to_bridge_sensors_for_longer_than_they_can_be_made_up_for) {
+  EXPECT_TRUE(holds(complaint("", {"safety.bridge_time=0.1"}),
+                    "safety.bridge_time: \"0.1\" is not a number from 0 to 0.02 s"));
+}
+
+TEST_F(ScenarioFile, notes_what_begins_after_the_end) {
+  const std::string push = "disturbances: {pushes: {kick: {time: 5, force: [1, 0, 0]}}}\n";
+  const std::string fault = "sensors: {faults: {one: {sensor: imu, kind: nan, time: 2}}}\n";
+  EXPECT_TRUE(read("duration: 10\n" + push + fault).notes.empty());
+  EXPECT_EQ(read("duration: 2\n" + push + fault).notes,
+            (std::vector<std::string>{"disturbances.pushes.kick begins at 5 s; the run ends at 2 s",
+                                      "sensors.faults.one begins at 2 s; the run ends at 2 s"}));
+}
+
 TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {
   EXPECT_TRUE(holds(complaint("", {"planner.swing.hip_height_min=0.5"}),
                     "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"));

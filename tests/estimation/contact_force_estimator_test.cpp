@@ -68,6 +68,7 @@ struct Bench {
   void observe(const RobotState& state) {
     reading.time = state.time;
     reading.q = state.q;
+    reading.torque = state.torque;
     velocity = estimator.observe(reading, torque_lag);
   }
 
@@ -106,6 +107,26 @@ TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
       EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << k;
     }
     EXPECT_LT((sum - model.mass() * kGravity * kUp).norm(), kBias * model.mass() * kGravity);
+  }
+}
+
+// The state of the first tick was not believed; the torques are a tick before the angles.
+TEST(ContactForceEstimator, ATickWithoutAStateAtTheBeginningChangesNothing) {
+  RobotModel model(anymal_b());
+  Random random(1);
+  RobotState state = at_rest(random, model.description());
+  const Dynamics& dynamics = model.update(state, kUp);
+  const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
+  state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+  state.time = 0.0;
+  Bench bench;
+  bench.torque_lag = -kPeriod;
+  bench.observe(state);
+  for (int i = 0; i < 20; ++i) {
+    state.time += kPeriod;
+    bench.tick(dynamics, state);
+    for (std::size_t k = 0; k < kNumLegs; ++k)
+      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << i;
   }
 }
 

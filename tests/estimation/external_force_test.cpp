@@ -118,6 +118,35 @@ TEST(ExternalForce, IsLimited) {
   EXPECT_NEAR(lump.state.external_force.norm(), options.max_force, 1e-6);
 }
 
+TEST(ExternalForce, ALoadAndItsMomentAreLimitedToo) {
+  const ExternalForceOptions options;
+  ExternalForceEstimator estimator(options);
+  Lump lump;
+  for (const Leg leg : {Leg::LF, Leg::RF}) lump.state.foot_force[index(leg)].z() += 200.0;
+  lump.run(estimator, 10.0 * options.load_time_constant, Vec3::Zero());
+  EXPECT_NEAR(lump.state.external_force.z(), -options.max_force, 1e-6);
+  EXPECT_NEAR(lump.state.external_moment.norm(), options.max_moment, 1e-6);
+}
+
+TEST(ExternalForce, AfterALongerGapItBeginsAnew) {
+  const ExternalForceOptions options;
+  ExternalForceEstimator estimator(options);
+  Lump lump;
+  lump.run(estimator, 10.0 * options.time_constant, Vec3(0.0, 50.0 / kMass, 0.0));
+  lump.state.time += 0.06;
+  lump.run(estimator, kPeriod, Vec3::Zero());
+  EXPECT_EQ(estimator.force(), Vec3::Zero());
+  EXPECT_EQ(lump.state.external_force, Vec3::Zero());
+}
+
+TEST(ExternalForce, SwitchedOffItFindsNone) {
+  ExternalForceEstimator estimator({.enabled = false});
+  Lump lump;
+  lump.run(estimator, 1.0, Vec3(0.0, 50.0 / kMass, 0.0));
+  EXPECT_EQ(lump.state.external_force, Vec3::Zero());
+  EXPECT_EQ(lump.state.external_moment, Vec3::Zero());
+}
+
 TEST(ExternalForce, ForgetsNumbersThatAreNotFinite) {
   const ExternalForceOptions options;
   ExternalForceEstimator estimator(options);

@@ -173,16 +173,17 @@ TEST(FrozenJoints, ATorqueThatStaysWhileItsCommandChangesIsFound) {
 
 TEST(FrozenJoints, NumbersThatAreNoneFreezeNothing) {
   Standing robot;
+  FrozenJoints watch({}, kPeriod);
   robot.state.v_WB = {0.1, 0.1, 0.0};
   for (int i = 0; i < 400; ++i) {
     robot.tick();
     SensorReading reading = robot.reading;
     reading.q.setConstant(kNaN);
     reading.torque.setConstant(kNaN);
-    robot.watch.update(reading, robot.model.dynamics(), robot.stands, robot.v_WF,
-                       JointVector::Constant(i));
-    ASSERT_EQ(robot.watch.encoders().count, 0);
-    ASSERT_EQ(robot.watch.torques().count, 0);
+    watch.update(reading, robot.model.dynamics(), robot.stands, robot.v_WF,
+                 JointVector::Constant(i));
+    ASSERT_EQ(watch.encoders().count, 0);
+    ASSERT_EQ(watch.torques().count, 0);
   }
 }
 

@@ -57,7 +57,9 @@ struct Bench {
     state.q = q;
     model.set_leg_lengths(calibration.errors());
     const bool listens = robot.stage() == CalibrationStage::turning;
-    calibration.update(model.update(state, Vec3::UnitZ()), gyro + bias, Vec3::UnitZ(), listens);
+    if (reading.time <= deaf_until) return;
+    calibration.update(reading.time, model.update(state, Vec3::UnitZ()), gyro + bias, Vec3::UnitZ(),
+                       listens);
   }
   void run(double until) {
     while (robot.time() < until) tick();
@@ -78,6 +80,7 @@ struct Bench {
   std::size_t gyro_delay = 0;    // [ticks]
   std::vector<Vec3> gyros;
   double resolution = 4.4e-4;  // of the encoders [rad]
+  double deaf_until = 0.0;     // ticks that are missed [s]
 };
 
 TEST(KinematicCalibration, FindsLengthsOfThighAndShank) {
@@ -198,14 +201,44 @@ TEST(KinematicCalibration, NumbersThatAreNoneAreLeftOut) {
   Bench good(some_errors(8, 0.01, 0.0)), bad(some_errors(8, 0.01, 0.0));
   good.run(kAll);
   bad.run(3.0);
-  Dynamics broken = bad.model.dynamics();
-  broken.foot[1].p.x() = kNaN;
-  bad.calibration.update(broken, Vec3::Constant(kNaN), Vec3::UnitZ(), true);
+  for (int i = 0; i < 40; ++i) {  // four samples
+    bad.tick();
+    Dynamics broken = bad.model.dynamics();
+    broken.foot[1].p.x() = kNaN;
+    for (RotationKinematics& shank : broken.shank) shank.w.setZero();  // which rolls no further
+    bad.calibration.update(bad.state.time, broken, Vec3::Constant(kNaN), Vec3::UnitZ(), true);
+  }
   bad.run(kAll);
   for (const Leg leg : kLegs) {
     EXPECT_NEAR(bad.calibration.errors().thigh[index(leg)],
                 good.calibration.errors().thigh[index(leg)], 5e-4);
   }
+}
+
+TEST(KinematicCalibration, TicksThatWereMissedAreTurnedThroughToo) {
+  const KinematicErrors truth = some_errors(8, 0.01, 0.0);
+  Bench whole(truth);
+  whole.run(kAll);
+  for (const double begin : {2.5, 3.0}) {
+    Bench bench(truth);
+    bench.run(begin);
+    bench.deaf_until = begin + 3.5 * TurningRobot::kPeriod;
+    bench.run(kAll);
+    const KinematicErrors& found = bench.calibration.errors();
+    for (const Leg leg : kLegs) {
+      const std::size_t k = index(leg);
+      EXPECT_NEAR(found.thigh[k], whole.calibration.errors().thigh[k], 3e-4) << begin;
+      EXPECT_NEAR(found.shank[k], whole.calibration.errors().shank[k], 3e-4) << begin;
+    }
+  }
+}
+
+TEST(KinematicCalibration, AfterALongerGapItListensAnew) {
+  Bench bench(some_errors(10, 0.01, 0.0));
+  bench.run(5.5);
+  bench.deaf_until = 5.5 + 10.0 * TurningRobot::kPeriod;
+  bench.run(kAll);
+  EXPECT_EQ(bench.calibration.errors(), KinematicErrors{}) << "what is left is too little";
 }
 
 TEST(KinematicCalibration, AllocatesNothing) {
@@ -214,9 +247,10 @@ TEST(KinematicCalibration, AllocatesNothing) {
   const Dynamics dynamics = bench.model.dynamics();
   const test::MallocCounter counter;
   for (int i = 0; i < 20; ++i) {
-    bench.calibration.update(dynamics, Vec3::Zero(), Vec3::UnitZ(), true);
+    bench.state.time += TurningRobot::kPeriod;
+    bench.calibration.update(bench.state.time, dynamics, Vec3::Zero(), Vec3::UnitZ(), true);
   }
-  bench.calibration.update(dynamics, Vec3::Zero(), Vec3::UnitZ(), false);
+  bench.calibration.update(bench.state.time, dynamics, Vec3::Zero(), Vec3::UnitZ(), false);
   EXPECT_EQ(counter.count(), 0U);
 }
 

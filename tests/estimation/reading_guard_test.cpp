@@ -292,6 +292,59 @@ TEST(ReadingGuard, TheSameNumbersAgainAndAgainAreNoMeasurement) {
   EXPECT_NEAR(robot.guard.health().imu.age, 9 * kPeriod, 1e-12) << "since the first of them";
 }
 
+// As the driver gave them: what corrects them changes from tick to tick while it fades in.
+TEST(ReadingGuard, NumbersThatStayTheSameAreFoundUnderACorrectionThatChanges) {
+  Swinging robot;
+  robot.run(100);
+  const SensorReading last = robot.guard.repaired();
+  for (int i = 1; i <= ReadingGuardOptions{}.repeats; ++i) {
+    robot.time = kPeriod * ++robot.ticks;
+    SensorReading given = robot.sample(robot.time);
+    given.gyro = last.gyro;
+    SensorReading corrected = given;
+    corrected.gyro += Vec3::Constant(1e-6 * i);
+    robot.guard.update(corrected, robot.velocity(robot.time), given);
+  }
+  EXPECT_EQ(robot.guard.health().imu.fault, SampleFault::repeats);
+}
+
+// Held angles would look like joints that stop and leap.
+TEST(ReadingGuard, ASampleThatWasThereBeforeIsNotMeasuredAgain) {
+  Swinging robot;
+  robot.run(2);
+  for (int i = 0; i < 100; ++i) {
+    robot.run(1);
+    EXPECT_EQ(robot.guard.measured().q, robot.angle(robot.time));
+    const SensorReading last = robot.sample(robot.time);
+    robot.tick([&](SensorReading& reading) {
+      reading.q = last.q;
+      reading.encoder_time = last.encoder_time;
+    });
+    EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all());
+    if (i < 50) continue;  // until it is known to be slow
+    EXPECT_TRUE(robot.is_well());
+    EXPECT_EQ(robot.guard.repaired().q, last.q);
+    EXPECT_EQ(robot.guard.joint_lag(), robot.time - last.encoder_time);
+  }
+}
+
+TEST(ReadingGuard, ALateSampleShiftsNoTorquesAgainstAngles) {
+  Swinging robot;
+  const auto late = [&](SensorReading& reading) {
+    const SensorReading before = robot.sample(robot.time - kPeriod);
+    reading.torque = before.torque;
+    reading.torque_time = before.torque_time;
+  };
+  for (int i = 0; i < 40; ++i) robot.tick(late);
+  EXPECT_NEAR(robot.guard.torque_lag(), kPeriod, 1e-12);
+  const SensorReading held = robot.sample(robot.time - kPeriod);
+  robot.tick([&](SensorReading& reading) {
+    reading.torque = held.torque;
+    reading.torque_time = held.torque_time;
+  });
+  EXPECT_NEAR(robot.guard.torque_lag(), kPeriod, 1e-12);
+}
+
 TEST(ReadingGuard, WhatTheRobotDoesNotHaveHasNoAge) {
   Swinging robot;
   for (int i = 0; i < 50; ++i) {

@@ -58,6 +58,28 @@ TEST(SampleWatch, WhatIsBelievedLagsByTheSamplesAgeAndByNoMoreWhereTheyStop) {
   EXPECT_NEAR(slow.watch.lag(), kPeriod, 1e-12) << "what is held does not";
 }
 
+TEST(SampleWatch, ASampleThatWasThereBeforeIsHeldAndChangesNoDelay) {
+  Sensor sensor;
+  sensor.every = 3;
+  sensor.delay = 1;
+  sensor.run(30);
+  for (int i = 1; i <= 30; ++i) {
+    sensor.tick();
+    EXPECT_EQ(sensor.watch.is_held(), i % 3 != 0) << i;
+    EXPECT_NEAR(sensor.watch.delay(), kPeriod, 1e-12) << i;
+  }
+}
+
+// Its first sample is all there is until the second has come.
+TEST(SampleWatch, OfASensorThatIsLateTheFirstSampleIsNotHeld) {
+  Sensor sensor;
+  sensor.delay = 1;
+  sensor.watch.update(0.0, 0.0);
+  sensor.tick();
+  EXPECT_FALSE(sensor.watch.is_held());
+  EXPECT_NEAR(sensor.watch.delay(), kPeriod, 1e-12);
+}
+
 TEST(SampleWatch, ASensorThatFallsSilentIsToldSoonIfItWasQuick) {
   for (const int every : {1, 2, 4}) {
     Sensor sensor;

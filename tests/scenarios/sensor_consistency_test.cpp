@@ -1,5 +1,6 @@
 // A blind walk whose sensors lie within what they can give: found before the robot falls, and it
 // sits down.
+#include "app/closed_loop.hpp"
 #include "surefoot/simulation/plant.hpp"
 #include "tests/scenarios/loop.hpp"
 
@@ -22,7 +23,8 @@ constexpr double kFaultTime = 2.5;    // in the walk, a foot in the air [s]
 constexpr double kHardLanding = 0.9;  // of the base [m/s]; a free fall gives 2.4
 constexpr double kLimit = 40.0;       // of every joint of the robot [N·m]
 constexpr double kMostChange = SafetyOptions{}.max_torque_change;
-constexpr double kTooFar = 0.5;  // tilt of a robot that sat down [rad]
+constexpr double kMostOfAWalk = 20.0;  // that a torque changes by in a tick [N·m]
+constexpr double kTooFar = 0.5;        // tilt of a robot that sat down [rad]
 
 struct Lie {
   std::string name, fault;
@@ -135,11 +137,42 @@ TEST(SensorConsistencyInWalks, LiesAreFoundOnARobotThatGivesNoSampleTimesToo) {
 
 TEST(SensorConsistencyInWalks, SlowSensorsAreNoFault) {
   for (const char* rate :
-       {"sensors.encoders.rate_hz=200", "sensors.imu.rate_hz=50",
-        "sensors.joint_torques.rate_hz=100", "sensors.encoders.resolution=0.003"}) {
-    Loop loop(scenario("walk_flat", {"planner.calibration.duration=0", rate}, 1));
-    loop.run_until(6.0);
-    EXPECT_EQ(loop.record().command.cause, StopCause::none) << rate;
+       {"sensors.encoders.rate_hz=200", "sensors.encoders.rate_hz=100", "sensors.imu.rate_hz=200",
+        "sensors.joint_torques.rate_hz=200", "sensors.joint_torques.rate_hz=100"}) {
+    const RunResult run = run_closed_loop(
+        scenario("walk_flat", {"planner.calibration.duration=0", "duration=6", rate}, 1), {});
+    EXPECT_FALSE(run.safety_stop) << rate;
+    EXPECT_GE(run.metrics.steps_taken, 5) << rate;
+    EXPECT_EQ(run.metrics.false_touchdowns, 0) << rate;
+    EXPECT_LT(run.metrics.torque_step_max_nm, kMostOfAWalk) << rate;
+  }
+}
+
+TEST(SensorConsistencyInWalks, CoarseEncodersAreNoFault) {
+  Loop loop(scenario("walk_flat",
+                     {"planner.calibration.duration=0", "sensors.encoders.resolution=0.003"}, 1));
+  loop.run_until(6.0);
+  EXPECT_EQ(loop.record().command.cause, StopCause::none);
+}
+
+// Every other sample, or one of four.
+TEST(SensorConsistencyInWalks, SamplesThatComeTwiceOrATickLateLeaveTheWalkAsItIs) {
+  for (const char* fault :
+       {"encoders, kind: repeats", "encoders, kind: late, size: 1", "joint_torques, kind: repeats",
+        "joint_torques, kind: late, size: 1", "imu, kind: repeats", "imu, kind: late, size: 1"}) {
+    for (const int every : {2, 4}) {
+      std::vector<std::string> changes{"planner.calibration.duration=0", "duration=5"};
+      for (int i = 0; i < 800 / every; ++i) {
+        changes.push_back("sensors.faults.f" + std::to_string(i) + "={sensor: " + fault +
+                          ", time: " + std::to_string(2.0 + 0.0025 * every * i) +
+                          ", duration: 0.0025}");
+      }
+      const RunResult run = run_closed_loop(scenario("walk_flat", changes, 2), {});
+      EXPECT_FALSE(run.safety_stop) << fault << " " << every;
+      EXPECT_GE(run.metrics.steps_taken, 4) << fault << " " << every;
+      EXPECT_EQ(run.metrics.false_touchdowns, 0) << fault << " " << every;
+      EXPECT_LT(run.metrics.torque_step_max_nm, kMostOfAWalk) << fault << " " << every;
+    }
   }
 }
 

@@ -72,6 +72,26 @@ TEST(SeaActuators, ApplyNothingBeforeTheDelayHasPassed) {
   }
 }
 
+TEST(SeaActuators, HoldTheTorqueThatTheyRestAtUntilACommandArrives) {
+  for (const int level : {1, 2}) {
+    for (const int delay : {0, 3}) {
+      ActuatorOptions options = sea();
+      options.level = level;
+      options.delay_ticks = delay;
+      options.torque_gain = 0.9;
+      Actuators actuators(options, kLimit, kTimestep);
+      actuators.rest_at(kStill, constant(10.0));
+      EXPECT_NEAR(actuators.torque(kStill, kStill)[0], 10.0, 1e-9) << level << " " << delay;
+      for (int tick = 0; tick < delay; ++tick) {
+        hold(actuators, 0.0, 1);
+        EXPECT_NEAR(actuators.torque(kStill, kStill)[0], 10.0, 0.2) << level << " " << tick;
+      }
+      hold(actuators, 0.0, 40);
+      EXPECT_NEAR(actuators.torque(kStill, kStill)[0], 0.0, 1.0) << level << " " << delay;
+    }
+  }
+}
+
 TEST(SeaActuators, KeepTheOrderOfDelayedCommands) {
   ActuatorOptions options = sea();
   options.delay_ticks = 3;
