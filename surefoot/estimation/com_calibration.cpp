@@ -13,11 +13,14 @@ namespace {
 constexpr double kFadeIn = 0.5;    // of a weighing [s]
 constexpr double kFollow = 0.5;    // of what links are found to weigh, a time constant [s]
 constexpr double kLargest = 0.10;  // that the COM is believed to be off, in B level and upright [m]
-constexpr double kLightest = -0.5;   // of a load that is believed, in masses of the base …
-constexpr double kHeaviest = 1.0;    // …
-constexpr double kLeastShare = 0.5;  // of the weight that the feet must feel
-constexpr double kLeast = 0.5;       // of a weighing that counts [s]
-constexpr double kMemory = 1.0;      // the vertical is known only at the end of the motion [s]
+constexpr double kLightest = -0.5;  // of a load that is believed, in masses of the base …
+constexpr double kHeaviest = 1.0;   // …
+// What the weighing is not sure of: a robot as modelled is felt to be half of both off.
+constexpr double kLeastLoad = 0.01;    // in masses of the robot
+constexpr double kLeastHeight = 0.01;  // of the COM above where it was believed [m]
+constexpr double kLeastShare = 0.5;    // of the weight that the feet must feel
+constexpr double kLeast = 0.5;         // of a weighing that counts [s]
+constexpr double kMemory = 1.0;        // the vertical is known only at the end of the motion [s]
 
 Vec3 com_in_base(const Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
@@ -72,11 +75,17 @@ void ComCalibration::end_weighing(const Dynamics& dynamics) {
     const double bare_mass = dynamics.mass - now.mass;
     const Vec3 bare_com = (dynamics.mass * com - now.first_moment) / bare_mass;
     const Vec3 up = dynamics.base_rotation.R.row(2);
+    const double felt = now.mass + mean_mass_;
     const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
-    const Vec3 offset = believable(com - bare_com + found);
-    const double mass =
-        higher ? std::clamp(now.mass + mean_mass_, kLightest * base_mass_, kHeaviest * base_mass_)
-               : now.mass;
+    Vec3 offset = believable(com - bare_com + found);
+    const bool carries =
+        std::abs(felt) > kLeastLoad * bare_mass || std::abs(offset.z()) > kLeastHeight;
+    double mass = now.mass;
+    if (higher && carries) {
+      mass = std::clamp(felt, kLightest * base_mass_, kHeaviest * base_mass_);
+    } else if (higher) {
+      mass = offset.z() = 0.0;
+    }
     slope_ = (bare_mass + mass) * slope(dynamics);
     before_ = {.mass = now.mass, .first_moment = now.first_moment - slope_ * heavier_in_use_};
     weighed_ = {.mass = mass,

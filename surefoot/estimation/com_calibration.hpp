@@ -19,7 +19,9 @@ namespace surefoot {
 ///     m_load = m − m_bare,   first moment in B = m c − m_bare c_bare
 ///
 /// so that legs which move under a payload move the COM by less than they would without. Where no
-/// height is known there is no mass either, and the COM moves along B's x and y alone.
+/// height is known there is no mass either, and the COM moves along B's x and y alone; so it does
+/// where the load is less than a hundredth of the robot and moves the COM by less than 1 cm up or
+/// down, of which the weighing is not sure.
 ///
 /// The forces are those that the joint torques leave when they have carried the legs, so links that
 /// are heavier than modelled by shares s_l, as is found later, in the air, have moved them:

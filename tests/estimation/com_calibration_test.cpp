@@ -198,6 +198,35 @@ TEST(ComCalibration, BelievesNoOffsetBeyondTenCentimetresNoMonsterAndNoNumberTha
   EXPECT_NEAR(feather.mass(), -0.5 * base, 1e-6);
 }
 
+// Forces are half a hundredth wrong by themselves.
+TEST(ComCalibration, OfARobotThatIsHardlyHeavierMovesTheCenterOfMassAlongTheGroundAlone) {
+  Weighing slightly(shifted_by({0.011, -0.007, 0.005}));
+  slightly.felt = 0.995;
+  slightly.turn();
+  slightly.weigh();
+  EXPECT_EQ(slightly.calibration.load().mass, 0.0);
+  EXPECT_NEAR(slightly.calibration.load().first_moment.z(), 0.0, 1e-12);
+  EXPECT_LT(slightly.error().head<2>().norm(), 1e-4);
+  EXPECT_TRUE(slightly.calibration.knows_load());
+  Weighing heavier({{0.02 * kModelMass, {0.0, 0.0, 0.1}}});
+  heavier.turn();
+  heavier.weigh();
+  EXPECT_NEAR(heavier.mass(), 0.02 * kModelMass, 1e-6) << "but of one that is";
+}
+
+// What it carried has been taken off.
+TEST(ComCalibration, WeighedAgainWithoutItsLoadItCarriesNone) {
+  Weighing weighing({{5.0, {0.05, 0.0, 0.2}}});
+  weighing.turn();
+  weighing.weigh();
+  ASSERT_GT(weighing.calibration.load().mass, 4.9);
+  weighing.robot = LadenRobot({});
+  weighing.turn();
+  weighing.weigh();
+  EXPECT_EQ(weighing.calibration.load().mass, 0.0);
+  EXPECT_NEAR(weighing.calibration.load().first_moment.norm(), 0.0, 1e-3);
+}
+
 TEST(ComCalibration, MovesByWhatTheLinksAreFoundToWeigh) {
   LinkMassEstimator::Shares heavier;
   heavier << 0.1, -0.15, 0.12, 0.0, 0.1, -0.1, 0.15, 0.15, 0.15, -0.1, 0.1, -0.05;
