@@ -198,8 +198,7 @@ class ClosedLoop {
     result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
     result.drawn = scenario_.drawn;
-    result.notes = scenario_.notes;
-    std::ranges::copy(run_notes(controller_, plant_), std::back_inserter(result.notes));
+    result.notes = run_notes(scenario_, controller_, plant_);
     if (options_.steering != nullptr) {
       options_.steering->end(plant_.time());
       result.changes = changes_.count();

@@ -39,7 +39,7 @@ struct RunResult {
   std::vector<CriterionResult> criteria;
   std::vector<EventCount> events;  ///< notable ones of the walk
   std::vector<RandomDraw> drawn;
-  std::vector<std::string> notes;  ///< of model, plant and controller
+  std::vector<std::string> notes;  ///< as run_notes() gives them
   std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
 };
 

@@ -140,6 +140,7 @@ int watch_one(const RunArguments& arguments) {
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
   check_outputs(arguments);
+  tell_notes(scenario);
   const auto tell = [&](const RunResult& result) {
     const Json json = run_json(scenario, result);
     print(arguments, json, run_table(scenario, json));
@@ -234,6 +235,7 @@ int run_seeds(const RunArguments& arguments) {
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
   for (const PlannedRun& run : runs) remove_outdated_of(arguments, run);
+  tell_notes(scenario);
   std::vector<Json> rows;
   {
     Progress progress(scenario.name, arguments.seeds, "runs");

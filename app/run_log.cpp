@@ -121,16 +121,19 @@ LogHeader log_header(const Scenario& scenario, const Controller& controller, con
   header.robot = robot_of(model);
   header.limb = limb_limits(stack);
   header.terrain = log_terrain(scenario.plant.terrain);
-  header.notes = run_notes(controller, plant);
+  header.notes = run_notes(scenario, controller, plant);
   header.attachments = attachments(scenario, stack, plant);
   header.row_name = row_namer(controller.row_names());
   return header;
 }
 
-std::vector<std::string> run_notes(const Controller& controller, const Plant& plant) {
-  std::vector<std::string> notes = controller.notes();
-  for (const std::string& note : plant.notes()) {
-    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+std::vector<std::string> run_notes(const Scenario& scenario, const Controller& controller,
+                                   const Plant& plant) {
+  std::vector<std::string> notes = scenario.notes;
+  for (const std::vector<std::string>& more : {controller.notes(), plant.notes()}) {
+    for (const std::string& note : more) {
+      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+    }
   }
   return notes;
 }

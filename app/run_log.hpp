@@ -8,8 +8,10 @@
 
 namespace surefoot {
 
-/// What model and plant changed in the robot, each line once.
-[[nodiscard]] std::vector<std::string> run_notes(const Controller& controller, const Plant& plant);
+/// What nothing comes of in the scenario, and what model and plant changed in the robot; each line
+/// once.
+[[nodiscard]] std::vector<std::string> run_notes(const Scenario& scenario,
+                                                 const Controller& controller, const Plant& plant);
 
 /// The command that makes this run again, for a shell in the source tree.
 [[nodiscard]] std::string run_again(const Scenario& scenario);

@@ -52,7 +52,7 @@ def read_once(files):
 def keep(runs, file):
     def short(name, value):
         try:
-            return value if name in ("seed", "version") else f"{float(value):.5g}"
+            return value if name in ("scenario", "case", "seed", "version") else f"{float(value):.5g}"
         except ValueError:
             return value
 

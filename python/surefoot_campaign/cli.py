@@ -188,6 +188,8 @@ def campaign(typed):
     spec = load_spec(arguments.spec)
     program = Program()
     plan = make_plan(spec, program, arguments.jobs)
+    for note in plan.notes:
+        print(f"surefoot: warning: {note}", file=sys.stderr)
     folder = arguments.out or folder_of(spec)
     if arguments.dry_run:
         rows = read_rows(folder / "rows.jsonl")

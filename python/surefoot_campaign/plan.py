@@ -35,6 +35,7 @@ class Plan:
     runs: list
     metrics: dict  # those the program measures
     version: str
+    notes: list  # of its scenarios, each with the first point that has it
 
 
 def run_id(sources_hash, seed, parameters, version):
@@ -116,6 +117,15 @@ def check_judge(spec, metrics):
     raise InputError(f"{spec.where('judge')}: judge: unknown metric \"{spec.judge}\"; {valid_names(spec.judge, names)}")
 
 
+def notes_of(points, checks):
+    """Each note once, however many points have it."""
+    first = {}
+    for (scenario, case, _), check in zip(points, checks):
+        for note in check.notes:
+            first.setdefault((scenario, note), case)
+    return [f"{scenario}{'' if case is None else f' ({case})'}: {note}" for (scenario, note), case in first.items()]
+
+
 def make_plan(spec, program, jobs):
     points, checks = check_all(spec, program, jobs)
     check_judge(spec, checks[0].metrics)
@@ -138,7 +148,7 @@ def make_plan(spec, program, jobs):
                 raise InputError(f"{spec.where('scenario')}: scenario: {of_id[run.id]} and {scenario} are the same; one of them is valid")
             of_id[run.id] = scenario
             runs.append(run)
-    return Plan(spec, runs, checks[0].metrics, checks[0].version)
+    return Plan(spec, runs, checks[0].metrics, checks[0].version, notes_of(points, checks))
 
 
 def by_seed(runs):

@@ -25,6 +25,7 @@ class Check:
     sources_hash: str
     metrics: dict  # name -> {"worst": "greatest" or "least", "by_clock": bool}
     version: str
+    notes: tuple  # what is worth telling, though nothing is wrong
 
 
 def arguments_of(scenario, seed, parameters):
@@ -49,7 +50,7 @@ class Program:
             kind = Refused if done.returncode == WRONG_INPUT else InputError
             raise kind(lines[-1].removeprefix("surefoot: "))
         found = json.loads(done.stdout)
-        return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]))
+        return Check(found["sources_hash"], found["metrics"], self._version(found["version"], found["commit"]), tuple(found["notes"]))
 
     def _version(self, version, commit):
         """Two programs with the same version do the same: where no commit says it alone, the file's hash does."""

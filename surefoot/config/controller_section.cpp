@@ -1,5 +1,6 @@
 #include "surefoot/config/controller_section.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/choices.hpp"
 #include "surefoot/config/guard_section.hpp"
 #include "surefoot/config/planner_section.hpp"
@@ -12,8 +13,7 @@ namespace {
 void read_safety(Section& section, SafetyOptions& safety) {
   section.integer("damp_after_failures", safety.damp_after_failures, 1);
   section.number("max_tilt", safety.max_tilt, kPositive);
-  section.number("bridge_time", safety.bridge_time,
-                 {.min = 0.0, .max = 0.02, .words = "a number from 0 to 0.02 s"});
+  section.number("bridge_time", safety.bridge_time, kNotNegative);
   section.number("sit_duration", safety.sit_duration, kPositive);
   section.number("sit_height", safety.sit_height, kPositive);
   section.number("max_torque_change", safety.max_torque_change, kPositive);
@@ -59,6 +59,22 @@ void read_solver(Section& section, SolverOptions& solver) {
   section.number("flops", solver.budget.flops, kPositive);
 }
 
+/// No sensor is bridged for longer than it is made up for.
+void check_bridge(Section& top, const ControllerOptions& controller) {
+  const double bridge = controller.safety.bridge_time, patience = controller.guard.patience;
+  if (bridge <= patience) return;
+  const ConfigNode* safety = top.node("safety");
+  const ConfigNode* given = safety == nullptr ? nullptr : safety->find("bridge_time");
+  if (given != nullptr) {
+    fail_at(
+        *given, "safety.bridge_time",
+        formatted("%g s must not be above guard.patience, %g s, for which a sensor is made up for",
+                  bridge, patience));
+  }
+  fail_at(*top.node("guard")->find("patience"), "guard.patience",
+          formatted("%g s must not be below safety.bridge_time, %g s", patience, bridge));
+}
+
 }  // namespace
 
 void read_controller(Section& top, ControllerOptions& controller) {
@@ -77,6 +93,7 @@ void read_controller(Section& top, ControllerOptions& controller) {
               [&](Section& s) { read_external_force(s, controller.external_force); });
   top.section("solver", [&](Section& s) { read_solver(s, controller.solver); });
   top.section("safety", [&](Section& s) { read_safety(s, controller.safety); });
+  check_bridge(top, controller);
 }
 
 }  // namespace surefoot

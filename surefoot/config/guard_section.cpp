@@ -41,7 +41,11 @@ void read_consistency(Section& section, SensorConsistencyOptions& options) {
 
 void read_guard(Section& section, ReadingGuardOptions& options,
                 SensorConsistencyOptions& consistency) {
-  section.number("patience", options.patience, kPositive);
+  section.number("patience", options.patience,
+                 {.min = 0.0,
+                  .max = ReadingGuardOptions::kLongestPatience,
+                  .min_included = false,
+                  .words = "a number above 0, at most 0.02 s"});
   section.number("max_encoder_delay", options.max_encoder_delay, kNotNegative);
   section.number("max_torque_delay", options.max_torque_delay, kNotNegative);
   section.number("max_imu_delay", options.max_imu_delay, kNotNegative);

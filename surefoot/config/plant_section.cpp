@@ -43,7 +43,9 @@ void read_actuators(Section& section, ActuatorOptions& actuators) {
   section.elements("joint_torque_gain", actuators.joint_torque_gain.data(), joint_elements(),
                    kPositive);
   section.section("spring", [&](Section& spring) {
-    spring.number("stiffness", actuators.spring.stiffness, kPositive);
+    spring.number(
+        "stiffness", actuators.spring.stiffness,
+        {.min = 0.0, .max = 1e5, .min_included = false, .words = "above 0, at most 1e5 N·m/rad"});
   });
   section.section("rotor", [&](Section& rotor) { read_rotor(rotor, actuators.rotor); });
   section.section("torque_loop", [&](Section& loop) {

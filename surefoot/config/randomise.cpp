@@ -3,6 +3,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_file.hpp"
+#include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/plant_vectors.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/math/random_bits.hpp"
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kInclude = "include";
+constexpr std::string_view kSection = "randomise.";
 
 struct Range {
   double min = 0.0, max = 0.0;
@@ -158,6 +160,18 @@ void include(const ConfigNode& names, const fs::path& folder, ConfigNode& sectio
   }
 }
 
+/// The key whose range an assignment takes away; empty of any other assignment.
+std::string taken_range(const std::string& assignment) {
+  const std::string path = assigned_path(assignment);
+  if (!path.starts_with(kSection)) return "";
+  ConfigNode alone{.kind = ConfigNode::Kind::map};
+  apply_assignment(alone, assignment);
+  std::string key = path.substr(kSection.size());
+  const ConfigNode* given = alone.members.front().second.find(key);
+  const bool is_taken = given->kind == ConfigNode::Kind::null && key != kInclude;
+  return is_taken ? key : "";
+}
+
 }  // namespace
 
 double uniform_of(std::uint64_t seed, const std::string& name) {
@@ -173,6 +187,30 @@ std::vector<fs::path> include_ranges(ConfigNode& scenario, const fs::path& folde
   std::vector<fs::path> files;
   include(names, folder, *section, files);
   return files;
+}
+
+void check_taken_ranges(ConfigNode scenario, const fs::path& folder,
+                        const std::vector<std::string>& assignments) {
+  std::vector<std::string> taken;
+  for (const std::string& assignment : assignments) {
+    std::string key = taken_range(assignment);
+    if (key.empty()) {
+      apply_assignment(scenario, assignment);
+    } else {
+      taken.push_back(std::move(key));
+    }
+  }
+  if (taken.empty()) return;
+  (void)include_ranges(scenario, folder);
+  std::vector<std::string> drawn;
+  if (const ConfigNode* section = scenario.find("randomise")) {
+    for (const auto& [key, range] : section->members) drawn.push_back(key);
+  }
+  for (const std::string& key : taken) {
+    if (holds(drawn, key)) continue;
+    throw Error("randomise." + key + ": this is not drawn, so there is nothing to take away; " +
+                (drawn.empty() ? "the scenario draws nothing" : valid_names(key, drawn)));
+  }
 }
 
 std::vector<RandomDraw> randomise(ConfigNode& scenario, std::uint64_t seed,

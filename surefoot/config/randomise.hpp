@@ -27,6 +27,11 @@ struct RandomDraw {
 std::vector<std::filesystem::path> include_ranges(ConfigNode& scenario,
                                                   const std::filesystem::path& folder);
 
+/// Assignments can take ranges away, `randomise.key=` with nothing behind it. Throws Error on one
+/// that is not there, in `scenario` as it is without such assignments, files included.
+void check_taken_ranges(ConfigNode scenario, const std::filesystem::path& folder,
+                        const std::vector<std::string>& assignments);
+
 /// Draws the scenario's `randomise:` section, a map from paths to [min, max], uniformly, and writes
 /// the values into the scenario. Both ends are included where the key takes whole numbers. For a
 /// key with several numbers each gets its own, told by its name: sensors.encoders.offset.LF_KFE.

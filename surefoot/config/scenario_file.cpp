@@ -12,6 +12,7 @@
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/plant_section.hpp"
 #include "surefoot/config/robot_file.hpp"
+#include "surefoot/config/scenario_notes.hpp"
 #include "surefoot/config/section.hpp"
 #include "surefoot/config/stack_file.hpp"
 #include "surefoot/config/switch_section.hpp"
@@ -222,31 +223,6 @@ void check_pushes(const ConfigNode& tree, const Scenario& scenario) {
   }
 }
 
-/// Pushes and faults, which begin at a time, that come after the end: nothing happens.
-template <typename Entry>
-void note_late(const ConfigNode* section, const std::string& path,
-               const std::vector<Entry>& entries, Scenario& scenario) {
-  if (section == nullptr) return;
-  std::size_t i = 0;
-  for (const auto& [name, node] : section->members) {
-    if (node.kind == ConfigNode::Kind::null) continue;
-    const double time = entries[i++].time;
-    if (time < scenario.duration) continue;
-    scenario.notes.push_back(formatted("%s.%s begins at %g s; the run ends at %g s", path.c_str(),
-                                       name.c_str(), time, scenario.duration));
-  }
-}
-
-void note_what_comes_too_late(const ConfigNode& tree, Scenario& scenario) {
-  const auto find = [&](const char* section, const char* key) {
-    const ConfigNode* node = tree.find(section);
-    return node == nullptr ? nullptr : node->find(key);
-  };
-  note_late(find("disturbances", "pushes"), "disturbances.pushes",
-            scenario.plant.disturbances.pushes, scenario);
-  note_late(find("sensors", "faults"), "sensors.faults", scenario.plant.sensors.faults, scenario);
-}
-
 /// Bounds of the stack are of this robot. Told of the number where the scenario gives it, or else
 /// of its stack.
 void check_reach(const ConfigNode& tree, const RobotModel& model, const StackOptions& stack) {
@@ -325,6 +301,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   std::vector<fs::path> files;
   ConfigNode tree = read_with_base(file, files);
   drop_paper_of_another(tree, request.assignments);
+  check_taken_ranges(tree, file.parent_path(), request.assignments);
   for (const std::string& assignment : request.assignments) apply_assignment(tree, assignment);
 
   Scenario scenario;
@@ -349,7 +326,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
 
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
-  note_what_comes_too_late(tree, scenario);
+  scenario.notes = scenario_notes(tree, scenario);
   const RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
   scenario.plant.initial.q = read_posture(tree, model, scenario.controller.planner.stance);

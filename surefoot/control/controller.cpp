@@ -102,6 +102,7 @@ struct Controller::Implementation {
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   [[nodiscard]] bool estimate() noexcept;
+  const JointVector& observe_joints() noexcept;
   [[nodiscard]] TickContext context() noexcept;
   void forget_lost_joints() noexcept;
   const Solution* optimise(const UserCommand& user) noexcept;
@@ -172,7 +173,7 @@ bool Controller::Implementation::estimate() noexcept {
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
     record.state.q = guard.measured().q;  // for the safe commands: what the joints do now
-    record.state.qd = joint_velocity = contact_force.observe(guard.measured(), guard.torque_lag());
+    record.state.qd = observe_joints();
     return false;
   }
   record.state = estimator->update(guard.repaired(), context());
@@ -194,9 +195,14 @@ void Controller::Implementation::forget_lost_joints() noexcept {
   }
 }
 
+const JointVector& Controller::Implementation::observe_joints() noexcept {
+  joint_velocity = contact_force.observe(
+      guard.measured(), {.encoders = guard.encoder_delay(), .torques = guard.torque_delay()});
+  return joint_velocity;
+}
+
 TickContext Controller::Implementation::context() noexcept {
-  joint_velocity = contact_force.observe(guard.measured(), guard.torque_lag());
-  TickContext result{.joint_velocity = joint_velocity,
+  TickContext result{.joint_velocity = observe_joints(),
                      .joint_lag = guard.joint_lag(),
                      .imu_lag = guard.imu_lag(),
                      .kinematics = kinematics.errors(),
@@ -260,6 +266,8 @@ void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexc
                      record.health);
 }
 
+static_assert(KinematicCalibration::kFadeIn <= CalibrationMotion::kTakeOver);
+
 void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   const bool is_quiet = planner.is_undisturbed(record.state);
   const CalibrationStage stage = record.plan.calibration;
@@ -273,7 +281,7 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
   link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());
   com_calibration.update(dynamics, record.state.foot_force, stage, is_quiet);
-  planner.tell_load_known(com_calibration.knows_load());
+  planner.tell_calibration_known(kinematics.knows_legs() && com_calibration.knows_load());
 }
 
 void Controller::Implementation::describe(const Dynamics& dynamics,

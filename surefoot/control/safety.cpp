@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
+constexpr double kToRest = 2.0;          // for which a robot that has not begun is held [s]
 constexpr double kRounding = 1e-9;       // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
@@ -64,6 +65,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(solution);
   failures_ = good ? 0 : failures_ + 1;
+  has_begun_ = has_begun_ || good;
   look_for_a_stop(state, health);
   if (damping_) {
     damp(state);
@@ -77,7 +79,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   limit();
   const bool bridges =
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
-  limit_change(before, has_stopped() || (bridges && !damping_));
+  limit_change(before, has_stopped() || bridges || !has_begun_);
   if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
   return command_;
 }
@@ -109,11 +111,20 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
     stop(can_sit(state) ? CommandMode::sit : CommandMode::damping, lost, health);
-  } else if (!sitting_ && failures_ > options_.damp_after_failures) {
+  } else if (!sitting_ && failures_ > patience(health)) {
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
   }
+}
+
+// A robot whose sensors are well, but that has not begun, comes to rest first.
+double Safety::patience(const SensorHealth& health) const {
+  const bool is_well = health.encoders.fault == SampleFault::none &&
+                       health.joint_torques.fault == SampleFault::none &&
+                       health.imu.fault == SampleFault::none;
+  const bool comes_to_rest = is_well && !has_begun_;
+  return comes_to_rest ? kToRest / period_ : options_.damp_after_failures;
 }
 
 // Of several joints at fault the health does not say which: those whose angles are unknown are.

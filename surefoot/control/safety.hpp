@@ -19,7 +19,8 @@ namespace surefoot {
 ///     optimal
 ///     degraded   the solver ended early, but after the levels that keep the physics
 ///     hold       joint PD about the last good posture, on top of the last good torques; about the
-///                first posture that was seen, if there never was a good tick
+///                first posture that was seen, if there never was a good tick: for 2 s then, so
+///                that the robot comes to rest
 ///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
@@ -28,9 +29,9 @@ namespace surefoot {
 ///                a torso tilted too far; lying; or at once where encoders of several legs are
 ///                lost, on top of the last good torques, which fade out
 ///
-/// While a sensor is at fault, and after that until they are back where they should be, torques
-/// change by no more than `max_torque_change` a tick; a damping for another reason that begins
-/// while nothing is at fault is free.
+/// While a sensor is at fault, and after that until they are back where they should be, and after
+/// every stop, and before the first good tick, torques change by no more than `max_torque_change` a
+/// tick.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
@@ -50,14 +51,16 @@ class Safety {
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
   /// Has what was good for the last time `age` ago [s] been gone for longer than may be bridged?
   [[nodiscard]] bool is_lost(double age) const noexcept;
-  /// Of a sensor that was lost: no solution is asked for any more.
-  [[nodiscard]] bool has_stopped() const { return is_sensor(command_.cause); }
+  /// For good: no solution is asked for any more.
+  [[nodiscard]] bool has_stopped() const { return sitting_ || damping_; }
 
  private:
   [[nodiscard]] bool is_good(const Solution* solution) const;
   void note_lame_joints(const RobotState& state, const SensorHealth& health);
   /// Can the robot sit down with the joints whose angles are known?
   [[nodiscard]] bool can_sit(const RobotState& state) const;
+  /// How many failures are borne.
+  [[nodiscard]] double patience(const SensorHealth& health) const;
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
   void stop_after_failures(const RobotState& state, const SensorHealth& health);
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
@@ -76,6 +79,7 @@ class Safety {
   int first_free_level_;
   JointVector lying_q_;
   int failures_ = 0;
+  bool has_begun_ = false;  // there was a good tick
   bool sitting_ = false, damping_ = false;
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost

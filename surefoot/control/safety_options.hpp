@@ -8,7 +8,7 @@ struct SafetyOptions {
       80;                     ///< ticks of joint hold before it stops, latched (200 ms at 400 Hz)
   double max_tilt = 1.05;     ///< damping beyond this tilt of the torso, latched [rad]
   double bridge_time = 0.02;  ///< without a good sample of a sensor, then the robot sits down;
-                              ///< at most 20 ms, what sensors can be made up for [s]
+                              ///< not above the guard's patience [s]
   double sit_duration = 2.0;  ///< of the way down [s]
   double sit_height = 0.15;   ///< of the hips above the feet when it is down [m]
   /// Of a torque from tick to tick while a sensor is at fault, and from then on until the torques

@@ -17,7 +17,7 @@ constexpr double kLightest = -0.5;  // of a load that is believed, in masses of 
 constexpr double kHeaviest = 1.0;   // …
 // What the weighing is not sure of: a robot as modelled is felt to be half of both off.
 constexpr double kLeastLoad = 0.01;    // in masses of the robot
-constexpr double kLeastHeight = 0.01;  // of the COM above where it was believed [m]
+constexpr double kLeastHeight = 0.01;  // of the COM above or below the bare model's [m]
 constexpr double kLeastShare = 0.5;    // of the weight that the feet must feel
 constexpr double kLeast = 0.5;         // of a weighing that counts [s]
 constexpr double kMemory = 1.0;        // the vertical is known only at the end of the motion [s]

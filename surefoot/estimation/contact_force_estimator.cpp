@@ -41,22 +41,39 @@ const JointVector& ContactForceEstimator::Recent::ago(int ticks) const {
   return values[static_cast<std::size_t>(std::clamp(ticks, 0, static_cast<int>(kKept) - 1))];
 }
 
+int ContactForceEstimator::ticks_in(double delay) const {
+  const double ticks = std::round(delay / period_);
+  return std::abs(ticks) < kKept ? static_cast<int>(ticks) : 0;  // 0 if NaN, too
+}
+
+void ContactForceEstimator::follow(const JointDelays& delays) {
+  const int angle_delay = ticks_in(delays.encoders), torque_delay = ticks_in(delays.torques);
+  const int force_delay = std::max(angle_delay, torque_delay);
+  velocity_observer_.go_back(angle_delay - angle_delay_);
+  force_observer_.go_back(force_delay - force_delay_);
+  torque_lag_ = torque_delay - angle_delay;
+  angle_delay_ = angle_delay;
+  force_delay_ = force_delay;
+}
+
 const JointVector& ContactForceEstimator::observe(const SensorReading& reading,
-                                                  double torque_lag) noexcept {
+                                                  const JointDelays& delays) noexcept {
   const bool is_first = periods_ == 0 || !force_observer_.q().allFinite();
   begins_ = begins_ || is_first;
   periods_ = periods_until(reading.time);
   periods_of_base_ += periods_;
   time_ = std::isfinite(reading.time) ? reading.time : time_ + period_;
-  const double lag = std::round(torque_lag / period_);
-  torque_lag_ = std::abs(lag) < kKept ? static_cast<int>(lag) : 0;  // 0 if NaN, too
+  follow(delays);
+  if (is_first || !torques_.ago(0).allFinite()) {
+    torques_.start(reading.torque);
+  } else {
+    torques_.add(reading.torque);
+  }
   if (is_first) {
     angles_.start(reading.q);
-    torques_.start(reading.torque);
     force_observer_.start(reading.q);
   } else {
     angles_.add(reading.q);
-    torques_.add(reading.torque);
     force_observer_.update(angles_.ago(torque_lag_), periods_);
   }
   velocity_observer_.update(reading.q, periods_);

@@ -19,6 +19,11 @@ struct ContactForceOptions {
   SwingTareOptions tare = {};
 };
 
+/// How old samples are when they come [s].
+struct JointDelays {
+  double encoders = 0.0, torques = 0.0;
+};
+
 /// Ground forces on the feet and joint velocities, from encoders and joint torques alone.
 ///
 /// A JointObserver compares the motion of each leg k with what Eq. (2) says without ground forces:
@@ -36,9 +41,8 @@ class ContactForceEstimator {
   ContactForceEstimator(const ContactForceOptions& options, double period);
 
   /// First in a tick: takes encoders and joint torques in; joint velocities from the readings so
-  /// far [rad/s]. `torque_lag` is how far the torques are sampled behind the encoders [s]: the
-  /// forces are those of the later of the two.
-  const JointVector& observe(const SensorReading& reading, double torque_lag = 0.0) noexcept;
+  /// far [rad/s]. The forces are those of the later of the two. `delays` of the samples, as usual.
+  const JointVector& observe(const SensorReading& reading, const JointDelays& delays = {}) noexcept;
 
   /// Then, with the dynamics at the state: fills state.foot_force. `terrain_normal_W` is the unit
   /// normal as believed: a foot sensor gives the force along it. `stands` says which feet the plan
@@ -59,6 +63,9 @@ class ContactForceEstimator {
   };
 
   [[nodiscard]] int periods_until(double time) const;
+  /// In whole ticks, of what is kept.
+  [[nodiscard]] int ticks_in(double delay) const;
+  void follow(const JointDelays& delays);
   void update_base_acceleration(const GeneralizedVector& u);
   /// Of a leg's joints: in the air under the measured torques, and with the foot on the ground.
   [[nodiscard]] Vec3 free_acceleration(const Dynamics& dynamics, Leg leg,
@@ -73,9 +80,10 @@ class ContactForceEstimator {
   SwingTare tare_;
   PerLeg<FootSensorTrust> foot_sensors_;
   Recent angles_, torques_;
-  int torque_lag_ = 0;  // behind the angles; negative: before them [ticks]
-  double time_ = kNaN;  ///< of the last reading [s]
-  int periods_ = 0;     ///< between the last two readings
+  int angle_delay_ = 0, force_delay_ = 0;  // of what the observers know [ticks]
+  int torque_lag_ = 0;                     // behind the angles; negative: before them [ticks]
+  double time_ = kNaN;                     ///< of the last reading [s]
+  int periods_ = 0;                        ///< between the last two readings
   double periods_of_base_ =
       0.0;              ///< since its velocity was known; there are readings without a state
   bool begins_ = true;  ///< no update was since the first reading

@@ -13,7 +13,8 @@ namespace {
 constexpr int kLeastFeet = 2, kLeastFeetForTurn = 3;
 /// Parts of the window: a gross error shows in a short one already.
 constexpr std::array<double, ImuCheck::kNumSpans> kParts{0.1, 0.25, 0.5, 1.0};
-constexpr double kJitter = 0.5;  // of a period
+constexpr double kJitter = 0.5;     // of a period
+constexpr double kOneSample = 1.5;  // periods: a sample that is off is seen for one at a time
 
 int even_ticks(double duration, double period) {
   return 2 * std::max(1, static_cast<int>(std::lround(0.5 * duration / period)));
@@ -221,7 +222,7 @@ void ImuCheck::judge() {
     if (shares_[i] > 1.0) longest = std::max(longest, span);
   }
   lasts_ = longest > 0.0 ? lasts_ + period_ : 0.0;
-  wrong_for_ = longest + lasts_;
+  wrong_for_ = lasts_ > kOneSample * period_ ? longest + lasts_ : 0.0;
 }
 
 }  // namespace surefoot

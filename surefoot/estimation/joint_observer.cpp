@@ -34,6 +34,13 @@ void JointObserver::start(Eigen::Index joint, double q) noexcept {
   velocity_[joint] = disturbance_[joint] = expected_[joint] = 0.0;
 }
 
+void JointObserver::go_back(int ticks) noexcept {
+  const double dt = ticks * period_;
+  const JointVector acceleration = expected_ + disturbance_;
+  q_ -= dt * velocity_ - 0.5 * dt * dt * acceleration;
+  velocity_ -= dt * acceleration;
+}
+
 void JointObserver::update(const JointVector& q, int periods) noexcept {
   const double dt = periods * period_;
   const JointVector acceleration = expected_ + disturbance_;

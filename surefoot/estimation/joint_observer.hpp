@@ -28,6 +28,8 @@ class JointObserver {
   /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only,
   /// and one that had none, or none for more than 40 periods, begins at rest with the next.
   void update(const JointVector& q, int periods) noexcept;
+  /// Readings are older from now on, by so many ticks: so is what it knows.
+  void go_back(int ticks) noexcept;
   /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
   void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }
   /// Holds what is unknown to be such that the joints don't accelerate now.

@@ -37,15 +37,22 @@ KinematicCalibration::KinematicCalibration(const RobotDescription& robot, double
   for (const Leg leg : kLegs) chains_[index(leg)] = tree.legs[index(leg)].chain;
 }
 
+void KinematicCalibration::forget() noexcept {
+  samples_ = ticks_ = 0;
+  knows_legs_ = false;
+  time_ = kNaN;
+}
+
+// 1 also where a time is NaN.
 double KinematicCalibration::periods_until(double time) const {
   return std::fmax(1.0, std::round((time - time_) / period_));
 }
 
 void KinematicCalibration::update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
                                   const Vec3& normal, bool listening) noexcept {
+  if (periods_until(time) > kLongestGap) forget();
   const double periods = periods_until(time);
   time_ = time;
-  if (periods > kLongestGap) forget();
   if (!listening) {
     if (samples_ >= kLeastSamples) finish();
     samples_ = ticks_ = 0;
@@ -62,6 +69,7 @@ void KinematicCalibration::update(double time, const Dynamics& dynamics, const V
 }
 
 void KinematicCalibration::start(const Mat3& R_WB) noexcept {
+  knows_legs_ = false;
   R_ = R_start_ = R_WB;
   turned_.setZero();
   rolled_.fill(Vec3::Zero());
@@ -135,6 +143,7 @@ void KinematicCalibration::finish() noexcept {
   const Errors b = sum_HWy_ - sum_H_.transpose() * (W_ * sum_y_) / samples_;
   for (int i = 0; i < kNumErrors; ++i) A(i, i) += 1.0 / (prior(i) * prior(i));
   const Errors found = -A.ldlt().solve(b);
+  knows_legs_ = true;
   before_ = after_;
   share_ = 0.0;
   for (int i = 0; i < kBias; ++i) {

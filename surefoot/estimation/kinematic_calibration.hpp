@@ -42,8 +42,10 @@ class KinematicCalibration {
               const Vec3& terrain_normal_W, bool listening) noexcept;
 
   /// What was heard in this motion is worth nothing: a foot did not stay, or somebody pushed.
-  void forget() noexcept { samples_ = ticks_ = 0; }
+  void forget() noexcept;
 
+  /// Was the last motion heard for long enough?
+  [[nodiscard]] bool knows_legs() const { return knows_legs_; }
   /// What is known so far. A new result fades in within kFadeIn.
   [[nodiscard]] const KinematicErrors& errors() const { return in_use_; }
 
@@ -84,6 +86,7 @@ class KinematicCalibration {
   Vec3 gyro_ = Vec3::Zero();    // the last reading [rad/s]
   Mat3 turned_ = Mat3::Zero();  // ∫ R dt, by which a bias turns it [s]
   int ticks_ = 0, samples_ = 0;
+  bool knows_legs_ = false;
   Weights W_ = Weights::Zero();
   Coordinates sum_y_ = Coordinates::Zero();
   Sensitivity sum_H_ = Sensitivity::Zero();

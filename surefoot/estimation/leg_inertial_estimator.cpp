@@ -12,6 +12,10 @@ namespace {
 constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
 constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
+// A robot that stands:
+constexpr double kStill = 0.2;          // slower than this [rad/s]
+constexpr double kUnaccelerated = 1.0;  // less than this [m/s²]
+constexpr double kRest = 0.05;          // for this long, after it did not [s]
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -29,19 +33,16 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !is_complete) {
+  if (!started_ && !rests(reading, is_complete)) {
     write_joints(reading, context);
     return state_;
   }
   const Vec3 p_before = filter_.p_WB();
   if (!started_) {
-    start(reading, 0.0);
+    start(mean_of(reading), 0.0);
     stand_at({0.0, 0.0, height_over_feet()});
   } else if (context.restarts && is_complete) {
-    SensorReading mean = reading;
-    mean.gyro = mean_gyro_;
-    mean.accelerometer = mean_force_;
-    start(mean, yaw(filter_.R_WB()));
+    start(mean_of(reading), yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
@@ -54,6 +55,27 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   write_base(reading);
   if (options_.predict) predict(context);
   return state_;
+}
+
+// A robot that its driver starts as it stands does so at the first reading; one that was falling
+// until its drives began, or hit the ground, takes a while.
+bool LegInertialEstimator::rests(const SensorReading& reading, bool is_complete) {
+  const bool is_still = is_complete && reading.gyro.norm() < kStill &&
+                        std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
+  was_moving_ = was_moving_ || (is_complete && !is_still);
+  still_for_ = is_still ? still_for_ + 1 : 0;
+  if (!is_still) return false;
+  const double share = 1.0 / still_for_;
+  mean_gyro_ += share * (reading.gyro - mean_gyro_);
+  mean_force_ += share * (reading.accelerometer - mean_force_);
+  return !was_moving_ || still_for_ * period_ > kRest;
+}
+
+SensorReading LegInertialEstimator::mean_of(const SensorReading& reading) const {
+  SensorReading mean = reading;
+  mean.gyro = mean_gyro_;
+  mean.accelerometer = mean_force_;
+  return mean;
 }
 
 void LegInertialEstimator::start(const SensorReading& reading, double heading) {

@@ -30,10 +30,11 @@ struct LegInertialOptions {
 /// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
 /// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
 /// since the last tick, r the radius and n the vertical. The filter takes no joint
-/// velocities. Position and heading begin at 0, with the feet's lowest points at
-/// z = 0 in the mean; a restart
-/// (TickContext) keeps them and forgets the rest. Samples come late, by times that readings tell;
-/// with `predict` the state goes on from them to now as it moves,
+/// velocities. It starts at rest: at the first reading if the accelerometer feels g there, or when
+/// a robot that moved has stood for 0.05 s. Position and heading begin at 0, with the feet's lowest
+/// points at z = 0 in the mean; a restart (TickContext) keeps them and forgets the rest. Samples
+/// come late, by times that readings tell; with `predict` the state goes on from them to now as it
+/// moves,
 ///
 ///     q += q̇ τ_q,   R ← R exp(S(ω) τ),   p += v τ,   v += a τ
 ///
@@ -60,6 +61,10 @@ class LegInertialEstimator final : public StateEstimator {
     double stands_for = 0.0;       // [s]
   };
 
+  /// One tick before the start: may it be?
+  [[nodiscard]] bool rests(const SensorReading& reading, bool is_complete);
+  /// The reading with the means of the IMU's numbers.
+  [[nodiscard]] SensorReading mean_of(const SensorReading& reading) const;
   void start(const SensorReading& reading, double heading);
   void stand_at(const Vec3& p_WB);
   /// Of the base over the ground under the feet, in their mean [m].
@@ -90,6 +95,8 @@ class LegInertialEstimator final : public StateEstimator {
   double way_ = 0.0;                  // the furthest that the base has been from there [m]
   RobotState state_;
   bool started_ = false;
+  bool was_moving_ = false;  // before the start
+  int still_for_ = 0;        // until the start [ticks]
 };
 
 }  // namespace surefoot

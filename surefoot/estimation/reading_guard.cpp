@@ -163,7 +163,7 @@ void ReadingGuard::describe(const SensorReading& reading) {
   repaired_.accelerometer = accelerometer_.values.repaired();
   measured_ = repaired_;
   measured_.q = angles_.measured();
-  if (encoder_watch_.is_held()) measured_.q.setConstant(kNaN);
+  if (!encoder_watch_.is_punctual()) measured_.q.setConstant(kNaN);
   health_.encoders = angles_.health(reading.time);
   health_.joint_torques = torques_.health(reading.time);
   const GroupHealth gyro = gyro_.values.health(reading.time);

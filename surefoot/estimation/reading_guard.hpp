@@ -36,8 +36,9 @@ class ReadingGuard {
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
   [[nodiscard]] const SensorReading& repaired() const { return repaired_; }
-  /// The same, but with NaN in the place of joint angles that are at fault, or of a sample that was
-  /// there before: it says nothing of what the joints did meanwhile. Where the clock is
+  /// The same, but with NaN in the place of joint angles that are at fault, of a sample that was
+  /// there before, as it says nothing of what the joints did meanwhile, or that is of another time
+  /// than usual. Where the clock is
   /// wrong it has no time and no angles, or, when that lasts longer than `patience` and they
   /// change within 0.2 s, those of the reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
@@ -47,9 +48,10 @@ class ReadingGuard {
   /// How far what repaired() has of the joints, and of the IMU, is behind its time [s].
   [[nodiscard]] double joint_lag() const { return encoder_watch_.lag(); }
   [[nodiscard]] double imu_lag() const { return imu_watch_.lag(); }
-  /// How far its joint torques are behind its joint angles, negative where they are before [s]: of
-  /// new samples. That one is late, or is held until the next, shifts no other.
-  [[nodiscard]] double torque_lag() const { return torque_watch_.delay() - encoder_watch_.delay(); }
+  /// How late the samples of joint angles and torques usually come [s]: that one is later, or is
+  /// held until the next, is no matter.
+  [[nodiscard]] double encoder_delay() const { return encoder_watch_.delay(); }
+  [[nodiscard]] double torque_delay() const { return torque_watch_.delay(); }
 
  private:
   /// One of the IMU's two instruments.

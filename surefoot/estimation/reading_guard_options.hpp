@@ -6,7 +6,11 @@ namespace surefoot {
 
 /// What a sensor of a legged robot can truly give.
 struct ReadingGuardOptions {
-  double patience = 0.02;  ///< a sample older than this is of no use any more [s]
+  static constexpr double kLongestPatience = 0.02;  // [s]
+
+  /// A sample older than this is of no use any more, and is made up for no longer; at most
+  /// kLongestPatience [s].
+  double patience = kLongestPatience;
   /// How late samples may come: a robot that walks by later ones falls [s].
   double max_encoder_delay = 0.006, max_torque_delay = 0.011, max_imu_delay = 0.011;
 

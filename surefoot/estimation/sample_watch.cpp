@@ -1,12 +1,14 @@
 #include "surefoot/estimation/sample_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
 
 constexpr double kLearning = 0.1;  // share of the news in what is usual
 constexpr double kMargin = 0.75;   // periods beyond the usual age
+constexpr int kLasting = 4;        // samples with another delay in a row, until it is the usual one
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -30,11 +32,25 @@ void SampleWatch::update(double time, double sample_time) noexcept {
     fault_ = stands_still ? SampleFault::silent : SampleFault::late;
   }
   if (is_new_ || fault_ == SampleFault::none) lag_ = std::min(age, patience_);
+  const bool has_more = has_second_;
   has_second_ = has_second_ || (is_new_ && !is_first);
-  if (is_new_ || !has_second_) delay_ = lag_;
+  if (!has_more) delay_ = lag_;
+  if (is_new_) follow_delay();
   is_new_ = is_new_ && !is_too_old;
   given_time_ = given;
   time_before_ = time;
+}
+
+// One sample that is later than usual says nothing of those that follow.
+void SampleWatch::follow_delay() noexcept {
+  const bool is_as_before = std::abs(lag_ - other_delay_) < kMargin * period_;
+  is_punctual_ = std::abs(lag_ - delay_) < kMargin * period_;
+  others_ = is_punctual_ ? 0 : is_as_before ? others_ + 1 : 1;
+  other_delay_ = lag_;
+  if (others_ < kLasting) return;
+  delay_ = lag_;
+  is_punctual_ = true;
+  others_ = 0;
 }
 
 }  // namespace surefoot

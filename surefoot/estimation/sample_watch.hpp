@@ -39,17 +39,23 @@ class SampleWatch {
   /// This tick's sample was there before: it says nothing of what happened since. Not before the
   /// second has come, as a robot begins at rest.
   [[nodiscard]] bool is_held() const { return !is_new_ && has_second_; }
-  /// How old the newest sample was when it came, or of the first, how old it is; `patience` at most
-  /// [s].
+  /// How old new samples usually are when they come; of the first, how old it is; `patience` at
+  /// most [s]. It follows when four in a row come with another delay.
   [[nodiscard]] double delay() const { return delay_; }
+  /// This tick's sample is new and as old as usual.
+  [[nodiscard]] bool is_punctual() const { return !is_held() && is_punctual_; }
   /// `silent`, `late` or `none`.
   [[nodiscard]] SampleFault fault() const { return fault_; }
 
  private:
+  void follow_delay() noexcept;
+
   double period_, patience_, max_delay_, usual_age_;
   double sample_time_ = kNaN, time_before_ = kNaN, given_time_ = kNaN;
   double delayed_for_ = 0.0, lag_ = 0.0, delay_ = 0.0;  // [s]
-  bool is_new_ = false, has_second_ = false;
+  double other_delay_ = kNaN;                           // of the newest sample [s]
+  int others_ = 0;                                      // samples in a row with one like that
+  bool is_new_ = false, has_second_ = false, is_punctual_ = true;
   SampleFault fault_ = SampleFault::none;
 };
 

@@ -6,7 +6,6 @@
 namespace surefoot {
 namespace {
 
-constexpr double kTakeOver = 0.7;   // until the legs are believed to be as they were found [s]
 constexpr double kWeighing = 1.3;   // [s]
 constexpr double kFollowing = 1.0;  // until the COM is where it is now known to belong [s]
 constexpr double kShortest = 1.0;   // [s]

@@ -17,6 +17,9 @@ namespace surefoot {
 /// (ComCalibration).
 class CalibrationMotion {
  public:
+  /// From the end of the turning until the legs are believed to be as they were found [s].
+  static constexpr double kTakeOver = 0.7;
+
   explicit CalibrationMotion(const CalibrationOptions& options) : options_(options) {}
 
   /// In which the torso can turn by the amplitudes of the options [s]: accelerations, (2π n / T)² A

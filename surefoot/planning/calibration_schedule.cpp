@@ -5,27 +5,29 @@
 namespace surefoot {
 namespace {
 
-constexpr double kPatience = 10.0;  // until it is told that a calibration waits to begin, and a
-                                    // repeated one is given up [s]
-constexpr int kMostRepeats = 2;     // of a calibration that is disturbed
+constexpr double kPatience = 10.0;     // until it is told that a calibration waits to begin, and a
+                                       // repeated one is given up [s]
+constexpr int kMostRepeats = 2;        // of a calibration that is disturbed
+constexpr double kLongestGap = 0.011;  // between two ticks; a longer one disturbs, too [s]
 
 }  // namespace
 
 void CalibrationSchedule::begin(double time) {
   time_ = begun_at_ = time;
-  is_wanted_ = will_repeat_ = was_disturbed_ = false;
+  is_wanted_ = will_repeat_ = may_give_up_ = was_disturbed_ = false;
 }
 
 void CalibrationSchedule::update(double time, bool asked, bool is_undisturbed) {
+  const bool is_cut = time - time_ > kLongestGap;
   time_ = time;
   const bool listened = stage_ == CalibrationStage::turning || stage_ == CalibrationStage::weighing;
-  if (listened && !is_undisturbed) was_disturbed_ = true;
+  if (listened && (!is_undisturbed || is_cut)) was_disturbed_ = true;
   if (was_going_on_ && !is_going_on()) end();
   was_going_on_ = is_going_on();
-  if (will_repeat_ && time_ >= tells_wait_at_) give_up();
+  if (may_give_up_ && time_ >= tells_wait_at_) give_up();
   if (asked && !asked_before_) {
     repeats_ = 0;
-    will_repeat_ = false;  // as it was asked for, it waits as long as it has to
+    may_give_up_ = false;  // as it was asked for, it waits as long as it has to
     want();
   }
   asked_before_ = asked;
@@ -40,11 +42,12 @@ void CalibrationSchedule::want() {
 
 // Not for ever: somebody who goes on pushing wants the robot to walk.
 void CalibrationSchedule::end() {
-  if (!was_disturbed_ || load_known_) {
+  if (!was_disturbed_ || is_known_) {
     repeats_ = 0;
-  } else if (repeats_ < kMostRepeats) {
-    ++repeats_;
-    will_repeat_ = !is_wanted_;  // asked for meanwhile, it waits as long as it has to
+  } else if (is_wanted_ || repeats_ < kMostRepeats) {
+    may_give_up_ = !is_wanted_;  // asked for meanwhile, it waits as long as it has to
+    if (may_give_up_) ++repeats_;
+    will_repeat_ = true;
     end_ = PlanEvent::calibration_disturbed;
     want();
   } else {
@@ -53,8 +56,7 @@ void CalibrationSchedule::end() {
 }
 
 void CalibrationSchedule::give_up() {
-  if (will_repeat_) is_wanted_ = false;
-  will_repeat_ = false;
+  is_wanted_ = will_repeat_ = may_give_up_ = false;
   repeats_ = 0;
   end_ = PlanEvent::calibration_given_up;
 }

@@ -6,8 +6,8 @@
 namespace surefoot {
 
 /// When the robot calibrates itself: at the beginning, when it is asked to, and once more after a
-/// calibration that was disturbed and doesn't know the load, twice at most. The planner says when
-/// one may begin.
+/// calibration that was disturbed and doesn't know legs and load, twice at most. The planner says
+/// when one may begin.
 class CalibrationSchedule {
  public:
   explicit CalibrationSchedule(const CalibrationOptions& options) : motion_(options) {}
@@ -16,10 +16,10 @@ class CalibrationSchedule {
   void expect_switch(bool asked) { asked_before_ = asked; }
   /// A calibration begins at this time [s].
   void begin(double time);
-  /// Does the calibration that has just ended know what the robot carries?
-  void tell_load_known(bool known) { load_known_ = known; }
+  /// Does the calibration that has just ended know the legs and what the robot carries?
+  void tell_known(bool known) { is_known_ = known; }
   /// One tick at its time [s]: the user's switch, which asks when it is turned on, and whether a
-  /// calibration may listen.
+  /// calibration may listen. Ticks that are missing disturb it, too.
   void update(double time, bool asked, bool is_undisturbed);
 
   [[nodiscard]] bool is_going_on() const { return motion_stage() != CalibrationStage::none; }
@@ -50,8 +50,9 @@ class CalibrationSchedule {
   double tells_wait_at_ = 0.0;          // that it has not [s]
   bool was_going_on_ = false;           // at the last tick
   bool was_disturbed_ = false;          // the one that goes on, or the last one
-  bool load_known_ = false;             // after it
+  bool is_known_ = false;               // after it
   bool will_repeat_ = false;            // that one, as soon as it may begin
+  bool may_give_up_ = false;            // to repeat it, as nobody has asked for one
   int repeats_ = 0;                     // of one that was disturbed
   PlanEvent end_ = PlanEvent::none;     // that is still to be told
 };

@@ -105,7 +105,8 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
     const Vec2 step = stride(leg, user, cycle_duration);
     const Vec2 from_hip = nominal_offset(stance_, leg) - hips[index(leg)];
     const double within_reach = longest_stride(from_hip, step.normalized(), limits.reach);
-    const double longest = std::min({options_.max_step, limits.length, within_reach});
+    const double longest =
+        std::min({options_.max_step, options_.max_stride, limits.length, within_reach});
     const double excess =
         std::hypot(step.x() / longest, step.y() / std::min(longest, options_.max_side_step));
     if (excess > 1.0) share = std::min(share, 1.0 / excess);

@@ -43,8 +43,9 @@ class FootholdPlanner {
   ///
   ///     (stride_x / longest)² + (stride_y / max_side_step)² ≤ 1
   ///
-  /// with `longest` at most `max_step`, `limits.length`, and twice the way from the foot's nominal
-  /// place to `limits.reach` from the hip. Hips are about the torso's centre, in heading axes.
+  /// with `longest` at most `max_step`, `max_stride`, `limits.length`, and twice the way from the
+  /// foot's nominal place to `limits.reach` from the hip. Hips are about the torso's centre, in
+  /// heading axes.
   [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
                                       const StrideLimits& limits, double cycle_duration) const;
 

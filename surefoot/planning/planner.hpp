@@ -38,9 +38,9 @@ class Planner {
   /// unless it is above 0.
   void set_friction(double friction);
 
-  /// Before an update: does the calibration that has just ended know what the robot carries? Only
-  /// one that was disturbed and doesn't is repeated.
-  void tell_load_known(bool known) { calibration_.tell_load_known(known); }
+  /// Before an update: does the calibration that has just ended know the legs and what the robot
+  /// carries? Only one that was disturbed and doesn't is repeated.
+  void tell_calibration_known(bool known) { calibration_.tell_known(known); }
 
   /// Unit normal of the terrain as believed, in W, through the filter of the friction frame: it
   /// lags, and jumps only where a calibration begins the plan anew.

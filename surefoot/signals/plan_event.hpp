@@ -26,9 +26,11 @@ enum class PlanEvent : int {
   calibration_waits = 17,  ///< it is to begin, but the robot does not come to rest on all feet
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
   lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
-  calibration_disturbed = 20,  ///< … by a push or a foot that slid, in vain: it is done once more
-  calibration_given_up =
-      21,  ///< … and again, or it did not come to rest: the robot goes on with what it has found
+  /// A calibration was disturbed by a push or a foot that slid, and does not know legs or load: it
+  /// is done once more.
+  calibration_disturbed = 20,
+  /// That one was, too, or can't begin: the robot goes on with what it has found.
+  calibration_given_up = 21,
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {

@@ -28,7 +28,8 @@ namespace surefoot::simulation {
 /// the spring's own frequency, kp is 0: only the speed is fed back.)
 ///
 /// Rotor and spring are integrated by the implicit midpoint rule, with the joint moving evenly over
-/// the step: stable for any inertia and stiffness, and without energy of its own.
+/// the step: stable for any inertia and stiffness where the joint's motion is given, and without
+/// energy of its own.
 class SeriesElasticDrive {
  public:
   SeriesElasticDrive(const ActuatorOptions& options, double timestep);

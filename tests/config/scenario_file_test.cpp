@@ -216,7 +216,12 @@ TEST_F(ScenarioFile, names_the_assignment_that_is_wrong) {
 
 TEST_F(ScenarioFile, refuses_to_bridge_sensors_for_longer_than_they_can_be_made_up_for) {
   EXPECT_TRUE(holds(complaint("", {"safety.bridge_time=0.1"}),
-                    "safety.bridge_time: \"0.1\" is not a number from 0 to 0.02 s"));
+                    "safety.bridge_time: 0.1 s must not be above guard.patience, 0.02 s"));
+  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.1"}), "at most 0.02 s"));
+  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.01", "safety.bridge_time=0.015"}),
+                    "safety.bridge_time: 0.015 s must not be above"));
+  EXPECT_TRUE(holds(complaint("", {"guard.patience=0.01"}),
+                    "guard.patience: 0.01 s must not be below safety.bridge_time, 0.02 s"));
 }
 
 TEST_F(ScenarioFile, notes_what_begins_after_the_end) {
@@ -226,6 +231,33 @@ TEST_F(ScenarioFile, notes_what_begins_after_the_end) {
   EXPECT_EQ(read("duration: 2\n" + push + fault).notes,
             (std::vector<std::string>{"disturbances.pushes.kick begins at 5 s; the run ends at 2 s",
                                       "sensors.faults.one begins at 2 s; the run ends at 2 s"}));
+}
+
+TEST_F(ScenarioFile, notes_assignments_that_nothing_comes_of) {
+  const std::string range = "randomise.terrain.friction=[0.5, 0.6]";
+  EXPECT_TRUE(read("", 1, {range}).notes.empty());
+  EXPECT_EQ(read("", 1, {range, "terrain.friction=0.7"}).notes,
+            (std::vector<std::string>{
+                "randomise.terrain.friction draws nothing, as terrain.friction is set"}));
+
+  const std::string spring = "actuators.spring.stiffness=200";
+  EXPECT_TRUE(read("", 0, {"actuators.model=sea", "actuators.level=2", spring}).notes.empty());
+  EXPECT_EQ(read("", 0, {"actuators.model=sea", spring}).notes,
+            (std::vector<std::string>{"actuators.spring.stiffness changes nothing, as "
+                                      "actuators.level is 1; level 2 has motor and spring"}));
+  EXPECT_EQ(
+      read("", 0, {"actuators.model=ideal", "actuators.level=2"}).notes,
+      (std::vector<std::string>{"actuators.level changes nothing, as actuators.model is ideal"}));
+}
+
+TEST_F(ScenarioFile, refuses_to_take_away_a_range_that_is_not_there) {
+  EXPECT_TRUE(holds(complaint("", {"randomise.terrain.frictoin="}),
+                    "randomise.terrain.frictoin: this is not drawn, so there is nothing to take "
+                    "away; valid are: initial.yaw, "));
+  EXPECT_TRUE(holds(complaint("", {"randomise.disturbances.mass_scale=~"}), "valid are: "));
+  const Scenario included =
+      read("", 1, {"randomise.include=mismatch", "randomise.disturbances.payload.mass=~"});
+  EXPECT_EQ(std::ranges::count(included.drawn, "disturbances.payload.mass", &RandomDraw::path), 0);
 }
 
 TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {

@@ -253,6 +253,8 @@ TEST(SafetyOfSensors, WithoutAStateForAnotherReasonNoSensorIsNamed) {
   Stage stage;
   stage.state.q_WB.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());
   for (int i = 0; i < 100; ++i) (void)stage.refused_tick({});
+  EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::hold) << "it may still come to rest";
+  for (int i = 100; i < 800; ++i) (void)stage.refused_tick({});
   EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::damping);
   EXPECT_EQ(stage.refused_tick({}).cause, StopCause::failures);
 }

@@ -199,8 +199,25 @@ TEST(Safety, DampingBrakesEveryJoint) {
   RobotState state = tilted(2.0);
   state.qd = JointVector::LinSpaced(kNumJoints, -3.0, 3.0);
   const Solution good = solved(torques());
-  const JointCommand command = safety.command(state, &good);
+  JointCommand command;
+  for (int tick = 0; tick < 20; ++tick) command = safety.command(state, &good);
   EXPECT_LT((command.torque + anymal_b().damping_kd * state.qd).norm(), 1e-12);
+}
+
+// Velocities believed wrong change their sign from tick to tick.
+TEST(Safety, NoDampingLetsTorquesJump) {
+  Safety safety = make_safety();
+  const Solution good = solved(torques(30.0));
+  JointVector before = safety.command(standing(), &good).torque;
+  for (int tick = 0; tick < 40; ++tick) {
+    RobotState state = tilted(2.0);
+    state.qd.setConstant(tick % 4 < 2 ? 50.0 : -50.0);
+    const JointCommand& command = safety.command(state, &good);
+    EXPECT_EQ(command.mode, CommandMode::damping);
+    EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(),
+              SafetyOptions{}.max_torque_change + 1e-9);
+    before = command.torque;
+  }
 }
 
 TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
@@ -212,6 +229,7 @@ TEST(Safety, ClipsEveryRungToTheTorqueLimits) {
   EXPECT_EQ(safety.command(away, nullptr).torque, JointVector::Constant(-kLimit));
   RobotState fast = tilted(2.0);
   fast.qd.setConstant(-1e6);
+  for (int tick = 0; tick < 30; ++tick) (void)safety.command(fast, &strong);
   EXPECT_EQ(safety.command(fast, &strong).torque, JointVector::Constant(kLimit));
 }
 

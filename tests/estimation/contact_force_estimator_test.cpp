@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,7 @@ struct Bench {
     reading.time = state.time;
     reading.q = state.q;
     reading.torque = state.torque;
-    velocity = estimator.observe(reading, torque_lag);
+    velocity = estimator.observe(reading, delays);
   }
 
   void tick(const Dynamics& dynamics, RobotState& state, const Vec3& normal = kUp) {
@@ -81,7 +82,7 @@ struct Bench {
   SensorReading reading;
   PerLeg<bool> stands = kInTheAir;
   JointVector velocity = JointVector::Zero();
-  double torque_lag = 0.0;  // [s]
+  JointDelays delays;
 };
 
 /// `dt` on with a constant acceleration.
@@ -120,7 +121,7 @@ TEST(ContactForceEstimator, ATickWithoutAStateAtTheBeginningChangesNothing) {
   state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
   state.time = 0.0;
   Bench bench;
-  bench.torque_lag = -kPeriod;
+  bench.delays.encoders = kPeriod;
   bench.observe(state);
   for (int i = 0; i < 20; ++i) {
     state.time += kPeriod;
@@ -217,7 +218,8 @@ double force_in_the_air(int lag, bool is_told) {
   Dynamics dynamics = model.update(state, kUp);
   const auto joints = dynamics.M.bottomRightCorner<kNumJoints, kNumJoints>().ldlt();
   Bench bench(kWithoutTare);
-  bench.torque_lag = is_told ? lag * kPeriod : 0.0;
+  if (is_told)
+    bench.delays = {.encoders = std::max(0, -lag) * kPeriod, .torques = std::max(0, lag) * kPeriod};
   std::vector<JointVector> torques, angles;
   double most = 0.0;
   for (int tick = 0; tick < 200; ++tick) {
@@ -242,6 +244,30 @@ double force_in_the_air(int lag, bool is_told) {
 TEST(ContactForceEstimator, TorquesAndAnglesOfDifferentTimesAreNoForce) {
   for (const int lag : {-3, -1, 1, 3}) {
     EXPECT_LT(force_in_the_air(lag, true), 0.4 * force_in_the_air(lag, false)) << lag;
+  }
+}
+
+// Torques that come a tick after the encoders, and begin a tick later, too.
+TEST(ContactForceEstimator, TorquesThatBeginLateAreKnownFromThenOn) {
+  RobotModel model(anymal_b());
+  Random random(12);
+  RobotState state = at_rest(random, model.description());
+  state.time = 0.0;
+  const Dynamics& dynamics = model.update(state, kUp);
+  const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
+  const JointVector torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+  Bench bench;
+  bench.stands = kStanding;
+  bench.delays.encoders = kPeriod;
+  state.torque.setConstant(kNaN);
+  bench.observe(state);
+  state.torque = torque;
+  for (int tick = 0; tick < 3; ++tick) {
+    state.time += kPeriod;
+    bench.tick(dynamics, state);
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << tick;
+    }
   }
 }
 

@@ -27,6 +27,23 @@ TEST(JointObserver, FollowsAMotionThatItsModelKnowsWithoutError) {
   }
 }
 
+TEST(JointObserver, GoesOnWithReadingsThatAreOlderFromNowOn) {
+  JointObserver observer(kBandwidth, kPeriod);
+  const JointVector a = JointVector::LinSpaced(-30.0, 50.0);
+  const auto q_at = [&](int tick) { return JointVector(0.5 * std::pow(tick * kPeriod, 2) * a); };
+  observer.start(q_at(0));
+  observer.expect(a);
+  int late = 0;
+  for (int tick = 1; tick < 200; ++tick) {
+    const int now_late = tick < 50 ? 0 : tick < 120 ? 2 : 1;
+    observer.go_back(now_late - late);
+    late = now_late;
+    observer.update(q_at(tick - late), 1);
+    ASSERT_LT((observer.velocity() - (tick - late) * kPeriod * a).norm(), 1e-9) << tick;
+    ASSERT_LT(observer.disturbance().norm(), 1e-6) << tick;
+  }
+}
+
 TEST(JointObserver, FindsAnAccelerationThatItsModelDoesNotKnow) {
   JointObserver observer(kBandwidth, kPeriod);
   JointVector q = JointVector::Zero(), v = JointVector::Zero();

@@ -188,6 +188,7 @@ TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
   bench.calibration.forget();  // what is left of the turning is too little
   bench.run(kAll);
   EXPECT_EQ(bench.calibration.errors(), KinematicErrors{});
+  EXPECT_FALSE(bench.calibration.knows_legs());
   const KinematicErrors truth = some_errors(10, 0.01, 0.0);
   Bench early(truth);
   early.run(1.5);
@@ -200,8 +201,8 @@ TEST(KinematicCalibration, ForgetsAMotionInWhichAFootDidNotStay) {
 TEST(KinematicCalibration, NumbersThatAreNoneAreLeftOut) {
   Bench good(some_errors(8, 0.01, 0.0)), bad(some_errors(8, 0.01, 0.0));
   good.run(kAll);
-  bad.run(3.0);
-  for (int i = 0; i < 40; ++i) {  // four samples
+  bad.run(3.0 + TurningRobot::kPeriod);
+  for (int i = 0; i < 40; ++i) {  // of two updates a tick, those that samples are taken of
     bad.tick();
     Dynamics broken = bad.model.dynamics();
     broken.foot[1].p.x() = kNaN;
@@ -239,6 +240,28 @@ TEST(KinematicCalibration, AfterALongerGapItListensAnew) {
   bench.deaf_until = 5.5 + 10.0 * TurningRobot::kPeriod;
   bench.run(kAll);
   EXPECT_EQ(bench.calibration.errors(), KinematicErrors{}) << "what is left is too little";
+}
+
+TEST(KinematicCalibration, WhatPassesWhileItDoesNotListenIsNoPartOfTheTurn) {
+  const KinematicErrors truth = some_errors(10, 0.01, 0.0);
+  Bench forgetful(truth), disturbed(truth);
+  for (Bench* bench : {&forgetful, &disturbed}) {
+    bench->run(1.5);
+    bench->calibration.forget();
+  }
+  disturbed.deaf_until = 2.5 + 0.5 * TurningRobot::kPeriod;
+  while (forgetful.robot.time() < 2.5 - 0.5 * TurningRobot::kPeriod) {
+    forgetful.tick();
+    forgetful.calibration.forget();
+  }
+  forgetful.run(kAll);
+  disturbed.run(kAll);
+  EXPECT_TRUE(disturbed.calibration.knows_legs());
+  const KinematicErrors& found = disturbed.calibration.errors();
+  for (const Leg leg : kLegs) {
+    EXPECT_NEAR(found.thigh[index(leg)], forgetful.calibration.errors().thigh[index(leg)], 1e-5);
+    EXPECT_NEAR(found.shank[index(leg)], forgetful.calibration.errors().shank[index(leg)], 1e-5);
+  }
 }
 
 TEST(KinematicCalibration, AllocatesNothing) {

@@ -222,6 +222,29 @@ TEST(LegInertialEstimator, OfTheHeadingOnAWayTheGyroscopeKnowsMoreThanTheLegs) {
   EXPECT_LT(std::abs(heading_after_a_way({})), 0.1 * of_the_legs);
 }
 
+// Whose drives began late: it falls, hits the ground, and stands.
+TEST(LegInertialEstimator, StartsWhenTheRobotStands) {
+  CalibrationOptions still = kMotion;
+  still.roll = still.pitch = still.yaw = 0.0;
+  for (const bool falls : {false, true}) {
+    TurningRobot robot(KinematicErrors{}, still);
+    LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+    double started = kNaN;
+    RobotState state;
+    for (int tick = 0; tick < 200; ++tick) {
+      robot.tick();
+      SensorReading reading = robot.reading();
+      const bool in_the_air = falls && tick < 40, on_the_way = falls && tick >= 40 && tick < 60;
+      if (in_the_air) reading.accelerometer = Vec3(0.05, -0.02, 0.03);
+      if (on_the_way) reading.accelerometer += Vec3(9.0, 0.0, tick % 2 == 0 ? 0.5 : 0.0);
+      state = estimator.update(reading, standing());
+      if (std::isnan(started) && state.q_WB.coeffs().allFinite()) started = tick;
+    }
+    EXPECT_EQ(started, falls ? 80 : 0) << "0.05 s of rest";
+    EXPECT_LT(tilt_error(state, robot), 0.002);
+  }
+}
+
 TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) {
   CalibrationOptions still = kMotion;
   still.roll = still.pitch = still.yaw = 0.0;
@@ -231,7 +254,7 @@ TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) 
   while (robot.time() < 3.0) {
     robot.tick();
     SensorReading reading = robot.reading();
-    const bool mad = robot.time() < 2.0;
+    const bool mad = robot.time() > 0.5 && robot.time() < 2.0;
     if (mad) reading.accelerometer.y() += 3.0;
     if (mad) reading.gyro.z() += 0.5;
     state = estimator.update(reading, standing());

@@ -20,10 +20,10 @@ constexpr int kKnee = 2;  // LF_KFE
 /// A robot whose joints swing and whose IMU shakes, tick by tick, read through a guard.
 struct Swinging {
   [[nodiscard]] JointVector angle(double t) const {
-    return description.q_nominal + JointVector::Constant(0.3 * std::sin(8.0 * t));
+    return description.q_nominal + JointVector::Constant(amplitude * std::sin(8.0 * t));
   }
   [[nodiscard]] JointVector velocity(double t) const {
-    return JointVector::Constant(2.4 * std::cos(8.0 * t));
+    return JointVector::Constant(8.0 * amplitude * std::cos(8.0 * t));
   }
   [[nodiscard]] SensorReading sample(double t) const {
     SensorReading reading;
@@ -55,6 +55,7 @@ struct Swinging {
   ReadingGuard guard{{}, description, kPeriod};
   int ticks = 0;
   double time = 0.0;
+  double amplitude = 0.3;  // [rad]
 };
 
 TEST(ReadingGuard, GoodReadingsPassAsTheyAre) {
@@ -336,13 +337,32 @@ TEST(ReadingGuard, ALateSampleShiftsNoTorquesAgainstAngles) {
     reading.torque_time = before.torque_time;
   };
   for (int i = 0; i < 40; ++i) robot.tick(late);
-  EXPECT_NEAR(robot.guard.torque_lag(), kPeriod, 1e-12);
+  EXPECT_NEAR(robot.guard.torque_delay(), kPeriod, 1e-12);
   const SensorReading held = robot.sample(robot.time - kPeriod);
   robot.tick([&](SensorReading& reading) {
     reading.torque = held.torque;
     reading.torque_time = held.torque_time;
   });
-  EXPECT_NEAR(robot.guard.torque_lag(), kPeriod, 1e-12);
+  EXPECT_NEAR(robot.guard.torque_delay(), kPeriod, 1e-12);
+}
+
+TEST(ReadingGuard, NoSampleOfAnotherTimeThanUsualIsMeasured) {
+  Swinging robot;
+  robot.amplitude = 0.1;  // all joints at once, quicker, are doubted
+  robot.run(40);
+  const auto late = [&](SensorReading& reading) {
+    const SensorReading before = robot.sample(robot.time - kPeriod);
+    reading.q = before.q;
+    reading.encoder_time = before.encoder_time;
+  };
+  for (int i = 0; i < 2; ++i) {
+    robot.tick(late);
+    EXPECT_TRUE(robot.guard.measured().q.array().isNaN().all()) << i;
+    EXPECT_NEAR(robot.guard.encoder_delay(), 0.0, 1e-12);
+  }
+  EXPECT_EQ(robot.guard.repaired().q, robot.angle(robot.time - kPeriod)) << "it is new";
+  robot.run(1);
+  EXPECT_TRUE(robot.guard.measured().q.allFinite());
 }
 
 TEST(ReadingGuard, WhatTheRobotDoesNotHaveHasNoAge) {

@@ -145,6 +145,35 @@ TEST(SampleWatch, TellsForHowLongNewSamplesComeLate) {
   EXPECT_EQ(sensor.watch.delayed_for(), 0.0);
 }
 
+TEST(SampleWatch, FollowsADelayThatLasts) {
+  Sensor sensor;
+  sensor.delay = 1;
+  sensor.run(100);
+  EXPECT_TRUE(sensor.watch.is_punctual());
+  sensor.delay = 2;
+  sensor.tick();
+  EXPECT_FALSE(sensor.watch.is_punctual()) << "it was there before";
+  for (int i = 1; i <= 3; ++i) {
+    sensor.tick();
+    EXPECT_FALSE(sensor.watch.is_punctual()) << i;
+    EXPECT_NEAR(sensor.watch.delay(), kPeriod, 1e-9) << i;
+  }
+  sensor.tick();
+  EXPECT_TRUE(sensor.watch.is_punctual());
+  EXPECT_NEAR(sensor.watch.delay(), 2.0 * kPeriod, 1e-9);
+}
+
+TEST(SampleWatch, FollowsNoDelayThatChanges) {
+  Sensor sensor;
+  sensor.run(100);
+  for (int i = 0; i < 100; ++i) {
+    sensor.delay = i % 5 < 2 ? 1 : 0;  // the first of the two was there before
+    sensor.tick();
+    EXPECT_EQ(sensor.watch.is_punctual(), sensor.delay == 0) << i;
+    EXPECT_NEAR(sensor.watch.delay(), 0.0, 1e-9);
+  }
+}
+
 TEST(SampleWatch, ATimeThatIsNoneOrLiesAheadIsTheReadings) {
   EXPECT_EQ(believed_sample_time(1.0, 2.0), 1.0);
   EXPECT_EQ(believed_sample_time(3.0, 2.0), 2.0);

@@ -64,9 +64,9 @@ TEST(CalibrationSchedule, OneThatWasDisturbedIsDoneOnceMore) {
   EXPECT_FALSE(bench.schedule.is_due());
 }
 
-TEST(CalibrationSchedule, NotWhereTheLoadIsKnownAllTheSame) {
+TEST(CalibrationSchedule, NotWhereItKnowsWhatItIsForAllTheSame) {
   Bench bench;
-  bench.schedule.tell_load_known(true);
+  bench.schedule.tell_known(true);
   bench.disturb(0.0);
   EXPECT_FALSE(bench.schedule.is_wanted());
   EXPECT_TRUE(bench.told.empty());
@@ -94,6 +94,26 @@ TEST(CalibrationSchedule, WhatWasAskedForWaitsAsLongAsItHasTo) {
     bench.rests = true;
     bench.run(61.0);
     EXPECT_EQ(bench.begun, 1) << is_asked_during_it;
+  }
+}
+
+TEST(CalibrationSchedule, ARobotThatIsAskedToMeanwhileDoesNotWalkOffEither) {
+  Bench bench;
+  bench.run(0.7);
+  bench.asked = true;
+  bench.disturb(0.0);
+  bench.run(kCalibration + 3.0);
+  EXPECT_TRUE(bench.schedule.is_wanted());
+  EXPECT_EQ(bench.schedule.stage(), CalibrationStage::settling);
+}
+
+TEST(CalibrationSchedule, TicksThatAreMissingDisturbIt) {
+  for (const int missing : {3, 8}) {
+    Bench bench;
+    bench.run(1.0);
+    bench.time += missing * kPeriod;
+    bench.run(kCalibration + 0.1);
+    EXPECT_EQ(bench.schedule.is_wanted(), missing == 8) << missing;
   }
 }
 

@@ -328,6 +328,8 @@ TEST(FootholdPlanner, SlowsToTheLongestStride) {
   for (const double forward : {0.15, -0.15, 100.0}) {
     const double stride = kCycle * std::abs(forward);
     EXPECT_NEAR(share(command(forward), {.max_step = 0.30}) * stride, 0.30, 1e-12);
+    EXPECT_NEAR(share(command(forward), {.max_step = 0.30, .max_stride = 0.25}) * stride, 0.25,
+                1e-12);
     // About feet that stand below their hips: half of the stride to either side.
     EXPECT_NEAR(share(command(forward), {.max_step = 0.30}, {.reach = 0.1, .length = 1.0}) * stride,
                 0.20, 1e-12);

@@ -170,16 +170,16 @@ TEST(PlannerCalibration, ACalibrationIsNotRepeatedWhileTheRobotSwaysNorWaitedFor
 }
 
 TEST(PlannerCalibration, WhatDoesNotDisturbACalibrationDoesNotRepeatIt) {
-  const Disturbed in_vain(3.0, 3.5, [](Puppet& puppet, bool now) {
+  const Disturbed known_all_the_same(3.0, 3.5, [](Puppet& puppet, bool now) {
     push_sideways(puppet, now);
-    puppet.load_known = true;
+    puppet.calibration_known = true;
   });
-  EXPECT_NEAR(in_vain.turning, 6.0, 0.02) << "it knows what it is for all the same";
+  EXPECT_NEAR(known_all_the_same.turning, 6.0, 0.02) << "it knows what it is for all the same";
   const Disturbed laden(1.0, 1e3, press_down);
   EXPECT_NEAR(laden.turning, 6.0, 0.02) << "a payload";
   const Disturbed later(9.6, 12.0, push_sideways);
   EXPECT_NEAR(later.turning, 6.0, 0.02) << "when it is over";
-  for (const Disturbed* robot : {&in_vain, &laden, &later}) {
+  for (const Disturbed* robot : {&known_all_the_same, &laden, &later}) {
     EXPECT_EQ(robot->count(PlanEvent::calibration_disturbed), 0u);
     EXPECT_GT(robot->count(PlanEvent::lift_off), 0u);
   }

@@ -77,7 +77,7 @@ void Puppet::tick() {
   move_body();
   for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
   const MotionPlan before = plan_;
-  planner_.tell_load_known(load_known);
+  planner_.tell_calibration_known(calibration_known);
   plan_ = planner_.update(user, state_, dynamics_, last);
   note_event(before);
 }

@@ -60,11 +60,11 @@ class Puppet {
   Vec3 push = Vec3::Zero();  ///< what is believed to push the robot [N]
   PerLeg<Vec2> slide;     ///< forces along the ground at which these feet slide [N]; 0: they stand
   HierarchyOutcome last;  ///< what the hierarchy tells
-  bool load_known = false;  ///< what calibrations tell that end
-  double leg_length = 0.3;  ///< of every leg at any time: none is ever too short [m]
-  bool com_follows = true;  ///< otherwise the centre of mass stays where it is
-  Vec2 blow{0.0, 0.0};      ///< what the centre of mass is faster than planned [m/s]
-  double drift = 0.0;       ///< velocity at which the base is believed to go besides [m/s]
+  bool calibration_known = false;  ///< what one that ends tells
+  double leg_length = 0.3;         ///< of every leg at any time: none is ever too short [m]
+  bool com_follows = true;         ///< otherwise the centre of mass stays where it is
+  Vec2 blow{0.0, 0.0};             ///< what the centre of mass is faster than planned [m/s]
+  double drift = 0.0;              ///< velocity at which the base is believed to go besides [m/s]
 
  private:
   void move_body();

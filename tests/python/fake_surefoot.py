@@ -48,7 +48,7 @@ def main(words):
     if "--check" in flags:
         if float(parameters.get("mass", 0)) < 0:
             refuse(f"--set mass={parameters['mass']}: mass: \"{parameters['mass']}\" is not a number of at least 0")
-        print(json.dumps({"version": "1", "commit": "abc", "sources_hash": sources_hash, "metrics": METRICS}))
+        print(json.dumps({"version": "1", "commit": "abc", "sources_hash": sources_hash, "metrics": METRICS, "notes": []}))
         return 0
     if log := os.environ.get("FAKE_LOG"):
         with open(log, "a") as file:

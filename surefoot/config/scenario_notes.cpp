@@ -1,0 +1,76 @@
+#include "surefoot/config/scenario_notes.hpp"
+
+#include "surefoot/base/formatted.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace surefoot {
+namespace {
+
+constexpr std::string_view kRandomise = "randomise.";
+constexpr std::string_view kActuators = "actuators.";
+/// What only a drive with motor and spring has, level 2.
+constexpr std::array<std::string_view, 3> kOfSpring{"actuators.spring.", "actuators.rotor.",
+                                                    "actuators.torque_loop."};
+
+/// Pushes and faults, which begin at a time, that come after the end: nothing happens.
+template <typename Entry>
+void note_late(const ConfigNode& tree, const char* section, const char* key,
+               const std::vector<Entry>& entries, const Scenario& scenario,
+               std::vector<std::string>& notes) {
+  const ConfigNode* node = tree.find(section);
+  const ConfigNode* named = node == nullptr ? nullptr : node->find(key);
+  if (named == nullptr) return;
+  std::size_t i = 0;
+  for (const auto& [name, entry] : named->members) {
+    if (entry.kind == ConfigNode::Kind::null) continue;
+    const double time = entries[i++].time;
+    if (time < scenario.duration) continue;
+    notes.push_back(formatted("%s.%s.%s begins at %g s; the run ends at %g s", section, key,
+                              name.c_str(), time, scenario.duration));
+  }
+}
+
+/// A value that is assigned wins over a range that is assigned for it.
+void note_undrawn(const std::vector<std::string>& assigned, std::vector<std::string>& notes) {
+  for (const std::string& path : assigned) {
+    if (!path.starts_with(kRandomise)) continue;
+    const std::string key = path.substr(kRandomise.size());
+    if (std::ranges::find(assigned, key) == assigned.end()) continue;
+    notes.push_back(formatted("%s draws nothing, as %s is set", path.c_str(), key.c_str()));
+  }
+}
+
+void note_unused_actuator(const std::vector<std::string>& assigned,
+                          const ActuatorOptions& actuators, std::vector<std::string>& notes) {
+  for (const std::string& path : assigned) {
+    if (!path.starts_with(kActuators) || path == "actuators.model") continue;
+    const auto begins_path = [&](std::string_view part) { return path.starts_with(part); };
+    if (actuators.model == ActuatorModel::ideal) {
+      notes.push_back(path + " changes nothing, as actuators.model is ideal");
+    } else if (actuators.level == 1 && std::ranges::any_of(kOfSpring, begins_path)) {
+      notes.push_back(path +
+                      " changes nothing, as actuators.level is 1; level 2 has motor and spring");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& scenario) {
+  std::vector<std::string> assigned;
+  for (const std::string& assignment : scenario.assignments)
+    assigned.push_back(assigned_path(assignment));
+
+  std::vector<std::string> notes;
+  const PlantOptions& plant = scenario.plant;
+  note_late(tree, "disturbances", "pushes", plant.disturbances.pushes, scenario, notes);
+  note_late(tree, "sensors", "faults", plant.sensors.faults, scenario, notes);
+  note_undrawn(assigned, notes);
+  note_unused_actuator(assigned, plant.actuators, notes);
+  return notes;
+}
+
+}  // namespace surefoot
