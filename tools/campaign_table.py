@@ -7,7 +7,8 @@ A line a scenario, or a scenario and case: successes of runs with Wilson's 95 % 
 (median, 90th percentile, worst run); false touchdowns of steps, of all runs; the largest change of a torque in a tick
 (median, 90th percentile, worst run). Another: the 95th percentile of a walk's touchdown latencies (median walk, share of
 the walks within 30 ms, share of all touchdowns within 30 ms); contacts that a standing foot lost, how many were
-detected, missed, and reported where there were none, and how late; slips likewise. Then the seeds that failed. With
+detected, missed, and reported where there were none, and how late; slips likewise. Then the seeds that failed, with what they missed and why they
+ended, and in how many of them a sensor was blamed (wrongly, where the scenario has no faults). With
 --keep the runs are written to a file, shortened to the columns that the documents speak of and to five digits.
 """
 
@@ -15,6 +16,7 @@ import argparse
 import collections
 import csv
 import pathlib
+import re
 import sys
 
 from surefoot_campaign.statistics import Rate, quantile
@@ -134,6 +136,12 @@ def cells(runs):
     return [success(runs), spread(numbers(succeeded(runs), "com_error_max_m", 1e3)), touchdowns]
 
 
+def blamed(run):
+    """Whether the controller stopped in the name of a sensor."""
+    stop = re.search(r"stopped for safety at [\d.]+ s: ([^,]*)", run["reason"])
+    return bool(stop) and stop[1] not in ("the torso tilted too far", "too many ticks without a solution")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", metavar="RUNS.csv")
@@ -153,9 +161,10 @@ def main():
     for scenario, own in scenarios.items():
         print("|", " | ".join([f"`{scenario}`", *contacts(own)]), "|")
     for scenario, own in scenarios.items():
-        failed = [f"{run['seed']} ({run['missed'] or run['reason']})" for run in own if run["outcome"] != "succeeded"]
+        failed = [run for run in own if run["outcome"] != "succeeded"]
         if failed:
-            print(f"\n{scenario}, of {len(own)} failed: {', '.join(failed)}")
+            told = [f"{run['seed']} ({'; '.join(filter(None, (run['missed'], run['reason'])))})" for run in failed]
+            print(f"\n{scenario}, of {len(own)} failed, in {sum(map(blamed, failed))} a sensor was blamed: {', '.join(told)}")
 
 
 if __name__ == "__main__":

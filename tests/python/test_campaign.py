@@ -70,7 +70,7 @@ def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp
     runs, kept = tmp_path / "runs.csv", tmp_path / "kept.csv"
     lines = ["scenario,seed,version,outcome,missed,reason,com_error_max_m,touchdown_latency_p95_s,touchdowns_noticed,touchdowns_late,false_touchdowns,steps_taken,torque_step_max_nm,more"]
     lines += [f"deep/walk.yaml,{seed},1.0,succeeded,,goal reached,0.00{seed},0.0{seed},500,{seed},0,600,{seed},0" for seed in (3, 2, 1)]
-    runs.write_text("\n".join([*lines, "deep/walk.yaml,4,1.0,failed,fell,fell,0.123456789,,0,0,1,200,,0"]))
+    runs.write_text("\n".join([*lines, "deep/walk.yaml,4,1.0,failed,fell,the controller stopped for safety at 1.5 s: IMU did not fit the rest,0.123456789,,0,0,1,200,,0"]))
     table = "| `walk` | 3 (30.1–95.4 %) | 2, 2.8, 3 | 1 of 2,000 | 2, 2.8, 3 |"
 
     def tool(*words):
@@ -84,7 +84,7 @@ def test_a_tool_makes_the_readmes_rows_of_the_table_and_keeps_the_runs_short(tmp
 
     printed = made(runs, "--keep", kept)
     assert "| `walk` | 20, 100 %, 99.6 % | – | – | – |" in printed
-    assert table in printed and "walk, of 4 failed: 4 (fell)" in printed
+    assert table in printed and "walk, of 4 failed, in 1 a sensor was blamed: 4 (fell; the controller stopped for safety at 1.5 s: IMU did not fit the rest)" in printed
     assert made(kept) == printed and "Of 1.0 (4)" in printed
     twice = tool(runs, kept)
     assert twice.returncode == 1 and "walk with seed 1 stands there twice" in twice.stderr
