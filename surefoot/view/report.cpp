@@ -33,6 +33,11 @@ std::string motion(const RunData& run, Figures& figure) {
                 "Tracking of the centre of mass, as the paper's Fig. 4: lateral and forward "
                 "position against the plan, and the distance between the two in the plane.");
   out += figure(report::adaptation_figure(run), report::adaptation_caption(run));
+  out +=
+      figure(report::estimate_figure(run),
+             "What the estimator believes of the base against the truth, until the robot stops for "
+             "good. Position and heading count from the first tick: no sensor knows these, and "
+             "nothing in control depends on them.");
   out += figure(report::map_figure(run), report::map_caption(run));
   out += figure(report::event_figure(run), "What the planner did, how often, and when.");
   return out;

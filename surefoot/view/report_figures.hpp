@@ -15,6 +15,10 @@ namespace surefoot::report {
 
 /// The paper's Fig. 4: desired and true centre of mass, and the error between them.
 [[nodiscard]] std::string com_figure(const RunData& run);
+/// How far the believed tilt, velocity and position of the base are off, until the robot stops for
+/// good; position and heading count from where it began, as no sensor knows these. Empty without a
+/// truth, or where the truth was given to the controller.
+[[nodiscard]] std::string estimate_figure(const RunData& run);
 /// The paper's Fig. 6: errors of orientation and height, hip–foot distances with their limits,
 /// stance phases.
 [[nodiscard]] std::string adaptation_figure(const RunData& run);

@@ -35,6 +35,7 @@ void fields(Decoder& field, Truth& truth) {
   field("time", truth.sample.time, "");
   field("p_WB", truth.sample.p_WB, "");
   field("q_WB", truth.sample.q_WB, "");
+  field("v_WB", truth.sample.v_WB, "");
   field("torque", truth.sample.torque, "");
   field("p_WCom", truth.sample.p_WCom, "");
   field("p_WF", truth.sample.p_WF, "");
@@ -68,6 +69,8 @@ TickSample sample(const TickRecord& tick) {
   TickSample result{.time = tick.reading.time,
                     .plan = tick.plan,
                     .p_WB = tick.state.p_WB,
+                    .q_WB = tick.state.q_WB,
+                    .v_WB = tick.state.v_WB,
                     .model = tick.model,
                     .torque = tick.command.torque,
                     .mode = tick.command.mode,

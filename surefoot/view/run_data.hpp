@@ -18,6 +18,7 @@ struct TruthSample {
   double time = kNaN;
   Vec3 p_WB = Vec3::Constant(kNaN);
   Quat q_WB{kNaN, kNaN, kNaN, kNaN};
+  Vec3 v_WB = Vec3::Constant(kNaN);
   Vec3 p_WCom = Vec3::Constant(kNaN);
   PerLeg<Vec3> p_WF{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                     Vec3::Constant(kNaN)};
@@ -29,7 +30,9 @@ struct TruthSample {
 struct TickSample {
   double time = 0.0;
   MotionPlan plan;
-  Vec3 p_WB = Vec3::Constant(kNaN);  ///< base, as the controller believed [m]
+  Vec3 p_WB = Vec3::Constant(kNaN);   ///< base, as the controller believed [m]
+  Quat q_WB{kNaN, kNaN, kNaN, kNaN};  ///< the same
+  Vec3 v_WB = Vec3::Constant(kNaN);   ///< the same [m/s]
   ModelRecord model;
   /// Of the plan, in the true W (in the controller's, without a truth) [m].
   Vec2 desired_com = Vec2::Constant(kNaN);

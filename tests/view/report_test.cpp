@@ -27,6 +27,7 @@ using test::write_file;
 
 struct Options {
   double seconds = 5.0;
+  std::string estimation = "sensors";
   bool truth = true;
   bool walked_down = true;
   double explained = 1.0;     // share of the ticks at which it is known what held levels back
@@ -38,6 +39,7 @@ struct Options {
 GroundTruth elsewhere(GroundTruth truth, const Mat3& R, const Vec3& p) {
   truth.p_WB = R * truth.p_WB + p;
   truth.q_WB = Quat(R) * truth.q_WB;
+  truth.v_WB = R * truth.v_WB;
   truth.p_WCom = R * truth.p_WCom + p;
   for (Vec3& foot : truth.p_WF) foot = R * foot + p;
   return truth;
@@ -46,6 +48,7 @@ GroundTruth elsewhere(GroundTruth truth, const Mat3& R, const Vec3& p) {
 // A log of a synthetic run with everything the report shows.
 void record(const std::string& path, const Options& options,
             LogHeader header = SyntheticRun::header()) {
+  header.estimation = options.estimation;
   Recorder recorder(path, std::move(header));
   std::optional<TruthLog> truth_log;
   if (options.truth) truth_log.emplace(recorder);
@@ -108,6 +111,8 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
                            "torque [N·m]",
                            "7  limb limits",
                            "7  limb limit RF",
+                           "(a) tilt",
+                           "(c) position, drift",
                            "(a) from above",
                            "(b) from the side",
                            "touchdown",
@@ -115,14 +120,34 @@ TEST(Report, ShowsAllFiguresAndNumbersOfARun) {
                            "dropped the dummy inertia"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
   }
-  EXPECT_EQ(count(page, "<figure>"), 9);
-  EXPECT_EQ(count(page, "<svg class=\"plot\""), 9);
+  EXPECT_EQ(count(page, "<figure>"), 10);
+  EXPECT_EQ(count(page, "<svg class=\"plot\""), 10);
   std::size_t before = 0;
-  for (int number = 1; number <= 9; ++number) {
+  for (int number = 1; number <= 10; ++number) {
     const std::size_t here = page.find("<b>Figure " + std::to_string(number) + ".</b>");
     EXPECT_TRUE(here != std::string::npos && here > before) << number;
     before = here;
   }
+}
+
+std::string estimate_of(const std::string& page) {
+  const std::size_t title = page.find("(a) tilt");
+  if (title == std::string::npos) return "";
+  const std::size_t begin = page.rfind("<svg class=\"plot\"", title);
+  return page.substr(begin, page.find("</svg>", title) - begin);
+}
+
+TEST(Report, ErrorsOfTheEstimateDoNotHangOnWhereTheRobotBegan) {
+  const std::string here = estimate_of(report_of({}));
+  EXPECT_FALSE(here.empty());
+  EXPECT_EQ(here, estimate_of(report_of({.R = rotation_about_z(2.0), .p = Vec3(3.0, -7.0, 0.5)})));
+  EXPECT_NE(here,
+            estimate_of(report_of({.R = Eigen::AngleAxisd(0.1, Vec3::UnitY()).toRotationMatrix()})))
+      << "a tilt is none";
+}
+
+TEST(Report, WhereTheTruthIsGivenThereIsNoEstimateToShow) {
+  EXPECT_EQ(estimate_of(report_of({.estimation = "truth"})), "");
 }
 
 TEST(Report, APushIsToldWithItsTimeSizeAndDirection) {
