@@ -166,6 +166,7 @@ void read_foothold(Section& section, FootholdOptions& foothold) {
   section.flag("bounded_by_feet", foothold.bounded_by_feet);
   section.number("max_step", foothold.max_step, kPositive);
   section.number("max_stride", foothold.max_stride, kPositive);
+  section.number("max_side_stride", foothold.max_side_stride, kPositive);
   section.number("stretch_max", foothold.stretch_max, kNotNegative);
   section.number("max_side_step", foothold.max_side_step, kPositive);
   section.number("void_radius", foothold.void_radius, kPositive);

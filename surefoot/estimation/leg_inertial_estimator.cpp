@@ -13,7 +13,7 @@ constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
 constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
 // A robot that stands:
-constexpr double kStill = 0.2;          // slower than this [rad/s]
+constexpr double kStill = 0.2;          // base and joints slower than this [rad/s]
 constexpr double kUnaccelerated = 1.0;  // less than this [m/s²]
 constexpr double kRest = 0.05;          // for this long, after it did not [s]
 
@@ -33,7 +33,7 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !rests(reading, is_complete)) {
+  if (!started_ && !rests(reading, context, is_complete)) {
     write_joints(reading, context);
     return state_;
   }
@@ -59,8 +59,10 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
 
 // A robot that its driver starts as it stands does so at the first reading; one that was falling
 // until its drives began, or hit the ground, takes a while.
-bool LegInertialEstimator::rests(const SensorReading& reading, bool is_complete) {
+bool LegInertialEstimator::rests(const SensorReading& reading, const TickContext& context,
+                                 bool is_complete) {
   const bool is_still = is_complete && reading.gyro.norm() < kStill &&
+                        context.joint_velocity.cwiseAbs().maxCoeff() < kStill &&
                         std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
   was_moving_ = was_moving_ || (is_complete && !is_still);
   still_for_ = is_still ? still_for_ + 1 : 0;

@@ -62,7 +62,8 @@ class LegInertialEstimator final : public StateEstimator {
   };
 
   /// One tick before the start: may it be?
-  [[nodiscard]] bool rests(const SensorReading& reading, bool is_complete);
+  [[nodiscard]] bool rests(const SensorReading& reading, const TickContext& context,
+                           bool is_complete);
   /// The reading with the means of the IMU's numbers.
   [[nodiscard]] SensorReading mean_of(const SensorReading& reading) const;
   void start(const SensorReading& reading, double heading);

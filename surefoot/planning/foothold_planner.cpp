@@ -107,8 +107,8 @@ double FootholdPlanner::feasible_share(const UserCommand& user, const PerLeg<Vec
     const double within_reach = longest_stride(from_hip, step.normalized(), limits.reach);
     const double longest =
         std::min({options_.max_step, options_.max_stride, limits.length, within_reach});
-    const double excess =
-        std::hypot(step.x() / longest, step.y() / std::min(longest, options_.max_side_step));
+    const double aside = std::min({longest, options_.max_side_step, options_.max_side_stride});
+    const double excess = std::hypot(step.x() / longest, step.y() / aside);
     if (excess > 1.0) share = std::min(share, 1.0 / excess);
   }
   return share;

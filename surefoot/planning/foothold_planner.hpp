@@ -41,11 +41,11 @@ class FootholdPlanner {
   /// Share of the commanded velocity, at most 1, that the strides of all legs allow. A foot makes
   /// one step a cycle, so its stride is velocity × cycle:
   ///
-  ///     (stride_x / longest)² + (stride_y / max_side_step)² ≤ 1
+  ///     (stride_x / longest)² + (stride_y / aside)² ≤ 1
   ///
-  /// with `longest` at most `max_step`, `max_stride`, `limits.length`, and twice the way from the
-  /// foot's nominal place to `limits.reach` from the hip. Hips are about the torso's centre, in
-  /// heading axes.
+  /// with `aside` at most `max_side_step` and `max_side_stride`, `longest` at most `max_step`,
+  /// `max_stride`, `limits.length`, and twice the way from the foot's nominal place to
+  /// `limits.reach` from the hip. Hips are about the torso's centre, in heading axes.
   [[nodiscard]] double feasible_share(const UserCommand& user, const PerLeg<Vec2>& hips,
                                       const StrideLimits& limits, double cycle_duration) const;
 

@@ -139,10 +139,11 @@ struct FootholdOptions {
   /// The plane through feet on two levels says nothing of what lies beyond them: a front foot
   /// expects ground no higher than the feet stand, and above that only as its last stride rose.
   bool bounded_by_feet = true;
-  double max_step = 0.30;       ///< [m]
-  double max_stride = 1e3;      ///< that a command gets; more walks slower, beside max_step [m]
-  double stretch_max = 0.50;    ///< front and hind foot of a side may be further apart by this [m]
-  double max_side_step = 0.22;  ///< a leg moves sideways about one hinge, its least agile [m]
+  double max_step = 0.30;        ///< [m]
+  double max_stride = 1e3;       ///< that a command gets; more walks slower, beside max_step [m]
+  double max_side_stride = 1e3;  ///< the same sideways, beside max_side_step [m]
+  double stretch_max = 0.50;     ///< front and hind foot of a side may be further apart by this [m]
+  double max_side_step = 0.22;   ///< a leg moves sideways about one hinge, its least agile [m]
   double void_radius = 0.06;  ///< no foothold nearer than this to where a foot found no ground [m]
 };
 

@@ -339,6 +339,7 @@ TEST(FootholdPlanner, SlowsToTheLongestStride) {
 }
 
 TEST(FootholdPlanner, SlowsSidewaysAndTurningStridesMore) {
+  EXPECT_NEAR(share(command(0.0, 0.2), {.max_side_stride = 0.05}) * 0.2 * kCycle, 0.05, 1e-12);
   const FootholdOptions options{.max_step = 0.30, .max_side_step = 0.10};
   EXPECT_NEAR(share(command(0.0, 1.0), options) * kCycle, 0.10, 1e-12);
   EXPECT_LT(share(command(0.07, 0.02), options), 1.0);
