@@ -99,12 +99,13 @@ def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
 
 
 def kept_runs():
+    """Of the README's table of robots that are wrong everywhere."""
     sys.path.insert(0, str(ROOT / "tools"))
     try:
         import campaign_table
     finally:
         sys.path.remove(str(ROOT / "tools"))
-    runs = [run for file in sorted((ROOT / "docs/results").glob("*.csv")) for run in campaign_table.read(file)]
+    runs = [run for name in ("blind", "heights") for run in campaign_table.read(ROOT / f"docs/results/{name}.csv")]
     return campaign_table, campaign_table.by_scenario(runs)
 
 
