@@ -1,13 +1,13 @@
 #pragma once
 
 #include "app/live_run.hpp"
+#include "surefoot/config/scenario_file.hpp"
 
 #include <CLI/CLI.hpp>
 
 namespace surefoot {
 
 inline constexpr int kNoMax = 999'999'999;
-inline constexpr int kLargestSeed = kNoMax;
 
 /// Digits only; CLI11 would take -1 for a large number. What is larger than any such number may be
 /// is told as that: `largest` says what it is beyond.

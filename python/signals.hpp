@@ -1,6 +1,7 @@
 #pragma once
 
 #include "python/field_properties.hpp"
+#include "surefoot/signals/plan_event.hpp"
 
 #include <nanobind/stl/array.h>
 
@@ -46,7 +47,11 @@ inline void bind_signals(nb::module_& module) {
   signal<FootPlan>(module, "FootPlan", "Reference of one foot F, the centre of its sphere, in W.");
   signal<TorsoPlan>(module, "TorsoPlan", "Reference of the torso.");
   signal<ComPlan>(module, "ComPlan", "Reference of the centre of mass, x and y in W.");
-  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.");
+  signal<MotionPlan>(module, "MotionPlan", "Everything that the tasks follow at one tick.")
+      .def_prop_ro(
+          "event_name",
+          [](const MotionPlan& self) { return name(static_cast<PlanEvent>(self.event)); },
+          "`event` in words");
   signal<ModelRecord>(module, "ModelRecord",
                       "What the controller's model says of the robot at one tick.");
   signal<TickTiming>(module, "TickTiming", "Wall-clock time of the stages of one tick [µs].");

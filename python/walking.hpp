@@ -2,6 +2,7 @@
 
 #include "python/level_outcome.hpp"
 #include "python/signals.hpp"
+#include "surefoot/base/error.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
@@ -45,9 +46,14 @@ inline nb::typed<nb::dict, std::string, double> drawn(const Scenario& scenario) 
   return values;
 }
 
-inline Scenario load(const std::string& name, std::uint64_t seed,
+inline Scenario load(const std::string& name, std::int64_t seed,
                      const std::vector<std::string>& assignments) {
-  return load_scenario({.name_or_path = name, .seed = seed, .assignments = assignments});
+  if (seed < 0) {
+    throw Error("seed is " + std::to_string(seed) + "; valid is 0 to " +
+                std::to_string(kLargestSeed));
+  }
+  return load_scenario(
+      {.name_or_path = name, .seed = static_cast<std::uint64_t>(seed), .assignments = assignments});
 }
 
 inline nb::typed<nb::dict, std::string, std::string> scenarios() {

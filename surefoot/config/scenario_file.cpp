@@ -297,6 +297,10 @@ const UserCommand& Scenario::user(double time) const {
 }
 
 Scenario load_scenario(const ScenarioRequest& request) {
+  if (request.seed > kLargestSeed) {
+    throw Error("seed is " + std::to_string(request.seed) + "; valid is 0 to " +
+                std::to_string(kLargestSeed));
+  }
   const fs::path file = find_data_file("scenarios", request.name_or_path);
   std::vector<fs::path> files;
   ConfigNode tree = read_with_base(file, files);

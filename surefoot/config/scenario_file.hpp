@@ -8,10 +8,13 @@
 
 namespace surefoot {
 
+inline constexpr int kLargestSeed = 999'999'999;
+
 /// Which experiment, and what to change in it.
 struct ScenarioRequest {
   std::string name_or_path;
-  std::uint64_t seed = 0;  ///< 0: the nominal run, nothing is drawn from `randomise:`
+  /// 0: the nominal run, nothing is drawn from `randomise:`; up to kLargestSeed.
+  std::uint64_t seed = 0;
   std::vector<std::string>
       assignments;  ///< "path.to.key=value", laid over the file; they also win over what is drawn
 };

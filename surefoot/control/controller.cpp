@@ -6,6 +6,7 @@
 #include "surefoot/control/lying_posture.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/stack_fade.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
@@ -156,6 +157,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   const Solution* solution = believed ? optimise(record.user) : nullptr;
   if (!believed) describe_refused_state();
   has_solved = believed;
+  if (!believed && !safety.has_begun()) safety.bear(standing_torque(model, record.state.q));
   record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
   return record.command;

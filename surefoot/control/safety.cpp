@@ -11,6 +11,7 @@ namespace {
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kToRest = 2.0;          // for which a robot that has not begun is held [s]
+constexpr double kUnsteady = 0.5;        // is what is believed of one that begins late, so long [s]
 constexpr double kRounding = 1e-9;       // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
@@ -64,6 +65,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   const JointVector before = command_.torque;
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(solution);
+  if (!has_begun_ && failures_ > 0) limited_until_ = command_.time + kUnsteady;
   failures_ = good ? 0 : failures_ + 1;
   has_begun_ = has_begun_ || good;
   look_for_a_stop(state, health);
@@ -79,7 +81,8 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   limit();
   const bool bridges =
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
-  limit_change(before, has_stopped() || bridges || !has_begun_);
+  const bool is_new = !has_begun_ || command_.time < limited_until_;
+  limit_change(before, has_stopped() || bridges || is_new);
   if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
   return command_;
 }

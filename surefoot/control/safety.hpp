@@ -19,8 +19,8 @@ namespace surefoot {
 ///     optimal
 ///     degraded   the solver ended early, but after the levels that keep the physics
 ///     hold       joint PD about the last good posture, on top of the last good torques; about the
-///                first posture that was seen, if there never was a good tick: for 2 s then, so
-///                that the robot comes to rest
+///                first posture that was seen, on top of what bears the robot in it, if there never
+///                was a good tick: for 2 s then, so that the robot comes to stand
 ///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
@@ -29,9 +29,9 @@ namespace surefoot {
 ///                a torso tilted too far; lying; or at once where encoders of several legs are
 ///                lost, on top of the last good torques, which fade out
 ///
-/// While a sensor is at fault, and after that until they are back where they should be, and after
-/// every stop, and before the first good tick, torques change by no more than `max_torque_change` a
-/// tick.
+/// While a sensor is at fault, and after that until they are back where they should be, after every
+/// stop, and where the first tick was not good until 0.5 s after the first that was, torques change
+/// by no more than `max_torque_change` a tick.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
@@ -46,6 +46,13 @@ class Safety {
 
   /// For another stack.
   void set_first_free_level(int level) { first_free_level_ = level; }
+
+  /// Was there a good tick?
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
+  /// What bears the robot until there is [N·m]; left as it was where it is not finite.
+  void bear(const JointVector& torque) {
+    if (torque.allFinite()) good_torque_ = torque;
+  }
 
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
@@ -84,6 +91,7 @@ class Safety {
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
+  double limited_until_ = kNaN;          // after a late beginning [s]
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();

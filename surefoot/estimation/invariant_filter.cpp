@@ -25,21 +25,21 @@ Mat3 left_jacobian(const Vec3& theta) {
 }  // namespace
 
 // Roll and pitch such that the specific force points up.
-void InvariantFilter::start(const Vec3& specific_force, const Vec3& angular_velocity,
-                            double heading) noexcept {
+void InvariantFilter::start(const Vec3& specific_force, const Vec3& gyro_bias, double heading,
+                            const Vec3& v_WB_B, double doubt) noexcept {
   const Quat level = Quat::FromTwoVectors(specific_force, Vec3::UnitZ());
   const Mat3 R = level.toRotationMatrix();
   R_ = rotation_about_z(heading - yaw(R)) * R;
-  v_.setZero();
+  v_ = R_ * v_WB_B;
   p_.setZero();
   stands_.fill(false);
-  gyro_bias_ = angular_velocity;
+  gyro_bias_ = gyro_bias;
   accelerometer_bias_.setZero();
   P_.setZero();
   // About the vertical and in position W is chosen, not estimated: no variance.
-  P_.diagonal().segment<2>(kTheta).setConstant(square(options_.initial_tilt));
-  P_.diagonal().segment<3>(kVelocity).setConstant(square(options_.initial_velocity));
-  P_.diagonal().segment<3>(kGyroBias).setConstant(square(options_.initial_gyro_bias));
+  P_.diagonal().segment<2>(kTheta).setConstant(square(doubt * options_.initial_tilt));
+  P_.diagonal().segment<3>(kVelocity).setConstant(square(doubt * options_.initial_velocity));
+  P_.diagonal().segment<3>(kGyroBias).setConstant(square(doubt * options_.initial_gyro_bias));
   P_.diagonal()
       .segment<3>(kAccelerometerBias)
       .setConstant(square(options_.initial_accelerometer_bias));

@@ -46,10 +46,11 @@ class InvariantFilter {
 
   explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
 
-  /// At rest at the origin with a heading [rad], level as the mean specific force in B says [m/s²].
-  /// No foot stands yet.
-  void start(const Vec3& specific_force, const Vec3& angular_velocity,
-             double heading = 0.0) noexcept;
+  /// At the origin with a heading [rad], level as the mean specific force in B at rest says [m/s²],
+  /// moving at v_WB_B, in B [m/s]. Tilt, velocity and the gyroscope's bias are so many times less
+  /// known than the options say. No foot stands yet.
+  void start(const Vec3& specific_force, const Vec3& gyro_bias, double heading = 0.0,
+             const Vec3& v_WB_B = Vec3::Zero(), double doubt = 1.0) noexcept;
 
   /// Says where the base is, right after the start.
   void place(const Vec3& p_WB) noexcept { p_ = p_WB; }

@@ -13,9 +13,11 @@ constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
 constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
 // A robot that stands:
-constexpr double kStill = 0.2;          // base and joints slower than this [rad/s]
+constexpr double kStill = 0.2;          // base slower than this [rad/s]
+constexpr double kStillJoints = 0.5;    // and joints [rad/s]
 constexpr double kUnaccelerated = 1.0;  // less than this [m/s²]
-constexpr double kRest = 0.05;          // for this long, after it did not [s]
+constexpr double kRest = 0.1;           // for this long, after it did not [s]
+constexpr double kSwayDoubt = 3.0;      // of tilt and motion, then, against one that stood still
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -33,16 +35,19 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !rests(reading, context, is_complete)) {
+  if (!started_ && !stands(reading, context, is_complete)) {
     write_joints(reading, context);
     return state_;
   }
   const Vec3 p_before = filter_.p_WB();
   if (!started_) {
-    start(mean_of(reading), 0.0);
+    start_swaying(reading);
     stand_at({0.0, 0.0, height_over_feet()});
   } else if (context.restarts && is_complete) {
-    start(mean_of(reading), yaw(filter_.R_WB()));
+    SensorReading mean = reading;
+    mean.gyro = mean_gyro_;
+    mean.accelerometer = mean_force_;
+    start(mean, yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
@@ -58,33 +63,52 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
 }
 
 // A robot that its driver starts as it stands does so at the first reading; one that was falling
-// until its drives began, or hit the ground, takes a while.
-bool LegInertialEstimator::rests(const SensorReading& reading, const TickContext& context,
-                                 bool is_complete) {
+// until its drives began, or hit the ground, sways on its legs for long.
+bool LegInertialEstimator::stands(const SensorReading& reading, const TickContext& context,
+                                  bool is_complete) {
   const bool is_still = is_complete && reading.gyro.norm() < kStill &&
-                        context.joint_velocity.cwiseAbs().maxCoeff() < kStill &&
+                        context.joint_velocity.cwiseAbs().maxCoeff() < kStillJoints &&
                         std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
   was_moving_ = was_moving_ || (is_complete && !is_still);
-  still_for_ = is_still ? still_for_ + 1 : 0;
-  if (!is_still) return false;
-  const double share = 1.0 / still_for_;
-  mean_gyro_ += share * (reading.gyro - mean_gyro_);
-  mean_force_ += share * (reading.accelerometer - mean_force_);
-  return !was_moving_ || still_for_ * period_ > kRest;
+  if (!is_still) {
+    for (LineFit* fit : {&gyro_, &force_, &sway_v_, &sway_w_}) fit->clear();
+    return false;
+  }
+  see_feet(reading);
+  const BaseMotion sway = sway_of(context.joint_velocity);
+  gyro_.add(reading.gyro);
+  force_.add(reading.accelerometer);
+  sway_v_.add(sway.v);
+  sway_w_.add(sway.w);
+  return !was_moving_ || gyro_.size() * period_ > kRest;
 }
 
-SensorReading LegInertialEstimator::mean_of(const SensorReading& reading) const {
-  SensorReading mean = reading;
-  mean.gyro = mean_gyro_;
-  mean.accelerometer = mean_force_;
-  return mean;
+BaseMotion LegInertialEstimator::sway_of(const JointVector& joint_velocity) const {
+  PerLeg<Vec3> p_BF, v_BF;
+  for (const Leg leg : kLegs) {
+    const Foot& foot = feet_[index(leg)];
+    p_BF[index(leg)] = foot.p_BF;
+    v_BF[index(leg)] = foot.J * angles(joint_velocity, leg);
+  }
+  const BaseMotion sway = base_motion(p_BF, v_BF);
+  return sway.v.allFinite() ? sway : BaseMotion{};
 }
 
-void LegInertialEstimator::start(const SensorReading& reading, double heading) {
+// What its legs say of how it moves is not the IMU's bias nor tilt.
+void LegInertialEstimator::start_swaying(const SensorReading& reading) {
+  SensorReading still = reading;
+  still.gyro = gyro_.mean() - sway_w_.mean();
+  still.accelerometer = force_.mean() - sway_v_.slope() / period_;
+  start(still, 0.0, sway_v_.last(), was_moving_ ? kSwayDoubt : 1.0);
+  gyro_before_ = reading.gyro;
+}
+
+void LegInertialEstimator::start(const SensorReading& reading, double heading, const Vec3& v_WB_B,
+                                 double doubt) {
   started_ = true;
   gyro_before_ = mean_gyro_ = reading.gyro;
   mean_force_ = recent_force_ = reading.accelerometer;
-  filter_.start(reading.accelerometer, reading.gyro, heading);
+  filter_.start(reading.accelerometer, reading.gyro, heading, v_WB_B, doubt);
   see_feet(reading);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/estimation/base_motion.hpp"
 #include "surefoot/estimation/invariant_filter.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
@@ -62,11 +63,13 @@ class LegInertialEstimator final : public StateEstimator {
   };
 
   /// One tick before the start: may it be?
-  [[nodiscard]] bool rests(const SensorReading& reading, const TickContext& context,
-                           bool is_complete);
-  /// The reading with the means of the IMU's numbers.
-  [[nodiscard]] SensorReading mean_of(const SensorReading& reading) const;
-  void start(const SensorReading& reading, double heading);
+  [[nodiscard]] bool stands(const SensorReading& reading, const TickContext& context,
+                            bool is_complete);
+  /// Of the base over the feet that were seen last, if none of them moves.
+  [[nodiscard]] BaseMotion sway_of(const JointVector& joint_velocity) const;
+  void start_swaying(const SensorReading& reading);
+  void start(const SensorReading& reading, double heading, const Vec3& v_WB_B = Vec3::Zero(),
+             double doubt = 1.0);
   void stand_at(const Vec3& p_WB);
   /// Of the base over the ground under the feet, in their mean [m].
   [[nodiscard]] double height_over_feet() const;
@@ -96,8 +99,8 @@ class LegInertialEstimator final : public StateEstimator {
   double way_ = 0.0;                  // the furthest that the base has been from there [m]
   RobotState state_;
   bool started_ = false;
-  bool was_moving_ = false;  // before the start
-  int still_for_ = 0;        // until the start [ticks]
+  bool was_moving_ = false;                 // before the start
+  LineFit gyro_, force_, sway_v_, sway_w_;  // since it stands, until the start
 };
 
 }  // namespace surefoot

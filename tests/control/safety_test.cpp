@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -133,6 +134,43 @@ TEST(Safety, HoldsTheFirstPostureIfThereNeverWasAGoodTick) {
   const JointCommand command = safety.command(moved, nullptr);
   EXPECT_EQ(command.mode, CommandMode::hold);
   EXPECT_LT((command.torque - expected).norm(), 1e-12);
+}
+
+TEST(Safety, UntilAGoodTickItBearsTheRobotInTheFirstPosture) {
+  Safety safety = make_safety();
+  EXPECT_FALSE(safety.has_begun());
+  JointCommand command;
+  for (int tick = 0; tick < 20; ++tick) {
+    safety.bear(tick < 10 ? torques(10.0) : JointVector::Constant(kNaN));
+    command = safety.command(standing(tick * kPeriod), nullptr);
+  }
+  EXPECT_EQ(command.mode, CommandMode::hold);
+  EXPECT_LT((command.torque - torques(10.0)).norm(), 1e-12);
+  const Solution good = solved(torques());
+  (void)safety.command(standing(20 * kPeriod), &good);
+  EXPECT_TRUE(safety.has_begun());
+}
+
+// What is believed of a robot that begins late is uncertain for a while: torques come slowly.
+TEST(Safety, TorquesOfARobotThatBeginsLateChangeSlowlyForHalfASecond) {
+  const double limit = SafetyOptions{}.max_torque_change;
+  const Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
+  for (const bool is_late : {false, true}) {
+    Safety safety = make_safety();
+    int tick = 0;
+    if (is_late) (void)safety.command(standing(kPeriod * tick++), nullptr);
+    JointVector before = JointVector::Zero();
+    double early = 0.0, later = 0.0;
+    for (; tick < 400; ++tick) {
+      const JointVector torque =
+          safety.command(standing(kPeriod * tick), tick % 40 < 20 ? &one : &other).torque;
+      double& most = tick * kPeriod < 0.5 ? early : later;
+      most = std::max(most, (torque - before).cwiseAbs().maxCoeff());
+      before = torque;
+    }
+    EXPECT_EQ(early > limit + 1e-9, !is_late);
+    EXPECT_GT(later, limit + 1e-9);
+  }
 }
 
 TEST(Safety, HoldDampsWhereThePositionIsNotKnownAndSpringsWhereTheVelocityIsNot) {

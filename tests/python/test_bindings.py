@@ -100,6 +100,8 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
     [
         (lambda: surefoot.load_scenario("walk_flatt"), surefoot.UnknownNameError, "walk_flatt.*walk_flat"),
         (lambda: surefoot.load_scenario("/no/where.yaml"), surefoot.Error, "/no/where.yaml"),
+        (lambda: surefoot.load_scenario("walk_flat", seed=-1), surefoot.Error, "seed is -1; valid is 0 to 999999999"),
+        (lambda: surefoot.load_scenario("walk_flat", seed=10**10), surefoot.Error, "seed is 10000000000; valid is 0 to 999999999"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duratoin=1"]), surefoot.Error, "duratoin.*duration"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duration=-1"]), surefoot.Error, "duration"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duration"]), surefoot.Error, "duration"),
@@ -310,6 +312,15 @@ def test_a_leg_about_to_lift_is_at_the_upper_limit_of_its_force(scenario):
         assert {state for _, state in active} <= {"at lower", "at upper", "below lower", "above upper"}
         seen |= {(f"{leg} normal force", "at upper") for leg in leaving} & set(active)
     assert seen
+
+
+def test_the_plan_names_its_event(scenario):
+    plant, controller = walked(scenario, 1)
+    names = {}
+    while plant.time < 3.0:
+        plant.write(controller.step(plant.read(), scenario.user(plant.time)))
+        names[controller.plan.event] = controller.plan.event_name
+    assert names[0] == "none" and names[1] == "lift-off" and names[2] == "touchdown"
 
 
 def test_the_plan_names_the_phase_of_each_leg(scenario):

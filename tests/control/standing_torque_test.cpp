@@ -1,0 +1,82 @@
+#include "surefoot/control/standing_torque.hpp"
+
+#include "tests/support/anymal_b.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/support/random_motion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+using test::anymal_b;
+using test::Random;
+
+RobotState at_rest(const JointVector& q) {
+  RobotState state;
+  state.p_WB.setZero();
+  state.q_WB.setIdentity();
+  state.v_WB.setZero();
+  state.w_WB_B.setZero();
+  state.q = q;
+  state.qd.setZero();
+  return state;
+}
+
+// h − Sᵀτ is what the ground must bear: Σ J_kᵀ f_k of vertical forces that push, for all 18 rows.
+TEST(StandingTorque, LeavesToTheGroundVerticalForcesThatBearTheRobot) {
+  RobotModel model(anymal_b());
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    const JointVector q = random.standing_state(anymal_b().q_nominal).q;
+    const JointVector torque = standing_torque(model, q);
+    const Dynamics& dynamics = model.update(at_rest(q), Vec3::UnitZ());
+    GeneralizedVector borne = dynamics.h;
+    borne.tail<kNumJoints>() -= torque;
+    Eigen::Matrix<double, kNumVelocities, kNumLegs> lifts;
+    for (const Leg leg : kLegs) {
+      const auto k = static_cast<Eigen::Index>(index(leg));
+      lifts.col(k) = dynamics.contact[index(leg)].J.row(2).transpose();
+    }
+    const Eigen::Vector4d forces = lifts.colPivHouseholderQr().solve(borne);
+    EXPECT_LT((lifts * forces - borne).norm(), 1e-9 * borne.norm());
+    EXPECT_GT(forces.minCoeff(), 0.0);
+    EXPECT_NEAR(forces.sum(), dynamics.mass * kGravity, 1e-9 * forces.sum());
+  }
+}
+
+// Its centre of mass behind all feet: the hind ones alone push, and it tips over.
+TEST(StandingTorque, NoFootPulls) {
+  RobotModel model(anymal_b());
+  JointVector q = anymal_b().q_nominal;
+  for (const Leg leg : kLegs) q[first_joint(leg) + 1] -= 1.2;
+  const Dynamics& dynamics = model.update(at_rest(q), Vec3::UnitZ());
+  for (const PointKinematics& contact : dynamics.contact) {
+    ASSERT_GT(contact.p.x(), dynamics.com.p.x());
+  }
+  const JointVector gravity = dynamics.h.tail<kNumJoints>();
+  const JointVector torque = standing_torque(model, q);
+  for (const Leg leg : kLegs) {
+    const PointKinematics& contact = dynamics.contact[index(leg)];
+    const JointVector lift = contact.J.row(2).tail<kNumJoints>().transpose();
+    EXPECT_GE(lift.dot(gravity - torque), -1e-9);
+  }
+}
+
+TEST(StandingTorque, IsNotFiniteWhereAngleIsNot) {
+  RobotModel model(anymal_b());
+  JointVector q = anymal_b().q_nominal;
+  q[4] = kNaN;
+  EXPECT_FALSE(standing_torque(model, q).allFinite());
+}
+
+TEST(StandingTorque, AllocatesNothing) {
+  RobotModel model(anymal_b());
+  const JointVector q = anymal_b().q_nominal;
+  const test::MallocCounter counter;
+  (void)standing_torque(model, q);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace surefoot
