@@ -36,6 +36,8 @@ CLI::Validator whole_number(int min, int max, const char* largest) {
   return CLI::Validator(check, "");
 }
 
+static_assert(kLargestSeed == kNoMax);  // or it would have to be told otherwise
+
 CLI::Validator seed_number() { return whole_number(0, kLargestSeed, "the largest seed"); }
 
 void add_server(CLI::App& command, ViewArguments& view) {

@@ -2,7 +2,6 @@
 
 #include "python/level_outcome.hpp"
 #include "python/signals.hpp"
-#include "surefoot/base/error.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/control/controller.hpp"
@@ -46,14 +45,11 @@ inline nb::typed<nb::dict, std::string, double> drawn(const Scenario& scenario) 
   return values;
 }
 
-inline Scenario load(const std::string& name, std::int64_t seed,
+inline Scenario load(const std::string& name, const nb::int_& seed,
                      const std::vector<std::string>& assignments) {
-  if (seed < 0) {
-    throw Error("seed is " + std::to_string(seed) + "; valid is 0 to " +
-                std::to_string(kLargestSeed));
-  }
-  return load_scenario(
-      {.name_or_path = name, .seed = static_cast<std::uint64_t>(seed), .assignments = assignments});
+  return load_scenario({.name_or_path = name,
+                        .seed = parse_seed(nb::str(seed).c_str()),
+                        .assignments = assignments});
 }
 
 inline nb::typed<nb::dict, std::string, std::string> scenarios() {

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -296,11 +297,16 @@ const UserCommand& Scenario::user(double time) const {
   return (std::max(next, commands.begin() + 1) - 1)->user;
 }
 
+std::uint64_t parse_seed(const std::string& number) {
+  std::uint64_t seed = 0;
+  const char* end = number.data() + number.size();
+  const auto [parsed, error] = std::from_chars(number.data(), end, seed);
+  if (error == std::errc() && parsed == end && seed <= kLargestSeed) return seed;
+  throw Error("seed is " + number + "; valid is a whole number from 0 to " +
+              std::to_string(kLargestSeed));
+}
+
 Scenario load_scenario(const ScenarioRequest& request) {
-  if (request.seed > kLargestSeed) {
-    throw Error("seed is " + std::to_string(request.seed) + "; valid is 0 to " +
-                std::to_string(kLargestSeed));
-  }
   const fs::path file = find_data_file("scenarios", request.name_or_path);
   std::vector<fs::path> files;
   ConfigNode tree = read_with_base(file, files);
@@ -313,7 +319,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.requested = request.name_or_path;
   scenario.assignments = request.assignments;
   scenario.name = file.stem().string();
-  scenario.seed = request.seed;
+  scenario.seed = parse_seed(std::to_string(request.seed));
   const std::vector<fs::path> ranges = include_ranges(tree, file.parent_path());
   const std::vector<std::string> assigned = assigned_paths(request);
   std::vector<EndOfRanges> ends = read_ends(tree, assigned);

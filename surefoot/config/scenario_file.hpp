@@ -9,6 +9,8 @@
 namespace surefoot {
 
 inline constexpr int kLargestSeed = 999'999'999;
+/// Of a whole number in digits. Throws Error unless it is from 0 to kLargestSeed.
+[[nodiscard]] std::uint64_t parse_seed(const std::string& number);
 
 /// Which experiment, and what to change in it.
 struct ScenarioRequest {

@@ -157,7 +157,9 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   const Solution* solution = believed ? optimise(record.user) : nullptr;
   if (!believed) describe_refused_state();
   has_solved = believed;
-  if (!believed && !safety.has_begun()) safety.bear(standing_torque(model, record.state.q));
+  // Whose base is not known yet, but whose joints are.
+  const bool is_held = !believed && !safety.has_begun() && !safety.has_stopped();
+  if (is_held) safety.bear(standing_torque(model, record.state.q));
   record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
   return record.command;

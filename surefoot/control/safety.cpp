@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
-constexpr double kToRest = 2.0;          // for which a robot that has not begun is held [s]
-constexpr double kUnsteady = 0.5;        // is what is believed of one that begins late, so long [s]
-constexpr double kRounding = 1e-9;       // of times [s]
+constexpr double kToStand = 2.0;         // for which a robot that has not begun is held [s]
+constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
+constexpr double kRounding = 1e-9;  // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -65,7 +65,9 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   const JointVector before = command_.torque;
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
   const bool good = is_good(solution);
-  if (!has_begun_ && failures_ > 0) limited_until_ = command_.time + kUnsteady;
+  if (!has_begun_ && failures_ > 0) {
+    unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
+  }
   failures_ = good ? 0 : failures_ + 1;
   has_begun_ = has_begun_ || good;
   look_for_a_stop(state, health);
@@ -81,7 +83,8 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   limit();
   const bool bridges =
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
-  const bool is_new = !has_begun_ || command_.time < limited_until_;
+  const bool is_new = !has_begun_ || unsteady_ticks_ > 0;
+  if (has_begun_ && is_new) --unsteady_ticks_;
   limit_change(before, has_stopped() || bridges || is_new);
   if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
   return command_;
@@ -114,20 +117,23 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
     stop(can_sit(state) ? CommandMode::sit : CommandMode::damping, lost, health);
-  } else if (!sitting_ && failures_ > patience(health)) {
+  } else if (!sitting_ && failures_ > patience(state, health)) {
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
   }
 }
 
-// A robot whose sensors are well, but that has not begun, comes to rest first.
-double Safety::patience(const SensorHealth& health) const {
-  const bool is_well = health.encoders.fault == SampleFault::none &&
-                       health.joint_torques.fault == SampleFault::none &&
-                       health.imu.fault == SampleFault::none;
-  const bool comes_to_rest = is_well && !has_begun_;
-  return comes_to_rest ? kToRest / period_ : options_.damp_after_failures;
+// A robot that has all its sensors, be one of them bridged, but has not begun, is to stand first.
+double Safety::patience(const RobotState& state, const SensorHealth& health) const {
+  const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
+  const auto is_there = [&](const GroupHealth& group) {
+    return is_well(group) || (std::isfinite(group.age) && !is_lost(group.age));
+  };
+  const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
+  const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&
+                       is_there(health.imu) && state.q.allFinite() && has_torques;
+  return has_all && !has_begun_ ? kToStand / period_ : options_.damp_after_failures;
 }
 
 // Of several joints at fault the health does not say which: those whose angles are unknown are.

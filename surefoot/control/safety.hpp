@@ -18,9 +18,9 @@ namespace surefoot {
 ///
 ///     optimal
 ///     degraded   the solver ended early, but after the levels that keep the physics
-///     hold       joint PD about the last good posture, on top of the last good torques; about the
-///                first posture that was seen, on top of what bears the robot in it, if there never
-///                was a good tick: for 2 s then, so that the robot comes to stand
+///     hold       joint PD about the last good posture, on top of the last good torques; if there
+///                never was a good tick, about the first posture that was seen, on top of those
+///                that bear the robot (`bear`): for 2 s then, so that it comes to stand
 ///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
@@ -49,9 +49,10 @@ class Safety {
 
   /// Was there a good tick?
   [[nodiscard]] bool has_begun() const { return has_begun_; }
-  /// What bears the robot until there is [N·m]; left as it was where it is not finite.
+  /// What bears the robot in its posture of this tick, until there is a good one [N·m]: then, and
+  /// where it is not finite, nothing changes.
   void bear(const JointVector& torque) {
-    if (torque.allFinite()) good_torque_ = torque;
+    if (!has_begun_ && torque.allFinite()) good_torque_ = torque;
   }
 
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
@@ -67,7 +68,7 @@ class Safety {
   /// Can the robot sit down with the joints whose angles are known?
   [[nodiscard]] bool can_sit(const RobotState& state) const;
   /// How many failures are borne.
-  [[nodiscard]] double patience(const SensorHealth& health) const;
+  [[nodiscard]] double patience(const RobotState& state, const SensorHealth& health) const;
   void look_for_a_stop(const RobotState& state, const SensorHealth& health);
   void stop_after_failures(const RobotState& state, const SensorHealth& health);
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
@@ -91,7 +92,7 @@ class Safety {
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
-  double limited_until_ = kNaN;          // after a late beginning [s]
+  int unsteady_ticks_ = 0;               // left of a late beginning
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();

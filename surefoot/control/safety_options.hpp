@@ -12,7 +12,7 @@ struct SafetyOptions {
   double sit_duration = 2.0;  ///< of the way down [s]
   double sit_height = 0.15;   ///< of the hips above the feet when it is down [m]
   /// Of a torque from tick to tick while a sensor is at fault, and from then on until the torques
-  /// are those of the solution again [N·m].
+  /// are those of the solution again, after a stop, and while a robot begins late [N·m].
   double max_torque_change = 4.0;
 };
 

@@ -5,7 +5,8 @@
 namespace surefoot {
 namespace {
 
-/// Vertical forces at the feet with Σ f = m g and no moment about the centre of mass.
+/// Vertical forces at the feet with Σ f = m g, and, unless one would pull, no moment about the
+/// centre of mass.
 Eigen::Vector4d bearing_forces(const Dynamics& dynamics) {
   Eigen::Matrix<double, 3, kNumLegs> balance;
   for (const Leg leg : kLegs) {
@@ -14,7 +15,8 @@ Eigen::Vector4d bearing_forces(const Dynamics& dynamics) {
   }
   const Vec3 weight(dynamics.mass * kGravity, 0.0, 0.0);
   const Mat3 gram = balance * balance.transpose();
-  return (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+  const Eigen::Vector4d pushes = (balance.transpose() * gram.ldlt().solve(weight)).cwiseMax(0.0);
+  return weight.x() / pushes.sum() * pushes;
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ class InvariantFilter {
   explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
 
   /// At the origin with a heading [rad], level as the mean specific force in B at rest says [m/s²],
-  /// moving at v_WB_B, in B [m/s]. Tilt, velocity and the gyroscope's bias are so many times less
-  /// known than the options say. No foot stands yet.
+  /// moving at v_WB_B, in B [m/s]. Tilt, velocity and the gyroscope's bias, not the
+  /// accelerometer's, are `doubt` times less known than the options say. No foot stands yet.
   void start(const Vec3& specific_force, const Vec3& gyro_bias, double heading = 0.0,
              const Vec3& v_WB_B = Vec3::Zero(), double doubt = 1.0) noexcept;
 

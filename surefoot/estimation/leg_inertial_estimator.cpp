@@ -12,12 +12,6 @@ namespace {
 constexpr double kLongAgo = 1e3;  // [s]
 constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
 constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
-// A robot that stands:
-constexpr double kStill = 0.2;          // base slower than this [rad/s]
-constexpr double kStillJoints = 0.5;    // and joints [rad/s]
-constexpr double kUnaccelerated = 1.0;  // less than this [m/s²]
-constexpr double kRest = 0.1;           // for this long, after it did not [s]
-constexpr double kSwayDoubt = 3.0;      // of tilt and motion, then, against one that stood still
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -25,7 +19,11 @@ Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(fir
 
 LegInertialEstimator::LegInertialEstimator(const RobotDescription& robot,
                                            const LegInertialOptions& options, double period)
-    : options_(options), period_(period), foot_radius_(robot.foot_radius), filter_(options.filter) {
+    : options_(options),
+      period_(period),
+      foot_radius_(robot.foot_radius),
+      filter_(options.filter),
+      standing_start_(period) {
   const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
   for (const Leg leg : kLegs) described_[index(leg)] = tree.legs[index(leg)].chain;
   chains_ = described_;
@@ -35,19 +33,17 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !stands(reading, context, is_complete)) {
+  if (!started_ && !stands(reading, context.joint_velocity)) {
     write_joints(reading, context);
     return state_;
   }
   const Vec3 p_before = filter_.p_WB();
   if (!started_) {
-    start_swaying(reading);
+    start(reading, standing_start_.state(), 0.0);
+    gyro_before_ = reading.gyro;
     stand_at({0.0, 0.0, height_over_feet()});
   } else if (context.restarts && is_complete) {
-    SensorReading mean = reading;
-    mean.gyro = mean_gyro_;
-    mean.accelerometer = mean_force_;
-    start(mean, yaw(filter_.R_WB()));
+    start(reading, {.gyro_bias = mean_gyro_, .specific_force = mean_force_}, yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
     const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
@@ -62,53 +58,28 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   return state_;
 }
 
-// A robot that its driver starts as it stands does so at the first reading; one that was falling
-// until its drives began, or hit the ground, sways on its legs for long.
-bool LegInertialEstimator::stands(const SensorReading& reading, const TickContext& context,
-                                  bool is_complete) {
-  const bool is_still = is_complete && reading.gyro.norm() < kStill &&
-                        context.joint_velocity.cwiseAbs().maxCoeff() < kStillJoints &&
-                        std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
-  was_moving_ = was_moving_ || (is_complete && !is_still);
-  if (!is_still) {
-    for (LineFit* fit : {&gyro_, &force_, &sway_v_, &sway_w_}) fit->clear();
-    return false;
-  }
-  see_feet(reading);
-  const BaseMotion sway = sway_of(context.joint_velocity);
-  gyro_.add(reading.gyro);
-  force_.add(reading.accelerometer);
-  sway_v_.add(sway.v);
-  sway_w_.add(sway.w);
-  return !was_moving_ || gyro_.size() * period_ > kRest;
-}
-
-BaseMotion LegInertialEstimator::sway_of(const JointVector& joint_velocity) const {
-  PerLeg<Vec3> p_BF, v_BF;
+// By the lowest points of the spheres, where the shanks touch the ground as they roll.
+bool LegInertialEstimator::stands(const SensorReading& reading,
+                                  const JointVector& joint_velocity) noexcept {
+  PerLeg<Vec3> p_BC, v_BC;
   for (const Leg leg : kLegs) {
-    const Foot& foot = feet_[index(leg)];
-    p_BF[index(leg)] = foot.p_BF;
-    v_BF[index(leg)] = foot.J * angles(joint_velocity, leg);
+    const Vec3 q = angles(reading.q, leg);
+    LegChain chain = chains_[index(leg)];
+    chain.foot -= chain.shank_in_base(q).transpose() * (foot_radius_ * Vec3::UnitZ());
+    Mat3 J;
+    p_BC[index(leg)] = chain.foot_in_base(q, &J);
+    v_BC[index(leg)] = J * angles(joint_velocity, leg);
   }
-  const BaseMotion sway = base_motion(p_BF, v_BF);
-  return sway.v.allFinite() ? sway : BaseMotion{};
+  return standing_start_.stands(reading, joint_velocity, p_BC, v_BC);
 }
 
-// What its legs say of how it moves is not the IMU's bias nor tilt.
-void LegInertialEstimator::start_swaying(const SensorReading& reading) {
-  SensorReading still = reading;
-  still.gyro = gyro_.mean() - sway_w_.mean();
-  still.accelerometer = force_.mean() - sway_v_.slope() / period_;
-  start(still, 0.0, sway_v_.last(), was_moving_ ? kSwayDoubt : 1.0);
-  gyro_before_ = reading.gyro;
-}
-
-void LegInertialEstimator::start(const SensorReading& reading, double heading, const Vec3& v_WB_B,
-                                 double doubt) {
+void LegInertialEstimator::start(const SensorReading& reading, const StandingStart::State& standing,
+                                 double heading) {
   started_ = true;
-  gyro_before_ = mean_gyro_ = reading.gyro;
-  mean_force_ = recent_force_ = reading.accelerometer;
-  filter_.start(reading.accelerometer, reading.gyro, heading, v_WB_B, doubt);
+  gyro_before_ = mean_gyro_ = standing.gyro_bias;
+  mean_force_ = recent_force_ = standing.specific_force;
+  filter_.start(standing.specific_force, standing.gyro_bias, heading, standing.v_WB_B,
+                standing.doubt);
   see_feet(reading);
 }
 

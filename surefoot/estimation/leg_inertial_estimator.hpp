@@ -1,7 +1,7 @@
 #pragma once
 
-#include "surefoot/estimation/base_motion.hpp"
 #include "surefoot/estimation/invariant_filter.hpp"
+#include "surefoot/estimation/standing_start.hpp"
 #include "surefoot/estimation/state_estimator.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/model/leg_chain.hpp"
@@ -31,11 +31,11 @@ struct LegInertialOptions {
 /// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
 /// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
 /// since the last tick, r the radius and n the vertical. The filter takes no joint
-/// velocities. It starts at rest: at the first reading if the accelerometer feels g there, or when
-/// a robot that moved has stood for 0.05 s. Position and heading begin at 0, with the feet's lowest
-/// points at z = 0 in the mean; a restart (TickContext) keeps them and forgets the rest. Samples
-/// come late, by times that readings tell; with `predict` the state goes on from them to now as it
-/// moves,
+/// velocities, but for the start (StandingStart): at the first reading of a robot at rest, or in
+/// the sway of one that has stood for 0.1 s. Position and heading begin at 0, with the feet's
+/// lowest points at z = 0 in the mean; a restart (TickContext) keeps them and forgets the rest.
+/// Samples come late, by times that readings tell; with `predict` the state goes on from them to
+/// now as it moves,
 ///
 ///     q += q̇ τ_q,   R ← R exp(S(ω) τ),   p += v τ,   v += a τ
 ///
@@ -62,14 +62,10 @@ class LegInertialEstimator final : public StateEstimator {
     double stands_for = 0.0;       // [s]
   };
 
-  /// One tick before the start: may it be?
-  [[nodiscard]] bool stands(const SensorReading& reading, const TickContext& context,
-                            bool is_complete);
-  /// Of the base over the feet that were seen last, if none of them moves.
-  [[nodiscard]] BaseMotion sway_of(const JointVector& joint_velocity) const;
-  void start_swaying(const SensorReading& reading);
-  void start(const SensorReading& reading, double heading, const Vec3& v_WB_B = Vec3::Zero(),
-             double doubt = 1.0);
+  /// One tick before the start.
+  [[nodiscard]] bool stands(const SensorReading& reading,
+                            const JointVector& joint_velocity) noexcept;
+  void start(const SensorReading& reading, const StandingStart::State& standing, double heading);
   void stand_at(const Vec3& p_WB);
   /// Of the base over the ground under the feet, in their mean [m].
   [[nodiscard]] double height_over_feet() const;
@@ -99,8 +95,7 @@ class LegInertialEstimator final : public StateEstimator {
   double way_ = 0.0;                  // the furthest that the base has been from there [m]
   RobotState state_;
   bool started_ = false;
-  bool was_moving_ = false;                 // before the start
-  LineFit gyro_, force_, sway_v_, sway_w_;  // since it stands, until the start
+  StandingStart standing_start_;
 };
 
 }  // namespace surefoot

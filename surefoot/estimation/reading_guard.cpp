@@ -169,7 +169,8 @@ void ReadingGuard::describe(const SensorReading& reading) {
   const GroupHealth gyro = gyro_.values.health(reading.time);
   health_.imu = accelerometer_.values.health(reading.time);
   if (gyro.fault != SampleFault::none) health_.imu.fault = gyro.fault;
-  health_.imu.age = std::fmax(health_.imu.age, gyro.age);
+  const bool both_came = std::isfinite(gyro.age) && std::isfinite(health_.imu.age);
+  health_.imu.age = both_came ? std::max(health_.imu.age, gyro.age) : kNaN;
   health_.imu.joint = -1;
   tell_delay(encoder_watch_, health_.encoders);
   tell_delay(torque_watch_, health_.joint_torques);

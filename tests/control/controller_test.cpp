@@ -1,5 +1,6 @@
 // The controller with states that make sense, and what it tells of itself.
 #include "surefoot/base/error.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/solver/solution.hpp"
 #include "tests/control/statue.hpp"
 #include "tests/support/malloc_counter.hpp"
@@ -82,13 +83,36 @@ TEST(Controller, TheSameInputsGiveTheSameBits) {
   }
 }
 
+/// As before the estimate begins.
+RobotState known_by_its_joints(const Statue& statue) {
+  RobotState state;
+  state.time = statue.state.time;
+  state.q = statue.state.q;
+  state.qd = statue.state.qd;
+  return state;
+}
+
+TEST(Controller, BearsTheRobotUntilItsBaseIsKnown) {
+  Statue statue;
+  RobotModel model(anymal_b());
+  const JointVector bearing = standing_torque(model, statue.state.q);
+  ASSERT_GT(bearing.cwiseAbs().maxCoeff(), 10.0);
+  JointCommand command;
+  for (int tick = 0; tick < 20; ++tick) command = statue.tick_with(known_by_its_joints(statue));
+  EXPECT_EQ(command.mode, CommandMode::hold);
+  EXPECT_LT((command.torque - bearing).norm(), 1e-9);
+  EXPECT_EQ(statue.tick().mode, CommandMode::optimal);
+}
+
 TEST(Controller, AllocatesNothingAfterTheFirstTickWhateverHappens) {
   Statue statue;
   statue.run(1);
   const RobotState unknown;
   RobotState absurd = statue.state;
   absurd.qd.setConstant(1e300);
+  Statue held;
   const MallocCounter counter;
+  (void)held.tick_with(known_by_its_joints(held));
   statue.run(50);
   (void)statue.tick_with(unknown);
   (void)statue.tick_with(absurd);

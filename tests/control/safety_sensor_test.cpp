@@ -253,7 +253,10 @@ TEST(SafetyOfSensors, WithoutAStateForAnotherReasonNoSensorIsNamed) {
   Stage stage;
   stage.state.q_WB.coeffs().setConstant(std::numeric_limits<double>::quiet_NaN());
   for (int i = 0; i < 100; ++i) (void)stage.refused_tick({});
-  EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::hold) << "it may still come to rest";
+  EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::hold) << "it may still come to stand";
+  (void)stage.refused_tick(failing(&SensorHealth::imu, 0.005));
+  EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::hold)
+      << "a sample that is doubted is bridged";
   for (int i = 100; i < 800; ++i) (void)stage.refused_tick({});
   EXPECT_EQ(stage.refused_tick({}).mode, CommandMode::damping);
   EXPECT_EQ(stage.refused_tick({}).cause, StopCause::failures);

@@ -20,11 +20,11 @@ PerLeg<Vec3> some_feet(Random& random) {
 TEST(BaseMotion, IsWhatMovesFeetThatStand) {
   Random random(1);
   for (int i = 0; i < 50; ++i) {
-    const PerLeg<Vec3> p_BF = some_feet(random);
+    const PerLeg<Vec3> p_BC = some_feet(random);
     const Vec3 v = random.vector(1.0), w = random.vector(2.0);
-    PerLeg<Vec3> v_BF;
-    for (std::size_t k = 0; k < kNumLegs; ++k) v_BF[k] = -v - w.cross(p_BF[k]);
-    const BaseMotion motion = base_motion(p_BF, v_BF);
+    PerLeg<Vec3> v_BC;
+    for (std::size_t k = 0; k < kNumLegs; ++k) v_BC[k] = -v - w.cross(p_BC[k]);
+    const BaseMotion motion = base_motion(p_BC, v_BC);
     EXPECT_LT((motion.v - v).norm(), 1e-12);
     EXPECT_LT((motion.w - w).norm(), 1e-12);
   }
@@ -32,21 +32,21 @@ TEST(BaseMotion, IsWhatMovesFeetThatStand) {
 
 TEST(BaseMotion, LeavesTheLeastOfWhatNoRigidMotionExplains) {
   Random random(2);
-  const auto rest = [](const PerLeg<Vec3>& p_BF, const PerLeg<Vec3>& v_BF, const BaseMotion& m) {
+  const auto rest = [](const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC, const BaseMotion& m) {
     double sum = 0.0;
     for (std::size_t k = 0; k < kNumLegs; ++k) {
-      sum += (m.v + m.w.cross(p_BF[k]) + v_BF[k]).squaredNorm();
+      sum += (m.v + m.w.cross(p_BC[k]) + v_BC[k]).squaredNorm();
     }
     return sum;
   };
   for (int i = 0; i < 50; ++i) {
-    const PerLeg<Vec3> p_BF = some_feet(random);
-    PerLeg<Vec3> v_BF;
-    for (Vec3& v : v_BF) v = random.vector(0.5);
-    const BaseMotion best = base_motion(p_BF, v_BF);
+    const PerLeg<Vec3> p_BC = some_feet(random);
+    PerLeg<Vec3> v_BC;
+    for (Vec3& v : v_BC) v = random.vector(0.5);
+    const BaseMotion best = base_motion(p_BC, v_BC);
     for (int other = 0; other < 10; ++other) {
       const BaseMotion changed{best.v + random.vector(0.01), best.w + random.vector(0.01)};
-      EXPECT_GT(rest(p_BF, v_BF, changed), rest(p_BF, v_BF, best));
+      EXPECT_GT(rest(p_BC, v_BC, changed), rest(p_BC, v_BC, best));
     }
   }
 }
@@ -60,17 +60,12 @@ TEST(BaseMotion, FeetThatDoNotMoveMakeItExactlyZero) {
   EXPECT_EQ(motion.w, Vec3::Zero());
 }
 
-TEST(LineFit, FindsSlopeMeanAndEndOfALine) {
-  const Vec3 start(1.0, -2.0, 0.5), slope(0.1, 0.2, -0.3);
-  LineFit fit;
-  for (int k = 0; k < 7; ++k) fit.add(start + k * slope);
-  EXPECT_LT((fit.slope() - slope).norm(), 1e-12);
-  EXPECT_LT((fit.mean() - start - 3.0 * slope).norm(), 1e-12);
-  EXPECT_LT((fit.last() - start - 6.0 * slope).norm(), 1e-12);
-  fit.clear();
-  fit.add(start);
-  EXPECT_EQ(fit.slope(), Vec3::Zero());
-  EXPECT_EQ(fit.last(), start);
+TEST(BaseMotion, IsZeroWhereAllPointsLieInALine) {
+  PerLeg<Vec3> p_BC, v_BC;
+  for (std::size_t k = 0; k < kNumLegs; ++k)
+    p_BC[k] = Vec3(0.25 * static_cast<double>(k), 0.0, 0.0);
+  v_BC.fill(Vec3(0.1, 0.0, 0.0));
+  EXPECT_EQ(base_motion(p_BC, v_BC).v, Vec3::Zero());
 }
 
 }  // namespace

@@ -58,6 +58,39 @@ RobotState at_rest(Random& random, const RobotDescription& robot) {
   return state;
 }
 
+/// A robot at rest that hangs from its base.
+struct Still {
+  explicit Still(unsigned seed, const Vec3& normal = kUp)
+      : model(anymal_b()),
+        random(seed),
+        state(at_rest(random, model.description())),
+        dynamics(model.update(state, normal)) {
+    state.time = 0.0;
+    state.torque = dynamics.h.tail<kNumJoints>();
+  }
+
+  RobotModel model;
+  Random random;
+  RobotState state;
+  const Dynamics& dynamics;
+};
+
+/// A robot at rest that stands, pressing its feet against the ground.
+struct Standing : Still {
+  explicit Standing(unsigned seed) : Still(seed), forces(balancing_forces(dynamics, random)) {
+    state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+  }
+
+  void expect_to_be_felt() const {
+    for (std::size_t k = 0; k < kNumLegs; ++k) {
+      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm())
+          << k << " at " << state.time;
+    }
+  }
+
+  PerLeg<Vec3> forces;
+};
+
 constexpr PerLeg<bool> kInTheAir{}, kStanding{true, true, true, true};
 /// Forces on feet in the air are no forces of the ground otherwise.
 const ContactForceOptions kWithoutTare{.tare = {.enabled = false}};
@@ -93,41 +126,27 @@ void move(Dynamics& dynamics, RobotState& state, const GeneralizedVector& accele
 }
 
 TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
-  RobotModel model(anymal_b());
-  Random random(1);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    SCOPED_TRACE("trial " + std::to_string(trial));
-    RobotState state = at_rest(random, model.description());
-    const Dynamics& dynamics = model.update(state, kUp);
-    const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
-    state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
-    Bench().tick(dynamics, state);
+  for (unsigned seed = 1; seed <= kTrials; ++seed) {
+    Standing robot(seed);
+    Bench().tick(robot.dynamics, robot.state);
+    robot.expect_to_be_felt();
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < kNumLegs; ++k) {
-      sum += state.foot_force[k];
-      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << k;
-    }
-    EXPECT_LT((sum - model.mass() * kGravity * kUp).norm(), kBias * model.mass() * kGravity);
+    for (const Vec3& force : robot.state.foot_force) sum += force;
+    const double weight = robot.model.mass() * kGravity;
+    EXPECT_LT((sum - weight * kUp).norm(), kBias * weight);
   }
 }
 
 // The state of the first tick was not believed; the torques are a tick before the angles.
 TEST(ContactForceEstimator, ATickWithoutAStateAtTheBeginningChangesNothing) {
-  RobotModel model(anymal_b());
-  Random random(1);
-  RobotState state = at_rest(random, model.description());
-  const Dynamics& dynamics = model.update(state, kUp);
-  const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
-  state.torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
-  state.time = 0.0;
+  Standing robot(1);
   Bench bench;
   bench.delays.encoders = kPeriod;
-  bench.observe(state);
+  bench.observe(robot.state);
   for (int i = 0; i < 20; ++i) {
-    state.time += kPeriod;
-    bench.tick(dynamics, state);
-    for (std::size_t k = 0; k < kNumLegs; ++k)
-      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << i;
+    robot.state.time += kPeriod;
+    bench.tick(robot.dynamics, robot.state);
+    robot.expect_to_be_felt();
   }
 }
 
@@ -249,25 +268,17 @@ TEST(ContactForceEstimator, TorquesAndAnglesOfDifferentTimesAreNoForce) {
 
 // Torques that come a tick after the encoders, and begin a tick later, too.
 TEST(ContactForceEstimator, TorquesThatBeginLateAreKnownFromThenOn) {
-  RobotModel model(anymal_b());
-  Random random(12);
-  RobotState state = at_rest(random, model.description());
-  state.time = 0.0;
-  const Dynamics& dynamics = model.update(state, kUp);
-  const PerLeg<Vec3> forces = balancing_forces(dynamics, random);
-  const JointVector torque = (dynamics.h - generalized(dynamics, forces)).tail<kNumJoints>();
+  Standing robot(12);
   Bench bench;
   bench.stands = kStanding;
   bench.delays.encoders = kPeriod;
-  state.torque.setConstant(kNaN);
-  bench.observe(state);
-  state.torque = torque;
+  RobotState without = robot.state;
+  without.torque.setConstant(kNaN);
+  bench.observe(without);
   for (int tick = 0; tick < 3; ++tick) {
-    state.time += kPeriod;
-    bench.tick(dynamics, state);
-    for (std::size_t k = 0; k < kNumLegs; ++k) {
-      EXPECT_LT((state.foot_force[k] - forces[k]).norm(), kBias * forces[k].norm()) << tick;
-    }
+    robot.state.time += kPeriod;
+    bench.tick(robot.dynamics, robot.state);
+    robot.expect_to_be_felt();
   }
 }
 
@@ -290,38 +301,28 @@ TEST(ContactForceEstimator, VelocitiesOfAMovingLegDoNotLag) {
 }
 
 TEST(ContactForceEstimator, TorquesThatTheGroundTakesUpMoveNoJoint) {
-  RobotModel model(anymal_b());
-  Random random(10);
-  RobotState state = at_rest(random, model.description());
-  state.time = 0.0;
-  const Dynamics& dynamics = model.update(state, kUp);
-  state.torque = dynamics.h.tail<kNumJoints>();
+  Still robot(10);
   Bench standing, hanging;
   standing.stands = kStanding;
-  for (Bench* bench : {&standing, &hanging}) bench->tick(dynamics, state);
-  state.torque.array() += 10.0;
+  for (Bench* bench : {&standing, &hanging}) bench->tick(robot.dynamics, robot.state);
+  robot.state.torque.array() += 10.0;
   for (int tick = 0; tick < 4; ++tick) {
-    state.time += kPeriod;
-    for (Bench* bench : {&standing, &hanging}) bench->tick(dynamics, state);
+    robot.state.time += kPeriod;
+    for (Bench* bench : {&standing, &hanging}) bench->tick(robot.dynamics, robot.state);
   }
   EXPECT_LT(standing.velocity.norm(), 1e-9);
   EXPECT_GT(hanging.velocity.norm(), 0.05);
 }
 
 TEST(ContactForceEstimator, AReadingThatIsMissingIsBridged) {
-  RobotModel model(anymal_b());
-  Random random(8);
-  RobotState state = at_rest(random, model.description());
-  state.time = 0.0;
-  const Dynamics& dynamics = model.update(state, kUp);
-  state.torque = dynamics.h.tail<kNumJoints>();
+  Still robot(8);
   Bench bench;
   bench.stands = kStanding;
-  bench.tick(dynamics, state);
-  RobotState missing = state;
+  bench.tick(robot.dynamics, robot.state);
+  RobotState missing = robot.state;
   missing.q[4] = kNaN;
   missing.time += kPeriod;
-  bench.tick(dynamics, missing);
+  bench.tick(robot.dynamics, missing);
   EXPECT_LT(bench.velocity.norm(), 1e-9);
   for (const Vec3& force : missing.foot_force) EXPECT_LT(force.norm(), 1e-6);
 }
@@ -362,51 +363,42 @@ TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
 }
 
 TEST(ContactForceEstimator, TakesAFootSensorsForceOnlyWhereItIsAskedToAndThereIsOneThatCanBe) {
-  RobotModel model(anymal_b());
-  Random random(5);
-  RobotState state = at_rest(random, model.description());
-  const Dynamics& dynamics = model.update(state, kUp);
-  state.torque = dynamics.h.tail<kNumJoints>();
+  Still robot(5);
   Bench with({.use_foot_sensor = true}), without;
   with.reading.foot_force = without.reading.foot_force = {42.0, kNaN, 7.0, 1e300};
-  with.tick(dynamics, state);
-  EXPECT_LT((state.foot_force[0] - Vec3(0.0, 0.0, 42.0)).norm(), 1e-9);
-  EXPECT_LT(state.foot_force[1].norm(), 1e-9);
-  EXPECT_LT((state.foot_force[2] - Vec3(0.0, 0.0, 7.0)).norm(), 1e-9);
-  EXPECT_LT(state.foot_force[3].norm(), 1e-9) << "no foot bears that";
-  without.tick(dynamics, state);
-  EXPECT_LT(state.foot_force[0].norm(), 1e-9);
+  with.tick(robot.dynamics, robot.state);
+  const PerLeg<Vec3>& felt = robot.state.foot_force;
+  EXPECT_LT((felt[0] - Vec3(0.0, 0.0, 42.0)).norm(), 1e-9);
+  EXPECT_LT(felt[1].norm(), 1e-9);
+  EXPECT_LT((felt[2] - Vec3(0.0, 0.0, 7.0)).norm(), 1e-9);
+  EXPECT_LT(felt[3].norm(), 1e-9) << "no foot bears that";
+  without.tick(robot.dynamics, robot.state);
+  EXPECT_LT(felt[0].norm(), 1e-9);
 }
 
 TEST(ContactForceEstimator, AFootSensorGivesTheForceAlongTheTerrainNormalJointsTheRest) {
-  RobotModel model(anymal_b());
-  Random random(9);
-  RobotState state = at_rest(random, model.description());
-  state.torque.setZero();
   const Vec3 normal = Vec3(0.2, -0.1, 1.0).normalized();
-  const Dynamics& dynamics = model.update(state, normal);
+  Still robot(9, normal);
+  robot.state.torque.setZero();
   Bench with({.use_foot_sensor = true}), without;
   with.reading.foot_force = {42.0, 0.0, 7.0, -1.0};
-  without.tick(dynamics, state, normal);
-  const PerLeg<Vec3> felt = state.foot_force;
-  with.tick(dynamics, state, normal);
+  without.tick(robot.dynamics, robot.state, normal);
+  const PerLeg<Vec3> felt = robot.state.foot_force;
+  with.tick(robot.dynamics, robot.state, normal);
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     const Vec3 along = felt[k] - normal.dot(felt[k]) * normal;
+    const Vec3 sensed = with.reading.foot_force[k] * normal;
     EXPECT_GT(along.norm(), 1.0) << "or it shows nothing";
-    EXPECT_LT((state.foot_force[k] - with.reading.foot_force[k] * normal - along).norm(), 1e-9);
+    EXPECT_LT((robot.state.foot_force[k] - sensed - along).norm(), 1e-9);
   }
 }
 
 TEST(ContactForceEstimator, AllocatesNothing) {
-  RobotModel model(anymal_b());
-  Random random(6);
-  RobotState state = at_rest(random, model.description());
-  state.torque.setZero();
-  const Dynamics& dynamics = model.update(state, kUp);
+  Still robot(6);
   Bench bench;
   const test::MallocCounter counter;
-  bench.tick(dynamics, state);
-  bench.tick(dynamics, state);
+  bench.tick(robot.dynamics, robot.state);
+  bench.tick(robot.dynamics, robot.state);
   EXPECT_EQ(counter.count(), 0u);
 }
 

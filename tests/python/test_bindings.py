@@ -100,8 +100,8 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
     [
         (lambda: surefoot.load_scenario("walk_flatt"), surefoot.UnknownNameError, "walk_flatt.*walk_flat"),
         (lambda: surefoot.load_scenario("/no/where.yaml"), surefoot.Error, "/no/where.yaml"),
-        (lambda: surefoot.load_scenario("walk_flat", seed=-1), surefoot.Error, "seed is -1; valid is 0 to 999999999"),
-        (lambda: surefoot.load_scenario("walk_flat", seed=10**10), surefoot.Error, "seed is 10000000000; valid is 0 to 999999999"),
+        (lambda: surefoot.load_scenario("walk_flat", seed=-1), surefoot.Error, "seed is -1; valid is a whole number from 0 to 999999999"),
+        (lambda: surefoot.load_scenario("walk_flat", seed=10**25), surefoot.Error, "seed is 10000000000000000000000000; valid"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duratoin=1"]), surefoot.Error, "duratoin.*duration"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duration=-1"]), surefoot.Error, "duration"),
         (lambda: surefoot.load_scenario("walk_flat", set=["duration"]), surefoot.Error, "duration"),

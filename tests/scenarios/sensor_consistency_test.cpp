@@ -175,7 +175,7 @@ TEST(SensorConsistencyInWalks, OneSampleThatIsALittleOffStopsNothing) {
 TEST(SensorConsistencyInWalks, SensorsMayBeginLate) {
   for (const char* name : {"walk_flat", "step_down"}) {
     for (const char* sensor : {"encoders", "imu", "encoders, joint: LF_KFE"}) {
-      for (const char* duration : {"0.01", "0.03", "0.1"}) {
+      for (const char* duration : {"0.02", "0.05", "0.1"}) {
         const std::string late = std::string("sensors.faults.late={sensor: ") + sensor +
                                  ", kind: stops, time: 0, duration: " + duration + "}";
         SCOPED_TRACE(std::string(name) + " " + sensor + " " + duration);

@@ -1,0 +1,56 @@
+#include "surefoot/estimation/standing_start.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+// A robot that stands:
+constexpr double kSlowBase = 0.2;       // turns slower than this, the bias among it [rad/s]
+constexpr double kSlowJoints = 0.5;     // and its joints than this [rad/s]
+constexpr double kUnaccelerated = 1.0;  // feels g to within this [m/s²]
+// Where it has not done so from the first reading on:
+constexpr double kLasting = 0.1;       // for so long [s]
+constexpr double kLargestBias = 0.06;  // of a gyroscope; otherwise it is the legs that move [rad/s]
+constexpr double kDoubt = 3.0;
+
+}  // namespace
+
+bool StandingStart::stands(const SensorReading& reading, const JointVector& joint_velocity,
+                           const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept {
+  const bool is_complete =
+      reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
+  const bool is_slow = is_complete && reading.gyro.norm() < kSlowBase &&
+                       joint_velocity.cwiseAbs().maxCoeff() < kSlowJoints &&
+                       std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
+  const bool has_gap = reading.time - time_ > 1.5 * period_;
+  time_ = reading.time;
+  has_waited_ = has_waited_ || !is_slow || has_gap;
+  if (!is_slow || has_gap) window_ = {};
+  if (!is_slow) return false;
+  const BaseMotion motion = base_motion(p_BC, v_BC);
+  window_.gyro.add(reading.gyro);
+  window_.force.add(reading.accelerometer);
+  window_.v.add(motion.v);
+  window_.w.add(motion.w);
+  if (!has_waited_) return true;
+  if (window_.gyro.size() * period_ <= kLasting) return false;
+  const bool agrees = state().gyro_bias.norm() < kLargestBias;
+  if (!agrees) window_ = {};
+  return agrees;
+}
+
+// The means are of the window's middle: since then the base has turned on.
+StandingStart::State StandingStart::state() const noexcept {
+  const Vec3 w = window_.w.mean();
+  const Vec3 acceleration = window_.v.slope() / period_ + w.cross(window_.v.mean());
+  const Vec3 turn = 0.5 * (window_.w.size() - 1) * period_ * w;
+  return {.gyro_bias = window_.gyro.mean() - w,
+          .specific_force = exp_rotation(-turn) * (window_.force.mean() - acceleration),
+          .v_WB_B = window_.v.last(),
+          .doubt = has_waited_ ? kDoubt : 1.0};
+}
+
+}  // namespace surefoot
