@@ -56,6 +56,8 @@ void ReadingGuard::update(const SensorReading& reading, const JointVector& joint
   encoder_watch_.update(time_, reading.encoder_time);
   torque_watch_.update(time_, reading.torque_time);
   imu_watch_.update(time_, reading.imu_time);
+  // Behind a gap nobody knows what was meanwhile.
+  lost_ = dt > options_.patience ? 0.0 : kLostFactor * options_.patience;
   take_joints(reading, joint_velocity, dt);
   take_imu(reading, given);
   describe(reading);
@@ -115,15 +117,14 @@ GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& 
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
                                double dt) {
-  const double lost = kLostFactor * options_.patience;
   angles_.move(dt * limited(joint_velocity, velocity_limit_));
   angles_.take(reading.q, encoder_watch_.fault(), encoder_watch_,
-               angle_limits(encoder_age().cwiseMax(0.0)), lost);
+               angle_limits(encoder_age().cwiseMax(0.0)), lost_);
   torques_.take(reading.torque, torque_watch_.fault(), torque_watch_,
                 {.range = options_.max_torque * torque_limit_,
                  .tolerance = options_.max_torque_step * torque_limit_,
                  .sure = options_.sure_torque_step * torque_limit_},
-                lost);
+                lost_);
 }
 
 void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& given) {
@@ -150,7 +151,7 @@ void ReadingGuard::take(Instrument& instrument, const Vec3& value, const Vec3& g
     fault = SampleFault::repeats;
     instrument.values.forget_since(instrument.given_since);
   }
-  instrument.values.take(value, fault, imu_watch_, limits, kLostFactor * options_.patience);
+  instrument.values.take(value, fault, imu_watch_, limits, lost_);
 }
 
 void ReadingGuard::describe(const SensorReading& reading) {

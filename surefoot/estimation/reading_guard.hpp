@@ -78,6 +78,7 @@ class ReadingGuard {
   GuardedValues<kNumJoints> angles_, torques_;
   Instrument gyro_, accelerometer_;
   double time_ = kNaN;
+  double lost_ = kNaN;      // without a good sample for so long, any value is believed [s]
   double leapt_to_ = kNaN;  // by the clock of the reading before, if that was not believed [s]
   int missed_ = 0;          // readings since the last that was
   int still_ = 0;           // of these, readings since their angles changed

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kSameForce = 12.0;  // [m/s²]
 constexpr double kSameTurn = 0.3;    // [rad/s]
+constexpr double kThrown = 25.0;     // no base of a robot that walks feels so much beside g [m/s²]
 
 void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
@@ -42,7 +43,9 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
   } else {
     imu_.forget();
   }
-  if (moves_well) {
+  // By what the IMU says joints are asked to move.
+  const bool is_thrown = std::abs(reading.accelerometer.norm() - kGravity) > kThrown;
+  if (moves_well && turns_well && !is_thrown) {
     frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   } else {
     frozen_.forget();

@@ -65,7 +65,9 @@ const MotionPlan& Planner::update(const UserCommand& command, const RobotState& 
   if (!initialised_) calibration_.expect_switch(command.calibrate);  // it begins so anyway
   if (!initialised_ || restarts_) initialise(state, dynamics);
   calibration_.update(time_, command.calibrate, is_undisturbed(state));
-  UserCommand user = within_height(with_caution(within_strides(command)));
+  walked_ = within_strides(as_planned(command));
+  UserCommand user = within_height(with_caution(walked_));
+  user.height = slowly(user.height);
   user.walk = user.walk && !calibration_.is_due();
   user.yaw_rate *= turning_share(user.yaw_rate);
   yaw_rate_ = user.walk && !waits() ? user.yaw_rate : 0.0;
@@ -225,6 +227,7 @@ void Planner::lift_off(Leg k, const UserCommand& user, const Dynamics& dynamics)
   const bool on_time = time_ - lift_time_ < kOnTime;
   expect_touchdown(swing_duration(k));
   if (!on_time) replan_com(user, dynamics);
+  take_up();
 }
 
 // Of the hip as it will be then: nearly straight, a leg neither feels the ground nor stands on it.

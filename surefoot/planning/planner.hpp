@@ -67,8 +67,17 @@ class Planner {
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
+  /// The command with the velocities that this step is planned with: in a stand as commanded.
+  [[nodiscard]] UserCommand as_planned(const UserCommand& user);
+  /// The next step's are as near to the command as it may change those that are walked.
+  void take_up();
+  [[nodiscard]] bool is_taken_up() const {
+    return velocity_ == commanded_.velocity && turn_ == commanded_.yaw_rate;
+  }
   /// The command with a height that strides, sway and a calibration leave to the legs.
   [[nodiscard]] UserCommand within_height(const UserCommand& user);
+  /// On the way to a height [m].
+  [[nodiscard]] double slowly(double height);
   /// Of the commanded yaw rate, until the next step.
   [[nodiscard]] double turning_share(double yaw_rate) const;
   /// Hips about the footholds' centre, in heading axes: the torso leans against a push.
@@ -174,10 +183,15 @@ class Planner {
   bool initialised_ = false;
   bool slows_ = false, slowed_ = false;    // strides too short for the velocity; that it was told
   bool lowers_ = false, lowered_ = false;  // legs too short for the height; that it was told
+  bool raises_ = false, raised_ = false;   // legs too bent for it; that it was told
   double time_ = 0.0;
   bool restarts_ = false;
   double stands_from_ = 0.0;           // on all feet [s]
   double rests_from_ = 0.0;            // without going anywhere [s]
+  UserCommand commanded_, walked_;     // that is asked for, and with strides that legs can make
+  Vec2 velocity_{0.0, 0.0};            // that this step is planned with [m/s]
+  double turn_ = 0.0;                  // the same, of the yaw rate [rad/s]
+  double height_ = kNaN;               // of the torso, beside the stance's [m]
   double yaw_ = 0.0, yaw_rate_ = 0.0;  // of the heading that the torso is to have
   Mode mode_ = Mode::stand;
   int cursor_ = 0;         // place of the next leg in the gait's order

@@ -3,6 +3,7 @@
 #include "surefoot/planning/planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace surefoot {
@@ -10,8 +11,39 @@ namespace {
 
 constexpr double kStill = 0.02;  // [m/s] and [rad/s]
 constexpr double kSpare = 0.01;  // of a leg's reach, that no torso is held so high for [m]
+// From step to step:
+const Vec2 kVelocityChange(0.1, 0.05);  // forwards and sideways [m/s]
+constexpr double kTurnChange = 0.2;     // [rad/s]
+constexpr double kHeightRate = 0.15;    // [m/s]
+// Of a torso over legs that step, under the stance's height: knees that are bent further have no
+// room to swing [m].
+constexpr double kLowest = -0.12;
 
 }  // namespace
+
+// The COM's way to the next lift-off is planned when a foot comes down, and with it the foothold
+// behind it: a velocity that changed in between would send foot and torso to different places.
+UserCommand Planner::as_planned(const UserCommand& user) {
+  commanded_ = user;
+  if (mode_ == Mode::stand) {
+    velocity_ = user.velocity;
+    turn_ = user.yaw_rate;
+  }
+  UserCommand result = user;
+  result.velocity = velocity_;
+  result.yaw_rate = turn_;
+  return result;
+}
+
+void Planner::take_up() {
+  const auto towards = [](double asked, double present, double most) {
+    return std::clamp(asked, present - most, present + most);
+  };
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    velocity_[i] = towards(commanded_.velocity[i], walked_.velocity[i], kVelocityChange[i]);
+  }
+  turn_ = towards(commanded_.yaw_rate, walked_.yaw_rate, kTurnChange);
+}
 
 // A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
 // would be too long without caution, too.
@@ -19,11 +51,12 @@ UserCommand Planner::within_strides(const UserCommand& user) {
   const double height = options_.stance.height + std::min(0.0, user.height);
   const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
-  const auto feasible_share = [&](double cycle_duration) {
-    return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
+  const auto feasible_share = [&](const UserCommand& command, double cycle_duration) {
+    return foothold_planner_.feasible_share(command, leaning_hips(), limits, cycle_duration);
   };
-  const double share = user.walk ? feasible_share(cycle_duration()) : 1.0;
-  slows_ = share < 1.0 && feasible_share(cycle_duration() / pace()) < 1.0;
+  const double share = user.walk ? feasible_share(user, cycle_duration()) : 1.0;
+  const bool may_slow = share < 1.0 || !is_taken_up();
+  slows_ = user.walk && may_slow && feasible_share(commanded_, cycle_duration() / pace()) < 1.0;
   UserCommand result = user;
   result.velocity *= share;
   result.yaw_rate *= share;
@@ -33,6 +66,8 @@ UserCommand Planner::within_strides(const UserCommand& user) {
 // Strides come before height.
 UserCommand Planner::within_height(const UserCommand& user) {
   UserCommand result = user;
+  if (user.walk) result.height = std::max(user.height, kLowest);
+  raises_ = result.height > user.height;
   if (!(user.height > 0.0)) {
     lowers_ = false;
     return result;
@@ -53,6 +88,12 @@ UserCommand Planner::within_height(const UserCommand& user) {
   }
   result.height = std::min(user.height, most);
   return result;
+}
+
+double Planner::slowly(double height) {
+  const double most = period_ * kHeightRate;
+  height_ = std::isnan(height_) ? height : height_ + std::clamp(height - height_, -most, most);
+  return height_;
 }
 
 // The heading needs no step to turn by itself: where it does not wait for the first steps, for late
@@ -82,6 +123,7 @@ void Planner::tell_limits() {
   if (calibration_.is_due()) return;  // it doesn't walk
   slowed_ = slowed_ && slows_;
   lowered_ = lowered_ && lowers_;
+  raised_ = raised_ && raises_;
   if (event_ != PlanEvent::none) return;
   if (slows_ && !slowed_) {
     event_ = PlanEvent::slowed;
@@ -89,6 +131,9 @@ void Planner::tell_limits() {
   } else if (lowers_ && !lowered_) {
     event_ = PlanEvent::lowered;
     lowered_ = true;
+  } else if (raises_ && !raised_) {
+    event_ = PlanEvent::raised;
+    raised_ = true;
   }
 }
 

@@ -31,6 +31,7 @@ enum class PlanEvent : int {
   calibration_disturbed = 20,
   /// That one was, too, or can't begin: the robot goes on with what it has found.
   calibration_given_up = 21,
+  raised = 22,  ///< the commanded height leaves legs no room to step: walking higher
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -79,6 +80,8 @@ enum class PlanEvent : int {
       return "calibration was disturbed: once more, at rest on all feet";
     case PlanEvent::calibration_given_up:
       return "calibration was disturbed, and is given up: going on with what it found";
+    case PlanEvent::raised:
+      return "torso too low for legs that step: higher than commanded";
   }
   return "unknown";
 }

@@ -73,6 +73,47 @@ TEST(Planner, StandsNoHigherThanItsLegsReachAndSaysSo) {
   EXPECT_EQ(puppet.happenings(PlanEvent::lowered).size(), 2u) << "asked for once more";
 }
 
+// A torso any lower leaves the legs no room to step.
+TEST(Planner, WalksNoLowerThanItsLegsCanStepAndSaysSo) {
+  Puppet puppet = walker();
+  puppet.run(4.0);
+  puppet.user.height = -0.25;
+  puppet.run(6.0, [&] { EXPECT_LT(std::abs(puppet.plan().torso.height_rate), 0.16); });
+  EXPECT_NEAR(puppet.plan().torso.height, StanceOptions{}.height - 0.12, 2e-3);
+  EXPECT_EQ(puppet.happenings(PlanEvent::raised).size(), 1u);
+  puppet.user.walk = false;
+  puppet.run(4.0);
+  EXPECT_NEAR(puppet.plan().torso.height, StanceOptions{}.height - 0.25, 2e-3);
+}
+
+// What was planned at a touchdown, the COM's way and the foothold behind it, is walked as planned.
+TEST(Planner, AVelocityThatChangesIsTakenUpFromTheNextStepOnAndStepByStep) {
+  for (const double at : {4.0, 4.3, 4.6, 4.9}) {
+    Puppet same = walker(), turned = walker();
+    for (Puppet* puppet : {&same, &turned}) puppet->run(at);
+    turned.user = walking(-0.2, -0.1);
+    const auto touchdowns = [](const Puppet& puppet) {
+      return puppet.happenings(PlanEvent::touchdown).size();
+    };
+    const std::size_t before = touchdowns(turned);
+    const bool swings = turned.plan().num_contacts() < 4;
+    while (touchdowns(turned) == before) {
+      for (Puppet* puppet : {&same, &turned}) puppet->tick();
+      if (touchdowns(turned) > before) break;
+      for (const Leg leg : kLegs) EXPECT_EQ(turned.foot(leg), same.foot(leg)) << at;
+      EXPECT_EQ(turned.com(), same.com()) << at;
+    }
+    const double taken_up = swings ? 0.0 : 0.1;
+    EXPECT_LT((turned.plan().com.v - same.plan().com.v).norm(), taken_up + 0.1) << at;
+    turned.run(20.0);
+    const Vec2 begin = turned.com();
+    turned.run(3.8);
+    const Vec2 velocity = (turned.com() - begin) / 3.8;
+    EXPECT_LT(velocity.x(), -0.05) << at;
+    EXPECT_LT(velocity.y(), -0.02) << at;
+  }
+}
+
 TEST(Planner, AnOrderThatLeavesALegOutIsRefused) {
   PlannerOptions options;
   options.gait.order = {Leg::LH, Leg::LF, Leg::RH, Leg::LF};

@@ -119,6 +119,18 @@ TEST(SensorConsistencyInWalks, ChangesNoTorqueWhileSensorsAreHonest) {
   }
 }
 
+// By a velocity that rests on it, joints at rest seem to be frozen.
+TEST(SensorConsistencyInWalks, AnAccelerometerThatIsFarOffIsNotTakenForFrozenEncoders) {
+  Loop loop(
+      scenario("step_down",
+               {"randomise.include=mismatch",
+                "sensors.faults.one={sensor: accelerometer, kind: jump, time: 11.195, size: 50}"},
+               136));
+  loop.run_until(11.3);
+  EXPECT_EQ(loop.record().command.cause, StopCause::imu);
+  EXPECT_EQ(loop.record().command.mode, CommandMode::sit);
+}
+
 TEST(SensorConsistencyInWalks, LiesAreFoundOnARobotThatGivesNoSampleTimesToo) {
   for (const auto& [fault, cause, latest] :
        {std::tuple("sensor: accelerometer, kind: jump, size: 30", StopCause::imu, 0.05),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot {
@@ -20,6 +21,28 @@ TEST(Walk, WithDelayLagAndNoiseItStillFollowsWithinAMillimetre) {
   EXPECT_FALSE(metrics.fell);
   EXPECT_LE(metrics.com_error_max_m, 0.001);
   EXPECT_GE(metrics.steps_taken, 5);
+}
+
+// At any moment of a step, blind and through the drives: back instead of forwards, to the other
+// side, stop and go, and a height that the legs can't step with.
+TEST(Walk, CommandsMayChangeAtAnyTime) {
+  const UserCommand forwards{.walk = true, .velocity = {0.2, 0.0}},
+      back{.walk = true, .velocity = {-0.2, 0.0}}, left{.walk = true, .velocity = {0.0, 0.1}},
+      right{.walk = true, .velocity = {0.0, -0.1}}, mark_time{.walk = true},
+      low{.walk = true, .velocity = {0.2, 0.0}, .height = -0.25};
+  const std::vector<std::pair<UserCommand, UserCommand>> pairs{
+      {forwards, back}, {left, right}, {forwards, left}, {forwards, mark_time}, {forwards, low}};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (const double time : {3.0, 3.15, 3.3, 3.45}) {
+      Scenario changed = scenario("walk_flat", {"planner.calibration.duration=0"}, 1);
+      changed.commands = {
+          {0.5, pairs[i].first}, {time, pairs[i].second}, {time + 1.0, pairs[i].first}};
+      Loop loop(changed);
+      loop.run_until(8.0);
+      EXPECT_EQ(loop.record().command.mode, CommandMode::optimal) << i << " at " << time;
+      EXPECT_EQ(loop.count(PlanEvent::push_step), 0) << i << " at " << time;
+    }
+  }
 }
 
 TEST(Walk, NothingIsAllocatedAfterTheFirstTick) {
