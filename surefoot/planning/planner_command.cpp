@@ -48,7 +48,7 @@ void Planner::take_up() {
 // A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
 // would be too long without caution, too.
 UserCommand Planner::within_strides(const UserCommand& user) {
-  const double height = options_.stance.height + std::min(0.0, user.height);
+  const double height = options_.stance.height + std::fmin(0.0, height_);
   const StrideLimits limits{.reach = horizontal_reach(height),
                             .length = options_.swing.speed_max * options_.gait.swing_duration};
   const auto feasible_share = [&](const UserCommand& command, double cycle_duration) {
