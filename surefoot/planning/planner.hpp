@@ -65,6 +65,8 @@ class Planner {
   void tell_limits();
   void note_rest(const RobotState& state);
   [[nodiscard]] bool is_at_rest(const RobotState& state) const;
+  /// Of the command's velocities, that legs can follow.
+  [[nodiscard]] double feasible_share(const UserCommand& user, double cycle_duration) const;
   /// The command with a velocity that the legs can follow.
   [[nodiscard]] UserCommand within_strides(const UserCommand& user);
   /// The command with the velocities that this step is planned with: in a stand as commanded.

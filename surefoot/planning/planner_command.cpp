@@ -17,7 +17,7 @@ constexpr double kTurnChange = 0.2;     // [rad/s]
 constexpr double kHeightRate = 0.15;    // [m/s]
 // Of a torso over legs that step, under the stance's height: knees that are bent further have no
 // room to swing [m].
-constexpr double kLowest = -0.12;
+constexpr double kLowest = -0.10;
 
 }  // namespace
 
@@ -35,25 +35,33 @@ UserCommand Planner::as_planned(const UserCommand& user) {
   return result;
 }
 
+// All of them by the same share of what is missing, so that the direction becomes the commanded
+// one, also where the legs can't follow it all the way.
 void Planner::take_up() {
-  const auto towards = [](double asked, double present, double most) {
-    return std::clamp(asked, present - most, present + most);
+  const Vec3 most(kVelocityChange.x(), kVelocityChange.y(), kTurnChange);
+  const auto velocities = [](const UserCommand& user) {
+    return Vec3(user.velocity.x(), user.velocity.y(), user.yaw_rate);
   };
-  for (Eigen::Index i = 0; i < 2; ++i) {
-    velocity_[i] = towards(commanded_.velocity[i], walked_.velocity[i], kVelocityChange[i]);
+  const Vec3 asked = velocities(commanded_), now = velocities(walked_);
+  Vec3 next = asked;
+  if (((asked - now).cwiseAbs().array() > most.array()).any()) {
+    const Vec3 missing = feasible_share(commanded_, cycle_duration()) * asked - now;
+    next = now + missing / std::max(1.0, missing.cwiseQuotient(most).cwiseAbs().maxCoeff());
   }
-  turn_ = towards(commanded_.yaw_rate, walked_.yaw_rate, kTurnChange);
+  velocity_ = next.head<2>();
+  turn_ = next.z();
+}
+
+double Planner::feasible_share(const UserCommand& user, double cycle_duration) const {
+  const double height = options_.stance.height + std::fmin(0.0, height_);
+  const StrideLimits limits{.reach = horizontal_reach(height),
+                            .length = options_.swing.speed_max * options_.gait.swing_duration};
+  return foothold_planner_.feasible_share(user, leaning_hips(), limits, cycle_duration);
 }
 
 // A cautious gait's cycle is longer, and so are its strides; who commands it is told of those that
 // would be too long without caution, too.
 UserCommand Planner::within_strides(const UserCommand& user) {
-  const double height = options_.stance.height + std::fmin(0.0, height_);
-  const StrideLimits limits{.reach = horizontal_reach(height),
-                            .length = options_.swing.speed_max * options_.gait.swing_duration};
-  const auto feasible_share = [&](const UserCommand& command, double cycle_duration) {
-    return foothold_planner_.feasible_share(command, leaning_hips(), limits, cycle_duration);
-  };
   const double share = user.walk ? feasible_share(user, cycle_duration()) : 1.0;
   const bool may_slow = share < 1.0 || !is_taken_up();
   slows_ = user.walk && may_slow && feasible_share(commanded_, cycle_duration() / pace()) < 1.0;
