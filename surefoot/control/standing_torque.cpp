@@ -21,15 +21,19 @@ Eigen::Vector4d bearing_forces(const Dynamics& dynamics) {
 
 }  // namespace
 
+RobotState level_at_rest(const JointVector& q) {
+  RobotState state;
+  state.p_WB.setZero();
+  state.q_WB.setIdentity();
+  state.v_WB.setZero();
+  state.w_WB_B.setZero();
+  state.q = q;
+  state.qd.setZero();
+  return state;
+}
+
 JointVector standing_torque(RobotModel& model, const JointVector& q) noexcept {
-  RobotState level;
-  level.p_WB.setZero();
-  level.q_WB.setIdentity();
-  level.v_WB.setZero();
-  level.w_WB_B.setZero();
-  level.q = q;
-  level.qd.setZero();
-  const Dynamics& dynamics = model.update(level, Vec3::UnitZ());
+  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   const Eigen::Vector4d force = bearing_forces(dynamics);
   JointVector torque = dynamics.h.tail<kNumJoints>();
   for (const Leg leg : kLegs) {

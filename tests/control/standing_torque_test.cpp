@@ -12,17 +12,6 @@ namespace {
 using test::anymal_b;
 using test::Random;
 
-RobotState at_rest(const JointVector& q) {
-  RobotState state;
-  state.p_WB.setZero();
-  state.q_WB.setIdentity();
-  state.v_WB.setZero();
-  state.w_WB_B.setZero();
-  state.q = q;
-  state.qd.setZero();
-  return state;
-}
-
 // h − Sᵀτ is what the ground must bear: Σ J_kᵀ f_k of vertical forces that push, for all 18 rows.
 TEST(StandingTorque, LeavesToTheGroundVerticalForcesThatBearTheRobot) {
   RobotModel model(anymal_b());
@@ -30,7 +19,7 @@ TEST(StandingTorque, LeavesToTheGroundVerticalForcesThatBearTheRobot) {
   for (int i = 0; i < 50; ++i) {
     const JointVector q = random.standing_state(anymal_b().q_nominal).q;
     const JointVector torque = standing_torque(model, q);
-    const Dynamics& dynamics = model.update(at_rest(q), Vec3::UnitZ());
+    const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
     GeneralizedVector borne = dynamics.h;
     borne.tail<kNumJoints>() -= torque;
     Eigen::Matrix<double, kNumVelocities, kNumLegs> lifts;
@@ -50,7 +39,7 @@ TEST(StandingTorque, NoFootPulls) {
   RobotModel model(anymal_b());
   JointVector q = anymal_b().q_nominal;
   for (const Leg leg : kLegs) q[first_joint(leg) + 1] -= 1.2;
-  const Dynamics& dynamics = model.update(at_rest(q), Vec3::UnitZ());
+  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
   for (const PointKinematics& contact : dynamics.contact) {
     ASSERT_GT(contact.p.x(), dynamics.com.p.x());
   }
