@@ -11,6 +11,7 @@ AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
     : solved_(stack, solver, robot),
       ladder_at_start_(safety, robot, solved_.stack.first_free_level(), JointVector::Zero(), 0.0),
       ladder_(ladder_at_start_) {
+  for (Safety* ladder : {&ladder_at_start_, &ladder_}) ladder->skip_beginning();
   at_rest_.before.set();
   at_rest_.after.set();
 }

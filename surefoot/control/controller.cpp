@@ -8,6 +8,7 @@
 #include "surefoot/control/stack_fade.hpp"
 #include "surefoot/control/standing_torque.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
+#include "surefoot/estimation/first_readings.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
@@ -77,23 +78,49 @@ ModelRecord unknown_model() {
   return model;
 }
 
-}  // namespace
-
-struct Controller::Implementation {
-  Implementation(const RobotDescription& robot, const ControllerOptions& options,
-                 std::unique_ptr<StateEstimator> state_estimator)
+/// What the readings so far have taught, beside what the estimator and Safety know.
+struct Memory {
+  Memory(const RobotDescription& robot, const ControllerOptions& options, const RobotModel& model)
       : guard(options.guard, robot, checked_period(options.period)),
-        estimator(std::move(state_estimator)),
-        model(robot),
+        first_readings(checked_period(options.period)),
         contact_force(options.contact_force, checked_period(options.period)),
         kinematics(robot, options.period),
         link_masses(options.link_masses, options.period),
         com_calibration(options.period, model.base_mass()),
-        weighs_by_torques(!options.contact_force.use_foot_sensor),
         slip(options.slip, options.period),
         external_force(options.external_force),
         consistency(options.consistency, options.period),
-        planner(options.planner, model.mass() * kGravity, options.period),
+        planner(options.planner, model.mass() * kGravity, options.period) {}
+
+  ReadingGuard guard;
+  FirstReadings first_readings;
+  ContactForceEstimator contact_force;
+  JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
+  KinematicCalibration kinematics;
+  KinematicErrors errors_before;
+  LinkMassEstimator link_masses;
+  ComCalibration com_calibration;
+  SlipDetector slip;
+  ExternalForceEstimator external_force;
+  SensorConsistency consistency;
+  Planner planner;
+  HierarchyOutcome last;
+  double last_time = kNaN;  // of the last state that was believed [s]
+};
+
+}  // namespace
+
+struct Controller::Implementation : Memory {
+  Implementation(const RobotDescription& robot, const ControllerOptions& options,
+                 std::unique_ptr<StateEstimator> state_estimator)
+      : Implementation(robot, options, std::move(state_estimator), RobotModel(robot)) {}
+  Implementation(const RobotDescription& robot, const ControllerOptions& options,
+                 std::unique_ptr<StateEstimator> state_estimator, RobotModel robot_model)
+      : Memory(robot, options, robot_model),
+        at_start(*this),
+        estimator(std::move(state_estimator)),
+        model(std::move(robot_model)),
+        weighs_by_torques(!options.contact_force.use_foot_sensor),
         robot_description(robot),
         solver_options(options.solver),
         solved(std::make_unique<SolvedStack>(options.stack, options.solver, robot)),
@@ -102,6 +129,8 @@ struct Controller::Implementation {
                lying_posture(model, options.safety.sit_height), options.period) {}
 
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
+  void take_in(SensorReading reading) noexcept;
+  void begin_anew() noexcept;
   [[nodiscard]] bool estimate() noexcept;
   const JointVector& observe_joints() noexcept;
   [[nodiscard]] TickContext context() noexcept;
@@ -117,20 +146,11 @@ struct Controller::Implementation {
     if (observer != nullptr) observer->stage_ends(stage);
   }
 
-  ReadingGuard guard;
+  Memory at_start;  // to begin anew with
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
-  ContactForceEstimator contact_force;
-  KinematicCalibration kinematics;
-  LinkMassEstimator link_masses;
-  ComCalibration com_calibration;
   BaseLoad base_load;            // of this tick
   const bool weighs_by_torques;  // and so with the links that the torques carry
-  SlipDetector slip;
-  ExternalForceEstimator external_force;
-  SensorConsistency consistency;
-  KinematicErrors errors_before;
-  Planner planner;
   RobotDescription robot_description;
   SolverOptions solver_options;
   std::unique_ptr<SolvedStack> solved;
@@ -138,13 +158,10 @@ struct Controller::Implementation {
   LevelSwitcher switcher;
   Safety safety;
   TickRecord record;
-  JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
-  std::array<double, kMaxLevels> level_times{};      // [s]
+  std::array<double, kMaxLevels> level_times{};  // [s]
   bool explains_levels = false;
   bool has_solved = false;  // the last tick
   StageObserver* observer = nullptr;
-  HierarchyOutcome last;
-  double last_time = kNaN;  // of the last state that was believed [s]
 };
 
 const JointCommand& Controller::Implementation::step(const SensorReading& reading,
@@ -152,10 +169,17 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   record.user = sane(user);
+  take_in(reading);
+  const bool has_begun = std::isfinite(last_time);
+  const bool begun_anew =
+      first_readings.are_contradicted(reading, guard.clock_is_right(), guard.health(), has_begun) &&
+      !safety.has_stopped();
+  if (begun_anew) begin_anew();
   const bool believed = estimate();
   ended(Stage::estimate);
   const Solution* solution = believed ? optimise(record.user) : nullptr;
   if (!believed) describe_refused_state();
+  if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
   has_solved = believed;
   // Whose base is not known yet, but whose joints are.
   const bool is_held = !believed && !safety.has_begun() && !safety.has_stopped();
@@ -165,15 +189,28 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   return record.command;
 }
 
-/// False where the state is not one to plan and solve with.
-bool Controller::Implementation::estimate() noexcept {
-  SensorReading reading = record.reading;
+void Controller::Implementation::take_in(SensorReading reading) noexcept {
   const Quat imu = exp_rotation(kinematics.errors().imu);
   reading.q -= kinematics.errors().zero;
   reading.gyro = imu * reading.gyro;
   reading.accelerometer = imu * reading.accelerometer;
   guard.update(reading, joint_velocity, record.reading);
   record.health = guard.health();
+}
+
+/// With this reading as the first; what is wrong with it has been told.
+void Controller::Implementation::begin_anew() noexcept {
+  static_cast<Memory&>(*this) = at_start;
+  estimator->begin_anew();
+  safety.begin_anew();
+  record.plan = {};
+  const SensorHealth health = record.health;
+  take_in(record.reading);
+  record.health = health;
+}
+
+/// False where the state is not one to plan and solve with.
+bool Controller::Implementation::estimate() noexcept {
   if (!guard.clock_is_right()) {
     record.state.time = kNaN;
     record.state.q = guard.measured().q;  // for the safe commands: what the joints do now
@@ -364,7 +401,10 @@ bool Controller::set_stack(const StackOptions& stack, double duration) {
   return implementation_->set_stack(stack, duration);
 }
 
-void Controller::set_friction(double friction) { implementation_->planner.set_friction(friction); }
+void Controller::set_friction(double friction) {
+  implementation_->planner.set_friction(friction);
+  implementation_->at_start.planner.set_friction(friction);
+}
 
 const TickRecord& Controller::record() const { return implementation_->record; }
 

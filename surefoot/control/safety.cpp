@@ -11,6 +11,7 @@ namespace {
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kToStand = 2.0;         // for which a robot that has not begun is held [s]
+constexpr double kUnsureTilt = 0.02;     // of a robot that has not begun [s]
 constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
 constexpr double kRounding = 1e-9;  // of times [s]
 
@@ -64,7 +65,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
                                     const SensorHealth& health) noexcept {
   const JointVector before = command_.torque;
   command_.time = std::isfinite(state.time) ? state.time : command_.time + period_;
-  const bool good = is_good(solution);
+  const bool good = is_good(state, solution);
   if (!has_begun_ && failures_ > 0) {
     unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
   }
@@ -90,8 +91,17 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   return command_;
 }
 
-bool Safety::is_good(const Solution* solution) const {
-  if (solution == nullptr) return false;
+void Safety::begin_anew() noexcept {
+  has_begun_ = false;
+  good_q_.setConstant(kNaN);
+}
+
+bool Safety::is_tilted(const RobotState& state) const {
+  return uprightness(state) < std::cos(options_.max_tilt);
+}
+
+bool Safety::is_good(const RobotState& state, const Solution* solution) const {
+  if (solution == nullptr || is_tilted(state)) return false;
   const bool usable =
       solution->status == SolveStatus::optimal || (solution->status == SolveStatus::iteration_cap &&
                                                    solution->failed_level >= first_free_level_);
@@ -110,7 +120,8 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
-  if (uprightness(state) < std::cos(options_.max_tilt)) {
+  const bool is_sure = has_begun_ || failures_ * period_ > kUnsureTilt;
+  if (is_tilted(state) && is_sure) {
     stop(CommandMode::damping, StopCause::tilt, health);
   } else if ((lost == StopCause::encoders || sitting_) && !can_sit(state)) {
     stop(CommandMode::damping, StopCause::encoders, health);

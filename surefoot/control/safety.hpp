@@ -26,8 +26,9 @@ namespace surefoot {
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
 ///                keep their last good torques
 ///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
-///                a torso tilted too far; lying; or at once where encoders of several legs are
-///                lost, on top of the last good torques, which fade out
+///                a torso tilted too far, from the beginning on for 20 ms (FirstReadings); lying;
+///                or at once where encoders of several legs are lost, on top of the last good
+///                torques, which fade out
 ///
 /// While a sensor is at fault, and after that until they are back where they should be, after every
 /// stop, and where the first tick was not good until 0.5 s after the first that was, torques change
@@ -49,11 +50,17 @@ class Safety {
 
   /// Was there a good tick?
   [[nodiscard]] bool has_begun() const { return has_begun_; }
+  /// For ticks of a log: its robot had begun.
+  void skip_beginning() { has_begun_ = true; }
   /// What bears the robot in its posture of this tick, until there is a good one [N·m]: then, and
   /// where it is not finite, nothing changes.
   void bear(const JointVector& torque) {
     if (!has_begun_ && torque.allFinite()) good_torque_ = torque;
   }
+
+  /// What was good so far is worth nothing; the torques go on from where they are, and how long it
+  /// has not been good counts on. Not for a robot that has stopped.
+  void begin_anew() noexcept;
 
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
@@ -63,7 +70,8 @@ class Safety {
   [[nodiscard]] bool has_stopped() const { return sitting_ || damping_; }
 
  private:
-  [[nodiscard]] bool is_good(const Solution* solution) const;
+  [[nodiscard]] bool is_tilted(const RobotState& state) const;
+  [[nodiscard]] bool is_good(const RobotState& state, const Solution* solution) const;
   void note_lame_joints(const RobotState& state, const SensorHealth& health);
   /// Can the robot sit down with the joints whose angles are known?
   [[nodiscard]] bool can_sit(const RobotState& state) const;

@@ -58,6 +58,16 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
   return state_;
 }
 
+void LegInertialEstimator::begin_anew() noexcept {
+  started_ = false;
+  standing_start_.begin_anew();
+  chains_ = described_;
+  errors_ = {};
+  feet_ = {};
+  R_WB_before_.setIdentity();
+  state_ = {};
+}
+
 // By the lowest points of the spheres, where the shanks touch the ground as they roll.
 bool LegInertialEstimator::stands(const SensorReading& reading,
                                   const JointVector& joint_velocity) noexcept {

@@ -49,6 +49,7 @@ class LegInertialEstimator final : public StateEstimator {
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
+  void begin_anew() noexcept override;
 
   [[nodiscard]] const InvariantFilter& filter() const { return filter_; }
 

@@ -42,6 +42,12 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
   return agrees;
 }
 
+void StandingStart::begin_anew() noexcept {
+  window_ = {};
+  time_ = kNaN;
+  has_waited_ = true;
+}
+
 // The means are of the window's middle: since then the base has turned on.
 StandingStart::State StandingStart::state() const noexcept {
   const Vec3 w = window_.w.mean();

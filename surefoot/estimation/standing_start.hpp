@@ -31,6 +31,9 @@ class StandingStart {
   [[nodiscard]] bool stands(const SensorReading& reading, const JointVector& joint_velocity,
                             const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept;
 
+  /// The readings so far are worth nothing: it has to be seen to stand for 0.1 s.
+  void begin_anew() noexcept;
+
   /// Now that it does.
   [[nodiscard]] State state() const noexcept;
 

@@ -18,6 +18,9 @@ class StateEstimator {
   /// by the ContactForceEstimator.
   [[nodiscard]] virtual const RobotState& update(const SensorReading& reading,
                                                  const TickContext& context) noexcept = 0;
+
+  /// Before an update: all readings so far are worth nothing (FirstReadings).
+  virtual void begin_anew() noexcept {}
 };
 
 }  // namespace surefoot

@@ -36,7 +36,7 @@ ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& for
     : options_(options), force_(force), weight_(robot_weight) {
   knots_.fill({Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
   for (int phases = 1; phases <= kMaxPhases; ++phases) {
-    problems_.push_back(std::make_unique<Problem>(make_hierarchy(phases)));
+    problems_.push_back(std::make_shared<Problem>(make_hierarchy(phases)));
   }
 }
 

@@ -149,7 +149,9 @@ class ComPlanner {
   double friction_ = 0.5;
   std::array<Vec2, 2> friction_axes_{Vec2::UnitX(), Vec2::UnitY()};
   ComLoad load_, next_load_;
-  std::vector<std::unique_ptr<Problem>> problems_;  // by number of phases
+  // By number of phases. Copies of a planner share them, as they remember nothing; so of these one
+  // plans at a time.
+  std::vector<std::shared_ptr<Problem>> problems_;
   // The plan in force: kept apart from the phases being added.
   std::array<Motion<Vec2>, kMaxPhases + 1> knots_;
   std::array<double, kMaxPhases> durations_{};

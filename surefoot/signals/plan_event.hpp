@@ -31,7 +31,8 @@ enum class PlanEvent : int {
   calibration_disturbed = 20,
   /// That one was, too, or can't begin: the robot goes on with what it has found.
   calibration_given_up = 21,
-  raised = 22,  ///< the commanded height leaves legs no room to step: walking higher
+  raised = 22,      ///< the commanded height leaves legs no room to step: walking higher
+  begun_anew = 23,  ///< the first readings are contradicted by the next: nothing of them is kept
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -82,6 +83,8 @@ enum class PlanEvent : int {
       return "calibration was disturbed, and is given up: going on with what it found";
     case PlanEvent::raised:
       return "torso too low for legs that step: higher than commanded";
+    case PlanEvent::begun_anew:
+      return "first readings contradicted by the next: beginning anew";
   }
   return "unknown";
 }

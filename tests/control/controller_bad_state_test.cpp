@@ -141,8 +141,8 @@ TEST(Controller, TheSameReadingOverAndOverIsNoNews) {
 
 TEST(Controller, AnEmptyReadingLeavesNoTrace) {
   Statue statue, other;
-  statue.run(20);
-  other.run(21);
+  statue.run(60);  // longer than the first readings can be contradicted
+  other.run(61);
   JointVector before = statue.controller.record().command.torque;
   SensorReading empty;
   empty.time = empty.encoder_time = empty.torque_time = empty.imu_time = 0.0;

@@ -216,8 +216,47 @@ TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
   EXPECT_EQ(safety.command(tilted(0.99), &good).mode, CommandMode::optimal);
   EXPECT_EQ(safety.command(tilted(-1.01), &good).mode, CommandMode::damping);
   EXPECT_EQ(safety.command(standing(), &good).mode, CommandMode::damping) << "it is latched";
-  Safety upside_down = make_safety(options);
+}
+
+// Its first reading may be wrong.
+TEST(Safety, OfARobotThatHasNotBegunATiltIsBelievedAfter20Ms) {
+  const Solution good = solved(torques());
+  Safety upside_down = make_safety(), righted = make_safety();
+  for (int tick = 0; tick < 8; ++tick) {
+    EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::hold);
+    EXPECT_EQ(righted.command(tilted(kPi), &good).mode, CommandMode::hold);
+  }
   EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::damping);
+  EXPECT_EQ(righted.command(standing(), &good).mode, CommandMode::optimal);
+}
+
+TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
+  const Solution good = solved(torques(10.0));
+  Safety safety = make_safety();
+  RobotState elsewhere = standing();
+  elsewhere.q.setConstant(0.3);
+  JointVector before = safety.command(elsewhere, &good).torque;
+  safety.begin_anew();
+  EXPECT_FALSE(safety.has_begun());
+  for (int tick = 0; tick < 30; ++tick) {
+    safety.bear(torques(5.0));
+    const JointCommand& command = safety.command(standing(tick * kPeriod), nullptr);
+    EXPECT_EQ(command.mode, CommandMode::hold);
+    EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(),
+              SafetyOptions{}.max_torque_change + 1e-9);
+    before = command.torque;
+  }
+  EXPECT_LT((before - torques(5.0)).norm(), 1e-12) << "held where it is now";
+}
+
+TEST(Safety, ThatBeginsAnewAgainAndAgainDampsInTheEnd) {
+  Safety safety = make_safety();
+  int tick = 0;
+  for (; !safety.has_stopped() && tick < 2000; ++tick) {
+    if (tick % 20 == 0) safety.begin_anew();
+    (void)safety.command(standing(tick * kPeriod), nullptr);
+  }
+  EXPECT_NEAR(tick * kPeriod, 2.0, 0.01);
 }
 
 TEST(Safety, DoesNotTakeABrokenOrientationForATilt) {

@@ -117,6 +117,15 @@ TEST(StandingStart, WhatBreaksOffOrHasAGapBeginsAnew) {
   }
 }
 
+TEST(StandingStart, WhatStoodByReadingsThatAreWorthNothingIsWaitedFor) {
+  Base base;
+  StandingStart start(kPeriod);
+  ASSERT_TRUE(base.seen_by(start));
+  start.begin_anew();
+  base.time = -5.0;  // by another clock
+  EXPECT_EQ(ticks_until_it_stands(base, start), kLasting);
+}
+
 // The legs say that the base turns, the gyroscope that it does not.
 TEST(StandingStart, LegsThatMoveUnderABaseThatDoesNotAreNoStance) {
   Base base;

@@ -22,8 +22,8 @@ Loop::Loop(const Scenario& scenario)
 
 PlanEvent Loop::tick() {
   SensorReading reading = plant_.read();
-  if (!has_sample_times_) reading.encoder_time = reading.torque_time = reading.imu_time = kNaN;
   const UserCommand& user = scenario_.user(reading.time);
+  change_(reading);
   const MallocCounter counter;
   const JointCommand& command = controller_.step(reading, user);
   const std::size_t made = counter.count();

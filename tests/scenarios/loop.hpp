@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace surefoot::test {
@@ -21,8 +22,8 @@ class Loop {
  public:
   explicit Loop(const Scenario& scenario);
 
-  /// From now on the robot does not say when its samples were taken.
-  void take_sample_times_away() { has_sample_times_ = false; }
+  /// From now on the controller is given what this makes of a reading.
+  void change_readings(std::function<void(SensorReading&)> change) { change_ = std::move(change); }
   /// One tick; returns its event.
   PlanEvent tick();
   /// Until the time, or until `stop` says so.
@@ -41,7 +42,7 @@ class Loop {
   Scenario scenario_;
   Plant plant_;
   Controller controller_;
-  bool has_sample_times_ = true;
+  std::function<void(SensorReading&)> change_ = [](SensorReading&) {};
   std::vector<PlanEvent> events_;
   std::size_t allocations_ = 0;
   double last_allocation_ = 0.0;  // [s]
