@@ -277,6 +277,7 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
+  if (begins_anew(tick.record)) start_.reset();
   HierarchyNamer namer(names_);
   const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,

@@ -172,7 +172,9 @@ void LogFrames::find_start() {
   if (decoded.ticks.empty()) return;
   first_tick_ = std::min(first_tick_, tick_at(decoded.ticks.begin()->first));
   const GrowingTick& first = decoded.ticks.begin()->second;
-  if (first.is_whole() && first.has_truth)
+  const bool is_dropped = std::ranges::any_of(
+      decoded.ticks, [](const auto& entry) { return begins_anew(entry.second.record); });
+  if (first.is_whole() && first.has_truth && !is_dropped)
     start_ = start_alignment(first.truth, first.record.state);
 }
 

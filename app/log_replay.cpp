@@ -20,6 +20,7 @@ class PlaybackEstimator final : public StateEstimator {
   const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
     return state_;
   }
+  void begin_anew() noexcept override {}
 
  private:
   const RobotState& state_;

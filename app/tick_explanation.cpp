@@ -38,6 +38,7 @@ namespace {
 constexpr double kLoaded = 1.0;     // [N]
 constexpr double kSlack = 0.01;     // of a share that may be rounding
 constexpr double kRounding = 1e-6;  // of a time [s]
+constexpr int kBeginning = 400;     // ticks, in which the estimate may begin anew
 
 /// How belief and truth lay at the first tick of a log; its truth comes before the second tick.
 std::optional<StartAlignment> read_start(const std::string& path) {
@@ -46,9 +47,11 @@ std::optional<StartAlignment> read_start(const std::string& path) {
     if (message.channel->topic == "/truth" && !truth)
       logged::Decoder::decode(message.data, truth.emplace());
   });
-  TickRecord first, second;
+  TickRecord first, next;
   if (!log.next(first)) return std::nullopt;
-  (void)log.next(second);
+  for (int tick = 1; tick < kBeginning && log.next(next); ++tick) {
+    if (begins_anew(next)) return std::nullopt;
+  }
   if (!truth || std::abs(truth->time - first.reading.time) > 1e-9) return std::nullopt;
   return start_alignment(*truth, first.state);
 }

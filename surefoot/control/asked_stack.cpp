@@ -5,7 +5,7 @@
 namespace surefoot {
 
 // Lying posture and period are of no use: where no sensor is said to be at fault, no ladder leads
-// to `sit`, and every state that is asked has its time.
+// to `sit`, every state that is asked has its time, and nobody waits for a log's robot to begin.
 AskedStack::AskedStack(const StackOptions& stack, const SolverOptions& solver,
                        const SafetyOptions& safety, const RobotDescription& robot)
     : solved_(stack, solver, robot),

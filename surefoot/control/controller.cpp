@@ -82,7 +82,6 @@ ModelRecord unknown_model() {
 struct Memory {
   Memory(const RobotDescription& robot, const ControllerOptions& options, const RobotModel& model)
       : guard(options.guard, robot, checked_period(options.period)),
-        first_readings(checked_period(options.period)),
         contact_force(options.contact_force, checked_period(options.period)),
         kinematics(robot, options.period),
         link_masses(options.link_masses, options.period),
@@ -93,7 +92,6 @@ struct Memory {
         planner(options.planner, model.mass() * kGravity, options.period) {}
 
   ReadingGuard guard;
-  FirstReadings first_readings;
   ContactForceEstimator contact_force;
   JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
   KinematicCalibration kinematics;
@@ -118,6 +116,7 @@ struct Controller::Implementation : Memory {
                  std::unique_ptr<StateEstimator> state_estimator, RobotModel robot_model)
       : Memory(robot, options, robot_model),
         at_start(*this),
+        first_readings(options.period),
         estimator(std::move(state_estimator)),
         model(std::move(robot_model)),
         weighs_by_torques(!options.contact_force.use_foot_sensor),
@@ -147,6 +146,7 @@ struct Controller::Implementation : Memory {
   }
 
   Memory at_start;  // to begin anew with
+  FirstReadings first_readings;
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
   BaseLoad base_load;            // of this tick
@@ -170,9 +170,10 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   record.reading = reading;
   record.user = sane(user);
   take_in(reading);
-  const bool has_begun = std::isfinite(last_time);
+  record.health = guard.health();
+  const bool estimates = std::isfinite(last_time);
   const bool begun_anew =
-      first_readings.are_contradicted(reading, guard.clock_is_right(), guard.health(), has_begun) &&
+      first_readings.are_contradicted(reading, guard.clock_is_right(), record.health, estimates) &&
       !safety.has_stopped();
   if (begun_anew) begin_anew();
   const bool believed = estimate();
@@ -195,18 +196,17 @@ void Controller::Implementation::take_in(SensorReading reading) noexcept {
   reading.gyro = imu * reading.gyro;
   reading.accelerometer = imu * reading.accelerometer;
   guard.update(reading, joint_velocity, record.reading);
-  record.health = guard.health();
 }
 
-/// With this reading as the first; what is wrong with it has been told.
+/// With this reading as the first. The tick's health stays what the readings before made it.
 void Controller::Implementation::begin_anew() noexcept {
   static_cast<Memory&>(*this) = at_start;
   estimator->begin_anew();
   safety.begin_anew();
+  switcher.begin_anew();
+  if (fade) fade->begin_anew();
   record.plan = {};
-  const SensorHealth health = record.health;
   take_in(record.reading);
-  record.health = health;
 }
 
 /// False where the state is not one to plan and solve with.

@@ -132,11 +132,20 @@ const LevelTransition& LevelSwitcher::update(double time) noexcept {
     begin(requested_, time);
     begun_ = report(requested_);
     is_requested_ = false;
+    has_begun_request_ = true;
   }
   while (!transition_.is_going_on() && next_ < schedule_.size() && schedule_[next_].time <= time) {
     begin(schedule_[next_++], time);
   }
   return transition_;
+}
+
+void LevelSwitcher::begin_anew() noexcept {
+  transition_.before.set();
+  transition_.after.set();
+  transition_.share = 1.0;
+  next_ = 0;
+  is_requested_ = is_requested_ || has_begun_request_;
 }
 
 void LevelSwitcher::begin(const Change& change, double time) {

@@ -41,6 +41,9 @@ class LevelSwitcher {
   /// Once a tick, with its time [s]. Does not allocate.
   const LevelTransition& update(double time) noexcept;
 
+  /// By another clock: as if no tick had been. What was asked for begins at the next one, too.
+  void begin_anew() noexcept;
+
   /// The same for a stack that has the same levels in another order or with other parameters, in
   /// the place of the present one. Throws Error where a switch of the schedule can't be made there.
   [[nodiscard]] LevelSwitcher for_stack(const StackOptions& stack) const;
@@ -66,7 +69,7 @@ class LevelSwitcher {
   std::vector<LevelSwitch> given_;  // the schedule
   std::vector<Change> schedule_;    // … and with the levels' numbers
   std::size_t next_ = 0;
-  bool is_requested_ = false;
+  bool is_requested_ = false, has_begun_request_ = false;
   Change requested_{};
   LevelSwitchReport begun_;
   LevelTransition transition_;

@@ -93,6 +93,7 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
 
 void Safety::begin_anew() noexcept {
   has_begun_ = false;
+  unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
   good_q_.setConstant(kNaN);
 }
 

@@ -26,9 +26,9 @@ namespace surefoot {
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
 ///                keep their last good torques
 ///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
-///                a torso tilted too far, from the beginning on for 20 ms (FirstReadings); lying;
-///                or at once where encoders of several legs are lost, on top of the last good
-///                torques, which fade out
+///                a torso tilted too far (before the first good tick only when 20 ms have gone by,
+///                as the first readings may be wrong); lying; or at once where encoders of several
+///                legs are lost, on top of the last good torques, which fade out
 ///
 /// While a sensor is at fault, and after that until they are back where they should be, after every
 /// stop, and where the first tick was not good until 0.5 s after the first that was, torques change

@@ -30,6 +30,9 @@ class StackFade {
   [[nodiscard]] bool is_going_on() const { return share_ < 1.0; }
   [[nodiscard]] double share() const { return share_; }
 
+  /// By another clock: one that is not over begins with the next tick.
+  void begin_anew() noexcept { begin_ = kNaN; }
+
   /// One tick at its time [s], of which the new stack has the hierarchy and its optimum. The
   /// reference stays valid until the next call. Does not allocate.
   const Solution& between(const Dynamics& dynamics, const MotionPlan& plan, double time,

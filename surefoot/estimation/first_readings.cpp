@@ -5,45 +5,79 @@
 namespace surefoot {
 namespace {
 
-constexpr double kUntilTrue = 0.1;     // [s]
-constexpr int kBelievedWithin = 3;     // ticks: a jump that the next sample confirms
-constexpr double kSameTurn = 0.25;     // a tick after a robot has begun 0.05 was the most [rad/s]
-constexpr double kSameVertical = 2.0;  // and 0.7 [m/s²]
+constexpr double kWindow = 0.1;    // of an estimate [s]
+constexpr double kLongest = 1.0;   // since the first tick [s]
+constexpr double kYoung = 0.02;    // as long as a sample may be bridged [s]
+constexpr int kUnconfirmed = 3;    // jumps in a row: the second would confirm the first
+constexpr int kMostAtOnce = 3;     // beginnings by a single jump, where velocities are not known
+constexpr double kSameTurn = 0.1;  // [rad/s]
+constexpr double kSameVertical = 2.0;  // [m/s²]
+
+int ticks_in(double time, double period) { return static_cast<int>(std::lround(time / period)); }
 
 }  // namespace
 
 FirstReadings::FirstReadings(double period)
-    : ticks_left_(static_cast<int>(std::lround(kUntilTrue / period))) {}
+    : window_(ticks_in(kWindow, period)),
+      young_(ticks_in(kYoung, period)),
+      ticks_left_(window_),
+      ticks_left_in_all_(ticks_in(kLongest, period)) {}
 
 bool FirstReadings::are_contradicted(const SensorReading& reading, bool clock_is_right,
-                                     const SensorHealth& health, bool has_begun) noexcept {
+                                     const SensorHealth& health, bool estimates) noexcept {
   // The same time again is a driver that is dead, and none is no other one.
   const bool is_other_clock =
       !clock_is_right && std::isfinite(reading.time) && reading.time != time_;
   time_ = reading.time;
-  if (ticks_left_ == 0) return false;
-  if (has_begun) --ticks_left_;
-  const bool jumps =
-      health.encoders.fault == SampleFault::jump || health.imu.fault == SampleFault::jump;
-  jumps_ = jumps ? jumps_ + 1 : 0;
-  const bool imu_is_other = imu_contradicts(reading, has_begun);
-  return is_other_clock || imu_is_other || jumps_ >= (has_begun ? 1 : kBelievedWithin);
+  if (ticks_left_ == 0 || ticks_left_in_all_ == 0) return false;
+  if (estimates) --ticks_left_;
+  --ticks_left_in_all_;
+  const bool encoders_jump =
+      jumps(encoders_, reading.encoder_time, health.encoders.fault, estimates);
+  const bool imu_jumps = jumps(imu_, reading.imu_time, health.imu.fault, estimates);
+  const bool is_other_imu = imu_differs(reading, estimates);
+  ++age_;
+  const bool contradicted = is_other_clock || encoders_jump || imu_jumps || is_other_imu;
+  if (contradicted) begin_with(reading);
+  return contradicted;
+}
+
+// A sample that is held says nothing; times that are NaN are those of new ones.
+bool FirstReadings::jumps(Sensor& sensor, double sample_time, SampleFault fault, bool estimates) {
+  const bool is_new = sample_time != sensor.time;
+  const bool behind_gap = sensor.was_missed;
+  sensor.was_missed = fault != SampleFault::none && fault != SampleFault::jump;
+  if (!is_new) return false;
+  sensor.time = sample_time;
+  sensor.jumps = fault == SampleFault::jump ? sensor.jumps + 1 : 0;
+  if (sensor.jumps == 0) return false;
+  if (estimates) return age_ <= young_ || behind_gap;
+  return sensor.jumps >= kUnconfirmed || (age_ == 1 && times_begun_anew_ < kMostAtOnce);
 }
 
 // A slow one gives the first again before it gives the second.
-bool FirstReadings::imu_contradicts(const SensorReading& reading, bool has_begun) noexcept {
-  if (!has_begun) {
-    gyro_ = reading.gyro;
-    accelerometer_ = reading.accelerometer;
-    return false;
-  }
+bool FirstReadings::imu_differs(const SensorReading& reading, bool estimates) {
   const bool is_complete = reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  const bool is_same = reading.gyro == gyro_ && reading.accelerometer == accelerometer_;
-  if (!is_complete || is_same) return false;
+  if (!is_complete) return false;
   const bool is_other = (reading.gyro - gyro_).norm() > kSameTurn ||
                         (reading.accelerometer - accelerometer_).norm() > kSameVertical;
-  gyro_ = accelerometer_ = Vec3::Constant(kNaN);  // no third is compared
-  return is_other;
+  const bool is_same = reading.gyro == gyro_ && reading.accelerometer == accelerometer_;
+  if (!estimates) {
+    gyro_ = reading.gyro;
+    accelerometer_ = reading.accelerometer;
+  } else if (!is_same) {
+    gyro_ = accelerometer_ = Vec3::Constant(kNaN);  // no third is compared
+  }
+  return estimates && is_other;
+}
+
+void FirstReadings::begin_with(const SensorReading& reading) {
+  ++times_begun_anew_;
+  ticks_left_ = window_;
+  age_ = 1;
+  encoders_.jumps = imu_.jumps = 0;
+  gyro_ = reading.gyro;
+  accelerometer_ = reading.accelerometer;
 }
 
 }  // namespace surefoot

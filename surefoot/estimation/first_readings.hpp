@@ -9,28 +9,48 @@ namespace surefoot {
 ///
 /// The first reading has none before it to be held against: it may be a driver's zeros, or its
 /// clock another's. Where a later one contradicts it nobody knows which is right, and what began
-/// with it (base, feet, plan) is worth nothing. So until 0.1 s after the estimate has begun
-/// encoders or IMU that jump, or a clock that leaps or goes back, say that it is to begin anew; and
-/// so does the IMU's second sample, if it is further from the first than of a robot that stands:
-/// by more than 2 m/s² or 0.25 rad/s. Before, only jumps that the guard does not come to believe
-/// do: nothing has been begun, and how fast the joints turn is not known yet.
+/// with it (base, feet, plan) is worth nothing: the robot is to begin anew, with the later one as
+/// the first. Contradicted it is until 0.1 s after the estimate has begun, and 1 s after the first
+/// tick at most, by
+///
+/// - a clock that leaps or goes back;
+/// - encoders or IMU that jump within 20 ms, or behind a gap. Later, what has been right for so
+///   long is not doubted for a sample, nor for a sensor that has failed;
+/// - the IMU's second sample, where it is further from the first than of a robot that stands: by
+///   more than 2 m/s² or 0.1 rad/s.
+///
+/// Before the estimate has begun nobody knows how fast the joints turn, and only the first jumps
+/// after a beginning say so, or those that the guard does not come to believe.
 class FirstReadings {
  public:
   /// `period` of the control loop [s].
   explicit FirstReadings(double period);
 
   /// One tick: the reading as it came, whether the guard believes its clock, and what it says of
-  /// the rest. `has_begun`: the estimate has. True: begin anew, with this reading as the
-  /// first.
+  /// the rest; `estimates`: there is an estimate of the base. True: begin anew, with this reading
+  /// as the first.
   [[nodiscard]] bool are_contradicted(const SensorReading& reading, bool clock_is_right,
-                                      const SensorHealth& health, bool has_begun) noexcept;
+                                      const SensorHealth& health, bool estimates) noexcept;
 
  private:
-  [[nodiscard]] bool imu_contradicts(const SensorReading& reading, bool has_begun) noexcept;
+  /// Of encoders or IMU.
+  struct Sensor {
+    double time = kNaN;       // of the last sample [s]
+    int jumps = 0;            // of samples in a row
+    bool was_missed = false;  // the sample before
+  };
 
-  int ticks_left_;
-  int jumps_ = 0;       // in a row
+  [[nodiscard]] bool jumps(Sensor& sensor, double sample_time, SampleFault fault, bool estimates);
+  [[nodiscard]] bool imu_differs(const SensorReading& reading, bool estimates);
+  void begin_with(const SensorReading& reading);
+
+  int window_, young_;     // [ticks]
+  int ticks_left_;         // of the window
+  int ticks_left_in_all_;  // of the second
+  int age_ = 0;            // of what was begun with [ticks]
+  int times_begun_anew_ = 0;
   double time_ = kNaN;  // of the reading before [s]
+  Sensor encoders_, imu_;
   // Of the IMU's sample that it has begun with, while there is no second one [rad/s], [m/s²].
   Vec3 gyro_ = Vec3::Constant(kNaN), accelerometer_ = Vec3::Constant(kNaN);
 };

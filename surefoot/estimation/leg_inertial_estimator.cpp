@@ -63,8 +63,6 @@ void LegInertialEstimator::begin_anew() noexcept {
   standing_start_.begin_anew();
   chains_ = described_;
   errors_ = {};
-  feet_ = {};
-  R_WB_before_.setIdentity();
   state_ = {};
 }
 

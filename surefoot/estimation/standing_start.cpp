@@ -44,7 +44,6 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
 
 void StandingStart::begin_anew() noexcept {
   window_ = {};
-  time_ = kNaN;
   has_waited_ = true;
 }
 

@@ -20,7 +20,7 @@ class StateEstimator {
                                                  const TickContext& context) noexcept = 0;
 
   /// Before an update: all readings so far are worth nothing (FirstReadings).
-  virtual void begin_anew() noexcept {}
+  virtual void begin_anew() noexcept = 0;
 };
 
 }  // namespace surefoot

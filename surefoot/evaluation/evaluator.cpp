@@ -56,6 +56,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
 // Nobody follows the plan of a controller that has stopped, or acts on its estimate.
 void Evaluator::judge_plan(const GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
+  if (begins_anew(tick)) estimate_ = {};
   estimate_.add(truth, tick.state);
   touchdowns_.add(truth, tick.plan);
   losses_.add(truth, tick.plan);

@@ -1,6 +1,7 @@
 #include "surefoot/evaluation/start_alignment.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/signals/plan_event.hpp"
 
 #include <cmath>
 
@@ -17,6 +18,10 @@ std::optional<StartAlignment> start_alignment(const GroundTruth& truth, const Ro
   if (!R.allFinite() || !state.p_WB.allFinite()) return std::nullopt;
   const Mat3 turn = rotation_about_z(yaw(truth.q_WB.toRotationMatrix()) - yaw(R));
   return StartAlignment{turn, truth.p_WB - turn * state.p_WB};
+}
+
+bool begins_anew(const TickRecord& tick) {
+  return static_cast<PlanEvent>(tick.plan.event) == PlanEvent::begun_anew;
 }
 
 AlignedEstimate aligned(const StartAlignment& start, const GroundTruth& truth,

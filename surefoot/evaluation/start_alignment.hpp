@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/tick_record.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
 #include <optional>
@@ -20,6 +21,9 @@ struct StartAlignment {
 /// what is counted from the start is then not known at all.
 [[nodiscard]] std::optional<StartAlignment> start_alignment(const GroundTruth& truth,
                                                             const RobotState& state);
+
+/// Does this tick's estimate begin anew? Of what was believed before nothing is counted.
+[[nodiscard]] bool begins_anew(const TickRecord& tick);
 
 /// The believed base in the true world, and how far it is off.
 struct AlignedEstimate {

@@ -15,6 +15,7 @@ class TruthEstimator final : public StateEstimator {
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,
                                          const TickContext& context) noexcept override;
+  void begin_anew() noexcept override {}  // the truth has no first reading
 
  private:
   const GroundTruth& truth_;

@@ -17,9 +17,15 @@ void tick_at(Statue& statue, double time) {
   (void)statue.tick();
 }
 
+ControllerOptions with_a_switch() {
+  ControllerOptions options = test::options_of();
+  options.level_switches = {{.time = 1.0, .remove = {"torso_roll_pitch"}, .duration = 0.5}};
+  return options;
+}
+
 TEST(ControllerBeginning, WhatWasBegunWithAWrongReadingIsForgotten) {
   for (const bool is_clock : {false, true}) {
-    Statue right, wrong;
+    Statue right(with_a_switch()), wrong(with_a_switch());
     for (Statue* statue : {&right, &wrong}) {
       statue->user.walk = true;
       statue->user.velocity.x() = 0.1;
@@ -43,6 +49,9 @@ TEST(ControllerBeginning, WhatWasBegunWithAWrongReadingIsForgotten) {
       tick_at(wrong, tick * wrong.period);
       const MotionPlan &plan = wrong.controller.record().plan,
                        &expected = right.controller.record().plan;
+      ASSERT_EQ(wrong.controller.record().hierarchy.transition_share,
+                right.controller.record().hierarchy.transition_share)
+          << tick;
       ASSERT_EQ(plan.event, expected.event) << tick;
       ASSERT_EQ(plan.com.p, expected.com.p) << tick;
       ASSERT_EQ(plan.torso.q_WB.coeffs(), expected.torso.q_WB.coeffs()) << tick;
@@ -52,6 +61,18 @@ TEST(ControllerBeginning, WhatWasBegunWithAWrongReadingIsForgotten) {
     }
     EXPECT_EQ(wrong.controller.record().command.torque, right.controller.record().command.torque);
   }
+}
+
+TEST(ControllerBeginning, ADriverThatIsDeadBehindItIsLost) {
+  Statue statue;
+  tick_at(statue, 1000.0);
+  tick_at(statue, 0.0);
+  EXPECT_EQ(statue.controller.record().plan.event, static_cast<int>(PlanEvent::begun_anew));
+  for (int tick = 0; tick < 12; ++tick) {
+    tick_at(statue, 0.0);
+    EXPECT_EQ(statue.controller.record().plan.event, static_cast<int>(PlanEvent::none));
+  }
+  EXPECT_NE(statue.controller.record().command.cause, StopCause::none);
 }
 
 }  // namespace

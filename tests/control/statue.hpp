@@ -25,6 +25,7 @@ class ScriptedEstimator final : public StateEstimator {
   const RobotState& update(const SensorReading&, const TickContext&) noexcept override {
     return state_;
   }
+  void begin_anew() noexcept override {}
 
  private:
   const RobotState& state_;

@@ -1,97 +1,181 @@
 #include "surefoot/estimation/first_readings.hpp"
 
+#include "tests/support/malloc_counter.hpp"
+
 #include <gtest/gtest.h>
 
 namespace surefoot {
 namespace {
 
 constexpr double kPeriod = 0.0025;  // [s]
-constexpr int kTicks = 40;          // for which the first readings can be contradicted
+constexpr int kWindow = 40;         // ticks of an estimate in which the first readings are doubted
+constexpr int kYoung = 8;           // … and in which a single jump says that
+constexpr int kLongest = 400;       // since the first tick
 
 /// Of a robot that stands.
 SensorReading at(double time) {
   SensorReading reading;
-  reading.time = time;
+  reading.time = reading.encoder_time = reading.imu_time = time;
   reading.gyro = Vec3(0.01, -0.02, 0.005);
   reading.accelerometer = Vec3(0.3, -0.2, kGravity);
   return reading;
 }
 
-SensorHealth encoders_jump() {
+SensorHealth encoders(SampleFault fault) {
   SensorHealth health;
-  health.encoders.fault = SampleFault::jump;
+  health.encoders.fault = fault;
   return health;
 }
 
-SensorHealth imu_jumps() {
+SensorHealth imu(SampleFault fault) {
   SensorHealth health;
-  health.imu.fault = SampleFault::jump;
+  health.imu.fault = fault;
   return health;
 }
 
-TEST(FirstReadings, AreContradictedByEncodersOrImuThatJump) {
-  FirstReadings readings(kPeriod);
-  EXPECT_FALSE(readings.are_contradicted(at(0.0), true, {}, true));
-  EXPECT_TRUE(readings.are_contradicted(at(kPeriod), true, encoders_jump(), true));
-  EXPECT_TRUE(readings.are_contradicted(at(2.0 * kPeriod), true, imu_jumps(), true));
+/// What a robot begins with, tick by tick.
+struct Beginning {
+  FirstReadings readings{kPeriod};
+  double time = 0.0;
+
+  bool tick(const SensorHealth& health = {}, bool estimates = true) {
+    return tick_with(at(time), health, estimates);
+  }
+  bool tick_with(const SensorReading& reading, const SensorHealth& health = {},
+                 bool estimates = true) {
+    time += kPeriod;
+    return readings.are_contradicted(reading, true, health, estimates);
+  }
+  /// Healthy ones.
+  void run(int ticks, bool estimates = true) {
+    for (int i = 0; i < ticks; ++i) EXPECT_FALSE(tick({}, estimates)) << time;
+  }
+};
+
+TEST(FirstReadings, AreContradictedByEncodersOrImuThatJumpWithin20Ms) {
+  for (const SensorHealth& health : {encoders(SampleFault::jump), imu(SampleFault::jump)}) {
+    for (const int good : {1, 2, kYoung, kYoung + 1, kWindow - 1}) {
+      Beginning beginning;
+      beginning.run(1, false);
+      beginning.run(good - 1);
+      EXPECT_EQ(beginning.tick(health), good <= kYoung) << good;
+    }
+  }
+}
+
+TEST(FirstReadings, AreContradictedByWhatJumpsBehindAGap) {
+  for (const SampleFault gap : {SampleFault::silent, SampleFault::not_a_number}) {
+    for (const int good : {kYoung + 5, kWindow - 3, kWindow}) {
+      Beginning beginning;
+      beginning.run(1, false);
+      beginning.run(good - 1);
+      EXPECT_FALSE(beginning.tick(encoders(gap)));
+      EXPECT_EQ(beginning.tick(encoders(SampleFault::jump)), good < kWindow) << good;
+    }
+  }
 }
 
 TEST(FirstReadings, AreNotContradictedByWhatSaysNothingOfThem) {
-  FirstReadings readings(kPeriod);
   for (const SampleFault fault :
        {SampleFault::not_a_number, SampleFault::silent, SampleFault::late, SampleFault::repeats}) {
-    SensorHealth health;
-    health.encoders.fault = health.imu.fault = health.joint_torques.fault = fault;
-    EXPECT_FALSE(readings.are_contradicted(at(0.0), true, health, true));
+    Beginning beginning;
+    beginning.run(1, false);
+    SensorHealth health = encoders(fault);
+    health.imu.fault = health.joint_torques.fault = fault;
+    EXPECT_FALSE(beginning.tick(health));
   }
+  Beginning beginning;
+  beginning.run(1, false);
   SensorHealth torques;  // which jump where a robot comes to stand
   torques.joint_torques.fault = SampleFault::jump;
-  EXPECT_FALSE(readings.are_contradicted(at(0.0), true, torques, true));
+  EXPECT_FALSE(beginning.tick(torques));
 }
 
 TEST(FirstReadings, AreContradictedByAnotherClock) {
-  FirstReadings readings(kPeriod);
-  EXPECT_FALSE(readings.are_contradicted(at(1.0), true, {}, true));
-  EXPECT_FALSE(readings.are_contradicted(at(1.0), false, {}, true)) << "a driver that is dead";
-  EXPECT_FALSE(readings.are_contradicted(at(kNaN), false, {}, true)) << "no clock";
-  EXPECT_TRUE(readings.are_contradicted(at(0.0), false, {}, true));
+  for (const bool estimates : {false, true}) {
+    FirstReadings readings(kPeriod);
+    EXPECT_FALSE(readings.are_contradicted(at(1.0), true, {}, false));
+    EXPECT_FALSE(readings.are_contradicted(at(1.0), false, {}, estimates)) << "is dead";
+    EXPECT_FALSE(readings.are_contradicted(at(kNaN), false, {}, estimates)) << "has no clock";
+    EXPECT_TRUE(readings.are_contradicted(at(0.0), false, {}, estimates));
+    EXPECT_FALSE(readings.are_contradicted(at(0.0), false, {}, false)) << "is dead since";
+  }
 }
 
 TEST(FirstReadings, AreContradictedByAnImuThatSaysSomethingElse) {
   SensorReading turned = at(0.0), lying = at(0.0);
-  turned.gyro.z() += 0.3;
+  turned.gyro.z() += 0.15;
   lying.accelerometer = lying.accelerometer.reverse().eval();  // as long, elsewhere
   for (const SensorReading& first : {turned, lying}) {
-    FirstReadings readings(kPeriod);
-    EXPECT_FALSE(readings.are_contradicted(first, true, {}, false));
-    EXPECT_FALSE(readings.are_contradicted(first, true, {}, true)) << "a slow one";
-    EXPECT_TRUE(readings.are_contradicted(at(2.0 * kPeriod), true, {}, true));
+    for (const bool is_wrong : {false, true}) {
+      Beginning beginning;
+      EXPECT_FALSE(beginning.tick_with(is_wrong ? first : at(0.0), {}, false));
+      EXPECT_FALSE(beginning.tick_with(is_wrong ? first : at(0.0))) << "a slow one";
+      SensorReading missing = at(2.0 * kPeriod);
+      missing.gyro.x() = kNaN;
+      EXPECT_FALSE(beginning.tick_with(missing)) << "is not the second";
+      EXPECT_TRUE(beginning.tick_with(is_wrong ? at(0.0) : first));
+      EXPECT_TRUE(beginning.tick_with(is_wrong ? first : at(0.0))) << "it was begun with, too";
+    }
   }
 }
 
 TEST(FirstReadings, AreNotContradictedByARobotThatGetsToMove) {
-  FirstReadings readings(kPeriod);
-  EXPECT_FALSE(readings.are_contradicted(at(0.0), true, {}, false));
-  EXPECT_FALSE(readings.are_contradicted(at(kPeriod), true, {}, true)) << "the same sample again";
-  for (int i = 2; i < 20; ++i) {
+  Beginning beginning;
+  beginning.run(1, false);
+  for (int i = 1; i < 20; ++i) {
     SensorReading reading = at(i * kPeriod);
-    reading.gyro.x() += 0.1 * i;
+    reading.gyro.x() += 0.05 * i;
     reading.accelerometer.z() -= 0.5 * i;
-    EXPECT_FALSE(readings.are_contradicted(reading, true, {}, true)) << i;
+    EXPECT_FALSE(beginning.tick_with(reading)) << i;
   }
 }
 
-TEST(FirstReadings, AreNotContradictedAnyMoreOnceTheRobotHasBeenControlledFor100Ms) {
-  FirstReadings readings(kPeriod);
-  for (int i = 0; i < 10 * kTicks; ++i) {
-    EXPECT_EQ(readings.are_contradicted(at(i * kPeriod), true, imu_jumps(), false), i >= 2)
-        << "waits";
+// Nobody knows yet how fast the joints turn: angles that are right may jump.
+TEST(FirstReadings, BeforeTheEstimateSaysTheSecondReadingSoOrWhatIsNotBelieved) {
+  Beginning beginning;
+  beginning.run(1, false);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(beginning.tick(encoders(SampleFault::jump), false)) << "against the first";
   }
-  for (int i = 0; i < kTicks; ++i) {
-    EXPECT_TRUE(readings.are_contradicted(at(1.0 + i * kPeriod), true, encoders_jump(), true));
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_FALSE(beginning.tick(encoders(SampleFault::jump), false));
+    EXPECT_FALSE(beginning.tick(encoders(SampleFault::jump), false));
+    EXPECT_TRUE(beginning.tick(encoders(SampleFault::jump), false));
   }
-  EXPECT_FALSE(readings.are_contradicted(at(2.0), true, encoders_jump(), true));
-  EXPECT_FALSE(readings.are_contradicted(at(0.0), false, {}, true));
+  EXPECT_FALSE(beginning.tick(encoders(SampleFault::jump), false));
+  EXPECT_FALSE(beginning.tick(encoders(SampleFault::jump), false));
+  EXPECT_FALSE(beginning.tick({}, false)) << "it came to be believed";
+  EXPECT_FALSE(beginning.tick(encoders(SampleFault::jump), false));
+}
+
+TEST(FirstReadings, ASampleThatIsHeldJumpsOnce) {
+  Beginning beginning;
+  beginning.run(2, false);
+  const SensorReading sample = at(beginning.time);
+  for (int held = 0; held < 8; ++held) {
+    EXPECT_FALSE(beginning.tick_with(sample, imu(SampleFault::jump), false)) << held;
+  }
+}
+
+TEST(FirstReadings, AreNotDoubtedForEver) {
+  Beginning beginning;
+  beginning.run(1, false);
+  int contradicted = 0;
+  for (int tick = 1; tick < 2 * kLongest; ++tick) {
+    if (!beginning.tick(encoders(tick % 5 == 0 ? SampleFault::jump : SampleFault::none))) continue;
+    ++contradicted;
+    EXPECT_LT(tick, kLongest);
+  }
+  EXPECT_GT(contradicted, 70);
+}
+
+TEST(FirstReadings, AllocateNothing) {
+  Beginning beginning;
+  const test::MallocCounter counter;
+  (void)beginning.tick({}, false);
+  (void)beginning.tick(encoders(SampleFault::jump));
+  EXPECT_EQ(counter.count(), 0U);
 }
 
 }  // namespace

@@ -332,6 +332,33 @@ TEST(LegInertialEstimator, BegunAnewItKeepsItsPlaceAndHeadingAndForgetsTheRest) 
   }
 }
 
+TEST(LegInertialEstimator, OfReadingsThatAreWorthNothingNoTraceIsLeft) {
+  TurningRobot robot(KinematicErrors{}, kMotion);
+  LegInertialEstimator spoilt(robot.description(), {}, TurningRobot::kPeriod);
+  LegInertialEstimator other(robot.description(), {}, TurningRobot::kPeriod);
+  TickContext wrong = standing();
+  wrong.kinematics.thigh[1] = 0.01;
+  for (int tick = 0; tick < 8; ++tick) {
+    robot.tick();
+    SensorReading reading = robot.reading();
+    reading.q.array() += 0.1 * tick;
+    reading.accelerometer = reading.accelerometer.reverse().eval();
+    EXPECT_TRUE(spoilt.update(reading, wrong).p_WB.allFinite());
+  }
+  for (LegInertialEstimator* estimator : {&spoilt, &other}) estimator->begin_anew();
+  while (robot.time() < 1.0) {
+    robot.tick();
+    const RobotState& state = spoilt.update(robot.reading(), standing());
+    const RobotState& expected = other.update(robot.reading(), standing());
+    ASSERT_EQ(state.p_WB.allFinite(), expected.p_WB.allFinite()) << robot.time();
+    if (!expected.p_WB.allFinite()) continue;
+    ASSERT_EQ(state.p_WB, expected.p_WB) << robot.time();
+    ASSERT_EQ(state.v_WB, expected.v_WB) << robot.time();
+    ASSERT_EQ(state.q_WB.coeffs(), expected.q_WB.coeffs()) << robot.time();
+  }
+  EXPECT_TRUE(other.update(robot.reading(), standing()).p_WB.allFinite()) << "it has begun";
+}
+
 /// After a tick whose state was refused there is no force of that tick.
 TEST(LegInertialEstimator, ForcesThatAreNotKnownSpoilNothing) {
   TurningRobot robot(KinematicErrors{}, kMotion);

@@ -1,6 +1,7 @@
 #include "surefoot/evaluation/estimate_judge.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/signals/plan_event.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,15 @@ TEST(EstimateJudge, HeadingAndPositionOfTheStartAreNoError) {
   EXPECT_LT(metrics.tilt_error_max_rad, 1e-9);
   EXPECT_LT(metrics.position_drift_m, 1e-9);
   EXPECT_LT(metrics.heading_drift_rad, 1e-9);
+}
+
+TEST(EstimateJudge, OnlyAnEventSaysThatAnEstimateBeginsAnew) {
+  TickRecord tick;
+  EXPECT_FALSE(begins_anew(tick));
+  tick.plan.event = static_cast<int>(PlanEvent::calibration);
+  EXPECT_FALSE(begins_anew(tick));
+  tick.plan.event = static_cast<int>(PlanEvent::begun_anew);
+  EXPECT_TRUE(begins_anew(tick));
 }
 
 TEST(EstimateJudge, MeasuresVelocityTiltAndDrift) {

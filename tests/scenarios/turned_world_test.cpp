@@ -34,6 +34,7 @@ class TurnedEstimator final : public StateEstimator {
     state_.q_WB = (Quat(turn_) * state_.q_WB).normalized();
     return state_;
   }
+  void begin_anew() noexcept override { estimator_->begin_anew(); }
 
  private:
   std::unique_ptr<StateEstimator> estimator_;
