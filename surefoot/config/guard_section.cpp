@@ -53,6 +53,7 @@ void read_guard(Section& section, ReadingGuardOptions& options,
   section.number("angle_margin", options.angle_margin, kPositive);
   section.number("velocity_margin", options.velocity_margin, kNotNegative);
   section.number("sure_angles", options.sure_angles, kPositive);
+  section.number("max_angles", options.max_angles, kPositive);
   section.number("max_torque", options.max_torque, kPositive);
   section.number("max_torque_step", options.max_torque_step, kPositive);
   section.number("sure_torque_step", options.sure_torque_step, kPositive);

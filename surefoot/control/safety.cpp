@@ -11,7 +11,10 @@ namespace {
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
 constexpr double kToStand = 2.0;         // for which a robot that has not begun is held [s]
-constexpr double kUnsureTilt = 0.02;     // of a robot that has not begun [s]
+constexpr double kDampFade = 1.0;        // of the damping: what falls lies by then [s] …
+constexpr double kLastDamping = 0.1;  // … to a share with which a leg that bears nothing comes to
+                                      // rest behind drives that are late, too
+constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
 constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
 constexpr double kRounding = 1e-9;  // of times [s]
 
@@ -232,7 +235,10 @@ double Safety::faded() const {
 
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
-  command_.torque = -damping_kd_ * finite_or_zero(state.qd);
+  const double gone = std::min(1.0, damped_ticks_ * period_ / kDampFade);
+  const double kd = (1.0 - gone * (1.0 - kLastDamping)) * damping_kd_;
+  if (gone < 1.0) ++damped_ticks_;
+  command_.torque = -kd * finite_or_zero(state.qd);
   if (command_.cause != StopCause::encoders) return;
   const double share = (command_.time - stopped_at_) / kFadeTime;
   command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * good_torque_;

@@ -25,10 +25,11 @@ namespace surefoot {
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
 ///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
 ///                keep their last good torques
-///     damping    τ = −k_d q̇, latched: after repeated failures, non-finite readings that last, or
-///                a torso tilted too far (before the first good tick only when 20 ms have gone by,
-///                as the first readings may be wrong); lying; or at once where encoders of several
-///                legs are lost, on top of the last good torques, which fade out
+///     damping    τ = −k_d q̇, latched, where k_d falls to a tenth within 1 s: after repeated
+///                failures, non-finite readings that last, or a torso tilted too far (before the
+///                first good tick only when 30 ms have gone by, as the first readings may be
+///                wrong); lying; or at once where encoders of several legs are lost, on top of the
+///                last good torques, which fade out
 ///
 /// While a sensor is at fault, and after that until they are back where they should be, after every
 /// stop, and where the first tick was not good until 0.5 s after the first that was, torques change
@@ -101,6 +102,7 @@ class Safety {
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
   int unsteady_ticks_ = 0;               // left of a late beginning
+  int damped_ticks_ = 0;                 // until the damping is at its last
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();

@@ -38,7 +38,7 @@ bool FirstReadings::are_contradicted(const SensorReading& reading, bool clock_is
   const bool is_other_imu = imu_differs(reading, estimates);
   ++age_;
   const bool contradicted = is_other_clock || encoders_jump || imu_jumps || is_other_imu;
-  if (contradicted) begin_with(reading);
+  if (contradicted) begin_anew();
   return contradicted;
 }
 
@@ -55,29 +55,21 @@ bool FirstReadings::jumps(Sensor& sensor, double sample_time, SampleFault fault,
   return sensor.jumps >= kUnconfirmed || (age_ == 1 && times_begun_anew_ < kMostAtOnce);
 }
 
-// A slow one gives the first again before it gives the second.
 bool FirstReadings::imu_differs(const SensorReading& reading, bool estimates) {
   const bool is_complete = reading.gyro.allFinite() && reading.accelerometer.allFinite();
   if (!is_complete) return false;
-  const bool is_other = (reading.gyro - gyro_).norm() > kSameTurn ||
-                        (reading.accelerometer - accelerometer_).norm() > kSameVertical;
-  const bool is_same = reading.gyro == gyro_ && reading.accelerometer == accelerometer_;
-  if (!estimates) {
-    gyro_ = reading.gyro;
-    accelerometer_ = reading.accelerometer;
-  } else if (!is_same) {
-    gyro_ = accelerometer_ = Vec3::Constant(kNaN);  // no third is compared
-  }
-  return estimates && is_other;
+  const bool differs = (reading.gyro - gyro_).norm() > kSameTurn ||
+                       (reading.accelerometer - accelerometer_).norm() > kSameVertical;
+  gyro_ = reading.gyro;
+  accelerometer_ = reading.accelerometer;
+  return estimates && differs && age_ <= young_;
 }
 
-void FirstReadings::begin_with(const SensorReading& reading) {
+void FirstReadings::begin_anew() {
   ++times_begun_anew_;
   ticks_left_ = window_;
   age_ = 1;
   encoders_.jumps = imu_.jumps = 0;
-  gyro_ = reading.gyro;
-  accelerometer_ = reading.accelerometer;
 }
 
 }  // namespace surefoot

@@ -16,8 +16,8 @@ namespace surefoot {
 /// - a clock that leaps or goes back;
 /// - encoders or IMU that jump within 20 ms, or behind a gap. Later, what has been right for so
 ///   long is not doubted for a sample, nor for a sensor that has failed;
-/// - the IMU's second sample, where it is further from the first than of a robot that stands: by
-///   more than 2 m/s² or 0.1 rad/s.
+/// - a sample of the IMU within 20 ms that is further from the one before than of a robot that
+///   stands: by more than 3 m/s² or 0.15 rad/s.
 ///
 /// Before the estimate has begun nobody knows how fast the joints turn, and only the first jumps
 /// after a beginning say so, or those that the guard does not come to believe.
@@ -42,7 +42,7 @@ class FirstReadings {
 
   [[nodiscard]] bool jumps(Sensor& sensor, double sample_time, SampleFault fault, bool estimates);
   [[nodiscard]] bool imu_differs(const SensorReading& reading, bool estimates);
-  void begin_with(const SensorReading& reading);
+  void begin_anew();
 
   int window_, young_;     // [ticks]
   int ticks_left_;         // of the window
@@ -51,7 +51,7 @@ class FirstReadings {
   int times_begun_anew_ = 0;
   double time_ = kNaN;  // of the reading before [s]
   Sensor encoders_, imu_;
-  // Of the IMU's sample that it has begun with, while there is no second one [rad/s], [m/s²].
+  // The IMU's last whole sample [rad/s], [m/s²].
   Vec3 gyro_ = Vec3::Constant(kNaN), accelerometer_ = Vec3::Constant(kNaN);
 };
 

@@ -48,10 +48,11 @@ class GuardedValues {
 
   /// What a value can be, and how far its next sample can be from what is expected: beyond
   /// `tolerance` it is not believed, beyond `sure` only as `Doubt` says, nor is any where half of
-  /// them are beyond `together`; these two for each period between the samples.
+  /// them are beyond `together`, and none at all where half are beyond `never`; these three for
+  /// each period between the samples.
   struct Limits {
     Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
-    double together = kUnlimited;
+    double together = kUnlimited, never = kUnlimited;
   };
 
   /// Moves what is expected of the next samples; without it, they are expected to stay.
@@ -154,13 +155,15 @@ class GuardedValues {
   [[nodiscard]] bool doubts_all(const Vector& raw, const SampleWatch& watch, const Limits& limits,
                                 double periods, double patience) noexcept {
     if (!watch.is_new()) return all_.doubts();
-    int num_off = 0;
+    int num_off = 0, num_far = 0;
     for (int i = 0; i < n; ++i) {
-      const bool is_known = watch.sample_time() - seen_[i] <= patience;  // not if NaN
-      const bool is_off = std::abs(raw[i] - expected_[i]) > limits.together * periods;
-      num_off += is_known && is_off ? 1 : 0;
+      if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // not known, as where NaN
+      const double off = std::abs(raw[i] - expected_[i]);
+      num_off += off > limits.together * periods ? 1 : 0;
+      num_far += off > limits.never * periods ? 1 : 0;
     }
-    return all_.of(2 * num_off >= n, false, watch.sample_time(), patience);
+    const bool is_doubted = all_.of(2 * num_off >= n, false, watch.sample_time(), patience);
+    return is_doubted || 2 * num_far >= n;
   }
 
   [[nodiscard]] SampleFault check(int i, double raw, double range,

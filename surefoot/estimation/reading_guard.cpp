@@ -112,7 +112,8 @@ GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& 
       .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +
                    JointVector::Constant(options_.angle_margin),
       .sure = share * (period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin)),
-      .together = share * options_.sure_angles};
+      .together = share * options_.sure_angles,
+      .never = is_loose_ ? kUnlimited : share * options_.max_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,

@@ -32,6 +32,10 @@ class ReadingGuard {
   void update(const SensorReading& reading, const JointVector& joint_velocity,
               const SensorReading& given) noexcept;
 
+  /// Of a robot that is not controlled any more joints may go anywhere: from now on no jump is too
+  /// large for the next sample to confirm it.
+  void loosen() { is_loose_ = true; }
+
   /// False where the reading's clock was such.
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
@@ -85,6 +89,7 @@ class ReadingGuard {
   bool moves_ = false;      // their angles change
   JointVector given_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
   bool clock_is_right_ = true;
+  bool is_loose_ = false;
   SensorReading repaired_, measured_;
   SensorHealth health_;
 };

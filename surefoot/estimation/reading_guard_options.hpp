@@ -23,6 +23,9 @@ struct ReadingGuardOptions {
   /// Half of the joints this far from where their velocities led at once is believed when the next
   /// sample says so, too: on boxes, stairs and when pushed 8e-4 was the most [rad].
   double sure_angles = 0.004;
+  /// Half of them this far at once is believed of no robot that is not hit: at 8 rad/s more than
+  /// they had [rad].
+  double max_angles = 0.02;
 
   /// As shares of the joint's torque limit. An impact loads the spring of a drive beyond what the
   /// motor gives, and at once.

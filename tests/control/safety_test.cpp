@@ -219,10 +219,10 @@ TEST(Safety, DampsForGoodWhenTheTorsoIsTiltedTooFar) {
 }
 
 // Its first reading may be wrong.
-TEST(Safety, OfARobotThatHasNotBegunATiltIsBelievedAfter20Ms) {
+TEST(Safety, OfARobotThatHasNotBegunATiltIsBelievedAfter30Ms) {
   const Solution good = solved(torques());
   Safety upside_down = make_safety(), righted = make_safety();
-  for (int tick = 0; tick < 8; ++tick) {
+  for (int tick = 0; tick < 12; ++tick) {
     EXPECT_EQ(upside_down.command(tilted(kPi), &good).mode, CommandMode::hold);
     EXPECT_EQ(righted.command(tilted(kPi), &good).mode, CommandMode::hold);
   }
@@ -270,14 +270,20 @@ TEST(Safety, DoesNotTakeABrokenOrientationForATilt) {
   }
 }
 
-TEST(Safety, DampingBrakesEveryJoint) {
+// Behind a late drive all of the damping lets a leg that bears nothing swing back and forth.
+TEST(Safety, DampingBrakesEveryJointAtLastWithATenth) {
   Safety safety = make_safety();
   RobotState state = tilted(2.0);
   state.qd = JointVector::LinSpaced(kNumJoints, -3.0, 3.0);
   const Solution good = solved(torques());
-  JointCommand command;
-  for (int tick = 0; tick < 20; ++tick) command = safety.command(state, &good);
-  EXPECT_LT((command.torque + anymal_b().damping_kd * state.qd).norm(), 1e-12);
+  (void)safety.command(standing(), &good);
+  JointVector torque;
+  for (int tick = 0; tick <= 1000; ++tick) {
+    torque = safety.command(state, &good).torque;
+    if (tick < 20) continue;  // torques change by so much a tick
+    const double share = 1.0 - 0.9 * std::min(1.0, tick * kPeriod);
+    ASSERT_LT((torque + share * anymal_b().damping_kd * state.qd).norm(), 1e-9) << tick;
+  }
 }
 
 // Velocities believed wrong change their sign from tick to tick.

@@ -104,7 +104,7 @@ TEST(FirstReadings, AreContradictedByAnotherClock) {
 
 TEST(FirstReadings, AreContradictedByAnImuThatSaysSomethingElse) {
   SensorReading turned = at(0.0), lying = at(0.0);
-  turned.gyro.z() += 0.15;
+  turned.gyro.z() += 0.2;
   lying.accelerometer = lying.accelerometer.reverse().eval();  // as long, elsewhere
   for (const SensorReading& first : {turned, lying}) {
     for (const bool is_wrong : {false, true}) {
@@ -115,8 +115,19 @@ TEST(FirstReadings, AreContradictedByAnImuThatSaysSomethingElse) {
       missing.gyro.x() = kNaN;
       EXPECT_FALSE(beginning.tick_with(missing)) << "is not the second";
       EXPECT_TRUE(beginning.tick_with(is_wrong ? at(0.0) : first));
-      EXPECT_TRUE(beginning.tick_with(is_wrong ? first : at(0.0))) << "it was begun with, too";
+      EXPECT_TRUE(beginning.tick_with(is_wrong ? first : at(0.0))) << "again";
     }
+  }
+}
+
+TEST(FirstReadings, OfAnImuTheyAreContradictedWithin20Ms) {
+  SensorReading lying = at(0.0);
+  lying.accelerometer = lying.accelerometer.reverse().eval();
+  for (const int good : {kYoung, kYoung + 1}) {
+    Beginning beginning;
+    beginning.run(1, false);
+    beginning.run(good - 1);
+    EXPECT_EQ(beginning.tick_with(lying), good <= kYoung) << good;
   }
 }
 

@@ -157,8 +157,32 @@ TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
   }
 }
 
-TEST(ReadingGuard, JointsThatAllJumpWaitForOneSampleHoweverFar) {
-  for (const double far : {0.01, 0.06}) {
+TEST(ReadingGuard, JointsThatAllJumpFurtherThanAnyRobotGoesAreNeverBelieved) {
+  for (const double far : {0.03, 0.06, 0.1, 0.3}) {
+    Swinging robot;
+    robot.run(100);
+    for (int tick = 0; tick < 7; ++tick) {
+      robot.tick([&](SensorReading& reading) { reading.q.array() += far; });
+      EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump) << far;
+    }
+    robot.run(2);
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::none) << far;
+  }
+}
+
+TEST(ReadingGuard, OfARobotThatIsNotControlledTheyAre) {
+  Swinging robot;
+  robot.run(100);
+  robot.guard.loosen();
+  const auto jump = [](SensorReading& reading) { reading.q.array() += 0.06; };
+  robot.tick(jump);
+  EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump);
+  robot.tick(jump);
+  EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::none);
+}
+
+TEST(ReadingGuard, JointsThatAllJumpWaitForOneSample) {
+  for (const double far : {0.01, 0.015}) {
     Swinging robot;
     robot.run(100);
     const auto jump = [&](SensorReading& reading) { reading.q.array() += far; };

@@ -85,6 +85,7 @@ UNCHECKED = [
     "guard.sure_gyro_step=1e3",
     "guard.angle_margin=1",
     "guard.sure_angles=1",
+    "guard.max_angles=1",
     "disturbances.pushes.lateral.time=0.5",
 ]
 
