@@ -186,6 +186,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   // Whose base is not known yet, but whose joints are.
   const bool is_held = !believed && !safety.has_begun() && !safety.has_stopped();
   if (is_held) safety.bear(standing_torque(model, record.state.q));
+  if (guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
   return record.command;

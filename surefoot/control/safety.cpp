@@ -89,7 +89,8 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
   const bool is_new = !has_begun_ || unsteady_ticks_ > 0;
   if (has_begun_ && is_new) --unsteady_ticks_;
-  limit_change(before, has_stopped() || bridges || is_new);
+  limit_change(before, has_stopped() || bridges || is_new || is_careful_);
+  is_careful_ = false;
   if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
   return command_;
 }

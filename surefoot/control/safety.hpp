@@ -31,9 +31,10 @@ namespace surefoot {
 ///                wrong); lying; or at once where encoders of several legs are lost, on top of the
 ///                last good torques, which fade out
 ///
-/// While a sensor is at fault, and after that until they are back where they should be, after every
-/// stop, and where the first tick was not good until 0.5 s after the first that was, torques change
-/// by no more than `max_torque_change` a tick.
+/// While a sensor is at fault, or where its samples may be wrong (`be_careful`), and after that
+/// until they are back where they should be, after every stop, and where the first tick was not
+/// good until 0.5 s after the first that was, torques change by no more than `max_torque_change` a
+/// tick.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
@@ -62,6 +63,9 @@ class Safety {
   /// What was good so far is worth nothing; the torques go on from where they are, and how long it
   /// has not been good counts on. Not for a robot that has stopped.
   void begin_anew() noexcept;
+
+  /// Torques change slowly at the next tick: what it is given may not be true.
+  void be_careful() { is_careful_ = true; }
 
   /// The sensor that the robot can't be without for longer; `none` while all are well enough.
   [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
@@ -98,6 +102,7 @@ class Safety {
   int failures_ = 0;
   bool has_begun_ = false;  // there was a good tick
   bool sitting_ = false, damping_ = false;
+  bool is_careful_ = false;              // at this tick
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]

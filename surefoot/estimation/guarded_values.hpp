@@ -100,6 +100,11 @@ class GuardedValues {
     return std::ranges::any_of(doubts_, [&](const Doubt& d) { return d.is_shaken_since(time); });
   }
 
+  /// Of all together?
+  [[nodiscard]] bool all_are_shaken_since(double time) const noexcept {
+    return all_.is_shaken_since(time);
+  }
+
   [[nodiscard]] GroupHealth health(double time) const noexcept {
     GroupHealth result;
     int num_faults = 0;

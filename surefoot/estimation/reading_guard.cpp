@@ -101,12 +101,18 @@ void ReadingGuard::miss(const SensorReading& reading, const JointVector& given_q
   if (moves_) health_.encoders.fault = SampleFault::late;
 }
 
+bool ReadingGuard::imu_is_shaken() const {
+  const double lately = time_ - options_.patience;
+  return gyro_.values.is_shaken_since(lately) || accelerometer_.values.is_shaken_since(lately);
+}
+
+bool ReadingGuard::is_shaken() const {
+  return imu_is_shaken() || angles_.all_are_shaken_since(time_ - options_.patience);
+}
+
 // Joints of a robot that its IMU feels to be hit may well turn about, several at once.
 GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
-  const double lately = time_ - options_.patience;
-  const bool is_hit =
-      gyro_.values.is_shaken_since(lately) || accelerometer_.values.is_shaken_since(lately);
-  const double share = is_hit ? kUnlimited : 1.0;
+  const double share = imu_is_shaken() ? kUnlimited : 1.0;
   return {
       .range = JointVector::Constant(options_.max_angle),
       .tolerance = 2.0 * period_ * velocity_limit_ + options_.velocity_margin * unseen +

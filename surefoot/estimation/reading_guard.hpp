@@ -36,6 +36,10 @@ class ReadingGuard {
   /// large for the next sample to confirm it.
   void loosen() { is_loose_ = true; }
 
+  /// Within `patience` the IMU's samples, or those of half of the joints, stepped further than
+  /// walks show, believed or not: blow or fault.
+  [[nodiscard]] bool is_shaken() const;
+
   /// False where the reading's clock was such.
   [[nodiscard]] bool clock_is_right() const { return clock_is_right_; }
   /// The reading with what is filled in, and the sample times that are believed (SampleWatch).
@@ -66,6 +70,7 @@ class ReadingGuard {
     int repeats = 0;
   };
 
+  [[nodiscard]] bool imu_is_shaken() const;
   [[nodiscard]] bool goes_on(double time) noexcept;
   void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
   [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;

@@ -249,6 +249,21 @@ TEST(Safety, ThatBeginsAnewForgetsItsPostureButNotItsTorques) {
   EXPECT_LT((before - torques(5.0)).norm(), 1e-12) << "held where it is now";
 }
 
+TEST(Safety, WhereItIsToBeCarefulTorquesChangeSlowlyUntilTheyHaveCaughtUp) {
+  const Solution one = solved(torques(10.0)), other = solved(torques(-10.0));
+  Safety safety = make_safety();
+  JointVector before = safety.command(standing(), &one).torque;
+  safety.be_careful();
+  int ticks = 0;
+  for (; before != torques(-10.0) && ticks < 100; ++ticks) {
+    const JointVector torque = safety.command(standing(), &other).torque;
+    ASSERT_LE((torque - before).cwiseAbs().maxCoeff(), SafetyOptions{}.max_torque_change + 1e-9);
+    before = torque;
+  }
+  EXPECT_EQ(ticks, 11) << "42 N·m at most by 4";
+  EXPECT_EQ(safety.command(standing(), &one).torque, torques(10.0)) << "no longer";
+}
+
 TEST(Safety, ThatBeginsAnewAgainAndAgainDampsInTheEnd) {
   Safety safety = make_safety();
   int tick = 0;

@@ -170,6 +170,26 @@ TEST(ReadingGuard, JointsThatAllJumpFurtherThanAnyRobotGoesAreNeverBelieved) {
   }
 }
 
+TEST(ReadingGuard, IsShakenFor20MsByAStepThatNoWalkShowsAlsoWhereItIsBelieved) {
+  for (const int sensor : {0, 1, 2}) {
+    Swinging robot;
+    robot.run(100);
+    EXPECT_FALSE(robot.guard.is_shaken());
+    for (int tick = 0; tick < 2; ++tick) {
+      robot.tick([&](SensorReading& reading) {
+        if (sensor == 0) reading.gyro.x() += 2.0;
+        if (sensor == 1) reading.accelerometer.z() += 60.0;
+        if (sensor == 2) reading.q.array() += 0.01;
+      });
+      EXPECT_TRUE(robot.guard.is_shaken()) << sensor;
+    }
+    robot.run(6);
+    EXPECT_TRUE(robot.guard.is_shaken()) << sensor;
+    robot.run(10);
+    EXPECT_FALSE(robot.guard.is_shaken()) << sensor;
+  }
+}
+
 TEST(ReadingGuard, OfARobotThatIsNotControlledTheyAre) {
   Swinging robot;
   robot.run(100);

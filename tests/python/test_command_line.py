@@ -116,7 +116,7 @@ def test_exit_code_says_whether_the_criteria_hold(scenario):
 @pytest.mark.parametrize("rate, stop, code", [(1, False, 1), (1, True, 3), (0, False, 0), (0, True, 0)])
 def test_one_run_and_several_seeds_end_by_the_same_rule(scenario, rate, stop, code):
     safety = "safety: {max_tilt: 1.0e-9}\n" if stop else ""
-    text = f"duration: 0.1\n{safety}success_rate: {rate}\ncriteria: {{distance_m: {{min: 100}}}}\n"
+    text = f"duration: 0.5\n{safety}success_rate: {rate}\ncriteria: {{distance_m: {{min: 100}}}}\n"
     file = scenario(text)
     for arguments in [[], ["--seed", 1], ["--seeds", 2]]:
         result = surefoot("run", file, "--json", *arguments)
