@@ -169,7 +169,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   record.user = sane(user);
-  if (safety.has_stopped()) guard.loosen();
+  guard.set_loose(safety.has_stopped() || !safety.has_begun());
   take_in(reading);
   record.health = guard.health();
   const bool estimates = std::isfinite(last_time);

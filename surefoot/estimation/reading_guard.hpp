@@ -32,9 +32,9 @@ class ReadingGuard {
   void update(const SensorReading& reading, const JointVector& joint_velocity,
               const SensorReading& given) noexcept;
 
-  /// Of a robot that is not controlled any more joints may go anywhere: from now on no jump is too
+  /// Of a robot that is not controlled nobody knows how fast its joints turn: then no jump is too
   /// large for the next sample to confirm it.
-  void loosen() { is_loose_ = true; }
+  void set_loose(bool loose) { is_loose_ = loose; }
 
   /// Within `patience` the IMU's samples, or those of half of the joints, stepped further than
   /// walks show, believed or not: blow or fault.

@@ -193,7 +193,7 @@ TEST(ReadingGuard, IsShakenFor20MsByAStepThatNoWalkShowsAlsoWhereItIsBelieved) {
 TEST(ReadingGuard, OfARobotThatIsNotControlledTheyAre) {
   Swinging robot;
   robot.run(100);
-  robot.guard.loosen();
+  robot.guard.set_loose(true);
   const auto jump = [](SensorReading& reading) { reading.q.array() += 0.06; };
   robot.tick(jump);
   EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump);
