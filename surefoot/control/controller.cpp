@@ -183,8 +183,9 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (!believed) describe_refused_state();
   if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
   has_solved = believed;
-  // Whose base is not known yet, but whose joints are.
-  const bool is_held = !believed && !safety.has_begun() && !safety.has_stopped();
+  if (believed) safety.set_standing(standing(record.plan));
+  // Whose base is not known, but whose joints are.
+  const bool is_held = !believed && (!safety.has_begun() || safety.has_stopped());
   if (is_held) safety.bear(standing_torque(model, record.state.q));
   if (guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);

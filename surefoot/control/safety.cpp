@@ -10,8 +10,17 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * kPi;  // no joint is turned further [rad]
 constexpr double kFadeTime = 0.5;        // of torques that nothing holds any more [s]
-constexpr double kToStand = 2.0;         // for which a robot that has not begun is held [s]
-constexpr double kDampFade = 1.0;        // of the damping: what falls lies by then [s] …
+// Of the way down: the last torques turn into those that bear the robot, the posture arrives, legs
+// become as soft as one that bears nothing, torques and springs fade.
+constexpr double kToBear = 0.4;                        // [s]
+constexpr double kArrived = 0.75;                      // share of `sit_duration` …
+constexpr double kSoftFrom = 0.2, kSoft = 0.6;         // … here, too …
+constexpr double kLightFrom = 0.6, kLastSpring = 0.1;  // … and of the spring
+// Shares of spring and damping with which a leg that bears nothing does not swing behind drives
+// that are late: they fit its inertia, `hold` fits a quarter of the robot.
+constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
+constexpr double kToStand = 2.0;      // for which a robot that has not begun is held [s]
+constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s] …
 constexpr double kLastDamping = 0.1;  // … to a share with which a leg that bears nothing comes to
                                       // rest behind drives that are late, too
 constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
@@ -47,6 +56,11 @@ StopCause missing_sensor(const RobotState& state, const SensorHealth& health) {
   return lacks(health.joint_torques, state.torque) ? StopCause::joint_torques : StopCause::failures;
 }
 
+/// How far from one share of the way to another, 0 to 1.
+double progress(double share, double from, double to) {
+  return std::clamp((share - from) / (to - from), 0.0, 1.0);
+}
+
 /// From 0 to 1 with rest at both ends, and its slope.
 double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
 double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
@@ -62,7 +76,9 @@ Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int 
       damping_kd_(robot.damping_kd),
       period_(period),
       first_free_level_(first_free_level),
-      lying_q_(lying) {}
+      lying_q_(lying) {
+  stands_.fill(true);
+}
 
 const JointCommand& Safety::command(const RobotState& state, const Solution* solution,
                                     const SensorHealth& health) noexcept {
@@ -99,6 +115,7 @@ void Safety::begin_anew() noexcept {
   has_begun_ = false;
   unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
   good_q_.setConstant(kNaN);
+  stands_.fill(true);
 }
 
 bool Safety::is_tilted(const RobotState& state) const {
@@ -137,6 +154,7 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;
+    damped_ticks_ = static_cast<int>(std::lround(kDampFade / period_));
   }
 }
 
@@ -209,29 +227,41 @@ void Safety::follow(const RobotState& state, const Solution& solution) {
 void Safety::hold(const RobotState& state) {
   command_.mode = CommandMode::hold;
   if (!good_q_.allFinite() && is_posture(state.q)) good_q_ = state.q;
+  command_.torque = good_torque_ + pull(state, good_q_, JointVector::Zero());
+}
+
+JointVector Safety::pull(const RobotState& state, const JointVector& q, const JointVector& qd,
+                         double softness, double spring) const {
+  JointVector kp, kd;
+  for (const Leg leg : kLegs) {
+    const double soft = stands_[index(leg)] ? softness : 1.0;
+    kp.segment<3>(first_joint(leg)).setConstant(hold_kp_ * (1.0 - soft * (1.0 - kSoftSpring)));
+    kd.segment<3>(first_joint(leg)).setConstant(hold_kd_ * (1.0 - soft * (1.0 - kSoftDamping)));
+  }
   // Apart, for where the position is not known the damping still works, and the other way round.
-  command_.torque = good_torque_ + finite_or_zero(hold_kp_ * (good_q_ - state.q)) -
-                    finite_or_zero(hold_kd_ * state.qd);
+  return spring * finite_or_zero(kp.cwiseProduct(q - state.q)) +
+         finite_or_zero(kd.cwiseProduct(qd - state.qd));
 }
 
 void Safety::sit(const RobotState& state) {
   command_.mode = CommandMode::sit;
-  const double share = std::clamp((command_.time - stopped_at_) / options_.sit_duration, 0.0, 1.0);
+  const double time = command_.time - stopped_at_, duration = options_.sit_duration;
+  const double share = std::clamp(time / duration, 0.0, 1.0);
+  const double arrived = progress(share, 0.0, kArrived);
   const JointVector way = lying_q_ - stopped_q_;
-  const JointVector q = stopped_q_ + ease(share) * way;
-  const JointVector qd = ease_slope(share) / options_.sit_duration * way;
-  command_.torque = (1.0 - ease(faded())) * good_torque_ + hold_kp_ * (q - state.q) +
-                    finite_or_zero(hold_kd_ * (qd - state.qd));
+  const JointVector q = stopped_q_ + ease(arrived) * way;
+  const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
+  const double light = ease(progress(share, kLightFrom, 1.0));
+  const double bears = bearing_torque_.allFinite() ? ease(progress(time, 0.0, kToBear)) : 0.0;
+  JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
+  JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
+                            1.0 - light * (1.0 - kLastSpring));
   for (int i = 0; i < kNumJoints; ++i) {
-    if (lame_[static_cast<std::size_t>(i)]) command_.torque[i] = good_torque_[i];
+    if (!lame_[static_cast<std::size_t>(i)]) continue;
+    carried[i] = good_torque_[i];
+    pulled[i] = 0.0;
   }
-}
-
-// The last torques of a sensor that lied were good for little.
-double Safety::faded() const {
-  const double time =
-      command_.fault == SampleFault::contradicts ? kFadeTime : options_.sit_duration;
-  return std::clamp((command_.time - stopped_at_) / time, 0.0, 1.0);
+  command_.torque = (1.0 - light) * carried + pulled;
 }
 
 void Safety::damp(const RobotState& state) {

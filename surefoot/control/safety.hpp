@@ -21,15 +21,19 @@ namespace surefoot {
 ///     hold       joint PD about the last good posture, on top of the last good torques; if there
 ///                never was a good tick, about the first posture that was seen, on top of those
 ///                that bear the robot (`bear`): for 2 s then, so that it comes to stand
-///     sit        joint PD on the way to a lying posture, while the last good torques fade out,
+///     sit        joint PD on the way to a lying posture, on top of the last good torques, which
+///                turn into those that bear the robot in the posture that it has within 0.4 s,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
-///                repeated failures nothing at all yet. Joints of one leg whose encoders are lost
-///                keep their last good torques
+///                repeated failures nothing at all yet. As it comes to lie the torques fade and the
+///                PD softens. Joints of one leg whose encoders are lost keep their last good
+///                torques until these fade
 ///     damping    τ = −k_d q̇, latched, where k_d falls to a tenth within 1 s: after repeated
 ///                failures, non-finite readings that last, or a torso tilted too far (before the
 ///                first good tick only when 30 ms have gone by, as the first readings may be
 ///                wrong); lying; or at once where encoders of several legs are lost, on top of the
 ///                last good torques, which fade out
+///
+/// The PD of a leg that does not stand (`set_standing`) is softer, for its inertia is.
 ///
 /// While a sensor is at fault, or where its samples may be wrong (`be_careful`), and after that
 /// until they are back where they should be, after every stop, and where the first tick was not
@@ -54,11 +58,15 @@ class Safety {
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   /// For ticks of a log: its robot had begun.
   void skip_beginning() { has_begun_ = true; }
-  /// What bears the robot in its posture of this tick, until there is a good one [N·m]: then, and
-  /// where it is not finite, nothing changes.
+  /// What bears the robot in its posture of this tick [N·m], until there is a good one and when it
+  /// has stopped. Where it is not finite nothing changes.
   void bear(const JointVector& torque) {
-    if (!has_begun_ && torque.allFinite()) good_torque_ = torque;
+    if (!torque.allFinite()) return;
+    bearing_torque_ = torque;
+    if (!has_begun_) good_torque_ = torque;
   }
+  /// The legs that bear the robot: all, unless told.
+  void set_standing(const PerLeg<bool>& stands) { stands_ = stands; }
 
   /// What was good so far is worth nothing; the torques go on from where they are, and how long it
   /// has not been good counts on. Not for a robot that has stopped.
@@ -87,8 +95,12 @@ class Safety {
   void stop(CommandMode mode, StopCause cause, const SensorHealth& health);
   void follow(const RobotState& state, const Solution& solution);
   void hold(const RobotState& state);
+  /// Towards q and q̇, where the PD of legs that stand is as hard (0) or soft (1) as this, and of
+  /// its spring this share is left.
+  [[nodiscard]] JointVector pull(const RobotState& state, const JointVector& q,
+                                 const JointVector& qd, double softness = 0.0,
+                                 double spring = 1.0) const;
   void sit(const RobotState& state);
-  [[nodiscard]] double faded() const;
   void damp(const RobotState& state);
   void limit();
   void limit_change(const JointVector& before, bool wanted);
@@ -111,6 +123,8 @@ class Safety {
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();
+  JointVector bearing_torque_ = JointVector::Constant(kNaN);
+  PerLeg<bool> stands_{};
   JointCommand command_;
 };
 

@@ -211,7 +211,7 @@ TEST(Controller, WithoutAClockItSitsDownByTheAnglesThatComeAndThenDamps) {
   EXPECT_EQ(record.command.mode, CommandMode::sit);
   EXPECT_EQ(record.command.cause, StopCause::encoders);
   EXPECT_EQ(record.command.fault, SampleFault::late);
-  ASSERT_NO_FATAL_FAILURE(swing(-0.5, 820));
+  ASSERT_NO_FATAL_FAILURE(swing(-0.5, 1220));
   EXPECT_EQ(record.command.mode, CommandMode::damping);
   EXPECT_NEAR(record.state.qd[2], -0.5, 0.1);
   EXPECT_GT(record.command.torque[2], 0.0);
