@@ -151,9 +151,9 @@ struct FootholdOptions {
 struct CalibrationOptions {
   double duration = 0.0;  ///< 0: none; a payload's height needs 3 s, and roll or pitch [s]
   double settle = 0.5;    ///< standing still before it [s]
-  double roll = 0.12;     ///< amplitudes, under a window that rises and falls [rad]
-  double pitch = 0.10;
-  double yaw = 0.15;
+  double roll = 0.20;     ///< amplitudes, under a window that rises and falls [rad]
+  double pitch = 0.15;
+  double yaw = 0.25;
 };
 
 /// What the walk does about forces that push or pull the robot.

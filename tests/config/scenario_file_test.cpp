@@ -282,11 +282,11 @@ TEST_F(ScenarioFile, refuses_a_switch_on_one_side_shorter_than_its_ramps) {
 TEST_F(ScenarioFile, refuses_a_calibration_too_short_for_its_turn) {
   EXPECT_TRUE(holds(complaint("", {"planner.calibration.duration=0.1"}),
                     "planner.calibration.duration: 0.1 s is too short for a turn by these angles; "
-                    "expected at least 1 s, or 0 for none"));
+                    "expected at least 1.22 s, or 0 for none"));
   EXPECT_TRUE(
       holds(complaint("", {"planner.calibration.duration=1", "planner.calibration.pitch=0.3"}),
             "expected at least 1.73 s, or 0 for none"));
-  for (const char* duration : {"0", "1", "6"})
+  for (const char* duration : {"0", "1.3", "6"})
     EXPECT_NO_THROW((void)read("", 0, {std::string("planner.calibration.duration=") + duration}));
 }
 

@@ -90,7 +90,8 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
 
 // In the turn, and from the beginning of the weighing to shortly before its end.
 TEST(Walk, APushBeforeItDoesNotHideAPayload) {
-  for (const char* time : {"3", "7.3"}) {
+  // Early in the turn it is outweighed by what follows, later the robot does so once more.
+  for (const auto& [time, again] : {std::pair("3", 0), std::pair("4.5", 1), std::pair("7.3", 1)}) {
     const Scenario pushed =
         scenario("walk_flat",
                  {"disturbances.payload.mass=6", "duration=23",
@@ -99,8 +100,8 @@ TEST(Walk, APushBeforeItDoesNotHideAPayload) {
                  2);
     Loop loop(pushed);
     loop.run_until(22.0);
-    EXPECT_EQ(loop.count(PlanEvent::calibration_disturbed), 1) << time;
-    EXPECT_EQ(loop.count(PlanEvent::calibration), 1) << time;
+    EXPECT_EQ(loop.count(PlanEvent::calibration_disturbed), again) << time;
+    EXPECT_EQ(loop.count(PlanEvent::calibration), again) << time;
     EXPECT_NEAR(loop.record().model.load.mass, 6.0, 0.5) << time;
     EXPECT_GT(loop.count(PlanEvent::touchdown), 0) << time;
     EXPECT_LT(run_closed_loop(pushed, {}).metrics.com_error_max_m, 0.0025)
