@@ -49,10 +49,11 @@ class GuardedValues {
   /// What a value can be, and how far its next sample can be from what is expected: beyond
   /// `tolerance` it is not believed, beyond `sure` only as `Doubt` says, nor is any where half of
   /// them are beyond `together`, and none at all where half are beyond `never`; these three for
-  /// each period between the samples.
+  /// each period between the samples. `sure_only`: what is beyond `sure` is not believed either.
   struct Limits {
     Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
     double together = kUnlimited, never = kUnlimited;
+    bool sure_only = false;
   };
 
   /// Moves what is expected of the next samples; without it, they are expected to stay.
@@ -144,8 +145,9 @@ class GuardedValues {
     if (is_lost) return check(i, raw, limits.range[i], kUnlimited);
     Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
     const double share = before.all_waited || doubt.doubts() ? 2.0 : 1.0;
-    const SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
+    SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
     const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * before.periods;
+    if (fault == SampleFault::none && is_large && limits.sure_only) fault = SampleFault::jump;
     if (fault != SampleFault::none) {
       if (watch.is_new()) doubt.skip(is_large, watch.sample_time());
       return fault;

@@ -8,6 +8,7 @@ namespace {
 constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
 constexpr double kStill = 0.2;        // all angles at once, of a robot that lives [s]
 constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
+constexpr double kOther = 0.5;        // share of a step, for it to vouch for the other instrument's
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
   JointVector result;
@@ -134,15 +135,33 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                 lost_);
 }
 
+// A blow is felt by both instruments; where only one steps, that one is wrong.
 void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& given) {
+  const Vec3 turn = Vec3::Constant(options_.sure_gyro_step);
+  const Vec3 force = Vec3::Constant(options_.sure_acceleration_step);
+  if (imu_watch_.is_new()) {
+    note_step(gyro_, reading.gyro, kOther * turn);
+    note_step(accelerometer_, reading.accelerometer, kOther * force);
+  }
+  const double lately = imu_watch_.sample_time() - options_.patience;
   take(gyro_, reading.gyro, given.gyro,
        {.range = Vec3::Constant(options_.max_gyro),
         .tolerance = Vec3::Constant(options_.max_gyro_step),
-        .sure = Vec3::Constant(options_.sure_gyro_step)});
+        .sure = turn,
+        .sure_only = !(accelerometer_.stepped >= lately)});
   take(accelerometer_, reading.accelerometer, given.accelerometer,
        {.range = Vec3::Constant(options_.max_acceleration),
         .tolerance = Vec3::Constant(options_.max_acceleration_step),
-        .sure = Vec3::Constant(options_.sure_acceleration_step)});
+        .sure = force,
+        .sure_only = !(gyro_.stepped >= lately)});
+}
+
+void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Vec3& large) const {
+  const Vec3 step = value - instrument.last;
+  if ((step.cwiseAbs().array() > large.array()).any()) {
+    instrument.stepped = imu_watch_.sample_time();
+  }
+  instrument.last = value;
 }
 
 void ReadingGuard::take(Instrument& instrument, const Vec3& value, const Vec3& given,

@@ -156,7 +156,8 @@ TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
   const std::string push =
       "disturbances.pushes.hard={time: 0.1, duration: 0.3, force: [0, 900, 0]}";
   const RunResult stopped = run_closed_loop(
-      short_walk({"duration=6", "safety.max_tilt=0.1", "guard.consistency.enabled=false", push}),
+      short_walk({"duration=6", "safety.max_tilt=0.1", "guard.consistency.enabled=false",
+                  "guard.sure_acceleration_step=1e4", "guard.sure_gyro_step=1e3", push}),
       {});
   EXPECT_TRUE(stopped.metrics.fell);
   EXPECT_TRUE(stopped.safety_stop);
@@ -170,7 +171,8 @@ TEST(ClosedLoop, a_stop_for_safety_before_a_fall_counts_and_after_it_does_not) {
     const RunResult hit = run_closed_loop(
         short_walk({"duration=6", "planner.push.enabled=false", "external_force.enabled=false",
                     "guard.consistency.enabled=false", "guard.max_acceleration_step=1e4",
-                    "guard.max_gyro_step=1e3",
+                    "guard.max_gyro_step=1e3", "guard.sure_acceleration_step=1e4",
+                    "guard.sure_gyro_step=1e3",
                     "disturbances.pushes.hard={time: 0.1, duration: 1.5, force: " +
                         std::string(force) + "}"}),
         {});

@@ -109,6 +109,21 @@ TEST(GuardedValues, AStepThatIsNotSureIsBelievedWhenTheNextSampleSaysSoToo) {
   EXPECT_EQ(group.values.repaired(), Vec3(0.9, 0.4, 0.0));
 }
 
+TEST(GuardedValues, WhereOnlyWhatIsSureIsBelievedAStepThatStaysIsNotBeforeThePatience) {
+  Group group;
+  group.limits.sure.setConstant(0.5);
+  group.limits.sure_only = true;
+  group.take(Vec3::Zero());
+  const double seen = group.time;
+  for (int i = 0; i < 20; ++i) {
+    group.take(Vec3(0.6, 0.4, 0.0));
+    const bool is_over = group.time - seen > kPatience + 1e-9;
+    EXPECT_EQ(group.health().fault, is_over ? SampleFault::none : SampleFault::jump) << i;
+    EXPECT_EQ(group.values.repaired(), Vec3(is_over ? 0.6 : 0.0, 0.4, 0.0)) << i;
+    EXPECT_EQ(group.values.is_shaken_since(group.time), !is_over) << i;
+  }
+}
+
 TEST(GuardedValues, WhatIsShakenIsBelievedFromTheSecondSampleOnUntilItWasCalm) {
   Group group;
   group.limits.sure.setConstant(0.5);

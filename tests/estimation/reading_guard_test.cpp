@@ -157,6 +157,65 @@ TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
   }
 }
 
+// A blow is felt by both.
+TEST(ReadingGuard, AStepOfOneInstrumentOfTheImuIsBelievedWhereTheOtherMadeOneToo) {
+  constexpr int kBridged = 8;  // samples in 20 ms
+  for (const bool turns : {true, false}) {
+    for (const double other : {0.0, 0.4, 0.6}) {  // of what is sure
+      Swinging robot;
+      robot.run(100);
+      const auto hit = [&](SensorReading& reading) {
+        reading.gyro[0] += turns ? 1.0 : other * 0.6;
+        reading.accelerometer[1] += turns ? other * 25.0 : 40.0;
+      };
+      for (int i = 0; i < kBridged; ++i) {
+        robot.tick(hit);
+        EXPECT_EQ(robot.is_well(), other > 0.5 && i > 0) << turns << other << i;
+        EXPECT_TRUE(robot.guard.is_shaken());
+      }
+    }
+  }
+}
+
+TEST(ReadingGuard, AnInstrumentOfTheImuThatIsOffForAMomentLeavesNoTrace) {
+  const std::array<std::function<void(SensorReading&)>, 2> faults{
+      [](SensorReading& reading) { reading.gyro[0] += 1.0; },
+      [](SensorReading& reading) { reading.accelerometer[0] += 100.0; }};
+  for (const auto& fault : faults) {
+    for (int moment = 1; moment < 8; ++moment) {
+      Swinging robot, other;
+      robot.run(100);
+      other.run(100 + moment + 1);
+      for (int i = 0; i < moment; ++i) robot.tick(fault);
+      EXPECT_FALSE(robot.is_well());
+      robot.run(1);
+      EXPECT_TRUE(robot.is_well());
+      EXPECT_EQ(robot.guard.repaired().gyro, other.guard.repaired().gyro);
+      EXPECT_EQ(robot.guard.repaired().accelerometer, other.guard.repaired().accelerometer);
+    }
+  }
+}
+
+TEST(ReadingGuard, ASlowImuMayStepFurther) {
+  for (const int every : {1, 2, 4}) {
+    for (const double step : {0.95, 1.05}) {
+      Swinging robot;
+      int at = 0;
+      bool is_off = false;
+      const auto sampled = [&](SensorReading& reading) {
+        reading.imu_time = kPeriod * (robot.ticks - at++ % every);
+        reading.gyro = Vec3(is_off ? step * every * 0.6 : 1e-4 * reading.imu_time, 0.0, 0.0);
+        reading.accelerometer = Vec3(0.0, 1e-4 * reading.imu_time, kGravity);
+      };
+      for (int i = 0; i < 100; ++i) robot.tick(sampled);
+      ASSERT_TRUE(robot.is_well());
+      is_off = true;
+      robot.tick(sampled);
+      EXPECT_EQ(robot.is_well(), step < 1.0) << every;
+    }
+  }
+}
+
 TEST(ReadingGuard, JointsThatAllJumpFurtherThanAnyRobotGoesAreNeverBelieved) {
   for (const double far : {0.03, 0.06, 0.1, 0.3}) {
     Swinging robot;

@@ -45,11 +45,14 @@ const std::vector<Lie>& lies() {
   static const std::vector<Lie> all{
       {"accelerometer_1", "sensor: accelerometer, kind: jump, size: 1", StopCause::imu,
        SampleFault::contradicts, 0.3},
-      {"accelerometer_30", "sensor: accelerometer, kind: jump, size: 30", StopCause::imu,
+      {"accelerometer_20", "sensor: accelerometer, kind: jump, size: 20", StopCause::imu,
        SampleFault::contradicts, 0.05},
+      {"accelerometer_30", "sensor: accelerometer, kind: jump, size: 30", StopCause::imu,
+       SampleFault::jump, 0.02},
       {"accelerometer_100_for_a_moment",
-       "sensor: accelerometer, kind: jump, size: 100, duration: 0.02", StopCause::imu,
-       SampleFault::contradicts, 0.02},
+       "sensor: accelerometer, kind: jump, size: 100, duration: 0.03", StopCause::imu,
+       SampleFault::jump, 0.02},
+      {"gyroscope_1", "sensor: gyro, kind: jump, size: 1", StopCause::imu, SampleFault::jump, 0.02},
       {"gyroscope", "sensor: gyro, kind: jump, size: 0.1", StopCause::imu, SampleFault::contradicts,
        0.5},
       {"imu_late", "sensor: imu, kind: late, size: 7", StopCause::imu, SampleFault::late, 0.05},
@@ -133,7 +136,7 @@ TEST(SensorConsistencyInWalks, AnAccelerometerThatIsFarOffIsNotTakenForFrozenEnc
 
 TEST(SensorConsistencyInWalks, LiesAreFoundOnARobotThatGivesNoSampleTimesToo) {
   for (const auto& [fault, cause, latest] :
-       {std::tuple("sensor: accelerometer, kind: jump, size: 30", StopCause::imu, 0.05),
+       {std::tuple("sensor: accelerometer, kind: jump, size: 20", StopCause::imu, 0.05),
         std::tuple("sensor: joint_torques, kind: jump, size: -20", StopCause::joint_torques,
                    0.3)}) {
     Loop loop(scenario("walk_flat", walk(fault)));
