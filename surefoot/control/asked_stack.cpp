@@ -23,16 +23,19 @@ const StackAnswer& AskedStack::ask(const RobotState& state, const Dynamics& dyna
       solved_.solver.wants_substitution() ? solved_.stack.substitution(dynamics) : nullptr;
   const Solution& solution = solved_.solver.solve(hierarchy, physics, at_rest_);
   summarise(solution, hierarchy, answer_.hierarchy);
-  command(state, solution);
+  command(state, solution, plan.standing());
   return answer_;
 }
 
 // A stop is latched: the robot would lie there. Who is asked at the next tick stands as the log
 // has it, with a ladder on which nothing has happened.
-void AskedStack::command(const RobotState& state, const Solution& solution) noexcept {
+void AskedStack::command(const RobotState& state, const Solution& solution,
+                         const PerLeg<bool>& stands) noexcept {
+  ladder_.set_standing(stands);
   answer_.command = ladder_.command(state, &solution);
   if (answer_.command.cause == StopCause::none) return;
   Safety anew = ladder_at_start_;
+  anew.set_standing(stands);
   const JointCommand first = anew.command(state, &solution);
   if (first.cause != StopCause::none || first.mode == CommandMode::hold) return;
   answer_.command = first;

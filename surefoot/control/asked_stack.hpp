@@ -41,7 +41,8 @@ class AskedStack {
   [[nodiscard]] std::vector<std::string> level_units() const { return solved_.stack.units(); }
 
  private:
-  void command(const RobotState& state, const Solution& solution) noexcept;
+  void command(const RobotState& state, const Solution& solution,
+               const PerLeg<bool>& stands) noexcept;
 
   SolvedStack solved_;
   LevelTransition at_rest_;  // with all levels

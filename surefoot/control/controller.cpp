@@ -1,21 +1,15 @@
 #include "surefoot/control/controller.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/control/controller_memory.hpp"
 #include "surefoot/control/hierarchy_summary.hpp"
 #include "surefoot/control/level_switcher.hpp"
 #include "surefoot/control/lying_posture.hpp"
 #include "surefoot/control/safety.hpp"
 #include "surefoot/control/stack_fade.hpp"
 #include "surefoot/control/standing_torque.hpp"
-#include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/first_readings.hpp"
-#include "surefoot/estimation/kinematic_calibration.hpp"
-#include "surefoot/estimation/link_mass_estimator.hpp"
-#include "surefoot/estimation/reading_guard.hpp"
-#include "surefoot/estimation/sensor_consistency.hpp"
 #include "surefoot/math/rotation.hpp"
-#include "surefoot/model/robot_model.hpp"
-#include "surefoot/planning/planner.hpp"
 #include "surefoot/signals/plan_event.hpp"
 
 #include <algorithm>
@@ -28,11 +22,6 @@
 namespace surefoot {
 namespace {
 
-double checked_period(double period) {
-  if (period > 0.0 && std::isfinite(period)) return period;
-  throw Error("period is " + std::to_string(period) + " s; valid is a time > 0, such as 0.0025");
-}
-
 double clamp_finite(double value, double limit) {
   return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
 }
@@ -43,13 +32,6 @@ UserCommand sane(const UserCommand& user) {
   for (double& v : result.velocity) v = clamp_finite(v, UserCommand::kFastest);
   result.yaw_rate = clamp_finite(user.yaw_rate, UserCommand::kFastest);
   result.height = clamp_finite(user.height, UserCommand::kMostHeight);
-  return result;
-}
-
-/// The feet that a plan lets carry.
-PerLeg<bool> standing(const MotionPlan& plan) {
-  PerLeg<bool> result{};
-  for (const Leg leg : kLegs) result[index(leg)] = plan.contact(leg);
   return result;
 }
 
@@ -78,43 +60,15 @@ ModelRecord unknown_model() {
   return model;
 }
 
-/// What the readings so far have taught, beside what the estimator and Safety know.
-struct Memory {
-  Memory(const RobotDescription& robot, const ControllerOptions& options, const RobotModel& model)
-      : guard(options.guard, robot, checked_period(options.period)),
-        contact_force(options.contact_force, checked_period(options.period)),
-        kinematics(robot, options.period),
-        link_masses(options.link_masses, options.period),
-        com_calibration(options.period, model.base_mass()),
-        slip(options.slip, options.period),
-        external_force(options.external_force),
-        consistency(options.consistency, options.period),
-        planner(options.planner, model.mass() * kGravity, options.period) {}
-
-  ReadingGuard guard;
-  ContactForceEstimator contact_force;
-  JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
-  KinematicCalibration kinematics;
-  KinematicErrors errors_before;
-  LinkMassEstimator link_masses;
-  ComCalibration com_calibration;
-  SlipDetector slip;
-  ExternalForceEstimator external_force;
-  SensorConsistency consistency;
-  Planner planner;
-  HierarchyOutcome last;
-  double last_time = kNaN;  // of the last state that was believed [s]
-};
-
 }  // namespace
 
-struct Controller::Implementation : Memory {
+struct Controller::Implementation : ControllerMemory {
   Implementation(const RobotDescription& robot, const ControllerOptions& options,
                  std::unique_ptr<StateEstimator> state_estimator)
       : Implementation(robot, options, std::move(state_estimator), RobotModel(robot)) {}
   Implementation(const RobotDescription& robot, const ControllerOptions& options,
                  std::unique_ptr<StateEstimator> state_estimator, RobotModel robot_model)
-      : Memory(robot, options, robot_model),
+      : ControllerMemory(robot, options, robot_model),
         at_start(*this),
         first_readings(options.period),
         estimator(std::move(state_estimator)),
@@ -145,7 +99,7 @@ struct Controller::Implementation : Memory {
     if (observer != nullptr) observer->stage_ends(stage);
   }
 
-  Memory at_start;  // to begin anew with
+  ControllerMemory at_start;  // to begin anew with
   FirstReadings first_readings;
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
@@ -183,10 +137,11 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (!believed) describe_refused_state();
   if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
   has_solved = believed;
-  if (believed) safety.set_standing(standing(record.plan));
+  if (believed) safety.set_standing(record.plan.standing());
   // Whose base is not known, but whose joints are.
-  const bool is_held = !believed && (!safety.has_begun() || safety.has_stopped());
-  if (is_held) safety.bear(standing_torque(model, record.state.q));
+  const bool waits = !safety.has_begun() && !safety.has_stopped();
+  const bool is_blind = !believed && (waits || safety.is_sitting_down());
+  if (is_blind) safety.bear(standing_torque(model, record.state.q));
   if (guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);
   ended(Stage::command);
@@ -203,7 +158,7 @@ void Controller::Implementation::take_in(SensorReading reading) noexcept {
 
 /// With this reading as the first. The tick's health stays what the readings before made it.
 void Controller::Implementation::begin_anew() noexcept {
-  static_cast<Memory&>(*this) = at_start;
+  static_cast<ControllerMemory&>(*this) = at_start;
   estimator->begin_anew();
   safety.begin_anew();
   switcher.begin_anew();
@@ -265,10 +220,10 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   base_load = com_calibration.load();
   model.set_base_load(base_load);
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
-  contact_force.update(dynamics, standing(record.plan), planner.terrain_normal(), guard.repaired(),
+  contact_force.update(dynamics, record.plan.standing(), planner.terrain_normal(), guard.repaired(),
                        record.state);
-  slip.update(dynamics, standing(record.plan), planner.terrain_normal(), record.state);
-  external_force.update(dynamics, standing(record.plan), record.state);
+  slip.update(dynamics, record.plan.standing(), planner.terrain_normal(), record.state);
+  external_force.update(dynamics, record.plan.standing(), record.state);
   compare_sensors(dynamics);
   calibrate(dynamics);
   model.apply_wrench(record.state.external_force, record.state.external_moment);
@@ -296,7 +251,7 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
 void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexcept {
   if (kinematics.errors() != errors_before) consistency.forget();
   errors_before = kinematics.errors();
-  const PerLeg<bool> stands = standing(record.plan);
+  const PerLeg<bool> stands = record.plan.standing();
   PerLeg<Vec3> v_WF;
   for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = record.plan.feet[k].v_WF;
   const Vec3 normal_W = planner.terrain_normal();
@@ -322,7 +277,7 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
     kinematics.update(record.state.time, dynamics, guard.repaired().gyro, planner.terrain_normal(),
                       turning);
   }
-  link_masses.update(record.state.time, dynamics, standing(record.plan), record.state.torque);
+  link_masses.update(record.state.time, dynamics, record.plan.standing(), record.state.torque);
   if (weighs_by_torques) com_calibration.correct(link_masses.shares());
   com_calibration.update(dynamics, record.state.foot_force, stage, is_quiet);
   planner.tell_calibration_known(kinematics.knows_legs() && com_calibration.knows_load());

@@ -20,9 +20,7 @@ constexpr double kLightFrom = 0.6, kLastSpring = 0.1;  // … and of the spring
 // that are late: they fit its inertia, `hold` fits a quarter of the robot.
 constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
 constexpr double kToStand = 2.0;      // for which a robot that has not begun is held [s]
-constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s] …
-constexpr double kLastDamping = 0.1;  // … to a share with which a leg that bears nothing comes to
-                                      // rest behind drives that are late, too
+constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s]
 constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
 constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
 constexpr double kRounding = 1e-9;  // of times [s]
@@ -77,6 +75,7 @@ Safety::Safety(const SafetyOptions& options, const RobotDescription& robot, int 
       period_(period),
       first_free_level_(first_free_level),
       lying_q_(lying) {
+  stands_now_.fill(true);
   stands_.fill(true);
 }
 
@@ -115,6 +114,7 @@ void Safety::begin_anew() noexcept {
   has_begun_ = false;
   unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
   good_q_.setConstant(kNaN);
+  bearing_torque_.setConstant(kNaN);
   stands_.fill(true);
 }
 
@@ -142,7 +142,9 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
-  const bool is_sure = has_begun_ || failures_ * period_ > kUnsureTilt;
+  // What an IMU tells that the robot sits down for is believed no longer.
+  const bool lies = sitting_ && command_.cause == StopCause::imu;
+  const bool is_sure = !lies && (has_begun_ || failures_ * period_ > kUnsureTilt);
   if (is_tilted(state) && is_sure) {
     stop(CommandMode::damping, StopCause::tilt, health);
   } else if ((lost == StopCause::encoders || sitting_) && !can_sit(state)) {
@@ -222,6 +224,8 @@ void Safety::follow(const RobotState& state, const Solution& solution) {
   command_.mode = solved ? CommandMode::optimal : CommandMode::degraded;
   command_.torque = solution.x.tail<kNumJoints>();
   good_q_ = state.q;
+  stands_ = stands_now_;
+  bearing_torque_.setConstant(kNaN);  // of another posture
 }
 
 void Safety::hold(const RobotState& state) {
@@ -252,7 +256,8 @@ void Safety::sit(const RobotState& state) {
   const JointVector q = stopped_q_ + ease(arrived) * way;
   const JointVector qd = ease_slope(arrived) / (kArrived * duration) * way;
   const double light = ease(progress(share, kLightFrom, 1.0));
-  const double bears = bearing_torque_.allFinite() ? ease(progress(time, 0.0, kToBear)) : 0.0;
+  if (bearing_torque_.allFinite()) borne_ = std::min(1.0, borne_ + period_ / kToBear);
+  const double bears = ease(borne_);
   JointVector carried = (1.0 - bears) * good_torque_ + bears * finite_or_zero(bearing_torque_);
   JointVector pulled = pull(state, q, qd, ease(progress(share, kSoftFrom, kSoft)),
                             1.0 - light * (1.0 - kLastSpring));
@@ -267,7 +272,8 @@ void Safety::sit(const RobotState& state) {
 void Safety::damp(const RobotState& state) {
   command_.mode = CommandMode::damping;
   const double gone = std::min(1.0, damped_ticks_ * period_ / kDampFade);
-  const double kd = (1.0 - gone * (1.0 - kLastDamping)) * damping_kd_;
+  const double last = std::min(damping_kd_, kSoftDamping * hold_kd_);
+  const double kd = damping_kd_ + gone * (last - damping_kd_);
   if (gone < 1.0) ++damped_ticks_;
   command_.torque = -kd * finite_or_zero(state.qd);
   if (command_.cause != StopCause::encoders) return;

@@ -26,14 +26,15 @@ namespace surefoot {
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
 ///                repeated failures nothing at all yet. As it comes to lie the torques fade and the
 ///                PD softens. Joints of one leg whose encoders are lost keep their last good
-///                torques until these fade
-///     damping    τ = −k_d q̇, latched, where k_d falls to a tenth within 1 s: after repeated
+///                torques until these fade, and so do the others then
+///     damping    τ = −k_d q̇, latched, where k_d falls to that of a soft leg within 1 s: after
+///     repeated
 ///                failures, non-finite readings that last, or a torso tilted too far (before the
 ///                first good tick only when 30 ms have gone by, as the first readings may be
 ///                wrong); lying; or at once where encoders of several legs are lost, on top of the
 ///                last good torques, which fade out
 ///
-/// The PD of a leg that does not stand (`set_standing`) is softer, for its inertia is.
+/// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
 ///
 /// While a sensor is at fault, or where its samples may be wrong (`be_careful`), and after that
 /// until they are back where they should be, after every stop, and where the first tick was not
@@ -65,8 +66,8 @@ class Safety {
     bearing_torque_ = torque;
     if (!has_begun_) good_torque_ = torque;
   }
-  /// The legs that bear the robot: all, unless told.
-  void set_standing(const PerLeg<bool>& stands) { stands_ = stands; }
+  /// The legs that bear the robot at this tick: all, unless told. What counts is the last good one.
+  void set_standing(const PerLeg<bool>& stands) { stands_now_ = stands; }
 
   /// What was good so far is worth nothing; the torques go on from where they are, and how long it
   /// has not been good counts on. Not for a robot that has stopped.
@@ -81,6 +82,7 @@ class Safety {
   [[nodiscard]] bool is_lost(double age) const noexcept;
   /// For good: no solution is asked for any more.
   [[nodiscard]] bool has_stopped() const { return sitting_ || damping_; }
+  [[nodiscard]] bool is_sitting_down() const { return sitting_ && !damping_; }
 
  private:
   [[nodiscard]] bool is_tilted(const RobotState& state) const;
@@ -119,12 +121,13 @@ class Safety {
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
   int unsteady_ticks_ = 0;               // left of a late beginning
-  int damped_ticks_ = 0;                 // until the damping is at its last
+  int damped_ticks_ = 0;                 // since it damps
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();
   JointVector bearing_torque_ = JointVector::Constant(kNaN);
-  PerLeg<bool> stands_{};
+  double borne_ = 0.0;  // share of the bearing torque on the way down
+  PerLeg<bool> stands_now_{}, stands_{};
   JointCommand command_;
 };
 

@@ -7,7 +7,7 @@ namespace surefoot {
 /// A robot at rest with its torso level, the base at W's origin, and these joint angles [rad].
 [[nodiscard]] RobotState level_at_rest(const JointVector& q);
 
-/// Joint torques that bear a robot at rest on its four feet before anything is known of its base
+/// Joint torques that bear a robot at rest on its four feet whose base is not known
 /// [N·m]: the torso is taken to be level, and the feet's forces to be those vertical ones that
 /// balance the weight and are of least norm. Where a foot would have to pull, the others bear the
 /// weight as if it did not, and the robot tips. Not finite where q [rad] isn't. Leaves the model at

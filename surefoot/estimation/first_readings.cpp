@@ -5,13 +5,13 @@
 namespace surefoot {
 namespace {
 
-constexpr double kWindow = 0.1;    // of an estimate [s]
-constexpr double kLongest = 1.0;   // since the first tick [s]
-constexpr double kYoung = 0.02;    // as long as a sample may be bridged [s]
-constexpr int kUnconfirmed = 3;    // jumps in a row: the second would confirm the first
-constexpr int kMostAtOnce = 3;     // beginnings by a single jump, where velocities are not known
-constexpr double kSameTurn = 0.1;  // [rad/s]
-constexpr double kSameVertical = 2.0;  // [m/s²]
+constexpr double kWindow = 0.1;     // of an estimate [s]
+constexpr double kLongest = 1.0;    // since the first tick [s]
+constexpr double kYoung = 0.02;     // as long as a sample may be bridged [s]
+constexpr int kUnconfirmed = 3;     // jumps in a row: the second would confirm the first
+constexpr int kMostAtOnce = 3;      // beginnings by a single jump, where velocities are not known
+constexpr double kSameTurn = 0.15;  // [rad/s]
+constexpr double kSameVertical = 3.0;  // [m/s²]
 
 int ticks_in(double time, double period) { return static_cast<int>(std::lround(time / period)); }
 

@@ -12,12 +12,15 @@ namespace surefoot {
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// Whether a step is believed that is larger than usual: if the one to the next sample is large,
-/// too, and from then on until it was calm for `patience`.
+/// too, and from then on until it was calm for `patience`; never while only what is usual is.
 class Doubt {
  public:
-  /// Of a new sample; `waited`: those before it were doubted with others. True: not believed.
-  [[nodiscard]] bool of(bool is_large, bool waited, double sample_time, double patience) noexcept {
-    const bool is_believed = !is_large || doubts_ || waited || sample_time - shaken_ <= patience;
+  /// Of a new sample; `waited`: those before it were doubted with others; `sure_only`: no large
+  /// step is believed. True: not believed.
+  [[nodiscard]] bool of(bool is_large, bool waited, bool sure_only, double sample_time,
+                        double patience) noexcept {
+    const bool is_confirmed = doubts_ || waited || sample_time - shaken_ <= patience;
+    const bool is_believed = !is_large || (is_confirmed && !sure_only);
     if (is_large) large_ = sample_time;
     if (is_large && is_believed) shaken_ = sample_time;
     doubts_ = !is_believed;
@@ -64,23 +67,23 @@ class GuardedValues {
   void take(const Vector& raw, SampleFault common, const SampleWatch& watch, const Limits& limits,
             double patience) noexcept {
     const bool all_waited = all_.doubts();
-    const double span = (watch.sample_time() - sampled_) / watch.period();
-    const double periods = std::max(1.0, span);  // not NaN
-    if (common == SampleFault::none && doubts_all(raw, watch, limits, periods, patience)) {
+    if (common == SampleFault::none && doubts_all(raw, watch, limits, patience)) {
       common = SampleFault::jump;
     }
     for (int i = 0; i < n; ++i) {
       SampleFault& fault = faults_[static_cast<std::size_t>(i)];
       fault = common;
       if (common == SampleFault::none) {
-        fault = judge(i, raw[i], watch, limits, {periods, all_waited}, patience);
+        fault = judge(i, raw[i], watch, limits, all_waited, patience);
       }
       const bool good = fault == SampleFault::none;
       if (good && watch.is_new()) accept(i, raw[i], watch.sample_time());
       repaired_[i] = good ? raw[i] : expected_[i];
       measured_[i] = good ? raw[i] : kNaN;
     }
-    sampled_ = watch.sample_time();
+    for (int i = 0; i < n; ++i) {
+      if (std::isfinite(raw[i])) sampled_[i] = watch.sample_time();
+    }
   }
 
   /// The values that can be by these limits, NaN in the place of others; they are no samples.
@@ -133,43 +136,42 @@ class GuardedValues {
     seen_[i] = time;
   }
 
-  struct Before {
-    double periods;   // since the sample before
-    bool all_waited;  // was it doubted with all?
-  };
+  /// Since the sample before.
+  [[nodiscard]] double periods(int i, const SampleWatch& watch) const noexcept {
+    return std::max(1.0, (watch.sample_time() - sampled_[i]) / watch.period());  // not NaN
+  }
 
   /// Of what waited for this sample nothing is known of two periods.
   [[nodiscard]] SampleFault judge(int i, double raw, const SampleWatch& watch, const Limits& limits,
-                                  const Before& before, double patience) noexcept {
+                                  bool all_waited, double patience) noexcept {
     const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
     if (is_lost) return check(i, raw, limits.range[i], kUnlimited);
     Doubt& doubt = doubts_[static_cast<std::size_t>(i)];
-    const double share = before.all_waited || doubt.doubts() ? 2.0 : 1.0;
-    SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
-    const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * before.periods;
-    if (fault == SampleFault::none && is_large && limits.sure_only) fault = SampleFault::jump;
+    const double share = all_waited || doubt.doubts() ? 2.0 : 1.0;
+    const SampleFault fault = check(i, raw, limits.range[i], share * limits.tolerance[i]);
+    const bool is_large = std::abs(raw - expected_[i]) > limits.sure[i] * periods(i, watch);
     if (fault != SampleFault::none) {
       if (watch.is_new()) doubt.skip(is_large, watch.sample_time());
       return fault;
     }
-    const bool is_doubted =
-        watch.is_new() ? doubt.of(is_large, before.all_waited, watch.sample_time(), patience)
-                       : doubt.doubts();
+    const bool is_doubted = watch.is_new() ? doubt.of(is_large, all_waited, limits.sure_only,
+                                                      watch.sample_time(), patience)
+                                           : doubt.doubts();
     return is_doubted ? SampleFault::jump : SampleFault::none;
   }
 
   /// Of the values that are not lost.
   [[nodiscard]] bool doubts_all(const Vector& raw, const SampleWatch& watch, const Limits& limits,
-                                double periods, double patience) noexcept {
+                                double patience) noexcept {
     if (!watch.is_new()) return all_.doubts();
     int num_off = 0, num_far = 0;
     for (int i = 0; i < n; ++i) {
       if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // not known, as where NaN
-      const double off = std::abs(raw[i] - expected_[i]);
-      num_off += off > limits.together * periods ? 1 : 0;
-      num_far += off > limits.never * periods ? 1 : 0;
+      const double off = std::abs(raw[i] - expected_[i]) / periods(i, watch);
+      num_off += off > limits.together ? 1 : 0;
+      num_far += off > limits.never ? 1 : 0;
     }
-    const bool is_doubted = all_.of(2 * num_off >= n, false, watch.sample_time(), patience);
+    const bool is_doubted = all_.of(2 * num_off >= n, false, false, watch.sample_time(), patience);
     return is_doubted || 2 * num_far >= n;
   }
 
@@ -181,7 +183,7 @@ class GuardedValues {
   }
 
   Vector expected_ = Vector::Constant(kNaN), seen_ = Vector::Constant(kNaN);
-  double sampled_ = kNaN;  // when the sample before was taken [s]
+  Vector sampled_ = Vector::Constant(kNaN);  // when the samples before were taken [s]
   Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
   std::array<SampleFault, n> faults_{};
   std::array<Doubt, n> doubts_{};

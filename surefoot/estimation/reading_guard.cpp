@@ -1,5 +1,6 @@
 #include "surefoot/estimation/reading_guard.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -111,7 +112,12 @@ bool ReadingGuard::is_shaken() const {
   return imu_is_shaken() || angles_.all_are_shaken_since(time_ - options_.patience);
 }
 
-// Joints of a robot that its IMU feels to be hit may well turn about, several at once.
+bool ReadingGuard::is_hit() const {
+  const double lately = time_ - options_.patience;
+  return gyro_.stepped >= lately && accelerometer_.stepped >= lately;
+}
+
+// Joints of a robot that is hit may well turn about, several at once.
 GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
   const double share = imu_is_shaken() ? kUnlimited : 1.0;
   return {
@@ -120,7 +126,7 @@ GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& 
                    JointVector::Constant(options_.angle_margin),
       .sure = share * (period_ * velocity_limit_ + JointVector::Constant(options_.angle_margin)),
       .together = share * options_.sure_angles,
-      .never = is_loose_ ? kUnlimited : share * options_.max_angles};
+      .never = is_loose_ || is_hit() ? kUnlimited : options_.max_angles};
 }
 
 void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& joint_velocity,
@@ -140,8 +146,8 @@ void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& g
   const Vec3 turn = Vec3::Constant(options_.sure_gyro_step);
   const Vec3 force = Vec3::Constant(options_.sure_acceleration_step);
   if (imu_watch_.is_new()) {
-    note_step(gyro_, reading.gyro, kOther * turn);
-    note_step(accelerometer_, reading.accelerometer, kOther * force);
+    note_step(gyro_, reading.gyro, kOther * turn, options_.max_gyro);
+    note_step(accelerometer_, reading.accelerometer, kOther * force, options_.max_acceleration);
   }
   const double lately = imu_watch_.sample_time() - options_.patience;
   take(gyro_, reading.gyro, given.gyro,
@@ -156,12 +162,15 @@ void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& g
         .sure_only = !(gyro_.stepped >= lately)});
 }
 
-void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Vec3& large) const {
+void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Vec3& large,
+                             double range) const {
+  if (!(value.cwiseAbs().array() <= range).all()) return;  // nor if it is NaN
+  const double now = imu_watch_.sample_time();
+  const double periods = std::max(1.0, (now - instrument.last_time) / period_);  // not NaN
   const Vec3 step = value - instrument.last;
-  if ((step.cwiseAbs().array() > large.array()).any()) {
-    instrument.stepped = imu_watch_.sample_time();
-  }
+  if ((step.cwiseAbs().array() > periods * large.array()).any()) instrument.stepped = now;
   instrument.last = value;
+  instrument.last_time = now;
 }
 
 void ReadingGuard::take(Instrument& instrument, const Vec3& value, const Vec3& given,

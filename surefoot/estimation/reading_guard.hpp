@@ -65,20 +65,23 @@ class ReadingGuard {
   /// One of the IMU's two instruments.
   struct Instrument {
     GuardedValues<3> values;
-    Vec3 last = Vec3::Constant(kNaN);  // sample, good or not
-    double stepped = kNaN;             // when it was far from the one before [s]
+    Vec3 last = Vec3::Constant(kNaN);  // sample that can be, good or not, …
+    double last_time = kNaN;           // … and when [s]
+    double stepped = kNaN;             // when one was far from the one before [s]
     Vec3 given = Vec3::Constant(kNaN);
     double given_since = kNaN;  // of the first sample with these numbers [s]
     int repeats = 0;
   };
 
   [[nodiscard]] bool imu_is_shaken() const;
+  /// Within `patience` both of its instruments stepped.
+  [[nodiscard]] bool is_hit() const;
   [[nodiscard]] bool goes_on(double time) noexcept;
   void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
   [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
   void take_joints(const SensorReading& reading, const JointVector& joint_velocity, double dt);
   void take_imu(const SensorReading& reading, const SensorReading& given);
-  void note_step(Instrument& instrument, const Vec3& value, const Vec3& large) const;
+  void note_step(Instrument& instrument, const Vec3& value, const Vec3& large, double range) const;
   void take(Instrument& instrument, const Vec3& value, const Vec3& given,
             const GuardedValues<3>::Limits& limits);
   void describe(const SensorReading& reading);

@@ -68,6 +68,12 @@ struct MotionPlan {
   int event = 0;  ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
+  /// The feet that may carry.
+  [[nodiscard]] PerLeg<bool> standing() const {
+    PerLeg<bool> result{};
+    for (const Leg leg : kLegs) result[index(leg)] = contact(leg);
+    return result;
+  }
   [[nodiscard]] int num_contacts() const {
     int count = 0;
     for (const Leg leg : kLegs) count += contact(leg) ? 1 : 0;

@@ -104,9 +104,7 @@ TEST(SafetyOfSensors, WithoutEncodersOfOneLegTheOtherJointsSitDown) {
     ASSERT_EQ(command.mode, CommandMode::sit);
     ASSERT_EQ(command.cause, StopCause::encoders);
     ASSERT_EQ(command.joint, 2);
-    if (i < kSits / 2) {
-      ASSERT_EQ(command.torque[2], 10.0) << "what it bore";
-    }
+    ASSERT_EQ(i < kSits / 2 ? command.torque[2] : 10.0, 10.0) << "what it bore";
     ASSERT_LE((command.torque - before).cwiseAbs().maxCoeff(), 0.5);
     before = command.torque;
   }
@@ -138,34 +136,60 @@ TEST(SafetyOfSensors, TheLastTorquesTurnIntoThoseThatBearTheRobotAndFadeAsItLies
   const JointVector bearing = JointVector::LinSpaced(kNumJoints, 5.0, -6.0);
   Stage told, untold;
   for (Stage* stage : {&told, &untold}) (void)stage->tick();
+  double most_at_first = 0.0;
+  JointVector borne = JointVector::Zero(), last = borne;
   for (int i = 0; i < kSits - 1; ++i) {
     told.safety.bear(bearing);
     const JointVector torque = told.tick(failing(&SensorHealth::imu, 0.03)).torque;
     const JointVector other = untold.tick(failing(&SensorHealth::imu, 0.03)).torque;
     const JointVector more = torque - other;  // both go the same way
-    if (i < 5) {
-      ASSERT_LT(more.norm(), 0.1) << i;
-    }
-    if (i == kBears) {
-      ASSERT_LT((more - (bearing - JointVector::Constant(10.0))).norm(), 0.1) << i;
-    }
-    if (i == kSits - 2) {
-      ASSERT_LT(more.norm(), 0.01);
-    }
+    most_at_first = i < 5 ? std::max(most_at_first, more.norm()) : most_at_first;
+    if (i == kBears) borne = more;
+    last = more;
   }
-  told.safety.bear(JointVector::Constant(kNaN));
-  EXPECT_TRUE(told.tick().torque.allFinite());
+  EXPECT_LT(most_at_first, 0.1);
+  EXPECT_LT((borne - (bearing - JointVector::Constant(10.0))).norm(), 0.1);
+  EXPECT_LT(last.norm(), 0.01);
+}
+
+// As of a lame leg's robot, of which nobody knows.
+TEST(SafetyOfSensors, WhatBearsTheRobotIsTakenOverSlowlyHoweverLateItIsTold) {
+  Stage told, untold;
+  for (Stage* stage : {&told, &untold}) (void)stage->tick();
+  double most = 0.0;
+  JointVector before = JointVector::Zero(), more = before;
+  for (int i = 0; i < 260; ++i) {
+    told.safety.bear(i < 80 ? JointVector::Constant(kNaN) : JointVector::Constant(5.0));
+    more = told.tick(failing(&SensorHealth::imu, 0.03)).torque -
+           untold.tick(failing(&SensorHealth::imu, 0.03)).torque;
+    most = std::max(most, (more - before).cwiseAbs().maxCoeff());
+    before = more;
+  }
+  EXPECT_LT(most, 0.12);
+  EXPECT_GT(most, 0.01);
+  EXPECT_LT((more + JointVector::Constant(5.0)).norm(), 0.1);
+}
+
+TEST(SafetyOfSensors, WhatBoreTheRobotBeforeItWalkedDoesNotCountAfterIt) {
+  Stage told, untold;
+  told.safety.bear(JointVector::Constant(5.0));
+  for (Stage* stage : {&told, &untold}) (void)stage->tick();
+  for (int i = 0; i < kSits; ++i) {
+    const JointVector torque = told.tick(failing(&SensorHealth::imu, 0.03)).torque;
+    ASSERT_EQ(torque, untold.tick(failing(&SensorHealth::imu, 0.03)).torque) << i;
+  }
 }
 
 // Behind late drives a leg in the air would swing under a spring that bears a quarter of the robot.
 TEST(SafetyOfSensors, ALegThatDoesNotStandIsHeldSoftly) {
   Stage all, one;
-  one.safety.set_standing({true, false, true, true});
   for (const CommandMode mode : {CommandMode::hold, CommandMode::sit}) {
     for (Stage* stage : {&all, &one}) {
       stage->state.q = anymal_b().q_nominal;
       stage->state.qd.setZero();
+      stage->safety.set_standing({true, stage == &all, true, true});
       (void)stage->tick();
+      stage->safety.set_standing({true, true, true, true});  // planned meanwhile
       stage->state.q.array() += 0.02;
       stage->state.qd.setConstant(0.02);
     }
@@ -238,12 +262,22 @@ TEST(SafetyOfSensors, ASittingRobotThatTiltsOrLosesItsEncodersDamps) {
   Stage tilts, loses;
   for (Stage* stage : {&tilts, &loses}) {
     (void)stage->tick();
-    ASSERT_EQ(stage->tick(failing(&SensorHealth::imu, 0.1)).mode, CommandMode::sit);
+    ASSERT_EQ(stage->tick(failing(&SensorHealth::joint_torques, 0.1)).mode, CommandMode::sit);
   }
   tilts.state.q_WB = from_roll_pitch_yaw({1.2, 0.0, 0.0});
   EXPECT_EQ(tilts.tick().mode, CommandMode::damping);
   EXPECT_EQ(loses.tick(failing(&SensorHealth::encoders, 0.03)).mode, CommandMode::damping);
-  EXPECT_EQ(loses.tick().cause, StopCause::imu) << "what came first";
+  EXPECT_EQ(loses.tick().cause, StopCause::joint_torques) << "what came first";
+}
+
+TEST(SafetyOfSensors, ARobotThatSitsDownForItsImuDoesNotBelieveThatItTilts) {
+  Stage stage;
+  (void)stage.tick();
+  for (int i = 0; i < kSits; ++i) {
+    if (i > 0) stage.state.q_WB = from_roll_pitch_yaw({1.2, 0.0, 0.0});
+    ASSERT_EQ(stage.tick(failing(&SensorHealth::imu, 0.1)).mode, CommandMode::sit) << i;
+  }
+  EXPECT_EQ(stage.tick().mode, CommandMode::damping);
 }
 
 TEST(SafetyOfSensors, ASensorThatTheRobotDoesNotHaveIsNotMissed) {
@@ -313,12 +347,15 @@ TEST(SafetyOfSensors, WhateverFailsTorquesAreFiniteInTheirLimitsAndDoNotJump) {
     JointVector before = stage.tick().torque;
     const auto group = kGroups[static_cast<std::size_t>(random.integer(0, 2))];
     const int length = random.integer(1, 40);
-    for (int i = 1; i < 900; ++i) {
+    for (int i = 1; i < kSits + 500; ++i) {
       stage.solve(60.0 * random.vector(kNumJoints));
+      stage.safety.bear(20.0 * random.vector(kNumJoints));
+      stage.safety.set_standing({random.chance(0.5), random.chance(0.5), true, true});
       stage.state.q = anymal_b().q_nominal + 0.3 * random.vector(kNumJoints);
       stage.state.qd = 3.0 * random.vector(kNumJoints);
-      if (random.chance(0.02)) stage.state.q[random.integer(0, 11)] = kNaN;
-      if (random.chance(0.02)) stage.state.qd[random.integer(0, 11)] = kNaN;
+      const double lost = run % 2 == 0 ? 0.02 : 0.0;
+      if (random.chance(lost)) stage.state.q[random.integer(0, 11)] = kNaN;
+      if (random.chance(lost)) stage.state.qd[random.integer(0, 11)] = kNaN;
       const bool fails = i <= length;
       const JointCommand& command = fails ? stage.tick(failing(group, i * kPeriod)) : stage.tick();
       ASSERT_TRUE(command.torque.allFinite());

@@ -19,8 +19,7 @@ using test::error_between_feet;
 using test::Random;
 using test::TurningRobot;
 
-constexpr CalibrationOptions kMotion{
-    .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
+constexpr CalibrationOptions kMotion{.duration = 6.0};
 constexpr double kAll = 10.0;  // with all that comes after the motion [s]
 
 KinematicErrors some_errors(unsigned seed, double length, double zero) {
@@ -228,8 +227,8 @@ TEST(KinematicCalibration, TicksThatWereMissedAreTurnedThroughToo) {
     const KinematicErrors& found = bench.calibration.errors();
     for (const Leg leg : kLegs) {
       const std::size_t k = index(leg);
-      EXPECT_NEAR(found.thigh[k], whole.calibration.errors().thigh[k], 3e-4) << begin;
-      EXPECT_NEAR(found.shank[k], whole.calibration.errors().shank[k], 3e-4) << begin;
+      EXPECT_NEAR(found.thigh[k], whole.calibration.errors().thigh[k], 5e-4) << begin;
+      EXPECT_NEAR(found.shank[k], whole.calibration.errors().shank[k], 5e-4) << begin;
     }
   }
 }

@@ -276,11 +276,52 @@ TEST(ReadingGuard, JointsOfARobotThatIsHitAreNotDoubted) {
   for (const double hit : {0.0, 100.0, 200.0}) {
     Swinging robot;
     robot.run(100);
-    robot.tick([&](SensorReading& reading) { reading.accelerometer[2] += hit; });
-    robot.tick([](SensorReading& reading) { reading.q.array() += 0.02; });
+    robot.tick([&](SensorReading& reading) {
+      reading.accelerometer[2] += hit;
+      reading.gyro[0] += 0.005 * hit;
+    });
+    robot.tick([](SensorReading& reading) { reading.q.array() += 0.03; });
     EXPECT_EQ(robot.guard.health().encoders.fault,
               hit > 0.0 ? SampleFault::none : SampleFault::jump);
   }
+}
+
+TEST(ReadingGuard, JointsThatAllJumpWithTheAccelerometerAloneAreNotBelieved) {
+  Swinging robot;
+  robot.run(100);
+  for (int i = 0; i < 7; ++i) {
+    robot.tick([](SensorReading& reading) {
+      reading.accelerometer[2] += 60.0;
+      reading.q.array() += 0.1;
+    });
+    EXPECT_EQ(robot.guard.health().encoders.fault, SampleFault::jump) << i;
+  }
+}
+
+TEST(ReadingGuard, WhatCanNotBeVouchesForNothing) {
+  for (const double other : {1e5, kNaN}) {
+    Swinging robot;
+    robot.run(100);
+    for (int i = 0; i < 4; ++i) {
+      robot.tick([&](SensorReading& reading) {
+        reading.gyro[0] += 1.0;
+        reading.accelerometer[1] += other;
+      });
+      EXPECT_LT(robot.guard.repaired().gyro[0], 1.0) << other << i;
+    }
+  }
+}
+
+// By the period, as what is sure is.
+TEST(ReadingGuard, BehindAGapAnImuMayHaveGoneFurther) {
+  Swinging robot;
+  robot.run(100);
+  const Vec3 before = robot.sample(robot.time).gyro;
+  for (int i = 0; i < 4; ++i) {
+    robot.tick([](SensorReading& reading) { reading.gyro.setConstant(kNaN); });
+  }
+  robot.tick([&](SensorReading& reading) { reading.gyro = before + Vec3(2.0, 0.0, 0.0); });
+  EXPECT_TRUE(robot.is_well());
 }
 
 TEST(ReadingGuard, AJumpThatStaysIsNotBelievedWithinTheTimeThatIsBridged) {

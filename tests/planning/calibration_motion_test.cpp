@@ -10,8 +10,7 @@
 namespace surefoot {
 namespace {
 
-constexpr CalibrationOptions kOptions{
-    .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
+constexpr CalibrationOptions kOptions{.duration = 6.0};
 
 TEST(CalibrationMotion, BeginsAndEndsAtRest) {
   const CalibrationMotion motion(kOptions);

@@ -90,7 +90,7 @@ TEST(Walk, KnowsItsCenterOfMassBetterWhereItWeighsItsLegsInTheAir) {
 
 // In the turn, and from the beginning of the weighing to shortly before its end.
 TEST(Walk, APushBeforeItDoesNotHideAPayload) {
-  // Early in the turn it is outweighed by what follows, later the robot does so once more.
+  // Early in the turn it goes unnoticed beside what follows; later the robot does so once more.
   for (const auto& [time, again] : {std::pair("3", 0), std::pair("4.5", 1), std::pair("7.3", 1)}) {
     const Scenario pushed =
         scenario("walk_flat",
