@@ -144,6 +144,7 @@ class ClosedLoop {
     evaluator_.add(plant_.truth(), controller_.record());
     const TickRecord& record = controller_.record();
     events_.add(timing.time, record.plan, record.state);
+    troubles_.add(timing.time, record);
     evaluator_.add(timing);
     if (options_.steering != nullptr) {
       options_.steering->after_tick(controller_.record(), plant_.truth(), timing);
@@ -197,6 +198,7 @@ class ClosedLoop {
     result.criteria = evaluate(scenario_.criteria, result.metrics);
     result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
+    result.troubles = troubles_.counts();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(scenario_, controller_, plant_);
     if (options_.steering != nullptr) {
@@ -224,6 +226,7 @@ class ClosedLoop {
   GoalWatch goal_;
   Evaluator evaluator_;
   EventCounter events_;
+  TroubleCounter troubles_;
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;

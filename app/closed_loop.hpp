@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/run_steering.hpp"
+#include "app/trouble_counter.hpp"
 #include "surefoot/config/scenario.hpp"
 #include "surefoot/evaluation/criteria.hpp"
 #include "surefoot/evaluation/event_counter.hpp"
@@ -37,7 +38,8 @@ struct RunResult {
       false;  ///< the controller damped all joints, and the robot had not fallen before
   Metrics metrics;
   std::vector<CriterionResult> criteria;
-  std::vector<EventCount> events;  ///< notable ones of the walk
+  std::vector<EventCount> events;      ///< notable ones of the walk
+  std::vector<TroubleCount> troubles;  ///< with sensors and torques
   std::vector<RandomDraw> drawn;
   std::vector<std::string> notes;  ///< as run_notes() gives them
   std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could

@@ -117,14 +117,23 @@ Json metrics_json(const std::vector<Json>& runs) {
   return summaries;
 }
 
-Json events_json(const std::vector<EventCount>& events) {
-  Json list = Json::array();
-  for (const EventCount& event : events) {
+/// What happened to feet, sensors and torques, in the order in which it happened first.
+Json events_json(const RunResult& result) {
+  std::vector<Json> list;
+  for (const EventCount& event : result.events) {
     list.push_back({{"event", name(event.event)},
                     {"leg", event.leg ? Json(kLegNames[index(*event.leg)]) : Json()},
                     {"count", event.count},
                     {"first_s", event.first}});
   }
+  for (const TroubleCount& trouble : result.troubles) {
+    list.push_back({{"event", trouble.what},
+                    {"leg", nullptr},
+                    {"count", trouble.count},
+                    {"first_s", trouble.first}});
+  }
+  std::ranges::stable_sort(list, {},
+                           [](const Json& event) { return event.at("first_s").get<double>(); });
   return list;
 }
 
@@ -163,7 +172,7 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json["safety_stop"] = result.safety_stop;
   if (result.changes) json["changes_by_hand"] = *result.changes;
   json["criteria"] = criteria_json(result.criteria);
-  json["events"] = events_json(result.events);
+  json["events"] = events_json(result);
   json["drawn"] = Json::object();
   for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;

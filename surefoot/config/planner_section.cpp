@@ -129,7 +129,8 @@ void read_probe(Section& section, ProbeOptions& probe) {
 void read_torso(Section& section, TorsoOptions& torso) {
   section.number("frequency", torso.frequency,
                  {.min = 0.1, .max = 100.0, .words = "from 0.1 to 100 rad/s"});
-  section.number("max_tilt", torso.max_tilt, kNotNegative);
+  section.number("max_tilt", torso.max_tilt,
+                 {.min = 0.0, .max = 1.5, .words = "from 0 to 1.5 rad"});
   section.flag("follow_terrain", torso.follow_terrain);
 }
 

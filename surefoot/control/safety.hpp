@@ -28,11 +28,11 @@ namespace surefoot {
 ///                PD softens. Joints of one leg whose encoders are lost keep their last good
 ///                torques until these fade, and so do the others then
 ///     damping    τ = −k_d q̇, latched, where k_d falls to that of a soft leg within 1 s: after
-///     repeated
-///                failures, non-finite readings that last, or a torso tilted too far (before the
-///                first good tick only when 30 ms have gone by, as the first readings may be
-///                wrong); lying; or at once where encoders of several legs are lost, on top of the
-///                last good torques, which fade out
+///                repeated failures, non-finite readings that last, or a torso tilted too far
+///                (before the first good tick only when 30 ms have gone by, as the first readings
+///                may be wrong); lying; or at once where encoders of several legs are lost, on top
+///                of the last good torques,
+///                which fade out within 0.5 s
 ///
 /// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
 ///

@@ -1,13 +1,15 @@
 #include "surefoot/estimation/first_readings.hpp"
 
+#include "surefoot/estimation/reading_guard_options.hpp"
+
 #include <cmath>
 
 namespace surefoot {
 namespace {
 
-constexpr double kWindow = 0.1;     // of an estimate [s]
-constexpr double kLongest = 1.0;    // since the first tick [s]
-constexpr double kYoung = 0.02;     // as long as a sample may be bridged [s]
+constexpr double kWindow = 0.1;                                   // of an estimate [s]
+constexpr double kLongest = 1.0;                                  // since the first tick [s]
+constexpr double kYoung = ReadingGuardOptions::kLongestPatience;  // as long as one may be bridged
 constexpr int kUnconfirmed = 3;     // jumps in a row: the second would confirm the first
 constexpr int kMostAtOnce = 3;      // beginnings by a single jump, where velocities are not known
 constexpr double kSameTurn = 0.15;  // [rad/s]

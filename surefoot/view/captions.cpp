@@ -16,7 +16,7 @@ std::string adaptation_caption(const RunData& run) {
     if (has_limits)
       text +=
           limb_limits_acted(run) ? "; orange: the limb limits act" : "; the limb limits never act";
-    text += ". They jump where the reference does, at a touchdown far from it. ";
+    text += ". ";
   }
   text += run.has_truth ? "Below, the distance of each hip from its foot"
                         : "The distance of each hip from its foot";

@@ -158,6 +158,18 @@ TEST(RunJson, of_a_scenario_without_a_goal_says_nothing_of_one) {
   EXPECT_EQ(with_goal.at("rates").at("goal_reached").at("successes"), 1);
 }
 
+TEST(RunJson, tells_of_sensors_among_the_events_in_the_order_of_time) {
+  RunResult result = with_event(1, 3);
+  result.troubles = {{"IMU stopped", 2, 4.5}, {"command mode: sit", 1, 6.0}};
+  const Json events = run_json(Scenario{}, result).at("events");
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].at("event"), "IMU stopped");
+  EXPECT_TRUE(events[0].at("leg").is_null());
+  EXPECT_EQ(events[0].at("count"), 2);
+  EXPECT_EQ(events[1].at("leg"), "LF");
+  EXPECT_EQ(events[2].at("event"), "command mode: sit");
+}
+
 TEST(SeedsJson, sums_the_events_up) {
   const Json seeds = seeds_json(
       Scenario{}, {run_json(Scenario{}, with_event(1, 3)), run_json(Scenario{}, with_event(2, 1)),

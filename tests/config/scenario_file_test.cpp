@@ -292,6 +292,7 @@ TEST_F(ScenarioFile, refuses_a_calibration_too_short_for_its_turn) {
 
 TEST_F(ScenarioFile, refuses_filters_that_are_too_quick_for_any_control_period) {
   EXPECT_TRUE(holds(complaint("", {"planner.torso.frequency=2000"}), "from 0.1 to 100 rad/s"));
+  EXPECT_TRUE(holds(complaint("", {"planner.torso.max_tilt=1.6"}), "from 0 to 1.5 rad"));
   for (const std::string key : {"external_force.time_constant", "external_force.load_time_constant",
                                 "guard.consistency.torques.time_constant"}) {
     EXPECT_TRUE(holds(complaint("", {key + "=0.0005"}), "from 0.01 to 10 s")) << key;

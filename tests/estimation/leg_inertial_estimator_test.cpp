@@ -17,6 +17,7 @@ namespace {
 
 using test::TurningRobot;
 
+/// Slow enough to start in: a robot that turns by 0.2 rad/s does not stand.
 constexpr CalibrationOptions kMotion{
     .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
 
@@ -30,17 +31,25 @@ double tilt_error(const RobotState& state, const TurningRobot& robot) {
   return state.R_WB().row(2).cross(robot.R_WB().row(2)).norm();
 }
 
+/// By the turn that ships and by a smaller one: what is wrong is a share of the turn.
 TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
-  TurningRobot robot(KinematicErrors{}, kMotion);
-  LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
-  RobotState state = estimator.update(robot.reading(), standing());
-  const Vec3 p = state.p_WB;
-  while (robot.time() < 6.5) {
-    robot.tick();
-    state = estimator.update(robot.reading(), standing());
-    EXPECT_LT(tilt_error(state, robot), 3e-3);
-    EXPECT_LT((state.p_WB - p).norm(), 3e-3) << "the base stays where it is";
-    EXPECT_LT(state.v_WB.norm(), 3e-3);
+  for (const CalibrationOptions& motion : {CalibrationOptions{.duration = 6.0}, kMotion}) {
+    SCOPED_TRACE(motion.roll);
+    TurningRobot robot(KinematicErrors{}, motion);
+    LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+    RobotState state = estimator.update(robot.reading(), standing());
+    const Vec3 p = state.p_WB;
+    double tilt = 0.0, way = 0.0, speed = 0.0;
+    while (robot.time() < motion.duration + motion.settle) {
+      robot.tick();
+      state = estimator.update(robot.reading(), standing());
+      tilt = std::max(tilt, tilt_error(state, robot));
+      way = std::max(way, (state.p_WB - p).norm());
+      speed = std::max(speed, state.v_WB.norm());
+    }
+    EXPECT_LT(tilt, 0.025 * motion.roll);
+    EXPECT_LT(way, 3e-3) << "the base stays where it is";
+    EXPECT_LT(speed, 3e-3);
   }
 }
 

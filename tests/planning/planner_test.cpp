@@ -262,6 +262,8 @@ TEST(Planner, ASwingFootFollowsTheCommandedSteps) {
   const std::vector<Happening> lifts = puppet.happenings(PlanEvent::lift_off);
   const std::vector<Happening> landings = puppet.happenings(PlanEvent::touchdown);
   const double stride = 0.06 * 3.8;
+  ASSERT_GE(landings.size(), 8u);
+  ASSERT_GE(lifts.size(), landings.size());
   for (std::size_t i = landings.size() - 8; i < landings.size(); ++i) {
     ASSERT_EQ(landings[i].leg, lifts[i].leg);
     EXPECT_NEAR(landings[i].p.x() - lifts[i].p.x(), stride, 0.01 * stride);

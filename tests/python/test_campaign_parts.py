@@ -151,7 +151,7 @@ def test_what_the_program_does_not_know_is_refused_before_anything_runs(tmp_path
 
 @pytest.mark.parametrize("wrong", [["--jobs", "0"], ["--jbos", "2"], ["--scheduler", "slurm"]])
 def test_wrong_arguments_are_told_in_one_line(tmp_path, wrong):
-    assert wrong[1] in (line := CampaignFolder(tmp_path).write().complaint(*wrong)) or wrong[0] in line
+    assert wrong[0] in CampaignFolder(tmp_path).write().complaint(*wrong)
 
 
 def test_an_empty_name_of_the_folder_is_refused(tmp_path):

@@ -9,8 +9,9 @@ import subprocess
 import sys
 
 import pytest
+from campaign_folder import CampaignFolder
 from conftest import record
-from program import surefoot
+from program import PROGRAM, surefoot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -96,6 +97,12 @@ def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
     ships = {file.stem for file in (ROOT / "campaigns").glob("*.yaml")}
     table = (ROOT / "docs/campaigns.md").read_text().split("What ships in")[1].split("\n\n")[1]
     assert set(re.findall(r"^\| \[(\w+)\]\(\.\./campaigns/\1\.yaml\)", table, re.MULTILINE)) == ships
+
+
+def test_the_spec_that_campaigns_explains_is_one_that_runs(tmp_path):
+    (spec,) = [block for block in blocks_of("docs/campaigns.md", "yaml") if block.startswith("name: ")]
+    done = CampaignFolder(tmp_path, PROGRAM).write(spec).run("--dry-run")
+    assert "3600 runs, 0 done, 3600 to do" in done.stdout, done.stderr
 
 
 def kept_runs():

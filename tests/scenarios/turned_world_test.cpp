@@ -49,7 +49,8 @@ struct Case {
   const char* calibration;  // [s]
   double push;              // sideways, from 3.5 s on for a second [N]
   int ticks;
-  std::vector<PlanEvent> seen = {};  // what it is about
+  std::vector<PlanEvent> seen = {};       // what it is about
+  std::vector<std::string> changes = {};  // in the scenario
 };
 
 class TurnedWorld : public testing::TestWithParam<Case> {};
@@ -57,8 +58,9 @@ class TurnedWorld : public testing::TestWithParam<Case> {};
 /// Controllers get the same readings, and all but one believe another place and heading.
 TEST_P(TurnedWorld, GetsTheSameTorques) {
   const Case& run = GetParam();
-  Scenario scenario = test::scenario(
-      run.scenario, {std::string("planner.calibration.duration=") + run.calibration}, 3);
+  std::vector<std::string> changes = run.changes;
+  changes.push_back(std::string("planner.calibration.duration=") + run.calibration);
+  Scenario scenario = test::scenario(run.scenario, changes, 3);
   if (run.push > 0.0) {
     scenario.plant.disturbances.pushes.push_back(
         {.body = "", .time = 3.5, .duration = 1.0, .force = Vec3(0.0, run.push, 0.0)});
@@ -111,7 +113,16 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Rough", "rough_field", "0", 0.0, 2400},
         Case{"Slippery", "slippery", "0", 0.0, 2400, {PlanEvent::slip}},
         Case{"PushedToStep", "walk_flat", "0", 200.0, 2400, {PlanEvent::push_step}},
-        Case{"Pushed", "walk_flat", "0", 60.0, 2400, {PlanEvent::push_reloaded}}),
+        Case{"Pushed", "walk_flat", "0", 60.0, 2400, {PlanEvent::push_reloaded}},
+        Case{"StepUp", "step_up", "0", 0.0, 6000, {PlanEvent::caught}, {"planner.swing.apex=0.08"}},
+        Case{"Cliff", "cliff", "0", 0.0, 8000, {PlanEvent::no_ground}},
+        Case{"BegunAnew",
+             "walk_flat",
+             "0",
+             0.0,
+             2400,
+             {PlanEvent::begun_anew},
+             {"sensors.faults.first={sensor: encoders, kind: spike, time: 0, size: 0.1}"}}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(SeriesElasticDrive, gives_no_energy_to_a_joint_that_nothing_is_asked_of) {
         ASSERT_LE(kinetic, 1.001 * start) << inertia << ", " << speed << ", step " << step;
         if (step > 7000) late = std::max(late, kinetic);
       }
-      EXPECT_LE(late, start);
+      EXPECT_LE(late, 0.9 * start) << inertia << ", " << speed << ": " << late / start;
     }
   }
 }
