@@ -28,7 +28,7 @@ constexpr double kAfterSafetyStop = 1.0;   // how long a robot that was stopped 
 std::string reason(Ending ending) {
   switch (ending) {
     case Ending::finished:
-      return "the whole duration";
+      return "ran to its end";
     case Ending::goal_reached:
       return "goal reached";
     case Ending::fell:

@@ -16,7 +16,7 @@ namespace surefoot {
 
 /// Why a run ended.
 enum class Ending {
-  finished,  ///< the whole duration
+  finished,  ///< it ran to its end
   goal_reached,
   fell,
   safety,       ///< the controller stopped, and did not come back

@@ -2,12 +2,14 @@
 
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/metrics.hpp"
+#include "surefoot/signals/leg.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -80,15 +82,46 @@ std::string title(const Scenario& scenario, const Json& json) {
          (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
 }
 
+/// Where a path leads to one of several values ("sensors.imu.tilt.roll"), that of all of them;
+/// other paths whole.
+std::string vector_of(const std::string& path) {
+  constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string::npos) return path;
+  const std::string name = path.substr(dot + 1);
+  const bool is_of_leg = std::ranges::find(kLegNames, name.substr(0, 2)) != kLegNames.end();
+  return is_of_leg || std::ranges::find(kNames, name) != kNames.end() ? path.substr(0, dot) : path;
+}
+
+/// Values by themselves as they are, those of one vector as a count.
+std::vector<std::string> drawn_texts(const Json& drawn) {
+  std::vector<std::string> texts;
+  std::string vector;
+  int count = 0;
+  for (const auto& [path, value] : drawn.items()) {
+    count = vector == vector_of(path) ? count + 1 : 1;
+    vector = vector_of(path);
+    if (count == 1) {
+      texts.push_back(path + " " + number(value.get<double>()));
+    } else {
+      texts.back() = vector + " (" + std::to_string(count) + " values)";
+    }
+  }
+  return texts;
+}
+
 /// What the seed drew; of 0 that it drew nothing, whatever the scenario's name promises.
 std::string seed_line(const Json& run) {
+  constexpr std::size_t kWidth = 110;
   const auto seed = run.at("seed").get<std::uint64_t>();
   if (seed == 0) return "seed 0: nothing of `randomise:` is drawn (--seed 1 draws)";
-  std::string text;
-  for (const auto& [path, value] : run.at("drawn").items()) {
-    text += (text.empty() ? ": " : ", ") + path + " " + number(value.get<double>());
+  std::string text = "seed " + std::to_string(seed), line;
+  for (const std::string& drawn : drawn_texts(run.at("drawn"))) {
+    const bool is_full = !line.empty() && line.size() + drawn.size() > kWidth;
+    if (is_full) text += std::exchange(line, "") + ",\n ";
+    line += (!line.empty() ? ", " : is_full ? " " : ": ") + drawn;
   }
-  return "seed " + std::to_string(seed) + text;
+  return text + line;
 }
 
 std::string verdict(const Json& run) {

@@ -131,6 +131,14 @@ def run_missing(plan, missing, scheduler, journal, program):
     return ended
 
 
+def tell_what_is_done(plan, missing, journal):
+    """Where a campaign goes on, on stderr."""
+    done = len(plan.runs) - len(missing)
+    torn = "; its last row was torn, and that run is made again" if journal.was_torn else ""
+    if done or torn:
+        print(f"{plan.spec.name}: {done} of {len(plan.runs)} runs are done already, {len(missing)} to do{torn}", file=sys.stderr)
+
+
 def go_on_message(plan, journal, arguments):
     done = sum(run.id in journal.rows for run in plan.runs)
     words = [os.environ.get("SUREFOOT_COMMAND", "bin/surefoot"), "campaign", *arguments]
@@ -165,6 +173,7 @@ def make_campaign(plan, program, arguments, folder, typed):
     with open_journal(folder) as journal:
         check_campaign(folder, journal.rows, plan.spec.name)
         missing = by_seed([run for run in plan.runs if not is_done(run, journal.rows, arguments.retry)])
+        tell_what_is_done(plan, missing, journal)
         copy = program.copied_to(folder / "program")
         trouble = None
         try:

@@ -78,6 +78,7 @@ class Journal:
 
     def _drop_torn_line(self):
         lines, torn = split_torn(self.path.read_bytes())
+        self.was_torn = bool(torn)
         if torn:
             os.ftruncate(self.fd, sum(len(line) + 1 for line in lines))
 

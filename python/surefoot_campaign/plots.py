@@ -86,6 +86,9 @@ def curve_figure(plan, records, parameter):
     lower.set(xlabel=axis.label, ylabel=metric_label(plan.spec.judge), yscale=scale_of(judged))
     note(upper, "with Wilson's 95 % interval")
     note(lower, "median, and where 5–95 % of the runs are")
+    if not judged:
+        say_nothing_known(lower)
+        lower.set_yticks([])
     if axis.span:
         lower.set_xlim(axis.span)
     if not axis.drawn and len(axis.places) <= 12:
@@ -95,6 +98,10 @@ def curve_figure(plan, records, parameter):
     if len(plan.spec.scenarios) > 1:
         upper.legend(loc="best", fontsize=9)
     return figure
+
+
+def say_nothing_known(axes):
+    axes.text(0.5, 0.5, "no run has a value", transform=axes.transAxes, ha="center", va="center", color="0.35")
 
 
 def note(axes, text):
@@ -123,7 +130,10 @@ def heat_map(figure, axes, x, y, numbers, texts, colours, title):
     axes.set_yticks(range(len(y.ticks)), y.ticks)
     axes.set_xlabel(x.label)
     axes.set_title(title, fontsize=10)
-    figure.colorbar(image, ax=axes)
+    if numpy.isfinite(values).any():
+        figure.colorbar(image, ax=axes)
+    else:
+        say_nothing_known(axes)
 
 
 def map_figure(plan, records, scenario, parameters):

@@ -127,6 +127,12 @@ void read_plant(Section& scenario, PlantOptions& options) {
   scenario.section("foot_contact",
                    [&](Section& s) { read_foot_contact(s, options.timestep, options.contact); });
   options.actuators.model = ActuatorModel::sea;  // of a scenario that names none
+  const ConfigNode* actuators = scenario.node("actuators");
+  if (actuators != nullptr && actuators->kind == ConfigNode::Kind::scalar) {
+    scenario.fail("actuators", "\"" + actuators->text +
+                                   "\" is not a map of keys and values; which model is "
+                                   "\"actuators.model\": sea or ideal");
+  }
   scenario.section("actuators", [&](Section& s) { read_actuators(s, options.actuators); });
   scenario.section("sensors", [&](Section& s) { read_sensors(s, options.sensors); });
   scenario.section("disturbances", [&](Section& s) { read_disturbances(s, options.disturbances); });

@@ -42,6 +42,7 @@ void read_foot_force(Section& section, FootForceSensorOptions& feet) {
   section.flag("present", feet.present);
   section.number("noise", feet.noise, kNotNegative);
   section.number("rate_hz", feet.rate_hz, kPositive);
+  section.integer("delay_ticks", feet.delay_ticks, 0, kMaxDelayTicks);
 }
 
 void read_joint(Section& section, SensorFault& fault) {
@@ -55,6 +56,19 @@ void read_joint(Section& section, SensorFault& fault) {
   if (found == joints.end())
     section.fail("joint", "unknown joint \"" + name + "\"; " + valid_names(name, joints));
   fault.joint = static_cast<int>(found - joints.begin());
+}
+
+void read_leg(Section& section, SensorFault& fault) {
+  std::string name;
+  section.text("leg", name);
+  if (name.empty()) return;
+  if (fault.sensor != FaultySensor::foot_force) section.fail("leg", "only foot_force has legs");
+  const auto found = std::ranges::find(kLegNames, name);
+  if (found == kLegNames.end()) {
+    section.fail("leg", "unknown leg \"" + name + "\"; " +
+                            valid_names(name, {kLegNames.begin(), kLegNames.end()}));
+  }
+  fault.leg = static_cast<int>(found - kLegNames.begin());
 }
 
 /// Jumps and spikes are told in the sensor's unit, lateness in ticks; the others have no size.
@@ -77,14 +91,17 @@ void check_size(Section& section, const SensorFault& fault) {
                  "must be a whole number of ticks from 1 to " + std::to_string(kMaxDelayTicks));
 }
 
-void read_fault(Section& section, SensorFault& fault) {
+void read_fault(Section& section, bool has_foot_sensors, SensorFault& fault) {
   for (const char* key : {"sensor", "kind", "time"}) section.require(key);
   section.choice<FaultySensor>("sensor", fault.sensor,
                                {{"imu", FaultySensor::imu},
                                 {"gyro", FaultySensor::gyro},
                                 {"accelerometer", FaultySensor::accelerometer},
                                 {"encoders", FaultySensor::encoders},
-                                {"joint_torques", FaultySensor::joint_torques}});
+                                {"joint_torques", FaultySensor::joint_torques},
+                                {"foot_force", FaultySensor::foot_force}});
+  if (fault.sensor == FaultySensor::foot_force && !has_foot_sensors)
+    section.fail("sensor", "the robot has none; sensors.foot_force.present: true gives it one");
   section.choice<FaultKind>("kind", fault.kind,
                             {{"stops", FaultKind::stops},
                              {"repeats", FaultKind::repeats},
@@ -98,14 +115,16 @@ void read_fault(Section& section, SensorFault& fault) {
     section.fail("duration", "a spike is one sample and has none; a jump has");
   section.number("size", fault.size);
   read_joint(section, fault);
+  read_leg(section, fault);
   check_size(section, fault);
 }
 
 /// Faults have names, so that another file or --set can change one.
-void read_faults(Section& section, std::vector<SensorFault>& faults) {
+void read_faults(Section& section, bool has_foot_sensors, std::vector<SensorFault>& faults) {
   for (const std::string& name : section.keys()) {
     if (section.node(name.c_str())->kind == ConfigNode::Kind::null) continue;
-    section.section(name.c_str(), [&](Section& s) { read_fault(s, faults.emplace_back()); });
+    section.section(name.c_str(),
+                    [&](Section& s) { read_fault(s, has_foot_sensors, faults.emplace_back()); });
   }
 }
 
@@ -117,7 +136,8 @@ void read_sensors(Section& section, SensorOptions& sensors) {
                   [&](Section& s) { read_joint_torques(s, sensors.joint_torques); });
   section.section("imu", [&](Section& s) { read_imu(s, sensors.imu); });
   section.section("foot_force", [&](Section& s) { read_foot_force(s, sensors.foot_force); });
-  section.section("faults", [&](Section& s) { read_faults(s, sensors.faults); });
+  section.section("faults",
+                  [&](Section& s) { read_faults(s, sensors.foot_force.present, sensors.faults); });
 }
 
 }  // namespace surefoot

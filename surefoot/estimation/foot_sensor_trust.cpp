@@ -1,5 +1,6 @@
 #include "surefoot/estimation/foot_sensor_trust.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -21,12 +22,13 @@ double FootSensorTrust::force(double sensed, double by_joints) noexcept {
   }
   const double error = sensed - by_joints;
   const double margin = error < 0.0 ? kLess : kMore;
-  const bool fits = std::abs(error) <= margin + kShare * std::abs(by_joints);
+  const double most = margin + kShare * std::abs(by_joints);
+  const bool fits = std::abs(error) <= most;
   off_for_ = fits ? 0.0 : off_for_ + period_;
   fits_for_ = fits ? fits_for_ + period_ : 0.0;
   if (off_for_ > kPatience + kRounding) is_trusted_ = false;
   if (fits_for_ > kProof) is_trusted_ = true;
-  return is_trusted_ && (fits || error > 0.0) ? sensed : by_joints;
+  return is_trusted_ && (fits || error > 0.0) ? by_joints + std::min(error, most) : by_joints;
 }
 
 }  // namespace surefoot

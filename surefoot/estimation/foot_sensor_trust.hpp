@@ -6,9 +6,9 @@ namespace surefoot {
 /// the joints tell.
 ///
 /// It may tell 20 N less or 40 N more, and 0.3 of the joints' force. What is less is not believed;
-/// what is more is, as it feels a touch before the joints do, for 50 ms. A sensor that was
-/// off for so long is believed again when it has fitted for 0.5 s. What is no force of a foot (NaN,
-/// beyond 10 kN) is never believed. Does not allocate.
+/// of what is more this much is, as it feels a touch before the joints do, for 50 ms. A sensor that
+/// was off for so long is believed again when it has fitted for 0.5 s. What is no force of a foot
+/// (NaN, beyond 10 kN) is never believed. Does not allocate.
 class FootSensorTrust {
  public:
   /// `period` of the control loop [s].

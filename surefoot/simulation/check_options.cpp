@@ -141,6 +141,8 @@ void check(const std::string& name, const SensorFault& fault) {
   require_finite(name + ".size", fault.size);
   require(fault.joint >= -1 && fault.joint < kNumJoints, name + ".joint", fault.joint,
           "between 0 and 11, or -1 for all");
+  require(fault.leg >= -1 && fault.leg < kNumLegs, name + ".leg", fault.leg,
+          "between 0 and 3, or -1 for all");
   if (fault.kind != FaultKind::late) return;
   require(fault.size >= 1.0 && fault.size <= kMaxDelayTicks && fault.size == std::floor(fault.size),
           name + ".size", fault.size,
@@ -173,6 +175,7 @@ void check(const SensorOptions& sensors) {
   check(sensors.imu);
   require_not_negative("sensors.foot_force.noise", sensors.foot_force.noise);
   require_positive("sensors.foot_force.rate_hz", sensors.foot_force.rate_hz);
+  require_delay("sensors.foot_force.delay_ticks", sensors.foot_force.delay_ticks);
   for (std::size_t i = 0; i < sensors.faults.size(); ++i) {
     check(text("sensors.faults[", i, "]"), sensors.faults[i]);
   }

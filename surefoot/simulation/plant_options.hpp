@@ -148,9 +148,10 @@ struct FootForceSensorOptions {
   bool present = false;  ///< ANYmal B has none
   double noise = 1.0;    ///< [N]
   double rate_hz = 400.0;
+  int delay_ticks = 0;
 };
 
-enum class FaultySensor { imu, gyro, accelerometer, encoders, joint_torques };
+enum class FaultySensor { imu, gyro, accelerometer, encoders, joint_torques, foot_force };
 
 enum class FaultKind {
   stops,    ///< nothing comes: NaN, and the sample's time stands still
@@ -169,6 +170,7 @@ struct SensorFault {
   double duration = std::numeric_limits<double>::infinity();  ///< [s]
   double size = 0.0;  ///< in the sensor's unit, on each of its values; of `late` in control ticks
   int joint = -1;     ///< encoders and joint_torques: this one alone; -1: all
+  int leg = -1;       ///< foot_force: this one alone; -1: all
 };
 
 struct SensorOptions {

@@ -11,6 +11,7 @@ constexpr double kRounding = 1e-9;  // of times [s]
 int usual_delay(FaultySensor sensor, const SensorOptions& options) {
   if (sensor == FaultySensor::encoders) return options.encoders.delay_ticks;
   if (sensor == FaultySensor::joint_torques) return options.joint_torques.delay_ticks;
+  if (sensor == FaultySensor::foot_force) return options.foot_force.delay_ticks;
   return options.imu.delay_ticks;
 }
 
@@ -23,18 +24,19 @@ double duration_of(const SensorFault& fault, double control_period) {
 template <typename Change>
 void change_values(const SensorFault& fault, SensorReading& reading, const SensorReading& other,
                    const Change& change) {
-  const auto each = [&](auto& values, const auto& others) {
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-      const bool is_meant = values.size() != kNumJoints || fault.joint < 0 || fault.joint == i;
-      if (is_meant) change(values[i], others[i]);
+  const auto each = [&](auto& values, const auto& others, int only = -1) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(values.size()); ++i) {
+      if (only < 0 || static_cast<std::size_t>(only) == i) change(values[i], others[i]);
     }
   };
   const bool whole_imu = fault.sensor == FaultySensor::imu;
-  if (fault.sensor == FaultySensor::encoders) each(reading.q, other.q);
-  if (fault.sensor == FaultySensor::joint_torques) each(reading.torque, other.torque);
+  if (fault.sensor == FaultySensor::encoders) each(reading.q, other.q, fault.joint);
+  if (fault.sensor == FaultySensor::joint_torques) each(reading.torque, other.torque, fault.joint);
   if (whole_imu || fault.sensor == FaultySensor::gyro) each(reading.gyro, other.gyro);
   if (whole_imu || fault.sensor == FaultySensor::accelerometer)
     each(reading.accelerometer, other.accelerometer);
+  if (fault.sensor == FaultySensor::foot_force)
+    each(reading.foot_force, other.foot_force, fault.leg);
 }
 
 /// The sample times are those of another reading, where the whole sensor is concerned.
@@ -50,8 +52,9 @@ void take_time(const SensorFault& fault, SensorReading& reading, const SensorRea
 SensorLink::SensorLink(const SensorOptions& options, double control_period)
     : encoder_delay_(options.encoders.delay_ticks),
       torque_delay_(options.joint_torques.delay_ticks),
-      imu_delay_(options.imu.delay_ticks) {
-  int longest = std::max({encoder_delay_, torque_delay_, imu_delay_});
+      imu_delay_(options.imu.delay_ticks),
+      foot_delay_(options.foot_force.delay_ticks) {
+  int longest = std::max({encoder_delay_, torque_delay_, imu_delay_, foot_delay_});
   for (const SensorFault& fault : options.faults) {
     const int late = fault.kind == FaultKind::late ? static_cast<int>(fault.size) : 0;
     const int delay = usual_delay(fault.sensor, options) + late;
@@ -82,6 +85,7 @@ void SensorLink::delay(const SensorReading& sampled) noexcept {
   received_.gyro = sent(imu_delay_).gyro;
   received_.accelerometer = sent(imu_delay_).accelerometer;
   received_.imu_time = sent(imu_delay_).imu_time;
+  received_.foot_force = sent(foot_delay_).foot_force;
 }
 
 void SensorLink::apply(Fault& fault) noexcept {

@@ -11,7 +11,8 @@ namespace surefoot::simulation {
 ///
 /// A sample keeps the time at which it was taken, so that silence and delay show in the reading's
 /// sample times. Before the first sample there is only the first. A fault of one joint alone, of
-/// the gyroscope alone or of the accelerometer alone leaves the sample times as they are.
+/// the gyroscope alone or of the accelerometer alone leaves the sample times as they are; foot
+/// sensors have none.
 class SensorLink {
  public:
   SensorLink(const SensorOptions& options, double control_period);
@@ -32,7 +33,7 @@ class SensorLink {
   void delay(const SensorReading& sampled) noexcept;
   void apply(Fault& fault) noexcept;
 
-  int encoder_delay_, torque_delay_, imu_delay_;
+  int encoder_delay_, torque_delay_, imu_delay_, foot_delay_;
   std::vector<Fault> faults_;
   std::vector<SensorReading> sent_;  // ring
   std::size_t num_sent_ = 0;

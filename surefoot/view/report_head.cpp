@@ -161,6 +161,15 @@ std::string left_out(const RunData& run, const Outcome& outcome) {
   return out;
 }
 
+std::string drawn_values(const LogHeader& header) {
+  if (header.drawn.empty()) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const LogDraw& draw : header.drawn) rows.push_back({{draw.path}, {decimal(draw.value, 6)}});
+  return "<details><summary>What the seed drew: " + std::to_string(rows.size()) +
+         (rows.size() == 1 ? " value" : " values") + "</summary>\n" + table({}, rows) +
+         "</details>\n";
+}
+
 }  // namespace
 
 std::string title(const LogHeader& header) {
@@ -196,9 +205,7 @@ std::string provenance(const RunData& run, const Outcome& outcome) {
       {{"seed"},
        {std::to_string(header.seed) +
         (header.seed == 0 ? " (nominal: the scenario's random values are not drawn)" : "")}}};
-  for (const LogDraw& draw : header.drawn)
-    rows.push_back({{"drawn: " + draw.path}, {decimal(draw.value, 6)}});
-  return out + table({}, rows);
+  return out + table({}, rows) + drawn_values(header);
 }
 
 }  // namespace surefoot::report

@@ -68,6 +68,9 @@ TEST_F(PlantOfScenario, has_actuators_of_two_levels) {
   EXPECT_EQ(actuators.rotor.inertia, 3e-5);
   EXPECT_EQ(actuators.rotor.coulomb, 0.5);
   EXPECT_EQ(actuators.torque_loop.damping, 1.0);
+  EXPECT_TRUE(
+      holds(complaint("actuators: ideal\n"), "trial.yaml:2: actuators: \"ideal\" is not a map"));
+  EXPECT_TRUE(holds(complaint("actuators: ideal\n"), "\"actuators.model\": sea or ideal"));
   EXPECT_TRUE(holds(complaint("actuators: {level: 3}\n"),
                     "trial.yaml:2: actuators.level: \"3\" is more than 2"));
   EXPECT_TRUE(holds(complaint("actuators: {rotor: {inertia: 0}}\n"), "actuators.rotor.inertia"));
@@ -107,6 +110,22 @@ TEST_F(PlantOfScenario, with_a_fault_that_makes_no_sense_names_key_and_reason) {
   says("sensor: gyro, kind: spike, time: 1, size: 2, duration: 1", "a spike is one sample");
   says("sensor: gyro, kind: nan, time: 1, joint: LF_HAA", "only encoders and joint_torques");
   says("sensor: encoders, kind: nan, time: 1, joint: LF_HIP", "unknown joint \"LF_HIP\"");
+  says("sensor: imu, kind: nan, time: 1, leg: LF", "leg: only foot_force has legs");
+  says("sensor: foot_force, kind: nan, time: 1", "sensors.foot_force.present: true gives it one");
+}
+
+TEST_F(PlantOfScenario, has_foot_sensors_that_fail) {
+  const auto options = [](const std::string& leg) {
+    return "sensors:\n  foot_force: {present: true, delay_ticks: 2}\n  faults:\n    a: {sensor: "
+           "foot_force, kind: jump, time: 3, size: 80, leg: " +
+           leg + "}\n";
+  };
+  const SensorOptions sensors = read(options("LH")).plant.sensors;
+  EXPECT_EQ(sensors.foot_force.delay_ticks, 2);
+  ASSERT_EQ(sensors.faults.size(), 1u);
+  EXPECT_EQ(sensors.faults[0].sensor, FaultySensor::foot_force);
+  EXPECT_EQ(sensors.faults[0].leg, 2);
+  EXPECT_TRUE(holds(complaint(options("HL")), "sensors.faults.a.leg: unknown leg \"HL\""));
 }
 
 TEST_F(PlantOfScenario, whose_period_is_not_made_of_timesteps_names_the_key) {

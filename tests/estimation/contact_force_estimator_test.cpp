@@ -365,10 +365,10 @@ TEST(ContactForceEstimator, StaysFiniteWithStraightLegs) {
 TEST(ContactForceEstimator, TakesAFootSensorsForceOnlyWhereItIsAskedToAndThereIsOneThatCanBe) {
   Still robot(5);
   Bench with({.use_foot_sensor = true}), without;
-  with.reading.foot_force = without.reading.foot_force = {42.0, kNaN, 7.0, 1e300};
+  with.reading.foot_force = without.reading.foot_force = {38.0, kNaN, 7.0, 1e300};
   with.tick(robot.dynamics, robot.state);
   const PerLeg<Vec3>& felt = robot.state.foot_force;
-  EXPECT_LT((felt[0] - Vec3(0.0, 0.0, 42.0)).norm(), 1e-9);
+  EXPECT_LT((felt[0] - Vec3(0.0, 0.0, 38.0)).norm(), 1e-9);
   EXPECT_LT(felt[1].norm(), 1e-9);
   EXPECT_LT((felt[2] - Vec3(0.0, 0.0, 7.0)).norm(), 1e-9);
   EXPECT_LT(felt[3].norm(), 1e-9) << "no foot bears that";

@@ -173,7 +173,9 @@ def test_killed_and_started_again_it_goes_on_where_it_was(folder):
     kept = {row["id"] for row in folder.rows()}
     assert 3 <= len(kept) < 20
     begun = len(folder.started())
-    assert folder.result("--jobs", 2)["runs"]["finished"] == 20
+    again = folder.run("--jobs", 2, "--json")
+    assert json.loads(again.stdout)["runs"]["finished"] == 20
+    assert f"{len(kept)} of 20 runs are done already, {20 - len(kept)} to do\n" in again.stderr
     ids = [row["id"] for row in folder.rows()]
     assert len(ids) == len(set(ids)) == 20 and kept < set(ids)
     assert len(folder.started()) - begun == 20 - len(kept)
@@ -199,7 +201,9 @@ def test_a_torn_last_line_is_dropped_and_its_run_made_again(folder):
     path = folder.out / "rows.jsonl"
     lines = path.read_bytes().splitlines(keepends=True)
     path.write_bytes(b"".join(lines[:-1]) + lines[-1][:40])
-    assert folder.result() == first
+    again = folder.run("--json")
+    assert json.loads(again.stdout) == first
+    assert "7 of 8 runs are done already, 1 to do; its last row was torn, and that run is made again\n" in again.stderr
     assert len(folder.rows()) == 8 and len(folder.started()) == 9
 
 

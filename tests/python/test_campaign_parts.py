@@ -15,7 +15,7 @@ from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.outcome import judge
-from surefoot_campaign.plots import curve_figure
+from surefoot_campaign.plots import curve_figure, map_figure
 from surefoot_campaign.results import Record
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
 from surefoot_campaign.spec import load_spec, yaml_text
@@ -286,17 +286,36 @@ def test_units_stand_where_they_are_known(tmp_path):
     ]  # fmt: skip
 
 
-def curves(tmp_path, drawn, scenarios=("fake",), seeds=80):
-    """The two axes over a parameter from 1 to 9; `drawn`: (value, COM error) of each run, which fell from 0.1 m on."""
-    text = f"scenario: [{', '.join(scenarios)}]\nseeds: {{count: {seeds}}}\ndraw: {{friction: [1, 9]}}\n"
+def fake_campaign(tmp_path, drawn, scenarios=("fake",), seeds=80):
+    """A plan and its records over parameters from 1 to 9; `drawn`: (value, COM error) of each run, which fell from 0.1 m on."""
+    text = f"scenario: [{', '.join(scenarios)}]\nseeds: {{count: {seeds}}}\ndraw: {{friction: [1, 9], mass: [1, 9]}}\n"
     plan = types.SimpleNamespace(spec=read(tmp_path, text))
     records = []
     for scenario in scenarios:
         for value, error in drawn:
-            run = types.SimpleNamespace(scenario=scenario, value={"friction": value}.get)
-            row = {"outcome": "failed" if error >= 0.1 else "succeeded", "result": {"com_error_max_m": error}}
+            run = types.SimpleNamespace(scenario=scenario, value={"friction": value, "mass": value}.get)
+            result = {} if error is None else {"com_error_max_m": error}
+            row = {"outcome": "succeeded" if error is not None and error < 0.1 else "failed", "result": result}
             records.append(Record(run, row))
-    return curve_figure(plan, records, "friction").axes
+    return plan, records
+
+
+def curves(tmp_path, drawn, scenarios=("fake",), seeds=80):
+    """The two axes over one of them."""
+    return curve_figure(*fake_campaign(tmp_path, drawn, scenarios, seeds), "friction").axes
+
+
+def test_a_plot_of_a_metric_that_no_run_has_says_so(tmp_path):
+    upper, lower = curves(tmp_path, [(1.5, None), (7.5, None)])
+    assert "no run has a value" in texts_of(lower) and "no run has a value" not in texts_of(upper)
+    panels = map_figure(*fake_campaign(tmp_path, [(1.5, None), (7.5, None)]), "fake", ("friction", "mass")).axes
+    assert ["no run has a value" in texts_of(axes) for axes in panels] == [False, True, False]  # the last: a scale
+    for axes in curves(tmp_path, [(1.5, 0.01), (7.5, None)]):
+        assert "no run has a value" not in texts_of(axes)
+
+
+def texts_of(axes):
+    return [text.get_text() for text in axes.texts]
 
 
 def intervals_seen(axes):

@@ -70,7 +70,7 @@ def test_frames_come_in_order_at_real_time(run):
 def test_after_its_end_the_page_stays_until_it_is_interrupted():
     with Served("run", "walk_flat", "--view", "--set", "duration=0.3") as run, run.page() as page:
         status = page.status(lambda status: status["ended"] is not None)
-        assert status["ended"] == "the whole duration"
+        assert status["ended"] == "ran to its end"
         assert "reset" in page.ask("push", body="base", impulse=[0, 1, 0], duration=0.1)["error"]
         page.do("reset")
         page.status(lambda status: status["ended"] is None)

@@ -57,7 +57,7 @@ def test_a_log_tells_how_its_run_ended_and_marks_a_stop(browser, stopped, log):
             pass
     with Viewer("replay", log) as replay:
         show(browser, replay.link)
-        browser.wait(f"{ENDED} === 'the whole duration'")
+        browser.wait(f"{ENDED} === 'ran to its end'")
 
 
 def test_a_stop_for_safety_is_no_good_news(browser, stopped):

@@ -204,6 +204,47 @@ INSTANTIATE_TEST_SUITE_P(
       return fault.sensor + "_" + fault.kind + (fault.more.empty() ? "_all" : "_one");
     });
 
+/// From a moment on; the walk goes on by the joints.
+class FootSensorFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(FootSensorFault, IsNotBelievedAndTheWalkGoesOn) {
+  for (const double time : {kFaultTime, 2.8, 3.1}) {
+    std::vector<std::string> options = walk(GetParam().option(0.0, time), 10.0);
+    options.insert(options.begin(), "sensors.foot_force.present=true");
+    options.emplace_back("contact_force.use_foot_sensor=true");
+    Loop loop(scenario("walk_flat", options));
+    loop.run_until(time);
+    const int steps = loop.steps_taken();
+    double largest_change = 0.0;
+    JointVector before = loop.record().command.torque;
+    loop.run_until(10.0, [&] {
+      const JointCommand& command = loop.record().command;
+      EXPECT_EQ(command.mode, CommandMode::optimal) << "at " << loop.record().reading.time;
+      largest_change = std::max(largest_change, (command.torque - before).cwiseAbs().maxCoeff());
+      before = command.torque;
+      return testing::Test::HasFailure();
+    });
+    EXPECT_GE(loop.steps_taken(), steps + 5) << "at " << time;
+    EXPECT_LT(largest_change, 30.0)
+        << "at " << time << ", of a foot in the air that seems to touch";
+    RecordProperty("change", std::to_string(largest_change));
+    RecordProperty("steps", loop.steps_taken());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FootSensorFault,
+                         testing::Values(Fault{"foot_force", "stops", "", ""},
+                                         Fault{"foot_force", "repeats", "", ""},
+                                         Fault{"foot_force", "nan", "leg: LF", ""},
+                                         Fault{"foot_force", "late", "size: 20", ""},
+                                         Fault{"foot_force", "jump", "size: 300", ""},
+                                         Fault{"foot_force", "jump", "size: -300", ""},
+                                         Fault{"foot_force", "jump", "size: 300, leg: RH", ""}),
+                         [](const auto& parameter) {
+                           const Fault& fault = parameter.param;
+                           return fault.kind + "_" + std::to_string(parameter.index);
+                         });
+
 TEST(SensorSpike, ChangesNothingThatLasts) {
   for (const Fault& fault :
        {Fault{"gyro", "spike", "size: 8", ""}, Fault{"gyro", "spike", "size: 1", ""},

@@ -123,6 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "sensors.imu.gyro_noise is inf"},
         BadOption{"foot_rate", [](auto& o) { o.sensors.foot_force.rate_hz = kInf; },
                   "sensors.foot_force.rate_hz is inf"},
+        BadOption{"foot_delay", [](auto& o) { o.sensors.foot_force.delay_ticks = -1; },
+                  "sensors.foot_force.delay_ticks is -1"},
+        BadOption{"foot_fault", [](auto& o) { o.sensors.faults = {{.leg = 4}}; },
+                  "sensors.faults[0].leg is 4; it must be between 0 and 3, or -1 for all"},
         BadOption{"push_body",
                   [](auto& o) { o.disturbances.pushes = {{}, {"LF_SHNK", 0.0, 0.1, {}}}; },
                   "disturbances.pushes[1].body is \"LF_SHNK\"; the robot has: base base_inertia "

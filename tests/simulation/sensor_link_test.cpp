@@ -19,6 +19,7 @@ SensorReading sampled_at(int tick) {
   reading.torque.setConstant(2000.0 + tick);
   reading.gyro.setConstant(3000.0 + tick);
   reading.accelerometer.setConstant(4000.0 + tick);
+  reading.foot_force.fill(5000.0 + tick);
   return reading;
 }
 
@@ -40,12 +41,8 @@ SensorOptions with_fault(SensorFault fault) {
 
 /// From tick 10 on for 5 ticks.
 SensorFault fault(FaultySensor sensor, FaultKind kind, double size = 0.0) {
-  return {.sensor = sensor,
-          .kind = kind,
-          .time = 10 * kPeriod,
-          .duration = 5 * kPeriod,
-          .size = size,
-          .joint = -1};
+  return {
+      .sensor = sensor, .kind = kind, .time = 10 * kPeriod, .duration = 5 * kPeriod, .size = size};
 }
 
 bool active(int tick) { return tick >= 10 && tick < 15; }
@@ -55,6 +52,7 @@ void expect_same(const SensorReading& a, const SensorReading& b, int tick) {
   EXPECT_EQ(a.torque, b.torque) << tick;
   EXPECT_EQ(a.gyro, b.gyro) << tick;
   EXPECT_EQ(a.accelerometer, b.accelerometer) << tick;
+  EXPECT_EQ(a.foot_force, b.foot_force) << tick;
   EXPECT_EQ(a.encoder_time, b.encoder_time) << tick;
   EXPECT_EQ(a.torque_time, b.torque_time) << tick;
   EXPECT_EQ(a.imu_time, b.imu_time) << tick;
@@ -71,6 +69,7 @@ TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
   options.encoders.delay_ticks = 3;
   options.joint_torques.delay_ticks = 1;
   options.imu.delay_ticks = 7;
+  options.foot_force.delay_ticks = 2;
   const std::vector<SensorReading> readings = received(options);
   for (int tick = 0; tick < 40; ++tick) {
     const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
@@ -79,6 +78,7 @@ TEST(SensorLink, delays_each_sensor_by_its_own_ticks) {
     EXPECT_EQ(reading.torque[5], 2000.0 + std::max(0, tick - 1));
     EXPECT_EQ(reading.gyro.y(), 3000.0 + std::max(0, tick - 7));
     EXPECT_EQ(reading.accelerometer.y(), 4000.0 + std::max(0, tick - 7));
+    EXPECT_EQ(reading.foot_force[1], 5000.0 + std::max(0, tick - 2));
     EXPECT_EQ(reading.encoder_time, std::max(0, tick - 3) * kPeriod);
     EXPECT_EQ(reading.imu_time, std::max(0, tick - 7) * kPeriod);
   }
@@ -154,6 +154,29 @@ TEST(SensorLink, spoils_one_joint_alone_where_it_is_named) {
   for (Eigen::Index joint = 0; joint < kNumJoints; ++joint)
     EXPECT_EQ(std::isnan(reading.q[joint]), joint == 7);
   EXPECT_EQ(reading.encoder_time, 12 * kPeriod);
+}
+
+TEST(SensorLink, spoils_one_foot_alone_where_it_is_named) {
+  SensorFault one = fault(FaultySensor::foot_force, FaultKind::late, 3.0);
+  one.leg = 2;
+  const std::vector<SensorReading> readings = received(with_fault(one));
+  for (int tick = 3; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
+      EXPECT_EQ(reading.foot_force[leg], 5000.0 + tick - (active(tick) && leg == 2 ? 3.0 : 0.0));
+    }
+    EXPECT_EQ(reading.q, sampled_at(tick).q) << tick;
+  }
+}
+
+TEST(SensorLink, spoils_all_feet_unless_one_is_named) {
+  for (const FaultKind kind : {FaultKind::stops, FaultKind::nan}) {
+    const auto readings = received(with_fault(fault(FaultySensor::foot_force, kind)));
+    for (int tick = 0; tick < 40; ++tick) {
+      for (const double force : readings[static_cast<std::size_t>(tick)].foot_force)
+        EXPECT_EQ(std::isnan(force), active(tick)) << tick;
+    }
+  }
 }
 
 TEST(SensorLink, that_fails_from_the_first_tick_on_has_the_first_sample_to_repeat) {

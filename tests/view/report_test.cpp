@@ -289,8 +289,8 @@ TEST(Report, SaysHowToMakeTheRunAgain) {
   const std::string page = report_of({.seconds = 0.1});
   for (const char* text :
        {"<pre>bin/surefoot run synthetic --seed 7 --set gait.swing_duration=0.5</pre>",
-        "a walk that never happened", "commit 0123456789ab", "drawn: initial.x", "−0.05",
-        "2.5 ms, 400 Hz"}) {
+        "a walk that never happened", "commit 0123456789ab", "What the seed drew: 1 value<",
+        "initial.x", "−0.05", "2.5 ms, 400 Hz"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text;
   }
 }

@@ -68,21 +68,20 @@ std::string report_of_end(const std::string& reason, const std::string& criterio
 }
 
 TEST(Verdict, AGoalThatWasNotReachedStandsBesideTheVerdict) {
-  const std::string page = report_of_end("the whole duration");
+  const std::string page = report_of_end("ran to its end");
   EXPECT_NE(page.find("✓ the criterion holds: fell"), std::string::npos);
   EXPECT_NE(page.find("✗ goal not reached</div>"), std::string::npos);
   EXPECT_NE(page.find("beyond x = 0.42 m"), std::string::npos);
   EXPECT_NE(page.find("<b>2 ×</b> no ground within reach: foot taken back, first at 0.5 s"),
             std::string::npos);
   const std::string failure = R"({"metric":"goal_reached","equals":false,"passed":true})";
-  EXPECT_NE(
-      report_of_end("the whole duration", failure).find("not reached, as the criteria expect"),
-      std::string::npos);
+  EXPECT_NE(report_of_end("ran to its end", failure).find("not reached, as the criteria expect"),
+            std::string::npos);
 }
 
 TEST(Verdict, AGoalThatACriterionMissesIsToldOnce) {
-  const std::string page = report_of_end(
-      "the whole duration", R"({"metric":"goal_reached","equals":true,"passed":false})");
+  const std::string page =
+      report_of_end("ran to its end", R"({"metric":"goal_reached","equals":true,"passed":false})");
   EXPECT_NE(page.find("✗ 1 of 1 criterion missed: goal reached</div>"), std::string::npos);
   EXPECT_EQ(page.find("goal not reached"), std::string::npos);
 }
@@ -99,8 +98,8 @@ TEST(Verdict, OfARunThatWasInterruptedOrBegunAgainIsNotJudged) {
 
 TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
   constexpr const char *kCut = "goes on where this log ends", *kByHand = "pushed by hand";
-  const std::string whole = report_of_end("the whole duration"), cut = report_of_end("interrupted"),
-                    steered = report_of_end("the whole duration", kNoFall, true);
+  const std::string whole = report_of_end("ran to its end"), cut = report_of_end("interrupted"),
+                    steered = report_of_end("ran to its end", kNoFall, true);
   EXPECT_EQ(whole.find(kCut), std::string::npos);
   EXPECT_EQ(whole.find(kByHand), std::string::npos);
   EXPECT_NE(cut.find(kCut), std::string::npos);
@@ -110,10 +109,10 @@ TEST(Verdict, BesideTheCommandStandsWhatItLeavesOut) {
 TEST(Verdict, ThatARunWasSteeredByHandStandsBesideItsVerdict) {
   constexpr const char* kSteered =
       "class=\"warning\">The run was steered by hand: 1 change or push ";
-  const std::string steered = report_of_end("the whole duration", kNoFall, true);
+  const std::string steered = report_of_end("ran to its end", kNoFall, true);
   EXPECT_LT(steered.find(kSteered), steered.find("<h2>"));
   for (const std::string& page :
-       {report_of_end("the whole duration"), report_of_end("interrupted", kNoFall, true)})
+       {report_of_end("ran to its end"), report_of_end("interrupted", kNoFall, true)})
     EXPECT_EQ(page.find(kSteered), std::string::npos) << "where nothing is judged";
 }
 
@@ -121,12 +120,12 @@ TEST(Verdict, OfALogThatIsDamagedWithinItIsSaidWhatMayBeMissing) {
   constexpr const char *kNotWhole = "class=\"warning\">The log is not whole: ",
                        *kByHand = "may be missing here: the log is damaged",
                        *kCut = "goes on where this log ends";
-  const std::string damaged = report_of_end("the whole duration", kNoFall, false, true);
+  const std::string damaged = report_of_end("ran to its end", kNoFall, false, true);
   EXPECT_NE(damaged.find(kNotWhole), std::string::npos);
   EXPECT_NE(damaged.find(kByHand), std::string::npos);
   EXPECT_EQ(damaged.find(kCut), std::string::npos) << "its end is there";
   EXPECT_NE(damaged.find("✓ the criterion holds: fell"), std::string::npos);
-  const std::string whole = report_of_end("the whole duration");
+  const std::string whole = report_of_end("ran to its end");
   for (const char* text : {kNotWhole, kByHand}) EXPECT_EQ(whole.find(text), std::string::npos);
 }
 

@@ -14,7 +14,7 @@ export function endingText(why: string): string {
 }
 
 /** Ends of a run that went as it should, as the program calls them. */
-const PLAIN_ENDS = ["the whole duration", "goal reached"].map(endingText);
+const PLAIN_ENDS = ["ran to its end", "the whole duration", "goal reached"].map(endingText); // the second in older logs
 
 export function weightOf({ kind, text }: Pick<Mark, "kind" | "text">): Weight {
   if (kind === "end") return PLAIN_ENDS.includes(text) ? "change" : "grave";
