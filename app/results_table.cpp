@@ -83,11 +83,11 @@ std::string title(const Scenario& scenario, const Json& json) {
 }
 
 /// Where a path leads to one of several values ("sensors.imu.tilt.roll"), that of all of them;
-/// other paths whole.
+/// other paths whole, and those to where the robot begins.
 std::string vector_of(const std::string& path) {
   constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
   const std::size_t dot = path.rfind('.');
-  if (dot == std::string::npos) return path;
+  if (dot == std::string::npos || path.starts_with("initial.")) return path;
   const std::string name = path.substr(dot + 1);
   const bool is_of_leg = std::ranges::find(kLegNames, name.substr(0, 2)) != kLegNames.end();
   return is_of_leg || std::ranges::find(kNames, name) != kNames.end() ? path.substr(0, dot) : path;

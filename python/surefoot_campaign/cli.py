@@ -134,7 +134,7 @@ def run_missing(plan, missing, scheduler, journal, program):
 def tell_what_is_done(plan, missing, journal):
     """Where a campaign goes on, on stderr."""
     done = len(plan.runs) - len(missing)
-    torn = "; its last row was torn, and that run is made again" if journal.was_torn else ""
+    torn = "; its last row was torn and is dropped" if journal.was_torn else ""
     if done or torn:
         print(f"{plan.spec.name}: {done} of {len(plan.runs)} runs are done already, {len(missing)} to do{torn}", file=sys.stderr)
 

@@ -73,7 +73,6 @@ struct Controller::Implementation : ControllerMemory {
         first_readings(options.period),
         estimator(std::move(state_estimator)),
         model(std::move(robot_model)),
-        weighs_by_torques(!options.contact_force.use_foot_sensor),
         robot_description(robot),
         solver_options(options.solver),
         solved(std::make_unique<SolvedStack>(options.stack, options.solver, robot)),
@@ -103,8 +102,7 @@ struct Controller::Implementation : ControllerMemory {
   FirstReadings first_readings;
   std::unique_ptr<StateEstimator> estimator;
   RobotModel model;
-  BaseLoad base_load;            // of this tick
-  const bool weighs_by_torques;  // and so with the links that the torques carry
+  BaseLoad base_load;  // of this tick
   RobotDescription robot_description;
   SolverOptions solver_options;
   std::unique_ptr<SolvedStack> solved;
@@ -278,7 +276,7 @@ void Controller::Implementation::calibrate(const Dynamics& dynamics) noexcept {
                       turning);
   }
   link_masses.update(record.state.time, dynamics, record.plan.standing(), record.state.torque);
-  if (weighs_by_torques) com_calibration.correct(link_masses.shares());
+  com_calibration.correct(link_masses.shares());
   com_calibration.update(dynamics, record.state.foot_force, stage, is_quiet);
   planner.tell_calibration_known(kinematics.knows_legs() && com_calibration.knows_load());
 }

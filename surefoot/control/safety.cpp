@@ -208,6 +208,10 @@ void Safety::stop_after_failures(const RobotState& state, const SensorHealth& he
 }
 
 void Safety::stop(CommandMode mode, StopCause cause, const SensorHealth& health) {
+  if (mode == CommandMode::damping && cause == StopCause::encoders) {
+    fading_torque_ = sitting_ ? command_.torque : good_torque_;
+    damped_at_ = command_.time;
+  }
   sitting_ = mode == CommandMode::sit;
   damping_ = mode == CommandMode::damping;
   if (command_.cause != StopCause::none) return;
@@ -276,9 +280,9 @@ void Safety::damp(const RobotState& state) {
   const double kd = damping_kd_ + gone * (last - damping_kd_);
   if (gone < 1.0) ++damped_ticks_;
   command_.torque = -kd * finite_or_zero(state.qd);
-  if (command_.cause != StopCause::encoders) return;
-  const double share = (command_.time - stopped_at_) / kFadeTime;
-  command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * good_torque_;
+  if (!std::isfinite(damped_at_)) return;
+  const double share = (command_.time - damped_at_) / kFadeTime;
+  command_.torque += std::clamp(1.0 - share, 0.0, 1.0) * fading_torque_;
 }
 
 void Safety::limit() {

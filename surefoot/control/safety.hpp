@@ -31,8 +31,7 @@ namespace surefoot {
 ///                repeated failures, non-finite readings that last, or a torso tilted too far
 ///                (before the first good tick only when 30 ms have gone by, as the first readings
 ///                may be wrong); lying; or at once where encoders of several legs are lost, on top
-///                of the last good torques,
-///                which fade out within 0.5 s
+///                of the last good torques, or those of the way down, which fade out within 0.5 s
 ///
 /// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
 ///
@@ -120,8 +119,10 @@ class Safety {
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]
-  int unsteady_ticks_ = 0;               // left of a late beginning
-  int damped_ticks_ = 0;                 // since it damps
+  double damped_at_ = kNaN;              // where encoders were lost that it needs [s], …
+  JointVector fading_torque_ = JointVector::Zero();  // … on top of these
+  int unsteady_ticks_ = 0;                           // left of a late beginning
+  int damped_ticks_ = 0;                             // since it damps
   JointVector stopped_q_ = JointVector::Constant(kNaN);
   JointVector good_q_ = JointVector::Constant(kNaN);
   JointVector good_torque_ = JointVector::Zero();

@@ -7,6 +7,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kLess = 20.0, kMore = 40.0;  // [N]
+constexpr double kInTheAir = 10.0;            // more than this is a touch [N] …
+constexpr double kBears = 30.0;               // … and from here on the joints know better
 constexpr double kShare = 0.3;                // of the joints' force
 constexpr double kPatience = 0.05;            // with one that tells more [s]
 constexpr double kProof = 0.5;                // of one that was off [s]
@@ -21,14 +23,16 @@ double FootSensorTrust::force(double sensed, double by_joints) noexcept {
     return by_joints;
   }
   const double error = sensed - by_joints;
-  const double margin = error < 0.0 ? kLess : kMore;
-  const double most = margin + kShare * std::abs(by_joints);
-  const bool fits = std::abs(error) <= most;
+  const double share = kShare * std::abs(by_joints);
+  const double more = std::min(kMore, kInTheAir + std::max(0.0, by_joints));
+  const bool fits = -kLess - share <= error && error <= more + share;
   off_for_ = fits ? 0.0 : off_for_ + period_;
   fits_for_ = fits ? fits_for_ + period_ : 0.0;
   if (off_for_ > kPatience + kRounding) is_trusted_ = false;
   if (fits_for_ > kProof) is_trusted_ = true;
-  return is_trusted_ && (fits || error > 0.0) ? by_joints + std::min(error, most) : by_joints;
+  if (!is_trusted_ || (!fits && error < 0.0)) return by_joints;
+  const double weight = std::clamp((kBears - by_joints) / (kBears - kInTheAir), 0.0, 1.0);
+  return by_joints + weight * std::min(error, kMore + share);
 }
 
 }  // namespace surefoot

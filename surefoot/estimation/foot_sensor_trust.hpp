@@ -2,13 +2,14 @@
 
 namespace surefoot {
 
-/// Which force along the normal is believed of a foot: that of its sensor, as long as it fits what
-/// the joints tell.
+/// Which force along the normal is believed of a foot: in the air, and where it bears up to 10 N by
+/// what the joints tell, that of its sensor, which feels a touch before they do; from 30 N on that
+/// of the joints; a mixture between.
 ///
-/// It may tell 20 N less or 40 N more, and 0.3 of the joints' force. What is less is not believed;
-/// of what is more this much is, as it feels a touch before the joints do, for 50 ms. A sensor that
-/// was off for so long is believed again when it has fitted for 0.5 s. What is no force of a foot
-/// (NaN, beyond 10 kN) is never believed. Does not allocate.
+/// The sensor may tell 20 N less or 40 N more than the joints, where they tell nothing only 10 N,
+/// and 0.3 of their force. What is less is not believed; of what is more 40 N and that share are,
+/// for 50 ms. One that was off for so long is believed again when it has fitted for 0.5 s. What is
+/// no force of a foot (NaN, beyond 10 kN) is never believed. Does not allocate.
 class FootSensorTrust {
  public:
   /// `period` of the control loop [s].

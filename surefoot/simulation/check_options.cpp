@@ -143,6 +143,13 @@ void check(const std::string& name, const SensorFault& fault) {
           "between 0 and 11, or -1 for all");
   require(fault.leg >= -1 && fault.leg < kNumLegs, name + ".leg", fault.leg,
           "between 0 and 3, or -1 for all");
+  const bool is_of_joints =
+      fault.sensor == FaultySensor::encoders || fault.sensor == FaultySensor::joint_torques;
+  require(is_of_joints || fault.joint == -1, name + ".joint", fault.joint,
+          "-1, as only encoders and joint torques have joints");
+  const bool is_of_feet = fault.sensor == FaultySensor::foot_force;
+  require(is_of_feet || fault.leg == -1, name + ".leg", fault.leg,
+          "-1, as only foot sensors have legs");
   if (fault.kind != FaultKind::late) return;
   require(fault.size >= 1.0 && fault.size <= kMaxDelayTicks && fault.size == std::floor(fault.size),
           name + ".size", fault.size,
@@ -178,6 +185,9 @@ void check(const SensorOptions& sensors) {
   require_delay("sensors.foot_force.delay_ticks", sensors.foot_force.delay_ticks);
   for (std::size_t i = 0; i < sensors.faults.size(); ++i) {
     check(text("sensors.faults[", i, "]"), sensors.faults[i]);
+    if (sensors.faults[i].sensor == FaultySensor::foot_force && !sensors.foot_force.present) {
+      throw Error(text("sensors.faults[", i, "].sensor is foot_force; the robot has none"));
+    }
   }
 }
 

@@ -218,13 +218,13 @@ TEST(RunTable, says_what_the_seed_drew_or_that_it_drew_nothing) {
 TEST(RunTable, counts_the_drawn_values_of_a_vector) {
   RunResult result;
   result.metrics.seed = 3;
-  result.drawn = {{"initial.yaw", 0.1}, {"disturbances.base_mass_scale", 0.9}};
+  result.drawn = {{"initial.x", 0.2}, {"initial.yaw", 0.1}, {"disturbances.base_mass_scale", 0.9}};
   for (const char* joint : {"LF_HAA", "LF_HFE", "RH_KFE"})
     result.drawn.push_back({std::string("sensors.encoders.offset.") + joint, 0.001});
   for (const char* axis : {"x", "z"})
     result.drawn.push_back({std::string("disturbances.base_com_offset.") + axis, 0.01});
   const std::string table = run_table(Scenario{}, run_json(Scenario{}, result));
-  EXPECT_NE(table.find("seed 3: initial.yaw 0.1, disturbances.base_mass_scale 0.9, "
+  EXPECT_NE(table.find("seed 3: initial.x 0.2, initial.yaw 0.1, disturbances.base_mass_scale 0.9, "
                        "sensors.encoders.offset (3 values),\n"
                        "  disturbances.base_com_offset (2 values)\n"),
             std::string::npos)

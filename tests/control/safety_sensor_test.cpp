@@ -270,6 +270,36 @@ TEST(SafetyOfSensors, ASittingRobotThatTiltsOrLosesItsEncodersDamps) {
   EXPECT_EQ(loses.tick().cause, StopCause::joint_torques) << "what came first";
 }
 
+TEST(SafetyOfSensors, TorquesOfTheWayDownFadeWhereEncodersAreLostLater) {
+  for (const double seconds : {0.1, 1.0}) {
+    Stage stage;
+    (void)stage.tick();
+    const auto until = static_cast<int>(seconds / kPeriod);
+    for (int i = 0; i < until; ++i) (void)stage.tick(failing(&SensorHealth::imu, 0.1));
+    const JointVector before = stage.tick(failing(&SensorHealth::imu, 0.1)).torque;
+    ASSERT_GT(before.norm(), 10.0);
+    const SensorHealth lost = failing(&SensorHealth::encoders, 0.03);
+    for (int i = 0; i < 200; ++i) {
+      const JointCommand& command = stage.tick(lost);
+      ASSERT_EQ(command.mode, CommandMode::damping);
+      EXPECT_LT((command.torque - (1.0 - i / 200.0) * before).norm(), 1e-9) << seconds << ", " << i;
+    }
+    EXPECT_LT(stage.tick(lost).torque.norm(), 1e-9);
+  }
+}
+
+TEST(SafetyOfSensors, ARobotThatTiltsWhileItSitsForAnEncoderOnlyDamps) {
+  Stage stage;
+  (void)stage.tick();
+  SensorHealth one = failing(&SensorHealth::encoders, 0.03);
+  one.encoders.joint = 2;
+  one.encoders.fault = SampleFault::not_a_number;
+  ASSERT_EQ(stage.tick(one).mode, CommandMode::sit);
+  stage.state.q_WB = from_roll_pitch_yaw({1.2, 0.0, 0.0});
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(stage.tick(one).mode, CommandMode::damping);
+  EXPECT_LT(stage.tick(one).torque.norm(), 1e-9) << "a robot at rest";
+}
+
 TEST(SafetyOfSensors, ARobotThatSitsDownForItsImuDoesNotBelieveThatItTilts) {
   Stage stage;
   (void)stage.tick();

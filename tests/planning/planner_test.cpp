@@ -286,7 +286,6 @@ TEST(Planner, WalksSidewaysAndTurns) {
   EXPECT_NEAR(std::atan2(-across.x(), across.y()), 0.05 * 20.0, 0.15) << "the feet came along";
 }
 
-/// Lets the puppet finish its step and stand.
 TEST(Planner, StopsOverAllFourFeetWheneverItIsTold) {
   for (const double when : {1.2, 1.6, 2.3, 4.1, 5.55}) {
     SCOPED_TRACE("stopped after " + std::to_string(when) + " s");

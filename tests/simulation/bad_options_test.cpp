@@ -127,6 +127,13 @@ INSTANTIATE_TEST_SUITE_P(
                   "sensors.foot_force.delay_ticks is -1"},
         BadOption{"foot_fault", [](auto& o) { o.sensors.faults = {{.leg = 4}}; },
                   "sensors.faults[0].leg is 4; it must be between 0 and 3, or -1 for all"},
+        BadOption{"fault_of_no_joint", [](auto& o) { o.sensors.faults = {{.joint = 4}}; },
+                  "sensors.faults[0].joint is 4; it must be -1"},
+        BadOption{"fault_of_no_leg", [](auto& o) { o.sensors.faults = {{.leg = 2}}; },
+                  "sensors.faults[0].leg is 2; it must be -1"},
+        BadOption{"fault_of_no_sensor",
+                  [](auto& o) { o.sensors.faults = {{.sensor = FaultySensor::foot_force}}; },
+                  "sensors.faults[0].sensor is foot_force; the robot has none"},
         BadOption{"push_body",
                   [](auto& o) { o.disturbances.pushes = {{}, {"LF_SHNK", 0.0, 0.1, {}}}; },
                   "disturbances.pushes[1].body is \"LF_SHNK\"; the robot has: base base_inertia "

@@ -32,7 +32,7 @@ test("a hint tells the weightiest, and how many more there are", () => {
   assert.equal(hintOf([hole], 12.4, 0.5), "12.40 s to 12.61 s can't be read: why");
 });
 
-test("of the ends that the program knows the whole duration and the goal are those of a run that went as it should", () => {
+test("of the ends that the program knows that of its time and the goal are those of a run that went as it should", () => {
   const ends = [...closedLoop.matchAll(/case Ending::(\w+):\s+return "([^"]+)";/g)].map(([, end, why]) => [end, weightOf(endOf(1, why as string))]);
   assert.deepEqual(ends.filter(([, weight]) => weight === "change").map(([end]) => end), ["finished", "goal_reached"]);
   assert.ok(ends.filter(([, weight]) => weight === "grave").length >= 3);
@@ -42,7 +42,7 @@ test("what is no part of a usual walk has more weight than what is", () => {
   assert.equal(weightOf(event(0, "touchdown")), "usual");
   assert.equal(weightOf(event(0, "pushed out of balance: step to recover")), "notable");
   assert.equal(weightOf({ kind: "damage", text: "" }), "grave");
-  const ends = ["the whole duration", "goal reached", "fell: the base touched the ground", "the controller stopped for safety"];
-  assert.deepEqual(ends.map((why) => weightOf(endOf(1, why))), ["change", "change", "grave", "grave"]);
+  const ends = ["ran to its end", "the whole duration", "goal reached", "fell: the base touched the ground", "the controller stopped for safety"];
+  assert.deepEqual(ends.map((why) => weightOf(endOf(1, why))), ["change", "change", "change", "grave", "grave"]);
   assert.equal(hintOf([endOf(12.3, "fell")], 12.3, 0.5), "12.3000 s ended: fell");
 });
