@@ -93,6 +93,22 @@ def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
         assert colours((ROOT / file).read_text(), variables) == picture, file
 
 
+def anchor_of(heading):
+    words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
+    return re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+
+
+def test_links_within_the_documents_lead_to_a_file_and_a_heading():
+    pages = [page for folder in (".", "docs", "docs/decisions", "python") for page in (ROOT / folder).glob("*.md")]
+    anchors = {page.resolve(): {anchor_of(heading) for heading in re.findall(r"^#+ (.*)$", page.read_text(), re.MULTILINE)} for page in pages}
+    links = [(page, *link.partition("#")[::2]) for page in pages for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text())]
+    within = [(page, (page.parent / file if file else page).resolve(), anchor) for page, file, anchor in links if "://" not in file]
+    assert len(within) > 100
+    for page, target, anchor in within:
+        assert target.exists(), f"{page.name}: {target}"
+        assert not anchor or target not in anchors or anchor in anchors[target], f"{page.name}: {target.name}#{anchor}"
+
+
 def test_every_campaign_that_ships_stands_in_the_table_of_campaigns():
     ships = {file.stem for file in (ROOT / "campaigns").glob("*.yaml")}
     table = (ROOT / "docs/campaigns.md").read_text().split("What ships in")[1].split("\n\n")[1]
