@@ -5,6 +5,10 @@ find_package(benchmark REQUIRED)
 include(GoogleTest)
 set(CMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE PRE_TEST)
 
+# One file knows the tree's place, so that ccache shares all others between checkouts.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/source_file.cpp PROPERTIES
+  COMPILE_DEFINITIONS SUREFOOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+
 # tests/support/ is compiled into a library of its own, used as "tests/support/….hpp".
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
 set(SUREFOOT_TEST_LIBRARIES surefoot_compiler ${SUREFOOT_LIBRARIES})
@@ -20,7 +24,6 @@ foreach(source IN LISTS sources)
   cmake_path(GET source PARENT_PATH folder)
   if(NOT TARGET test_${folder})
     add_executable(test_${folder})
-    target_compile_definitions(test_${folder} PRIVATE SUREFOOT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     # Tests may look at every stage's third-party types, to check against them.
     target_link_libraries(test_${folder} PRIVATE ${SUREFOOT_TEST_LIBRARIES} GTest::gtest_main
       nlohmann_json::nlohmann_json mujoco::mujoco yaml-cpp zstd::libzstd_shared)

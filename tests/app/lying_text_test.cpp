@@ -1,5 +1,7 @@
 #include "app/lying_text.hpp"
 
+#include "tests/support/source_file.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -10,7 +12,7 @@ namespace {
 
 TEST(LyingText, is_that_of_the_page) {
   const auto words =
-      nlohmann::json::parse(std::ifstream(SUREFOOT_SOURCE_DIR "/tests/support/lying_words.json"));
+      nlohmann::json::parse(std::ifstream(test::source_file("tests/support/lying_words.json")));
   for (const auto& one : words) {
     GroundTruth truth;
     truth.torso_contact = one.at(0) == 1;

@@ -3,6 +3,7 @@
 #include "app/event_finder.hpp"
 #include "app/view_tick.hpp"
 #include "surefoot/logging/message_codec.hpp"
+#include "tests/support/source_file.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 /// What the program, the page and films say of each cause and fault, and of one of LF_KFE.
 nlohmann::json table() {
-  return nlohmann::json::parse(std::ifstream(SUREFOOT_SOURCE_DIR "/tests/support/stop_words.json"));
+  return nlohmann::json::parse(std::ifstream(test::source_file("tests/support/stop_words.json")));
 }
 
 template <typename Value>

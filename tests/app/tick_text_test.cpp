@@ -4,6 +4,7 @@
 #include "app/hierarchy_status.hpp"
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/solver/solution.hpp"
+#include "tests/support/source_file.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -66,7 +67,7 @@ Value value_of(const auto& names, const nlohmann::json& name) {
 
 TEST(TickText, OfASolutionThatCommandsNothingTheSameIsSaidAsOnThePage) {
   const auto rows =
-      nlohmann::json::parse(std::ifstream(SUREFOOT_SOURCE_DIR "/tests/support/unused_words.json"));
+      nlohmann::json::parse(std::ifstream(test::source_file("tests/support/unused_words.json")));
   EXPECT_GE(rows.size(), 4u);
   for (const auto& row : rows) {
     TickExplanation explanation = unsolved();
