@@ -1,4 +1,4 @@
-"""Rows of the README's tables from the runs of campaigns, and the files of runs that they stand on.
+"""Rows of the tables in docs/results.md from the runs of campaigns, and the files of runs that they stand on.
 
     PYTHONPATH=python python3 tools/campaign_table.py results/blind/runs.csv [MORE.csv …]
     PYTHONPATH=python python3 tools/campaign_table.py --keep docs/results/blind.csv results/blind/runs.csv [MORE.csv …]
@@ -131,7 +131,7 @@ def success(runs):
 
 
 def cells(runs):
-    """What the README says of a scenario: successes, COM error, false touchdowns."""
+    """What docs/results.md says of a scenario: successes, COM error, false touchdowns."""
     touchdowns = counts(runs, "false_touchdowns", "steps_taken").replace(", ", " of ", 1)
     return [success(runs), spread(numbers(succeeded(runs), "com_error_max_m", 1e3)), touchdowns]
 

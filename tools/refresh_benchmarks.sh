@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures the solver again and writes all figures of docs/benchmarks.md: goals, tables and plot. Prints the README's
-# line about the solver. Leave the machine alone meanwhile.
+# Measures the solver again and writes all figures of docs/benchmarks.md: goals, tables and plot. Prints the line
+# of docs/results.md about the solver. Leave the machine alone meanwhile.
 #   bash tools/setup_benchmarks.sh          # once: the solvers to compare with
 #   bash tools/refresh_benchmarks.sh [OPTIONS OF benchmark_solver]
 set -euo pipefail

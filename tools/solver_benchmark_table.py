@@ -1,5 +1,5 @@
 """The figures of docs/benchmarks.md from `benchmark_solver --json FILE`: replaces what stands between its marks, and
-prints the README's line about the solver.
+prints the line of docs/results.md about the solver.
 
     tools/solver_benchmark_table.py build/solver.json build/growth.json docs/benchmarks.md
 """
@@ -113,7 +113,7 @@ def circumstances(families):
            f"{' or '.join(map(str, counts))} problems a family.")
 
 
-def readme(families):
+def results_line(families):
     m = Measured(families)
     medians, tails = ([m.in_q(f, key=key) for f in [*STRICT, WALK]] for key in ("median_us", "p99_us"))
 
@@ -125,7 +125,7 @@ def readme(families):
     daqp, paper = ([m.times_ours(f, names) for f in STRICT] for names in (is_daqp, is_paper))
     return (f"| any | the solver alone, `benchmark_solver`, warm on recorded walks: median, 99 %; right answers | | {span(medians, 2)}, "
             f"{span(tails, 1)} times a QR of 30 × 30; {right:g} %. DAQP hierarchical takes {span(daqp, 1)} times as long, the "
-            f"paper's QuadProg cascade {span(paper, 0)} times ([more](docs/benchmarks.md)) |")
+            f"paper's QuadProg cascade {span(paper, 0)} times ([more](benchmarks.md)) |")
 
 
 def write(text, mark, lines, document):
@@ -147,7 +147,7 @@ def main(results, growth, document):
     text = write(text, "measured", [*circumstances(families), *tables], document)
     if {*STRICT, WALK, *HARD} <= {family["family"] for family in families}:
         text = write(text, "goals", goals(families, points), document)
-        print("README:\n" + readme(families))
+        print("docs/results.md:\n" + results_line(families))
     with open(document, "w", encoding="utf-8") as file:
         file.write(text)
 
