@@ -123,7 +123,7 @@ def results_line(families):
 
     right = min(m.families[f][WARM]["right_percent"] for f in STRICT)
     daqp, paper = ([m.times_ours(f, names) for f in STRICT] for names in (is_daqp, is_paper))
-    return (f"| any | the solver alone, `benchmark_solver`, warm on recorded walks: median, 99 %; right answers | | {span(medians, 2)}, "
+    return (f"| any | the solver alone, `benchmark_solver`, warm on recorded walks: median, 99 %; right answers | {span(medians, 2)}, "
             f"{span(tails, 1)} times a QR of 30 × 30; {right:g} %. DAQP hierarchical takes {span(daqp, 1)} times as long, the "
             f"paper's QuadProg cascade {span(paper, 0)} times ([more](benchmarks.md)) |")
 

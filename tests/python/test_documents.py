@@ -128,7 +128,7 @@ def test_the_spec_that_campaigns_explains_is_one_that_runs(tmp_path):
 
 
 def kept_runs():
-    """Of the table of robots in docs/results.md that are wrong everywhere."""
+    """Of the tables of robots with model mismatch in docs/results.md."""
     sys.path.insert(0, str(ROOT / "tools"))
     try:
         import campaign_table
@@ -148,7 +148,7 @@ def rows_of(document, head):
 def test_what_the_documents_say_of_campaigns_stands_in_the_runs_that_are_kept():
     campaign_table, scenarios = kept_runs()
     succeeds = rows_of("docs/results.md", "| scenario | | succeed")
-    contacts = rows_of("docs/simulation.md", campaign_table.CONTACTS)
+    contacts = rows_of("docs/results.md", campaign_table.CONTACTS)
     assert len(succeeds) > 10 and len(contacts) > 10
     for scenario, (_, *cells) in succeeds:
         assert cells == campaign_table.cells(scenarios[scenario]), scenario
