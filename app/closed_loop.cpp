@@ -7,6 +7,7 @@
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/formatted.hpp"
 #include "surefoot/evaluation/evaluator.hpp"
+#include "surefoot/evaluation/torque_hash.hpp"
 #include "surefoot/evaluation/truth_log.hpp"
 #include "surefoot/logging/change_count.hpp"
 #include "surefoot/runtime/stage_timer.hpp"
@@ -111,6 +112,7 @@ class ClosedLoop {
     if (const std::optional<Ending> cut = steer()) return cut;
     const SensorReading& reading = plant_.read();
     const JointCommand& command = controller_.step(reading, user(reading.time));
+    torques_.add(command.torque);
     judge();
     const std::optional<Ending> ending = check_end(command);
     report_progress();
@@ -199,6 +201,7 @@ class ClosedLoop {
     result.metrics.succeeded = all_passed(result.criteria) && !result.safety_stop && !is_cut;
     result.events = events_.counts();
     result.troubles = troubles_.counts();
+    result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
     result.notes = run_notes(scenario_, controller_, plant_);
     if (options_.steering != nullptr) {
@@ -227,6 +230,7 @@ class ClosedLoop {
   Evaluator evaluator_;
   EventCounter events_;
   TroubleCounter troubles_;
+  TorqueHash torques_;
   StageTimer timer_;
   std::optional<Recorder> recorder_;
   std::optional<TruthLog> truth_log_;

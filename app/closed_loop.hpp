@@ -7,6 +7,7 @@
 #include "surefoot/evaluation/event_counter.hpp"
 #include "surefoot/evaluation/metrics.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -42,6 +43,7 @@ struct RunResult {
   std::vector<TroubleCount> troubles;  ///< with sensors and torques
   std::vector<RandomDraw> drawn;
   std::vector<std::string> notes;  ///< as run_notes() gives them
+  std::uint64_t torques_hash = 0;  ///< of all commanded torques, as TorqueHash makes it
   std::optional<int> changes;      ///< from outside, as its log has them; none: nobody could
 };
 

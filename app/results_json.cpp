@@ -176,6 +176,7 @@ Json run_json(const Scenario& scenario, const RunResult& result) {
   json["drawn"] = Json::object();
   for (const RandomDraw& draw : result.drawn) json["drawn"][draw.path] = draw.value;
   json["notes"] = result.notes;
+  json["torques_hash"] = hex(result.torques_hash);
   json["sources_hash"] = hex(scenario.sources_hash);
   return json;
 }

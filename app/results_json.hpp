@@ -11,8 +11,9 @@
 namespace surefoot {
 
 /// One run: every metric under its name, and beside them `scenario`, `stack`, `estimation`,
-/// `criteria`, `events` (each with leg, count and first time), `drawn` and `notes`; of a run that
-/// was watched live `changes_by_hand`, how many there were.
+/// `criteria`, `events` (each with leg, count and first time), `drawn`, `notes` and `torques_hash`,
+/// which is that of every run with the same torques; of a run that was watched live
+/// `changes_by_hand`, how many there were.
 [[nodiscard]] nlohmann::ordered_json run_json(const Scenario& scenario, const RunResult& result);
 
 /// What a run of the scenario would be made from: scenario, version and commit of the program,
