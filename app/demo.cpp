@@ -12,6 +12,7 @@
 #include "app/seed_runs.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/write_lock.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -107,7 +108,6 @@ struct Trial {
 
 /// Also makes room for them: what an interrupted demo leaves behind must not look like results.
 std::vector<Trial> plan_all(const DemoArguments& arguments, const fs::path& out) {
-  prepare_folder(out);
   for (const char* result : {"index.html", "results.json"}) fs::remove(out / result);
   std::vector<Trial> trials;
   for (const Experiment& experiment : experiments()) {
@@ -208,6 +208,8 @@ int demo_command(const DemoArguments& arguments) {
                trials.size(), std::accumulate(trials.begin(), trials.end(), 0, count),
                arguments.jobs, out.c_str());
   run_with_progress(trials, arguments.jobs);
+  prepare_folder(out);
+  const WriteLock mine(out.string(), out.string());
   drop_unfinished(trials);
   if (trials.empty()) {
     if (is_new) remove_if_empty(out);

@@ -5,6 +5,7 @@
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
+#include "app/log_commands.hpp"
 #include "app/pictures.hpp"
 #include "app/program_log.hpp"
 #include "app/program_view.hpp"
@@ -219,6 +220,7 @@ void add_report(CLI::App& app, Command& chosen) {
   });
 }
 
+      tell_partial_beside(*log);
 void add_solve(CLI::App& app, Command& chosen) {
   CLI::App* solve = app.add_subcommand("solve", "Solve task hierarchies, one JSON object a line");
   solve->footer(kSolveFooter);

@@ -16,6 +16,7 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
 
+#include "surefoot/logging/write_lock.hpp"
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -54,7 +55,6 @@ class LogPlace {
 /// What can't be written is told before the run, not after it; what is wrong with the scenario
 /// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
-  if (!arguments.report.empty()) prepare_folder(arguments.report);
   if (!arguments.record.empty()) check_writable_file(arguments.record);
   if (arguments.video.empty()) return;
   check_can_film(arguments.video);
@@ -67,11 +67,15 @@ void remove_outdated_of(const RunArguments& arguments, const PlannedRun& run) {
   remove_outdated(run.report, arguments.record.empty() ? run.log : std::filesystem::path());
 }
 
-/// Leaves no folder behind that this call made for nothing.
+/// This call's alone, while it writes there. Leaves no folder behind that it made for nothing.
 class ReportFolder {
  public:
   explicit ReportFolder(std::filesystem::path folder)
-      : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {}
+      : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {
+    if (folder_.empty()) return;
+    prepare_folder(folder_);
+    lock_.emplace(folder_.string(), folder_.string());
+  }
   ~ReportFolder() {
     if (is_new_) remove_if_empty(folder_);
   }
@@ -82,6 +86,7 @@ class ReportFolder {
   std::filesystem::path folder_;
   bool is_new_;
 };
+  std::optional<WriteLock> lock_;
 
 [[noreturn]] void report_interrupt(const std::string& log) {
   throw Error("interrupted: no results" +
@@ -234,7 +239,10 @@ int run_seeds(const RunArguments& arguments) {
   check_setup(scenario);
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
-  for (const PlannedRun& run : runs) remove_outdated_of(arguments, run);
+  for (const PlannedRun& run : runs) {
+    if (!run.log.empty()) check_not_being_written(run.log);
+    remove_outdated_of(arguments, run);
+  }
   tell_notes(scenario);
   std::vector<Json> rows;
   {
