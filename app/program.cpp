@@ -175,8 +175,8 @@ void add_run(CLI::App& app, Command& chosen) {
       ->check(whole_number(1));
   run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
   run->add_option("--set", arguments->assignments,
-                  "path.to.key=value …: change keys of the scenario. Several behind one --set, or "
-                  "each with its own; the scenario's name stands before it")
+                  "path.to.key=value …: change keys of the scenario; none takes one away. Several "
+                  "behind one --set, or each with its own; the scenario's name stands before it")
       ->take_all()
       ->expected(1);
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)")
