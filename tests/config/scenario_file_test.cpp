@@ -166,7 +166,12 @@ TEST_F(ScenarioFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"walk_flt", 0, {}}); }),
                     "unknown scenario \"walk_flt\"; did you mean \"walk_flat\"?"));
   EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"nowhere/walk.yaml", 0, {}}); }),
-                    "there is no file \"nowhere/walk.yaml\""));
+                    "there is no file \"nowhere/walk.yaml\" in " +
+                        std::filesystem::current_path().string() + " or "));
+  const std::string beside = complaint("stack: mine.yaml\n");
+  EXPECT_TRUE(holds(beside, "there is no file \"mine.yaml\" in ")) << beside;
+  EXPECT_TRUE(holds(beside, ", " + folder_.path() + " or ")) << beside;
+  EXPECT_TRUE(holds(beside, "/stacks; ")) << beside;
 }
 
 TEST_F(ScenarioFile, whose_bases_lead_to_each_other_ends_in_an_error) {
