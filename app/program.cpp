@@ -155,6 +155,9 @@ Examples:
 }
 
 /// An empty name would count as none.
+// Each seed has a row of its results in memory, each job a process.
+constexpr int kMostSeeds = 1'000'000, kMostJobs = 1000;
+
 CLI::Validator some_name() {
   return CLI::Validator(
       [](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, "");
@@ -172,8 +175,9 @@ void add_run(CLI::App& app, Command& chosen) {
                       "; 0 (default): nothing is randomised but the noise")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
-      ->check(whole_number(1));
-  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
+      ->check(whole_number(1, kMostSeeds));
+  run->add_option("--jobs", arguments->jobs, "Processes at once")
+      ->check(whole_number(1, kMostJobs));
   run->add_option("--set", arguments->assignments,
                   "path.to.key=value …: change keys of the scenario; none takes one away. Several "
                   "behind one --set, or each with its own; the scenario's name stands before it")
@@ -188,7 +192,8 @@ void add_run(CLI::App& app, Command& chosen) {
                   "Film the run into this file (MP4), as `surefoot video` does of its log")
       ->check(some_name());
   run->add_flag("--check", arguments->check,
-                "Read the scenario, stand the robot up and say what is wrong; no run");
+                "Read the scenario, stand the robot up and say what is wrong, and what a run would "
+                "take; no run");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
@@ -293,10 +298,10 @@ void add_demo(CLI::App& app, Command& chosen) {
   demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default")
       ->check(some_name());
   demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
-      ->check(whole_number(1))
+      ->check(whole_number(1, kMostSeeds))
       ->capture_default_str();
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
-      ->check(whole_number(1))
+      ->check(whole_number(1, kMostJobs))
       ->capture_default_str();
   demo->add_flag("--no-pictures", arguments->no_pictures,
                  "Leave strip and clip out of the reports, which take seconds each");

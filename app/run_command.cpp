@@ -9,14 +9,15 @@
 #include "app/progress.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
+#include "app/run_cost.hpp"
 #include "app/scratch_folder.hpp"
 #include "app/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
-
 #include "surefoot/logging/write_lock.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -85,8 +86,8 @@ class ReportFolder {
  private:
   std::filesystem::path folder_;
   bool is_new_;
-};
   std::optional<WriteLock> lock_;
+};
 
 [[noreturn]] void report_interrupt(const std::string& log) {
   throw Error("interrupted: no results" +
@@ -192,9 +193,15 @@ int check_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
-  check_setup(scenario);
+  const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
-  print(arguments, check_json(scenario), scenario.name + ": nothing is wrong with it\n");
+  Json json = check_json(scenario);
+  json["cost"] = {{"ticks", cost.ticks},
+                  {"wall_time_s", cost.wall_seconds},
+                  {"memory_bytes", cost.memory},
+                  {"log_bytes", cost.log}};
+  print(arguments, json,
+        scenario.name + ": nothing is wrong with it; a run is " + cost_text(cost) + "\n");
   return kPassed;
 }
 

@@ -268,11 +268,6 @@ TEST_F(ScenarioFile, refuses_to_take_away_a_range_that_is_not_there) {
   EXPECT_EQ(std::ranges::count(included.drawn, "disturbances.payload.mass", &RandomDraw::path), 0);
 }
 
-TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {
-  EXPECT_TRUE(holds(complaint("", {"planner.swing.hip_height_min=0.5"}),
-                    "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"));
-}
-
 TEST_F(ScenarioFile, takes_none_for_nothing_and_for_a_choice_of_that_name) {
   EXPECT_TRUE(std::isnan(read("goal: {feet_beyond_x: 1}\n", 0, {"goal=none"}).goal.feet_beyond_x));
   EXPECT_EQ(read("", 1, {"randomise.initial.yaw=none"}).drawn.size(), 1u);
@@ -286,6 +281,11 @@ TEST_F(ScenarioFile, that_could_not_end_or_would_fill_the_memory_is_refused) {
   EXPECT_TRUE(holds(
       complaint("terrain: {elements: {stairs: {shape: steps, height: 0.1, count: 2000000000}}}\n"),
       "terrain.elements.stairs.count: \"2000000000\" is more than 1000"));
+}
+
+TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {
+  EXPECT_TRUE(holds(complaint("", {"planner.swing.hip_height_min=0.5"}),
+                    "planner.swing: hip_height_min is 0.5 m; it must be below stance.height"));
 }
 
 TEST_F(ScenarioFile, refuses_a_switch_of_sides_shorter_than_its_ramps) {

@@ -268,6 +268,19 @@ def test_a_seed_that_is_too_large_is_told_with_the_largest(command):
     assert answer("run", "walk_flat", "--check", "--seed", "999999999")
 
 
+def test_a_check_says_what_a_run_would_take():
+    cost = of_json("run", "walk_flat", "--check", "--set", "duration=86400")["cost"]
+    assert cost["ticks"] == 86400 * 400
+    assert 100 < cost["wall_time_s"] and cost["log_bytes"] > cost["memory_bytes"] > 1e8
+    assert re.search(r"a run is at most 34560000 ticks: about \d+ (min|h|days) here, and 100 GB of log with --record$",
+                     answer("run", "walk_flat", "--check", "--set", "duration=86400").strip())  # fmt: skip
+
+
+def test_more_seeds_or_jobs_than_a_machine_can_hold_are_refused():
+    assert "from 1 to 1000000" in complaint("run", "walk_flat", "--seeds", "2000000")
+    assert "from 1 to 1000" in complaint("run", "walk_flat", "--seeds", "2", "--jobs", "1000000")
+
+
 def test_seeds_that_would_end_beyond_the_largest_are_refused_before_any_runs():
     said = complaint("run", "walk_flat", "--seed", "999999999", "--seeds", "2", *SHORT)
     assert "--seeds: 2 from seed 999999999 on end at 1000000000, which is above 999999999, the largest seed" in said
