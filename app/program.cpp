@@ -54,7 +54,8 @@ The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖
 "instructions" is the set that the solver's kernels use on this processor; the cascade has none.
 "line" is the number of the line in the file: one that is wrong has no answer, only its error.
 Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows,
-and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound; "A_ids" and "D_ids" are the
+and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound, and a row with none at
+all is switched off; "A_ids" and "D_ids" are the
 numbers by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its
 bounds: residuals, costs and proofs are of the weighted row, and of what it misses --explain tells the
 weight. A level's "damping" d adds the rows d E (x - x_ref) = 0, E an orthonormal basis of its rows'
@@ -154,10 +155,10 @@ Examples:
 )";
 }
 
-/// An empty name would count as none.
 // Each seed has a row of its results in memory, each job a process.
 constexpr int kMostSeeds = 1'000'000, kMostJobs = 1000;
 
+/// An empty name would count as none.
 CLI::Validator some_name() {
   return CLI::Validator(
       [](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, "");
@@ -219,13 +220,13 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required()->check(some_name());
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
+      tell_partial_beside(*log);
       std::cout << write_illustrated_report(*log, *folder, tell_pictures_come) << "\n";
       return static_cast<int>(kPassed);
     };
   });
 }
 
-      tell_partial_beside(*log);
 void add_solve(CLI::App& app, Command& chosen) {
   CLI::App* solve = app.add_subcommand("solve", "Solve task hierarchies, one JSON object a line");
   solve->footer(kSolveFooter);
