@@ -88,6 +88,19 @@ class ClosedLoop {
     return finish(ending.value_or(Ending::finished), wall.count());
   }
 
+  double measure_tick() {
+    constexpr int kTicks = 100;
+    constexpr double kLongest = 0.3;  // [s]
+    const auto start = std::chrono::steady_clock::now();
+    std::chrono::duration<double> passed{};
+    int ticks = 0;
+    for (bool ends = false; !ends && ticks < kTicks && passed.count() < kLongest; ++ticks) {
+      ends = step().has_value();
+      passed = std::chrono::steady_clock::now() - start;
+    }
+    return passed.count() / ticks;
+  }
+
  private:
   EvaluatorOptions evaluator_options() const {
     return {.control_period = scenario_.controller.period,
@@ -249,5 +262,9 @@ RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& opt
 }
 
 void check_setup(const Scenario& scenario) { const ClosedLoop made(scenario, ClosedLoopOptions{}); }
+
+double measure_tick(const Scenario& scenario) {
+  return ClosedLoop(scenario, ClosedLoopOptions{}).measure_tick();
+}
 
 }  // namespace surefoot

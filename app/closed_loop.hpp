@@ -56,4 +56,8 @@ struct RunResult {
 /// scenario.
 void check_setup(const Scenario& scenario);
 
+/// Wall clock that a tick of the run takes here, in the mean of the first [s]. Throws Error as
+/// `check_setup` does.
+[[nodiscard]] double measure_tick(const Scenario& scenario);
+
 }  // namespace surefoot

@@ -12,6 +12,7 @@
 #include "app/seed_runs.hpp"
 #include "surefoot/base/build_info.hpp"
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/write_lock.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -100,18 +101,19 @@ DemoRow summarise(const Experiment& experiment, const Scenario& scenario,
 struct Trial {
   Experiment experiment;
   std::vector<PlannedRun> runs;
-  std::vector<Json> rows;
+  double duration = 0.0;  ///< of each at most, simulated [s]
+  std::vector<Json> rows = {};
 
   [[nodiscard]] bool is_whole() const { return std::ranges::all_of(rows, surefoot::is_whole); }
 };
 
 /// Also makes room for them: what an interrupted demo leaves behind must not look like results.
 std::vector<Trial> plan_all(const DemoArguments& arguments, const fs::path& out) {
-  prepare_folder(out);
   for (const char* result : {"index.html", "results.json"}) fs::remove(out / result);
   std::vector<Trial> trials;
   for (const Experiment& experiment : experiments()) {
-    trials.push_back({experiment, plan(experiment, arguments, out), {}});
+    trials.push_back({experiment, plan(experiment, arguments, out)});
+    trials.back().duration = load_scenario(trials.back().runs.front().request).duration;
     prepare_folder(out / experiment.name);
     remove_outdated(trials.back().runs.front().report, trials.back().runs.front().log);
   }
@@ -120,11 +122,17 @@ std::vector<Trial> plan_all(const DemoArguments& arguments, const fs::path& out)
 
 void run_with_progress(std::vector<Trial>& trials, int jobs) {
   std::vector<PlannedRun> runs;
-  for (const Trial& trial : trials) std::ranges::copy(trial.runs, std::back_inserter(runs));
+  std::vector<double> durations;
+  for (const Trial& trial : trials) {
+    std::ranges::copy(trial.runs, std::back_inserter(runs));
+    durations.insert(durations.end(), trial.runs.size(), trial.duration);
+  }
+  const double all = std::reduce(durations.begin(), durations.end());
   Progress progress("experiments", static_cast<double>(runs.size()), "runs");
-  double done = 0.0;
+  double done = 0.0, simulated = 0.0;
   const std::vector<Json> rows = run_all(runs, jobs, [&](std::size_t number, const Json& row) {
-    progress.update(++done);
+    simulated += durations[number];
+    progress.update(++done, simulated / all);
     if (!runs[number].report.empty() && is_whole(row)) {
       progress.say(runs[number].report.filename().string() + ": " + row.value("reason", ""));
     }
@@ -200,6 +208,8 @@ int demo_command(const DemoArguments& arguments) {
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);
   const bool is_new = !fs::exists(out);
+  prepare_folder(out);
+  const WriteLock mine(out.string(), out.string());
   std::vector<Trial> trials = plan_all(arguments, out);
   const auto count = [](int sum, const Trial& trial) {
     return sum + static_cast<int>(trial.runs.size());

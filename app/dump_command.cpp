@@ -3,19 +3,19 @@
 #include "app/exit_code.hpp"
 #include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
+#include "app/log_commands.hpp"
 #include "app/log_replay.hpp"
 #include "app/output_files.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/hierarchy_json.hpp"
 #include "surefoot/config/scenario_file.hpp"
-#include "surefoot/logging/recorder.hpp"
+#include "surefoot/logging/whole_file.hpp"
 #include "surefoot/simulation/make_estimator.hpp"
 #include "surefoot/simulation/plant.hpp"
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <sstream>
 
@@ -155,18 +155,9 @@ void write(const DumpArguments& arguments, bool log, std::ostream& out, std::ost
 void write_to_file(const DumpArguments& arguments, bool log, std::ostream& err) {
   check_not_the_input(arguments.out, arguments.source);
   check_writable_file(arguments.out);
-  const std::string partial = partial_path(arguments.out);
-  try {
-    std::ofstream file(partial, std::ios::binary);
-    write(arguments, log, file, err);
-    if (!file.flush()) throw FileError(arguments.out + ": can't be written; check the space there");
-    file.close();
-    fs::rename(partial, arguments.out);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    throw;
-  }
+  WholeFile file(arguments.out);
+  write(arguments, log, file.stream(), err);
+  file.finish();
 }
 
 }  // namespace
@@ -175,6 +166,7 @@ int run_dump(const DumpArguments& arguments, std::ostream& out, std::ostream& er
   const bool log = is_log(arguments.source);
   check(arguments, log);
   watch_for_interrupt();
+  if (log) tell_partial_beside(arguments.source);
   if (arguments.out.empty()) {
     write(arguments, log, out, err);
   } else {

@@ -7,14 +7,25 @@
 #include "app/tick_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
+#include "surefoot/logging/partial_log.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <ostream>
 
 namespace surefoot {
 
+void tell_partial_beside(const std::string& log) {
+  const std::string partial = partial_beside(log);
+  if (partial.empty() || !std::filesystem::exists(log)) return;
+  std::fprintf(stderr, "surefoot: note: %s is of a later run, which goes on or was cut off\n",
+               printable(partial).c_str());
+}
+
 int run_explain(const ExplainArguments& arguments, std::ostream& out) {
   if (!std::isfinite(arguments.at)) throw Error("--at is not a time; a number of seconds is valid");
+  tell_partial_beside(arguments.log);
   TickExplanation explanation = read_tick(arguments.log, arguments.at);
   {
     const Waiting waiting("computing " + arguments.log + " again up to the tick");
@@ -29,6 +40,7 @@ int run_explain(const ExplainArguments& arguments, std::ostream& out) {
 }
 
 int run_info(const InfoArguments& arguments, std::ostream& out) {
+  tell_partial_beside(arguments.log);
   const LogContents contents = read_contents(arguments.log);
   if (arguments.json) {
     out << printable(contents_json(arguments.log, contents).dump()) << std::endl;

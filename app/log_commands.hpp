@@ -5,6 +5,10 @@
 
 namespace surefoot {
 
+/// Says on stderr where the log of a later run, which goes on or was cut off, lies beside one that
+/// is asked for.
+void tell_partial_beside(const std::string& log);
+
 /// `surefoot explain`, as typed.
 struct ExplainArguments {
   std::string log;

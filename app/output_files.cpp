@@ -2,6 +2,8 @@
 
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/recorder.hpp"
+#include "surefoot/logging/whole_file.hpp"
+#include "surefoot/logging/write_lock.hpp"
 
 #include <unistd.h>
 
@@ -56,12 +58,15 @@ void check_writable_file(const fs::path& file) {
 
 void check_not_the_input(const fs::path& output, const fs::path& input) {
   std::error_code none_yet;
-  for (const fs::path& written : {output, fs::path(partial_path(output.string()))}) {
-    if (!fs::equivalent(written, input, none_yet)) continue;
-    const char* what = written == output ? "is the log itself" : "is made by way of the log itself";
-    throw FileError(output.string() + ": " + what +
-                    ", which would be lost; another name would be valid");
-  }
+  if (!fs::equivalent(output, input, none_yet)) return;
+  throw FileError(output.string() +
+                  ": is the log itself, which would be lost; another name would be valid");
+}
+
+void check_not_being_written(const fs::path& log) {
+  const fs::path partial = partial_path(log.string());
+  std::error_code ignored;
+  if (fs::exists(partial, ignored)) const WriteLock nobody_else(partial.string(), log.string());
 }
 
 void prepare_folder(const fs::path& folder) {
@@ -74,6 +79,7 @@ void prepare_folder(const fs::path& folder) {
 void remove_outdated(const fs::path& report_folder, const fs::path& log) {
   remove_file(report_folder / "index.html");
   if (log.empty()) return;
+  check_not_being_written(log);
   remove_file(log);
   remove_file(partial_path(log.string()));
 }
@@ -100,11 +106,9 @@ fs::path next_free_log(const fs::path& log) {
 }
 
 void write_file(const fs::path& file, const std::string& text) {
-  const fs::path partial = file.string() + ".partial";
-  if (!(std::ofstream(partial, std::ios::binary) << text).flush()) {
-    throw FileError(file.string() + ": can't be written: " + reason());
-  }
-  fs::rename(partial, file);
+  WholeFile whole(file.string());
+  whole.stream() << text;
+  whole.finish();
 }
 
 }  // namespace surefoot

@@ -10,8 +10,10 @@ namespace surefoot {
 /// behind.
 void check_writable_file(const std::filesystem::path& file);
 
-/// Throws FileError if both are the same file, or the input has the name under which the output is
-/// written first: it would be lost.
+/// Throws FileError, naming the process, while another run records to this log.
+void check_not_being_written(const std::filesystem::path& log);
+
+/// Throws FileError if both are the same file: the input would be lost.
 void check_not_the_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
 /// Makes the folder if there is none. Throws FileError, with the reason, if files could not be
@@ -19,7 +21,8 @@ void check_not_the_input(const std::filesystem::path& output, const std::filesys
 void prepare_folder(const std::filesystem::path& folder);
 
 /// Removes the page of a report folder, and a log with what a crash left of it, so that an earlier
-/// run's never lie beside what the next one leaves. A log without a name stays. Throws FileError.
+/// run's never lie beside what the next one leaves. A log without a name stays. Throws FileError,
+/// also where another run records to the log.
 void remove_outdated(const std::filesystem::path& report_folder, const std::filesystem::path& log);
 
 /// Removes the folder if nothing is in it.
@@ -33,8 +36,7 @@ void remove_if_empty(const std::filesystem::path& folder);
 /// cut off.
 [[nodiscard]] std::filesystem::path next_free_log(const std::filesystem::path& log);
 
-/// Writes a file whole: under another name first, so that nothing partial ever has its name. Throws
-/// FileError.
+/// Writes a file whole (WholeFile). Throws FileError.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 #include "app/exit_code.hpp"
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
+#include "app/log_commands.hpp"
 #include "app/pictures.hpp"
 #include "app/program_log.hpp"
 #include "app/program_view.hpp"
@@ -53,7 +54,8 @@ The answer to a line, residual = √(‖A x − b‖² + ‖max(0, D x − f)‖
 "instructions" is the set that the solver's kernels use on this processor; the cascade has none.
 "line" is the number of the line in the file: one that is wrong has no answer, only its error.
 Levels may have a "name" and a "unit", their rows "A_names" and "D_names", which --explain shows,
-and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound; "A_ids" and "D_ids" are the
+and D a "lower" beside f or alone: lower ≤ D x ≤ f, where null is no bound, and a row with none at
+all is switched off; "A_ids" and "D_ids" are the
 numbers by which `surefoot dump` knows rows. "A_weights" and "D_weights" multiply each row and its
 bounds: residuals, costs and proofs are of the weighted row, and of what it misses --explain tells the
 weight. A level's "damping" d adds the rows d E (x - x_ref) = 0, E an orthonormal basis of its rows'
@@ -153,6 +155,9 @@ Examples:
 )";
 }
 
+// Each seed has a row of its results in memory, each job a process.
+constexpr int kMostSeeds = 1'000'000, kMostJobs = 1000;
+
 /// An empty name would count as none.
 CLI::Validator some_name() {
   return CLI::Validator(
@@ -171,11 +176,12 @@ void add_run(CLI::App& app, Command& chosen) {
                       "; 0 (default): nothing is randomised but the noise")
       ->check(seed_number());
   run->add_option("--seeds", arguments->seeds, "Run this many seeds, from --seed (default 1) on")
-      ->check(whole_number(1));
-  run->add_option("--jobs", arguments->jobs, "Processes at once")->check(whole_number(1));
+      ->check(whole_number(1, kMostSeeds));
+  run->add_option("--jobs", arguments->jobs, "Processes at once")
+      ->check(whole_number(1, kMostJobs));
   run->add_option("--set", arguments->assignments,
-                  "path.to.key=value …: change keys of the scenario. Several behind one --set, or "
-                  "each with its own; the scenario's name stands before it")
+                  "path.to.key=value …: change keys of the scenario; none takes one away. Several "
+                  "behind one --set, or each with its own; the scenario's name stands before it")
       ->take_all()
       ->expected(1);
   run->add_option("--record", arguments->record, "Write the log to this file (MCAP)")
@@ -187,7 +193,8 @@ void add_run(CLI::App& app, Command& chosen) {
                   "Film the run into this file (MP4), as `surefoot video` does of its log")
       ->check(some_name());
   run->add_flag("--check", arguments->check,
-                "Read the scenario, stand the robot up and say what is wrong; no run");
+                "Read the scenario, stand the robot up and say what is wrong, and what a run would "
+                "take; no run");
   run->add_flag("--json", arguments->json, "Print one JSON object instead of a table");
   add_view(*run, arguments->view);
   run->callback([&chosen, arguments] { chosen = [arguments] { return run_command(*arguments); }; });
@@ -213,6 +220,7 @@ void add_report(CLI::App& app, Command& chosen) {
   report->add_option("--out", *folder, "Folder to write into")->required()->check(some_name());
   report->callback([&chosen, log, folder] {
     chosen = [log, folder] {
+      tell_partial_beside(*log);
       std::cout << write_illustrated_report(*log, *folder, tell_pictures_come) << "\n";
       return static_cast<int>(kPassed);
     };
@@ -291,10 +299,10 @@ void add_demo(CLI::App& app, Command& chosen) {
   demo->add_option("--out", arguments->out, "Folder for the reports; build/demo by default")
       ->check(some_name());
   demo->add_option("--seeds", arguments->seeds, "Seeds of each random experiment")
-      ->check(whole_number(1))
+      ->check(whole_number(1, kMostSeeds))
       ->capture_default_str();
   demo->add_option("--jobs", arguments->jobs, "Processes at once")
-      ->check(whole_number(1))
+      ->check(whole_number(1, kMostJobs))
       ->capture_default_str();
   demo->add_flag("--no-pictures", arguments->no_pictures,
                  "Leave strip and clip out of the reports, which take seconds each");

@@ -1,5 +1,6 @@
 #include "app/progress.hpp"
 
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/base/printable.hpp"
 
 #include <unistd.h>
@@ -38,17 +39,36 @@ void count_seconds(const std::stop_token& stop, const std::string& label,
 
 }  // namespace
 
+std::string duration_text(double seconds) {
+  constexpr double kMinute = 60.0, kHour = 3600.0, kDay = 86400.0;
+  if (seconds < 1.5 * kMinute) return formatted("%.0f s", seconds);
+  if (seconds < 1.5 * kHour) return formatted("%.0f min", seconds / kMinute);
+  if (seconds < 2.0 * kDay) return formatted("%.0f h", seconds / kHour);
+  return formatted("%.0f days", seconds / kDay);
+}
+
+std::string time_left(double seconds, double share) {
+  constexpr double kEarly = 2.0, kShort = 60.0, kLittle = 0.05;  // [s], [s] and a share
+  const bool is_known = seconds >= kEarly && share >= kLittle && share < 1.0;
+  if (!is_known || seconds / share < kShort) return "";
+  return ", about " + duration_text(seconds * (1.0 - share) / share) + " left";
+}
+
 Progress::Progress(std::string label, double total, std::string unit)
     : label_(printable(label)),
       unit_(std::move(unit)),
       total_(total),
       terminal_(is_terminal()),
-      last_(Clock::now()) {}
+      begin_(Clock::now()),
+      last_(begin_) {}
 
 Progress::~Progress() { wipe(); }
 
-void Progress::update(double done) {
+void Progress::update(double done) { update(done, done / total_); }
+
+void Progress::update(double done, double share) {
   done_ = done;
+  share_ = share;
   const Clock::time_point now = Clock::now();
   if (terminal_ ? now - last_ < kRedraw : now - last_ < kNextLine) return;
   last_ = now;
@@ -62,15 +82,18 @@ void Progress::say(const std::string& line) {
 }
 
 void Progress::draw() const {
+  const std::string left =
+      time_left(std::chrono::duration<double>(Clock::now() - begin_).count(), share_);
   if (!terminal_) {
-    std::fprintf(stderr, "%s: %.4g of %.4g %s\n", label_.c_str(), done_, total_, unit_.c_str());
+    std::fprintf(stderr, "%s: %.4g of %.4g %s%s\n", label_.c_str(), done_, total_, unit_.c_str(),
+                 left.c_str());
     return;
   }
   const int filled = static_cast<int>(kWidth * std::clamp(done_ / total_, 0.0, 1.0));
   std::string bar;
   for (int i = 0; i < kWidth; ++i) bar += i < filled ? "█" : "░";
-  std::fprintf(stderr, "\r\033[K%s %s %.4g of %.4g %s", label_.c_str(), bar.c_str(), done_, total_,
-               unit_.c_str());
+  std::fprintf(stderr, "\r\033[K%s %s %.4g of %.4g %s%s", label_.c_str(), bar.c_str(), done_,
+               total_, unit_.c_str(), left.c_str());
 }
 
 void Progress::wipe() const {

@@ -6,7 +6,15 @@
 
 namespace surefoot {
 
-/// Progress on stderr: a bar where that is a terminal, otherwise a line now and then.
+/// "85 s", "3 min", "5 h", "12 days".
+[[nodiscard]] std::string duration_text(double seconds);
+
+/// ", about 3 min left" of work of which a share from 0 to 1 took so many seconds. Empty where it
+/// is too early to tell, or where all of it takes less than a minute.
+[[nodiscard]] std::string time_left(double seconds, double share);
+
+/// Progress on stderr: a bar where that is a terminal, otherwise a line now and then; of what takes
+/// longer than a minute with the time that is left.
 class Progress {
  public:
   /// `total` in the unit that `update` counts in.
@@ -17,6 +25,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void update(double done);
+  /// `share` of the work that is done, from 0 to 1, where `done` does not tell it.
+  void update(double done, double share);
   /// A line of its own, above the bar.
   void say(const std::string& line);
 
@@ -27,9 +37,9 @@ class Progress {
   void wipe() const;
 
   std::string label_, unit_;
-  double total_, done_ = 0.0;
+  double total_, done_ = 0.0, share_ = 0.0;
   bool terminal_;
-  Clock::time_point last_;
+  Clock::time_point begin_, last_;
 };
 
 /// Says on stderr, while it lives, that something goes on of which nobody knows how far it is: a

@@ -4,26 +4,23 @@
 #include "app/exit_code.hpp"
 #include "app/hierarchy_status.hpp"
 #include "app/interrupt.hpp"
+#include "app/log_commands.hpp"
 #include "app/log_server.hpp"
 #include "app/output_files.hpp"
 #include "app/replay_text.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/logging/log_reader.hpp"
-#include "surefoot/logging/recorder.hpp"
+#include "surefoot/logging/whole_file.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <ostream>
 
 namespace surefoot {
 namespace {
-
-namespace fs = std::filesystem;
 
 void check(const ReplayArguments& arguments) {
   if (arguments.verify && !arguments.stack.empty())
@@ -48,13 +45,7 @@ std::string shortest(double value) {
 /// called, with units; those of the other hierarchy behind "other.".
 class TickTable {
  public:
-  explicit TickTable(const std::string& path) : path_(path), file_(partial_path(path)) {}
-  ~TickTable() {
-    std::error_code ignored;
-    fs::remove(partial_path(path_), ignored);
-  }
-  TickTable(const TickTable&) = delete;
-  TickTable& operator=(const TickTable&) = delete;
+  explicit TickTable(const std::string& path) : whole_(path), file_(whole_.stream()) {}
 
   /// `other` is null where it was not asked.
   void add(const LogHeader& header, const TickRecord& logged, const StackAnswer* other,
@@ -78,11 +69,7 @@ class TickTable {
     file_ << '\n';
   }
 
-  void close() {
-    if (!file_.flush()) throw FileError(path_ + ": can't be written; check the space there");
-    file_.close();
-    fs::rename(partial_path(path_), path_);
-  }
+  void close() { whole_.finish(); }
 
  private:
   void write_head(const LogHeader& header, const std::vector<OtherLevel>& other_levels) {
@@ -119,8 +106,8 @@ class TickTable {
     if (!std::isnan(value)) file_ << shortest(value);
   }
 
-  std::string path_;
-  std::ofstream file_;
+  WholeFile whole_;
+  std::ostream& file_;
   bool has_head_ = false;
 };
 
@@ -156,6 +143,7 @@ StackComparison compare(const ReplayArguments& arguments) {
 int run_replay(const ReplayArguments& arguments, std::ostream& out) {
   check(arguments);
   watch_for_interrupt();
+  tell_partial_beside(arguments.log);
   if (!arguments.verify && arguments.stack.empty()) {
     serve_log(arguments.log, arguments.view);
     return kPassed;

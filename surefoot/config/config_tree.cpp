@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -30,7 +31,7 @@ class Converter {
     if (depth > kMaxDepth) {
       throw FileError(node.where + ": nested deeper than " + std::to_string(kMaxDepth) + " levels");
     }
-    if (yaml.IsScalar()) {
+    if (yaml.IsScalar() && !is_nothing(yaml)) {
       node.kind = ConfigNode::Kind::scalar;
       node.text = yaml.Scalar();
     } else if (yaml.IsSequence()) {
@@ -48,6 +49,11 @@ class Converter {
   }
 
  private:
+  /// Where a shell would read ~ otherwise. In quotes it is a text.
+  static bool is_nothing(const YAML::Node& scalar) {
+    return scalar.Tag() == "?" && scalar.Scalar() == "none";
+  }
+
   void add_member(ConfigNode& map, const YAML::Node& key, const YAML::Node& value,
                   int depth) const {
     if (!key.IsScalar()) throw FileError(place(key.Mark()) + ": a key must be a plain word");
@@ -146,6 +152,15 @@ void take_off_ranges_below(ConfigNode& tree, const std::string& path) {
   }
 }
 
+/// A shell reads a ~ that is not quoted before we do.
+void check_not_home(const std::string& assignment) {
+  const char* home = std::getenv("HOME");
+  const std::string value = assignment.substr(equals_sign(assignment) + 1);
+  if (home == nullptr || value.empty() || value != home) return;
+  throw Error("--set " + assignment + ": this is your home folder, which the shell makes of ~; " +
+              "valid is " + assigned_path(assignment) + "=none");
+}
+
 void set_places(ConfigNode& node, const std::string& where) {
   node.where = where;
   for (ConfigNode& entry : node.items) set_places(entry, where);
@@ -222,6 +237,7 @@ std::string assigned_path(const std::string& assignment) {
 
 void apply_assignment(ConfigNode& tree, const std::string& assignment) {
   const std::string where = "--set " + assignment;
+  check_not_home(assignment);
   ConfigNode value = parse_yaml(assignment.substr(equals_sign(assignment) + 1), where);
   set_places(value, where);
   const std::string path = assigned_path(assignment);

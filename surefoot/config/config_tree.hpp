@@ -26,7 +26,8 @@ struct ConfigNode {
   [[nodiscard]] ConfigNode* find(std::string_view key);
 };
 
-/// Reads YAML text: one document of maps, lists and scalars; `name` stands for the file in errors.
+/// Reads YAML text: one document of maps, lists and scalars, of which `none` is nothing, as ~ is;
+/// `name` stands for the file in errors.
 /// Throws FileError on what is not YAML, and on a key that is given twice.
 [[nodiscard]] ConfigNode parse_yaml(const std::string& text, const std::string& name);
 
@@ -47,7 +48,8 @@ void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
 /// An overlay from the command line, "path.to.key=value": the value is read as YAML.
 /// No value takes off an element of the terrain, a push or a fault, and what would be drawn of it.
-/// Throws Error if it has another form, and if there is nothing to take off.
+/// Throws Error if it has another form, if there is nothing to take off, and where the value is the
+/// home folder: a shell makes it of ~.
 void apply_assignment(ConfigNode& tree, const std::string& assignment);
 
 /// The path of an assignment. Throws Error if it has none.

@@ -20,6 +20,16 @@ bool is_file(const fs::path& path) {
 /// "scenarios" → "scenario"
 std::string singular(const std::string& folder) { return folder.substr(0, folder.size() - 1); }
 
+/// " in /here, /beside or /data/scenarios", of a name that may lie in several places.
+std::string looked_in(const std::string& folder, const std::string& name, const fs::path& beside) {
+  if (fs::path(name).is_absolute()) return "";
+  std::error_code ignored;
+  const fs::path here = fs::current_path(ignored);
+  const fs::path besides = beside.empty() ? here : fs::absolute(beside, ignored).lexically_normal();
+  return " in " + here.string() + (besides == here ? "" : ", " + besides.string()) + " or " +
+         (data_directory() / folder).string();
+}
+
 /// A path that leads to something, only not to a file that could be meant.
 void refuse_other_files(const std::string& folder, const std::string& name,
                         const fs::path& beside) {
@@ -60,8 +70,8 @@ fs::path find_data_file(const std::string& folder, const std::string& name,
     if (!beside.empty() && is_file(beside / name)) return beside / name;
     if (is_file(data_directory() / folder / name)) return data_directory() / folder / name;
     refuse_other_files(folder, name, beside);
-    throw UnknownNameError("there is no file \"" + name + "\"; " +
-                           valid_names(fs::path(name).stem().string(), list_data(folder)));
+    throw UnknownNameError("there is no file \"" + name + "\"" + looked_in(folder, name, beside) +
+                           "; " + valid_names(fs::path(name).stem().string(), list_data(folder)));
   }
   const fs::path file = data_directory() / folder / (name + ".yaml");
   // A name with a slash would leave the folder.

@@ -52,7 +52,8 @@ Vector read_vector(const Json& array, const Place& place, double missing = std::
     if (!element.is_number()) {
       check_range(element, "element " + std::to_string(numbers.size() + 1) + " ", place);
       place.fail("element " + std::to_string(numbers.size() + 1) + " is " + quoted(element) +
-                 "; expected a finite number");
+                 "; expected a finite number" +
+                 (std::isnan(missing) ? "" : ", or null where there is no bound"));
     }
     numbers.push_back(element.get<double>());
     if (std::abs(numbers.back()) > kLargestNumber)
@@ -163,17 +164,6 @@ Vector read_bounds(const Json& level, const char* key, const Block& block, const
   return bounds;
 }
 
-/// Without "lower" null is no bound that a row can do without.
-void check_upper(const Json& level, const Place& place) {
-  if (level.contains("lower")) return;
-  const Json& upper = block(level, "f", place);
-  const auto missing = std::ranges::find_if(upper, &Json::is_null);
-  if (missing == upper.end()) return;
-  place.at("f").fail("element " + std::to_string(missing - upper.begin() + 1) +
-                     " is null, no bound, and there is no lower; expected a finite number, or "
-                     "lower beside f");
-}
-
 }  // namespace
 
 void Place::fail(const std::string& message) const {
@@ -220,17 +210,13 @@ Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& p
   result.lower.assign(result.rows.size(), -kInfinity);
   const bool has_lower = level.contains("lower");
   if (has_lower) result.lower = read_bounds(level, "lower", result, "D", -kInfinity, place);
-  check_upper(level, place);
   result.upper.assign(result.rows.size(), kInfinity);
   if (!has_lower || level.contains("f"))
     result.upper = read_bounds(level, "f", result, "D", kInfinity, place);
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
-    const std::string row = "row " + std::to_string(i + 1) + " of D ";
-    if (result.lower[i] == -kInfinity && result.upper[i] == kInfinity)
-      place.fail(row + "has no bound; expected a number in lower, in f or in both");
-    if (result.lower[i] > result.upper[i])
-      place.fail(row + "has lower " + quoted(result.lower[i]) + " above f " +
-                 quoted(result.upper[i]) + "; expected lower ≤ f");
+    if (result.lower[i] <= result.upper[i]) continue;
+    place.fail("row " + std::to_string(i + 1) + " of D has lower " + quoted(result.lower[i]) +
+               " above f " + quoted(result.upper[i]) + "; expected lower ≤ f");
   }
   result.weights = read_weights(level, "D", result, place);
   result.names = read_names(level, "D", result.rows.size(), place);

@@ -44,7 +44,7 @@ struct Block {
 
 /// A x = b. `unknowns` is 0 until the first row of the line says how many there are.
 [[nodiscard]] Block read_equalities(const Json& level, std::size_t& unknowns, const Place& place);
-/// lower ≤ D x ≤ f; without "lower" every row has an f, without f every row a lower.
+/// lower ≤ D x ≤ f, one of which may be missing; null is no bound.
 [[nodiscard]] Block read_inequalities(const Json& level, std::size_t& unknowns, const Place& place);
 /// Finite numbers.
 [[nodiscard]] Vector read_numbers(const Json& array, const Place& place);

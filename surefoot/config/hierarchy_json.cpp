@@ -2,6 +2,7 @@
 
 #include "surefoot/config/hierarchy_blocks.hpp"
 #include "surefoot/config/json_line.hpp"
+#include "surefoot/config/number_range.hpp"
 #include "surefoot/solver/extra_rows.hpp"
 
 #include <algorithm>
@@ -46,6 +47,13 @@ std::string read_text(const Json& level, const char* key, const std::string& oth
   return given->get<std::string>();
 }
 
+/// Rows of A with bounds are told how they are written here.
+void check_bounds(const Json& level, const Place& place) {
+  const bool has_bounds = level.contains("lower") || level.contains("f");
+  const bool is_of_A = level.contains("A") && !level.contains("b") && !level.contains("D");
+  if (level.contains("upper") || (has_bounds && is_of_A)) place.fail(kRowsWithBounds);
+}
+
 LevelBlocks read_level(const Json& level, const std::string& name, std::size_t& unknowns,
                        const Place& place) {
   static const std::vector<std::string> kKeys{"name",  "unit",      "A",         "b",       "D",
@@ -53,6 +61,7 @@ LevelBlocks read_level(const Json& level, const std::string& name, std::size_t& 
                                               "D_ids", "A_weights", "D_weights", "damping"};
   if (!level.is_object())
     place.fail("is " + quoted(level) + "; expected an object with A, b, D and f");
+  check_bounds(level, place);
   check_keys(level, kKeys, place);
   LevelBlocks result{.name = read_text(level, "name", name, place),
                      .unit = read_text(level, "unit", "", place),

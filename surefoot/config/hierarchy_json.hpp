@@ -23,8 +23,8 @@ struct NamedHierarchy {
 ///     {"levels": [{"A": [[…]], "b": […], "D": [[…]], "f": […]}, …]}      A x = b and D x ≤ f (Eq.
 ///     8)
 ///
-/// An empty or missing block has no rows. With "lower" beside f, lower ≤ D x ≤ f; null, in one of
-/// them, is no bound, and "lower" alone is the same as f of nulls. A level may have a "name", its
+/// An empty or missing block has no rows. With "lower" beside f or alone, lower ≤ D x ≤ f; null is
+/// no bound there, and a row that has none at all asks for nothing. A level may have a "name", its
 /// blocks "A_names" and "D_names", a text for each row; without them rows are called "A 1", "D 3";
 /// "A_ids" and "D_ids", by which rows are known from line to line (Level::id) and none of which a
 /// level has twice, else they are counted; and its rows a "unit"; "A_weights" and "D_weights", by

@@ -10,6 +10,11 @@ inline constexpr double kLargestNumber = 1e100;
 /// word.
 inline constexpr double kSmallestRow = 1e-100;
 
+/// What is wrong with rows of A that have bounds.
+inline constexpr const char* kRowsWithBounds =
+    "rows with bounds are those of D, lower ≤ D x ≤ f; write D instead of A, and f instead of "
+    "upper";
+
 /// What follows the name of such an element or row; `number` as it was given.
 [[nodiscard]] inline std::string too_large(const std::string& number) {
   return "is " + number + ", too large to compute with; expected at most 1e100 either way";

@@ -122,7 +122,8 @@ void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
 }  // namespace
 
 void read_plant(Section& scenario, PlantOptions& options) {
-  scenario.number("timestep", options.timestep, kPositive);
+  scenario.number("timestep", options.timestep,
+                  {.min = 1e-5, .words = "a number of at least 1e-5 s"});
   scenario.section("terrain", [&](Section& s) { read_terrain(s, options.terrain); });
   scenario.section("foot_contact",
                    [&](Section& s) { read_foot_contact(s, options.timestep, options.contact); });

@@ -146,6 +146,10 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
   }
 }
 
+/// Of a run; quantiles of its ticks' times are told, which are kept.
+constexpr NumberRange kDuration{
+    .min = 0.0, .max = 1e6, .min_included = false, .words = "above 0 and at most 1e6 s"};
+
 /// The control period is made of physics steps.
 void check_period(const Section& top, Scenario& scenario) {
   scenario.plant.control_period = scenario.controller.period;
@@ -162,7 +166,7 @@ void check_period(const Section& top, Scenario& scenario) {
 void read_body(Section& top, Scenario& scenario) {
   top.text("name", scenario.name);
   top.text("description", scenario.description);
-  top.number("duration", scenario.duration, kPositive);
+  top.number("duration", scenario.duration, kDuration);
   top.choice<Estimation>("estimation", scenario.estimation, named(kEstimations));
   top.section("estimator", [&](Section& s) { read_estimator(s, scenario.estimator); });
   read_controller(top, scenario.controller);

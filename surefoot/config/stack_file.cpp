@@ -33,7 +33,8 @@ void read_parameter(const ConfigNode& node, const std::string& key, const std::s
   if (contains(numbers, key)) {
     parameter.numbers[key] = task.numbers[key] = read_number(node, path);
   } else if (contains(choices, key)) {
-    parameter.choices[key] = task.choices[key] = read_text(node, path);
+    const bool is_none = node.kind == ConfigNode::Kind::null;
+    parameter.choices[key] = task.choices[key] = is_none ? "none" : read_text(node, path);
   } else {
     std::vector<std::string> valid = numbers;
     valid.insert(valid.end(), choices.begin(), choices.end());

@@ -151,12 +151,14 @@ void add_steps(const Steps& steps, Elements& elements) {
   }
 }
 
+constexpr int kMostSteps = 1000;
+
 void read_steps(Section& section, Elements& elements) {
   Steps steps;
   section.require("height");
   section.number("edge", steps.edge);
   section.number("height", steps.height);
-  section.integer("count", steps.count, 1);
+  section.integer("count", steps.count, 1, kMostSteps);
   section.number("tread", steps.tread, kPositive);
   read_friction(section, steps.friction);
   add_steps(steps, elements);

@@ -5,6 +5,7 @@
 #include "surefoot/logging/crc32.hpp"
 #include "surefoot/logging/mcap_cursor.hpp"
 #include "surefoot/logging/mcap_format.hpp"
+#include "surefoot/logging/partial_log.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,6 +30,12 @@ std::string told(const std::string& name) {
   const bool is_name = !name.empty() && name.size() < 80 &&
                        std::ranges::all_of(name, [](char c) { return c > ' ' && c <= '~'; });
   return is_name ? "the attachment " + name : "an attachment";
+}
+
+std::string valid_instead(const std::string& path) {
+  const std::string partial = partial_beside(path);
+  return partial.empty() ? "a log (.mcap) would be valid"
+                         : partial + ", of a run that goes on or was cut off, would be valid";
 }
 
 /// What was skipped before a record, by what the file's index has there.
@@ -58,7 +65,7 @@ McapReader::McapReader(const std::string& path) : path_(path), file_(path) {
     throw FileError(path + ": is a folder; a log in it (.mcap) would be valid");
   }
   if (!file_.is_open()) {
-    throw FileError(path + ": no such file, or it can't be read; a log (.mcap) would be valid");
+    throw FileError(path + ": no such file, or it can't be read; " + valid_instead(path));
   }
   check_magic();
   while (rest_.empty() && read_record()) {

@@ -7,6 +7,7 @@
 #include "surefoot/logging/logged_timing.hpp"
 #include "surefoot/logging/mcap_writer.hpp"
 #include "surefoot/logging/message_codec.hpp"
+#include "surefoot/logging/write_lock.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ std::uint64_t nanoseconds(double time) {
   return time > 0.0 ? static_cast<std::uint64_t>(std::llround(1e9 * time)) : 0;
 }
 
-McapWriter open(const std::string& path) {
+void check_place(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw FileError(path + ": there is no folder " + folder.string() +
@@ -37,7 +38,6 @@ McapWriter open(const std::string& path) {
     throw FileError(path + " is a folder; the name of a file would be valid, e.g. " + path +
                     "/run.mcap");
   }
-  return McapWriter(partial_path(path), {.profile = "surefoot"});
 }
 
 constexpr Recorder::Channel kTick = -1;
@@ -61,7 +61,8 @@ struct TickChannels {
 
 struct Recorder::Implementation {
   Implementation(const std::string& path, const LogHeader& header, RecorderOptions options)
-      : writer(open(path)),
+      : write_lock(partial_path(path), path),
+        writer(partial_path(path), {.profile = "surefoot"}),
         namer({header.level_names, header.row_name}),
         orders{{0, header.level_names}},
         queue(std::max<std::size_t>(options.queue_ticks, 1)) {
@@ -200,6 +201,7 @@ struct Recorder::Implementation {
     }
   }
 
+  WriteLock write_lock;  // of the file, until it has its name
   McapWriter writer;
   HierarchyNamer namer;
   TickChannels channels{};
@@ -217,11 +219,11 @@ struct Recorder::Implementation {
   std::thread thread;
 };
 
-std::string partial_path(const std::string& path) { return path + ".partial"; }
-
 Recorder::Recorder(std::string path, LogHeader header, RecorderOptions options)
-    : path_(std::move(path)),
-      implementation_(std::make_unique<Implementation>(path_, header, options)) {}
+    : path_(std::move(path)) {
+  check_place(path_);
+  implementation_ = std::make_unique<Implementation>(path_, header, options);
+}
 
 Recorder::~Recorder() {
   if (!implementation_) return;
@@ -263,14 +265,17 @@ void Recorder::rename(LevelNames names) {
   });
 }
 
-void Recorder::close_partial(std::string_view summary) {
-  const std::unique_ptr<Implementation> implementation = std::move(implementation_);
-  implementation->stop();
-  implementation->finish(summary);
+std::unique_ptr<Recorder::Implementation> Recorder::finish(std::string_view summary) {
+  std::unique_ptr<Implementation> finished = std::move(implementation_);
+  finished->stop();
+  finished->finish(summary);
+  return finished;
 }
 
+void Recorder::close_partial(std::string_view summary) { (void)finish(summary); }
+
 void Recorder::close(std::string_view summary) {
-  close_partial(summary);
+  const std::unique_ptr<Implementation> locked = finish(summary);
   std::error_code error;
   std::filesystem::rename(partial_path(path_), path_, error);
   if (error) throw FileError(path_ + ": can't get its name (" + error.message() + ")");

@@ -2,6 +2,7 @@
 
 #include "surefoot/logging/hierarchy_namer.hpp"
 #include "surefoot/logging/log_header.hpp"
+#include "surefoot/logging/partial_log.hpp"
 #include "surefoot/signals/tick_record.hpp"
 
 #include <functional>
@@ -11,9 +12,6 @@
 
 namespace surefoot {
 
-/// Where a log stands until it is whole.
-[[nodiscard]] std::string partial_path(const std::string& path);
-
 struct RecorderOptions {
   std::size_t queue_ticks = 256;  ///< ticks that wait for the writer before `record` waits
 };
@@ -22,9 +20,9 @@ struct RecorderOptions {
 /// bounded queue; when it is full it waits for the writer, so that a recorded simulation is
 /// complete. Encoding and compression happen on the recorder's thread.
 ///
-/// The file is written as `PATH.partial` and gets its name in `close`: what is called PATH is
-/// whole. Two runs with the same seed and build differ only after the last tick, in the timings and
-/// the summary.
+/// The file is written as `PATH.partial`, by one recorder at a time, and gets its name in `close`:
+/// what is called PATH is whole. Two runs with the same seed and build differ only after the last
+/// tick, in the timings and the summary.
 ///
 /// Every call throws FileError, naming the file, once it could not be written.
 class Recorder {
@@ -34,6 +32,7 @@ class Recorder {
   /// Appends a message to its argument.
   using Encode = std::function<void(std::string&)>;
 
+  /// Throws FileError, naming the process, while another records to the same path.
   Recorder(std::string path, LogHeader header, RecorderOptions options = {});
   /// Without a `close` before: the ticks so far are completed to a readable file, still named
   /// `.partial`.
@@ -62,6 +61,9 @@ class Recorder {
 
  private:
   struct Implementation;
+  /// What holds the lock of the file, which is whole.
+  [[nodiscard]] std::unique_ptr<Implementation> finish(std::string_view summary);
+
   std::string path_;
   std::unique_ptr<Implementation> implementation_;
 };

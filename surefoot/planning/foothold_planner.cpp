@@ -1,6 +1,7 @@
 #include "surefoot/planning/foothold_planner.hpp"
 
 #include "surefoot/math/rotation.hpp"
+#include "surefoot/planning/turn_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@ constexpr double kLeastStride = 0.05;    // that says something of the ground's 
 constexpr double kLeastProgress = 0.03;  // a footprint must lie this far ahead of the foot [m]
 constexpr double kLead = 0.3;            // of a heading that turns before the feet, in cycles …
 constexpr double kLeastLead = 0.2;       // … but up to this at any rate [rad]
-constexpr double kMostBehind = 0.5625;   // of max_side_step: a foot that it leaves behind
 
 constexpr double kSway = 0.12;  // of the hips, sideways, as far as a turn makes them [m]
 
@@ -141,8 +141,8 @@ double FootholdPlanner::turning_share(double yaw_rate, const PerLeg<Vec3>& footh
   const double most_ahead = std::max(kLeastLead, kLead * cycle_duration * std::abs(yaw_rate));
   const double behind = left_behind(side, footholds, down, yaw);
   const double most_behind = kMostBehind * options_.max_side_step;
-  return std::clamp(std::min(2.0 * (1.0 - ahead / most_ahead), 3.0 * (1.0 - behind / most_behind)),
-                    0.0, 1.0);
+  return std::clamp(
+      std::min(2.0 * (1.0 - ahead / most_ahead), kBrake * (1.0 - behind / most_behind)), 0.0, 1.0);
 }
 
 // Sideways, in heading axes: there a leg is the least agile, and meets the one beside it.

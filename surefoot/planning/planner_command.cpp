@@ -1,6 +1,7 @@
 // What the planner makes of the user's command: what legs can follow, and when a calibration may
 // begin.
 #include "surefoot/planning/planner.hpp"
+#include "surefoot/planning/turn_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,11 @@ double Planner::feasible_share(const UserCommand& user, double cycle_duration) c
 UserCommand Planner::within_strides(const UserCommand& user) {
   const double share = user.walk ? feasible_share(user, cycle_duration()) : 1.0;
   const bool may_slow = share < 1.0 || !is_taken_up();
-  slows_ = user.walk && may_slow && feasible_share(commanded_, cycle_duration() / pace()) < 1.0;
+  const double cycle = cycle_duration() / pace();
+  const bool has_long_strides = may_slow && feasible_share(commanded_, cycle) < 1.0;
+  const double side_stride = cycle * std::abs(commanded_.yaw_rate) * options_.stance.half_length;
+  slows_ =
+      user.walk && (has_long_strides || turns_slower(side_stride, options_.foothold.max_side_step));
   UserCommand result = user;
   result.velocity *= share;
   result.yaw_rate *= share;

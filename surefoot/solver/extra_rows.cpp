@@ -2,6 +2,7 @@
 
 #include "surefoot/base/error.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace surefoot {
@@ -54,6 +55,9 @@ void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::Vec
   const Index num_damped = level.num_rows();
   Rows rows = level.add(num_damped, first_id);
   rows.A = level.A().topRows(num_damped);
+  for (Index i = 0; i < num_damped; ++i) {
+    if (std::isinf(level.lower()[i]) && std::isinf(level.upper()[i])) rows.A.row(i).setZero();
+  }
   orthonormalise(rows.A);
   for (Index i = 0; i < num_damped; ++i) rows.set_equal(i, rows.A.row(i).dot(x_ref));
   rows.weigh(damping);

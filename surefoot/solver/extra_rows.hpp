@@ -31,8 +31,8 @@ void add_reference(Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref,
 /// gives up near its singularity is not given to them, it is held at the damped value. Only where a
 /// row depends on the others altogether (1e-12) its direction is none of the level's. Inequality
 /// rows count as rows of A, too: a damped level determines their directions even where they are
-/// satisfied. The rows count in the residual of the level. Does not allocate. Throws Error as
-/// `add_reference` does.
+/// satisfied; those without any bound, which ask for nothing, do not. The rows count in the
+/// residual of the level. Does not allocate. Throws Error as `add_reference` does.
 ///
 /// d: unit of the level's rows per unit of x, > 0.
 void add_damping(Level& level, double damping, const Eigen::Ref<const Eigen::VectorXd>& x_ref,

@@ -1,10 +1,10 @@
 #include "surefoot/view/report_page.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/logging/whole_file.hpp"
 #include "surefoot/view/svg.hpp"
 
 #include <filesystem>
-#include <fstream>
 
 namespace surefoot::report {
 namespace {
@@ -139,16 +139,9 @@ void write_page(const std::string& path, std::string_view html) {
     throw FileError(folder.string() +
                     ": can't be made; a folder where files may be written would be valid");
   }
-  const std::string partial = path + ".partial";
-  std::ofstream file(partial, std::ios::binary);
-  file << html;
-  file.close();
-  if (file) fs::rename(partial, path, error);
-  if (file && !error) return;
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  throw FileError(path +
-                  ": can't be written; a folder that may be written and has room would be valid");
+  WholeFile file(path);
+  file.stream() << html;
+  file.finish();
 }
 
 }  // namespace surefoot::report

@@ -132,15 +132,11 @@ TEST(DumpCommand, AFileHasItsNameOnlyOnceItIsWhole) {
 
 TEST(DumpCommand, WhatIsReadIsNotWrittenOver) {
   const TemporaryFolder folder;
-  for (const auto& [source, out] :
-       {std::pair("run.mcap", "run.mcap"), std::pair("cut.mcap.partial", "cut.mcap")}) {
-    DumpArguments arguments;
-    arguments.source = folder / source;
-    arguments.out = folder / out;
-    write_file(arguments.source, "a run");
-    EXPECT_NE(complaint(arguments).find("the log itself"), std::string::npos);
-    EXPECT_EQ(contents(arguments.source), "a run");
-  }
+  DumpArguments arguments;
+  arguments.source = arguments.out = folder / "run.mcap";
+  write_file(arguments.source, "a run");
+  EXPECT_NE(complaint(arguments).find("the log itself"), std::string::npos);
+  EXPECT_EQ(contents(arguments.source), "a run");
 }
 
 TEST(DumpCommand, TellsWhatIsWrongWithTheRange) {

@@ -4,6 +4,8 @@
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
+#include <cstdlib>
+
 namespace surefoot {
 namespace {
 
@@ -105,6 +107,29 @@ TEST(ConfigTree, an_assignment_takes_off_only_what_is_there) {
       to_json(changed),
       R"({"terrain":{"elements":{"ground":null}},"randomise":{"terrain.elements.ground.tilt":)"
       R"(null,"terrain.elements.grounds.tilt":[0,1]},"goal":null})");
+}
+
+TEST(ConfigTree, none_is_nothing_unless_it_is_quoted) {
+  ConfigNode changed = tree();
+  apply_assignment(changed, "terrain=none");
+  apply_assignment(changed, "name='none'");
+  merge(changed, parse_yaml("a: none\nb: \"none\"\nc: [none, None]\n", "a.yaml"));
+  EXPECT_EQ(to_json(changed),
+            R"({"terrain":null,"name":"none","a":null,"b":"none","c":[null,"None"]})");
+}
+
+TEST(ConfigTree, a_home_folder_that_the_shell_made_is_told) {
+  const std::string home = std::getenv("HOME") == nullptr ? "/root" : std::getenv("HOME");
+  setenv("HOME", "/home/someone", 1);
+  ConfigNode changed = tree();
+  const auto told = [&changed](const char* assignment) {
+    return message_of([&] { apply_assignment(changed, assignment); });
+  };
+  EXPECT_TRUE(holds(told("goal=/home/someone"),
+                    "--set goal=/home/someone: this is your home folder, which the shell makes of "
+                    "~; valid is goal=none"));
+  EXPECT_NO_THROW(apply_assignment(changed, "stack=/home/someone/mine.yaml"));
+  setenv("HOME", home.c_str(), 1);
 }
 
 TEST(ConfigTree, an_assignment_without_a_path_or_a_value_is_told) {

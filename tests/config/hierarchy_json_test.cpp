@@ -120,18 +120,22 @@ TEST(HierarchyJson, LowerBoundsNeedNoUpperOnes) {
   const Level level = parse(R"({"levels":[{"D":[[1],[2]],"lower":[-1,3]}]})").level(0);
   EXPECT_EQ(level.lower(), Eigen::Vector2d(-1.0, 3.0));
   EXPECT_EQ(level.upper(), Eigen::Vector2d(kInfinity, kInfinity));
-  expect_error(R"({"levels":[{"name":"wish","D":[[1],[2]],"lower":[0,null]}]})",
-               "level 1 (wish): row 2 of D has no bound");
 }
 
-TEST(HierarchyJson, ARowWithoutABoundOrWithBoundsThatCrossIsNamed) {
-  expect_error(R"({"levels":[{"D":[[1],[2]],"lower":[0,null],"f":[1,null]}]})",
-               "level 1: row 2 of D has no bound");
-  expect_error(R"({"levels":[{"D":[[1]],"lower":[2],"f":[1]}]})",
-               "level 1: row 1 of D has lower 2.0 above f 1.0; expected lower ≤ f");
-  expect_error(R"({"levels":[{"D":[[1],[2]],"f":[3,null]}]})",
-               "level 1: f: element 2 is null, no bound, and there is no lower; expected a finite "
-               "number, or lower beside f");
+TEST(HierarchyJson, ARowWithoutAnyBoundIsOneThatIsSwitchedOff) {
+  for (const char* bounds :
+       {R"("lower":[0,null],"f":[1,null])", R"("lower":[0,null])", R"("f":[1,null])"}) {
+    const std::string line = R"({"levels":[{"D":[[1],[2]],)" + std::string(bounds) + "}]}";
+    const Level level = parse(line).level(0);
+    ASSERT_EQ(level.num_rows(), 2) << bounds;
+    EXPECT_EQ(level.lower()[1], -kInfinity);
+    EXPECT_EQ(level.upper()[1], kInfinity);
+  }
+}
+
+TEST(HierarchyJson, BoundsThatCrossAreNamed) {
+  expect_error(R"({"levels":[{"name":"wish","D":[[1]],"lower":[2],"f":[1]}]})",
+               "level 1 (wish): row 1 of D has lower 2.0 above f 1.0; expected lower ≤ f");
   expect_error(R"({"levels":[{"D":[[1]],"lower":[],"f":[1]}]})",
                "lower has 0 elements, D has 1 row");
 }
@@ -144,6 +148,15 @@ TEST(HierarchyJson, BoundsThatAreMissingOrHaveNoRowsAreNamed) {
                "level 1: b has 2 elements and there is no A; expected A with a row for each");
   expect_error(R"({"levels":[{"A":[[1]],"b":[1],"lower":[0]}]})",
                "lower has 1 element and there is no D");
+}
+
+TEST(HierarchyJson, RowsOfAWithBoundsAreToldHowTheyAreWritten) {
+  for (const char* level : {R"("A":[[1]],"lower":[0],"upper":[1])", R"("A":[[1]],"lower":[0])",
+                            R"("A":[[1]],"f":[0])", R"("D":[[1]],"lower":[0],"upper":[1])"}) {
+    expect_error(R"({"levels":[{)" + std::string(level) + "}]}",
+                 "level 1: rows with bounds are those of D, lower ≤ D x ≤ f; write D instead of A, "
+                 "and f instead of upper");
+  }
 }
 
 TEST(HierarchyJson, AKeyThatThereIsNotIsNamedWithTheOneThatWasMeant) {
@@ -235,6 +248,10 @@ TEST(HierarchyJson, NumbersThatAreNotFiniteAreNamedWithLevelAndRow) {
   expect_error(R"({"levels":[{},{"A":[[1,2],[3,-Infinity]],"b":[1,2]}]})",
                "level 2: A: row 2: element 2 is \"-Infinity\"; expected a finite number");
   expect_error(R"({"levels":[{"D":[[nan]],"f":[1]}]})", "level 1: D: row 1: element 1 is \"nan\"");
+  expect_error(
+      R"({"levels":[{"D":[[1]],"lower":[-Infinity],"f":[NaN]}]})",
+      "level 1: lower: element 1 is \"-Infinity\"; expected a finite number, or null where "
+      "there is no bound");
   expect_error(R"({"levels":[{"A":[[1e999]],"b":[1]}]})",
                "level 1: A: row 1: element 1 is 1e999, too large");
   EXPECT_EQ(parse(R"({"levels":[{"name":"NaN \" NaN","A":[[1]],"b":[2]}]})").num_levels(), 1u);

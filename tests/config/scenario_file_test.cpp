@@ -4,6 +4,9 @@
 #include "surefoot/planning/com_planner.hpp"
 #include "tests/config/trial_scenario.hpp"
 
+#include <cmath>
+#include <filesystem>
+
 namespace surefoot {
 namespace {
 
@@ -163,7 +166,12 @@ TEST_F(ScenarioFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"walk_flt", 0, {}}); }),
                     "unknown scenario \"walk_flt\"; did you mean \"walk_flat\"?"));
   EXPECT_TRUE(holds(message_of([] { (void)load_scenario({"nowhere/walk.yaml", 0, {}}); }),
-                    "there is no file \"nowhere/walk.yaml\""));
+                    "there is no file \"nowhere/walk.yaml\" in " +
+                        std::filesystem::current_path().string() + " or "));
+  const std::string beside = complaint("stack: mine.yaml\n");
+  EXPECT_TRUE(holds(beside, "there is no file \"mine.yaml\" in ")) << beside;
+  EXPECT_TRUE(holds(beside, ", " + folder_.path() + " or ")) << beside;
+  EXPECT_TRUE(holds(beside, "/stacks; ")) << beside;
 }
 
 TEST_F(ScenarioFile, whose_bases_lead_to_each_other_ends_in_an_error) {
@@ -258,6 +266,21 @@ TEST_F(ScenarioFile, refuses_to_take_away_a_range_that_is_not_there) {
   const Scenario included =
       read("", 1, {"randomise.include=mismatch", "randomise.disturbances.payload.mass=~"});
   EXPECT_EQ(std::ranges::count(included.drawn, "disturbances.payload.mass", &RandomDraw::path), 0);
+}
+
+TEST_F(ScenarioFile, takes_none_for_nothing_and_for_a_choice_of_that_name) {
+  EXPECT_TRUE(std::isnan(read("goal: {feet_beyond_x: 1}\n", 0, {"goal=none"}).goal.feet_beyond_x));
+  EXPECT_EQ(read("", 1, {"randomise.initial.yaw=none"}).drawn.size(), 1u);
+  EXPECT_NO_THROW((void)read("tasks: {torque_limits: {speed_line: none}}\n"));
+  EXPECT_TRUE(holds(complaint("tasks: {torque_limits: {speed_line: nine}}\n"), "nine"));
+}
+
+TEST_F(ScenarioFile, that_could_not_end_or_would_fill_the_memory_is_refused) {
+  EXPECT_TRUE(holds(complaint("", {"duration=1e12"}), "is not above 0 and at most 1e6 s"));
+  EXPECT_TRUE(holds(complaint("", {"timestep=1e-9"}), "is not a number of at least 1e-5 s"));
+  EXPECT_TRUE(holds(
+      complaint("terrain: {elements: {stairs: {shape: steps, height: 0.1, count: 2000000000}}}\n"),
+      "terrain.elements.stairs.count: \"2000000000\" is more than 1000"));
 }
 
 TEST_F(ScenarioFile, refuses_a_stance_as_low_as_a_search_may_take_the_hips) {

@@ -243,6 +243,21 @@ TEST(Recorder, OnlyAClosedLogHasItsName) {
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
 }
 
+TEST(Recorder, ALogThatIsBeingRecordedIsNotRecordedByAnother) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.mcap";
+  Recorder recorder(path, SyntheticRun::header());
+  SyntheticRun run;
+  run.step();
+  recorder.record(run.tick);
+  const std::string message = message_of([&] { Recorder(path, SyntheticRun::header()); });
+  EXPECT_EQ(message.find(path + ": is being written by another run"), 0u) << message;
+  recorder.close();
+  LogReader log(path);
+  EXPECT_EQ(ticks_in(log), 1);
+  EXPECT_NO_THROW(Recorder(path, SyntheticRun::header()));
+}
+
 TEST(Recorder, AMissingFolderIsNamed) {
   const TemporaryFolder folder;
   const std::string message =

@@ -219,6 +219,29 @@ TEST(Planner, WalksSlowerThanCommandedWhereStridesWouldBeTooLong) {
   EXPECT_EQ(puppet.happenings(PlanEvent::lift_off_aborted).size(), 0u);
 }
 
+/// Of a turn on the spot, of what is commanded, after its first steps.
+double turned_share(Puppet& puppet, double yaw_rate) {
+  puppet.user = walking(0.0);
+  puppet.user.yaw_rate = yaw_rate;
+  puppet.run(12.0);
+  double turned = 0.0;
+  puppet.run(20.0, [&] { turned += Puppet::kPeriod * puppet.plan().torso.w_WB.z(); });
+  return turned / (20.0 * yaw_rate);
+}
+
+TEST(Planner, SaysWhereItTurnsSlowerThanCommanded) {
+  for (const double yaw_rate : {0.06, 0.11, -0.11}) {
+    Puppet puppet = walker();
+    EXPECT_NEAR(turned_share(puppet, yaw_rate), 1.0, 0.02) << yaw_rate;
+    EXPECT_TRUE(puppet.happenings(PlanEvent::slowed).empty()) << yaw_rate;
+  }
+  for (const double yaw_rate : {0.15, -0.15, 0.5}) {
+    Puppet puppet = walker();
+    EXPECT_LT(turned_share(puppet, yaw_rate), 0.98) << yaw_rate;
+    EXPECT_EQ(puppet.happenings(PlanEvent::slowed).size(), 1u) << yaw_rate;
+  }
+}
+
 TEST(Planner, SaysThatItWalksSlowerWhereAFootComesDownAtThatTick) {
   Puppet puppet = walker();
   const auto comes_down = [&] {

@@ -109,12 +109,14 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
         (lambda: surefoot.solve([3]), surefoot.Error, "level 1: is 3; expected a dict"),
         (lambda: surefoot.solve([{"A": [[1]], "B": [1]}]), surefoot.Error, "level 1: unknown key \"B\".*valid"),
         (lambda: surefoot.solve([{"A": [[1]]}]), surefoot.Error,
-         "level 1: A goes with b .* or with lower.* given are: A$"),
-        (lambda: surefoot.solve([{"A": [[1]], "b": [1], "upper": [1]}]), surefoot.Error,
-         "level 1: A goes with .* given are: A, b, upper$"),
+         r"level 1: A goes with b \(A x = b\); given are: A$"),
+        (lambda: surefoot.solve([{"A": [[1]], "lower": [0], "upper": [1]}]), surefoot.Error,
+         "level 1: rows with bounds are those of D, lower ≤ D x ≤ f; write D instead of A, and f instead of upper; given are: A, lower, upper$"),
+        (lambda: surefoot.solve([{"A": [[1]], "lower": [0]}]), surefoot.Error, "level 1: rows with bounds are those of D"),
+        (lambda: surefoot.solve([{"A": [[1]], "D": [[1]], "lower": [0]}]), surefoot.Error, "level 1: A goes with b"),
         (lambda: surefoot.solve([{"lower": [1]}]), surefoot.Error,
-         "level 1: b, lower and upper go with A; given are: lower$"),
-        (lambda: surefoot.solve([{"D": [[1]]}]), surefoot.Error, "level 1: D goes with f, lower or both .* given are: D$"),
+         "level 1: D goes with lower, f or both .* given are: lower$"),
+        (lambda: surefoot.solve([{"D": [[1]]}]), surefoot.Error, "level 1: D goes with lower, f or both .* given are: D$"),
         (lambda: surefoot.solve([{"A": [1, 2], "b": [1]}]), surefoot.Error,
          r"level 1: A has the shape \(2,\); expected \(rows, unknowns\)$"),
         (lambda: surefoot.solve([{"A": [[1]], "b": 1}]), surefoot.Error, r"b has the shape \(\); expected \(rows,\)$"),
@@ -126,11 +128,9 @@ def test_a_scenario_is_loaded_with_seed_and_assignments():
          r"level 1: b\[0\] is nan; expected a number"),
         (lambda: surefoot.solve([{"D": [[1, 2], [3, np.inf]], "f": [1, 2]}]), surefoot.Error,
          r"level 1: D\[1, 1\] is inf; expected a finite number"),
-        (lambda: surefoot.solve([{"A": [[1]], "lower": [2], "upper": [1e-9]}]), surefoot.Error,
-         r"level 1: A\[0\] has the bounds 2.0 and 1e-09, which nothing can meet; expected lower ≤ upper"),
+        (lambda: surefoot.solve([{"D": [[1]], "lower": [2], "f": [1e-9]}]), surefoot.Error,
+         r"level 1: D\[0\] has the bounds 2.0 and 1e-09, which nothing can meet; expected lower ≤ upper"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [np.inf]}]), surefoot.Error, r"A\[0\] has the bounds inf and inf"),
-        (lambda: surefoot.solve([{"A": [[1], [1]], "lower": [1, -np.inf]}]), surefoot.Error, r"level 1: A\[1\] has no bound"),
-        (lambda: surefoot.solve([{"D": [[1]], "f": [None]}]), surefoot.Error, r"level 1: D\[0\] has no bound"),
         (lambda: surefoot.solve([{"A": [[1]], "b": [None]}]), surefoot.Error, r"level 1: b\[0\] is nan; expected a number"),
         (lambda: surefoot.solve([{"D": [[1]], "f": [1], "D_names": ["a", "b"]}]), surefoot.Error,
          "level 1: D_names has 2 elements, D has 1 row"),
@@ -332,15 +332,15 @@ def test_the_plan_names_the_phase_of_each_leg(scenario):
 
 def test_a_hierarchy_is_solved_in_every_form_of_its_rows():
     inequality = surefoot.solve([{"D": [[1.0, 0.0], [-1.0, 0.0]], "f": [1, 2]}, {"A": np.eye(2), "b": [5, 6]}])
-    two_sided = surefoot.solve([{"A": [[1, 0]], "lower": [-2], "upper": [1]}, {"A": np.eye(2, order="F"), "b": [5, 6]}])
-    one_sided = surefoot.solve([{"A": [[1, 0]], "upper": [1]}, {"A": np.eye(2, dtype=int), "b": (5, 6)}])
+    two_sided = surefoot.solve([{"D": [[1, 0]], "lower": [-2], "f": [1]}, {"A": np.eye(2, order="F"), "b": [5, 6]}])
+    one_sided = surefoot.solve([{"D": [[-1, 0]], "lower": [-1]}, {"A": np.eye(2, dtype=int), "b": (5, 6)}])
     for solution in (inequality, two_sided, one_sided):
         np.testing.assert_allclose(solution.x, [1, 6], atol=1e-12)
         assert solution.status == "optimal"
         assert solution.levels[1].residual == pytest.approx(4)
         assert solution.levels[1].degrees_of_freedom_left == 0
     assert inequality.levels[0].active == [("D[0]", "at upper")]
-    assert two_sided.levels[0].active == [("A[0]", "at upper")]
+    assert two_sided.levels[0].active == [("D[0]", "at upper")]
     assert [level.name for level in inequality.levels] == ["level 1", "level 2"]
 
 
@@ -354,6 +354,18 @@ def test_a_level_of_a_problem_file_is_one_of_python_too(tmp_path):
     assert ours.x.tolist() == json.loads(done.stdout)["x"] == [pytest.approx(550)]
     assert ours.levels[0].active == [("most", "above upper")]
     assert surefoot.solve([{"D": [[1]], "lower": [2]}]).x == [2]
+
+
+@pytest.mark.parametrize("method", ["lexicographic", "cascade"])
+def test_a_row_without_a_bound_asks_for_nothing(method):
+    off = {"D": [[1, 0], [2, 1]], "lower": [None, -np.inf], "f": [None, np.inf]}
+    goal = {"A": [[1, 0]], "b": [3]}
+    solution = surefoot.solve([off, goal, {"D": [[1, 1]], "f": [None]}], method=method, certify=True)
+    assert solution.verdict == "proven" and solution.x == pytest.approx([3, 0], abs=1e-12)
+    assert [level.residual for level in solution.levels] == [0, pytest.approx(0, abs=1e-12), 0]
+    assert not solution.levels[0].active
+    damped = surefoot.solve([{**off, "damping": 1}, goal], method=method)
+    assert damped.x[0] == pytest.approx(3), "nor is its direction damped"
 
 
 def test_a_solution_prints_what_it_is():

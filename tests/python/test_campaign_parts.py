@@ -15,6 +15,7 @@ from surefoot_campaign.draws import uniform_of
 from surefoot_campaign.errors import InputError
 from surefoot_campaign.journal import Journal, read_rows
 from surefoot_campaign.outcome import judge
+from surefoot_campaign.plan import explain
 from surefoot_campaign.plots import curve_figure, map_figure
 from surefoot_campaign.results import Record
 from surefoot_campaign.scheduler import LocalScheduler, Task, make_scheduler
@@ -147,6 +148,13 @@ REFUSED = {
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_the_program_does_not_know_is_refused_before_anything_runs(tmp_path, text):
     assert REFUSED[text] in CampaignFolder(tmp_path).write(text).complaint()
+
+
+def test_a_scenarios_file_that_is_missing_is_told_with_all_folders_that_it_was_looked_for_in(tmp_path):
+    (tmp_path / "spec.yaml").write_text(SPEC.replace("fake", "mine.yaml"))
+    spec = load_spec(tmp_path / "spec.yaml")
+    said = explain(spec, "mine.yaml", None, {}, 'there is no file "mine.yaml" in /here or /data/scenarios; valid are: walk_flat')
+    assert said.endswith(f'there is no file "mine.yaml" in {tmp_path}, /here or /data/scenarios; valid are: walk_flat')
 
 
 @pytest.mark.parametrize("wrong", [["--jobs", "0"], ["--jbos", "2"], ["--scheduler", "slurm"]])

@@ -2,11 +2,14 @@
 
 import json
 import pathlib
+import re
+import signal
+import subprocess
 import time
 
 import pytest
 
-from program import ROOT, SHORT, answer, complaint, surefoot
+from program import PROGRAM, ROOT, SHORT, answer, complaint, of_json, surefoot
 
 
 @pytest.fixture
@@ -265,6 +268,19 @@ def test_a_seed_that_is_too_large_is_told_with_the_largest(command):
     assert answer("run", "walk_flat", "--check", "--seed", "999999999")
 
 
+def test_a_check_says_what_a_run_would_take():
+    cost = of_json("run", "walk_flat", "--check", "--set", "duration=86400")["cost"]
+    assert cost["ticks"] == 86400 * 400
+    assert 100 < cost["wall_time_s"] and cost["log_bytes"] > cost["memory_bytes"] > 1e8
+    assert re.search(r"a run is at most 34560000 ticks: about \d+ (min|h|days) here, and 100 GB of log with --record$",
+                     answer("run", "walk_flat", "--check", "--set", "duration=86400").strip())  # fmt: skip
+
+
+def test_more_seeds_or_jobs_than_a_machine_can_hold_are_refused():
+    assert "from 1 to 1000000" in complaint("run", "walk_flat", "--seeds", "2000000")
+    assert "from 1 to 1000" in complaint("run", "walk_flat", "--seeds", "2", "--jobs", "1000000")
+
+
 def test_seeds_that_would_end_beyond_the_largest_are_refused_before_any_runs():
     said = complaint("run", "walk_flat", "--seed", "999999999", "--seeds", "2", *SHORT)
     assert "--seeds: 2 from seed 999999999 on end at 1000000000, which is above 999999999, the largest seed" in said
@@ -283,3 +299,49 @@ def test_an_output_that_can_not_be_written_is_told_before_the_run(tmp_path):
         assert str(place) in complaint("run", "walk_flat", option, place)
     assert time.monotonic() - start < 5
     assert [entry.name for entry in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.fixture
+def begun(tmp_path):
+    """Starts a call that goes on until the test ends it, and waits until it writes `file`."""
+    started = []
+
+    def begin(*arguments, file):
+        started.append(subprocess.Popen([PROGRAM, *map(str, arguments)], stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL))
+        deadline = time.monotonic() + 60
+        while not file.exists() or file.stat().st_size < 100_000:
+            assert started[-1].poll() is None and time.monotonic() < deadline
+            time.sleep(0.05)
+        return started[-1]
+
+    yield begin
+    for process in started:
+        process.terminate()
+        process.wait()
+
+
+@pytest.mark.parametrize("option, more, log", [("--record", [], "out.mcap"), ("--report", [], "out.mcap/run.mcap"),
+                                               ("--record", ["--seeds", "2", "--jobs", "1"], "out-seed1.mcap")])  # fmt: skip
+def test_what_a_run_writes_is_not_written_by_another(option, more, log, begun, tmp_path):
+    out, partial = tmp_path / "out.mcap", tmp_path / f"{log}.partial"
+    long = ["run", "walk_flat", "--set", "duration=1000", option, out, *more]
+    first = begun(*long, file=partial)
+    said = complaint(*long)
+    assert re.search(r"is being written by another run \(process \d+\); wait for it, or choose another name$", said)
+    assert more or f"(process {first.pid})" in said
+    first.send_signal(signal.SIGINT)
+    first.wait(60)
+    assert json.loads(answer("info", partial, "--json"))["whole"]
+
+
+def test_commands_on_a_log_point_to_one_that_was_cut_off_beside_it(tmp_path):
+    log, partial = tmp_path / "run.mcap", tmp_path / "run.mcap.partial"
+    answer_of_run = surefoot("run", "walk_flat", *SHORT, "--record", log)
+    assert answer_of_run.returncode in (0, 1) and log.exists()
+    calls = [["info", log], ["explain", log, "--at", 0.05], ["replay", log, "--verify"], ["dump", log, "--to", 0.005], ["report", log, "--out", tmp_path / "out"]]
+    partial.write_bytes(log.read_bytes())
+    for call in calls:
+        assert f"note: {partial} is of a later run, which goes on or was cut off" in surefoot(*call).stderr
+    log.unlink()
+    for call in calls:
+        assert f"{log}: no such file, or it can't be read; {partial}, of a run that goes on or was cut off, would be valid" in complaint(*call)

@@ -1,5 +1,8 @@
 """What bin/surefoot and ./demo do before the program starts, on a tree with a ninja of ours."""
 
+import contextlib
+import fcntl
+import hashlib
 import os
 import pathlib
 import shutil
@@ -62,3 +65,50 @@ def test_a_build_that_fails_shows_the_error(build_program):
     assert lines[0] == "surefoot: building…" and "a.cpp:3: error: no" in lines
     assert lines[-1] == "surefoot: the build failed: the first error above says where."
     assert "Configuring" not in result.stderr
+
+
+@pytest.fixture
+def launcher(build_program, tmp_path):
+    """bin/surefoot of a tree whose set-up is done and whose program, which prints its name, was built once."""
+    for file in ["debian.txt", "python.txt", "robots.txt"]:
+        (tmp_path / "dependencies" / file).touch()
+    (tmp_path / ".venv/dependencies.stamp").write_text(hashlib.sha256(b"").hexdigest() + "  -\n")
+    os.utime(tmp_path / ".venv/dependencies.stamp", (1, 1))
+    shutil.copy(ROOT / "bin/surefoot", tmp_path / "bin")
+    program = tmp_path / "build/release/app/surefoot"
+    program.write_text('#!/bin/sh\necho "$0" "$@"\n')
+    assert build_program(CHATTER).returncode == 0
+    program.write_text("half of what the next build links")
+
+    def start(*words):
+        return subprocess.Popen(["bin/surefoot", *words], cwd=tmp_path, env={**os.environ, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"},
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)  # fmt: skip
+
+    return start
+
+
+@contextlib.contextmanager
+def another_launcher(tree):
+    """One that sets up or builds, all the while."""
+    folder = os.open(tree / "dependencies", os.O_RDONLY)
+    fcntl.flock(folder, fcntl.LOCK_EX)
+    yield
+    os.close(folder)
+
+
+def test_while_another_launcher_builds_the_program_is_that_of_the_last_build(launcher, tmp_path):
+    with another_launcher(tmp_path):
+        done = launcher("list", "robots")
+        out, err = done.communicate(timeout=60)
+    assert (done.returncode, out) == (0, f"{tmp_path}/build/release/last/surefoot list robots\n")
+    assert err == "surefoot: another launcher is building; this is the program as it was built last\n"
+
+
+def test_without_a_last_build_the_launcher_says_that_it_waits(launcher, tmp_path):
+    shutil.rmtree(tmp_path / "build/release/last")
+    (tmp_path / "build/release/app/surefoot").write_text("#!/bin/sh\necho built\n")
+    with another_launcher(tmp_path):
+        waiting = launcher("list", "robots")
+        assert waiting.stderr.readline() == "surefoot: waiting for another launcher, which sets up or builds here\n"
+    out, err = waiting.communicate(timeout=60)
+    assert (waiting.returncode, out, err) == (0, "built\n", "")

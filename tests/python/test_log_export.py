@@ -189,6 +189,12 @@ def test_the_log_of_an_interrupted_run_is_never_in_the_way_of_what_is_written(lo
     assert sorted(path.name for path in tmp_path.iterdir()) == [out.name, cut.name]
 
 
+def test_an_export_points_to_a_log_that_was_cut_off_beside_its_own(log, tmp_path):
+    mine, cut = tmp_path / "run.mcap", tmp_path / "run.mcap.partial"
+    cut.write_bytes(pathlib.Path(log).read_bytes())
+    assert f"{cut}, of a run that goes on or was cut off, would be valid" in complaint_of("export", mine, "--csv", tmp_path / "out.csv")
+
+
 def test_a_log_with_another_compression_is_refused_with_what_to_do(log, tmp_path):
     file = in_other_chunks(log, tmp_path, compression=CompressionType.LZ4)
     with pytest.raises(InputError, match="compressed with lz4; .* `mcap compress LOG -o NEW.mcap --compression zstd` rewrites it"):

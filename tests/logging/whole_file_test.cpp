@@ -1,0 +1,59 @@
+#include "surefoot/logging/whole_file.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "tests/logging/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace surefoot::test {
+namespace {
+
+TEST(WholeFile, OfTwoProcessesThatWriteItTheFileIsThatOfOne) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.json";
+  WholeFile ours(path);
+  ours.stream() << "ours, begun" << std::flush;
+  const pid_t other = fork();
+  if (other == 0) {
+    WholeFile theirs(path);
+    theirs.stream() << "theirs";
+    theirs.finish();
+    _exit(0);
+  }
+  ASSERT_EQ(waitpid(other, nullptr, 0), other);
+  EXPECT_EQ(contents(path), "theirs");
+  ours.stream() << " and ended";
+  ours.finish();
+  EXPECT_EQ(contents(path), "ours, begun and ended");
+}
+
+TEST(WholeFile, WithoutAnEndThereIsNone) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.json", "before");
+  write_file(folder / "a.json.partial", "of another");
+  {
+    WholeFile(folder / "a.json").stream() << "half of";
+  }
+  EXPECT_EQ(contents(folder / "a.json"), "before");
+  EXPECT_EQ(contents(folder / "a.json.partial"), "of another");
+  std::filesystem::remove(folder / "a.json");
+  std::filesystem::remove(folder / "a.json.partial");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(WholeFile, WhatCanNotBeWrittenIsNamed) {
+  const TemporaryFolder folder;
+  WholeFile file(folder / "none/a.json");
+  file.stream() << "{}";
+  try {
+    file.finish();
+    FAIL() << "there is no such folder";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()).find(folder / "none/a.json: can't be written"), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace surefoot::test
