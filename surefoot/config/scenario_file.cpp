@@ -148,7 +148,7 @@ void read_paper(Section& section, std::vector<PaperFigure>& paper) {
 
 /// Of a run; quantiles of its ticks' times are told, which are kept.
 constexpr NumberRange kDuration{
-    .min = 0.0, .max = 1e6, .min_included = false, .words = "above 0 and at most 1e6 s"};
+    .min = 0.0, .max = 1e6, .min_included = false, .words = "a number above 0, at most 1e6 s"};
 
 /// The control period is made of physics steps.
 void check_period(const Section& top, Scenario& scenario) {

@@ -276,7 +276,7 @@ TEST_F(ScenarioFile, takes_none_for_nothing_and_for_a_choice_of_that_name) {
 }
 
 TEST_F(ScenarioFile, that_could_not_end_or_would_fill_the_memory_is_refused) {
-  EXPECT_TRUE(holds(complaint("", {"duration=1e12"}), "is not above 0 and at most 1e6 s"));
+  EXPECT_TRUE(holds(complaint("", {"duration=1e12"}), "is not a number above 0, at most 1e6 s"));
   EXPECT_TRUE(holds(complaint("", {"timestep=1e-9"}), "is not a number of at least 1e-5 s"));
   EXPECT_TRUE(holds(
       complaint("terrain: {elements: {stairs: {shape: steps, height: 0.1, count: 2000000000}}}\n"),
