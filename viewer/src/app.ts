@@ -23,6 +23,7 @@ import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
 import { courseOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
+import { tellWithoutCard } from "./panels/without_card.ts";
 import { Commands } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
@@ -140,6 +141,7 @@ export class App {
         this.notes.take("context");
         world.invalidate();
       });
+      if (world.stage.quality.software) tellWithoutCard();
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
