@@ -7,6 +7,7 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/logging/json_text.hpp"
 #include "surefoot/logging/logged_timing.hpp"
+#include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
 
@@ -67,7 +68,8 @@ LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string r
       robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
       history_(ticks_of(kHistory, scenario.controller.period)),
       past_(wishes.limits().changes),
-      recording_(std::move(recording)) {
+      recording_(std::move(recording)),
+      calibration_(CalibrationMotion(scenario.controller.planner.calibration).duration()) {
   session_.start = random_token();
   session_.mode = "live";
   session_.version = build_info().version;
@@ -122,6 +124,7 @@ void LiveFeed::begin_again(ViewSession begun) {
   past_.clear();
   history_.clear();
   start_.reset();
+  calibrates_till_.reset();
   ended_.clear();
   pending_.clear();
   tick_ = 0;
@@ -278,6 +281,7 @@ void LiveFeed::keep(const std::vector<SharedBlock>& blocks) {
 void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   if (!start_) start_ = start_alignment(tick.truth, tick.record.state);
   if (begins_anew(tick.record)) start_.reset();
+  see_calibration(tick.record);
   HierarchyNamer namer(names_);
   const logged::Timing timing = logged::timing_of(tick.timing, names_.levels);
   to_frame({tick.number, tick.record, namer.name(tick.record.hierarchy), cone_, &tick.truth,
@@ -292,6 +296,15 @@ void LiveFeed::take(const ViewTick& tick, std::string& bytes) {
   time_ = tick.record.reading.time;
   user_ = tick.record.user;
   forces_ = tick.forces;
+}
+
+void LiveFeed::see_calibration(const TickRecord& tick) {
+  const double time = tick.reading.time;
+  if (tick.plan.calibration == CalibrationStage::none) {
+    calibrates_till_.reset();
+  } else if (!calibrates_till_ || begins_anew(tick)) {
+    calibrates_till_ = time + calibration_;
+  }
 }
 
 std::vector<SharedBlock> LiveFeed::welcome() { return history_.newest(kWelcomeFrames); }
@@ -355,6 +368,8 @@ std::string LiveFeed::status(std::size_t clients) {
       .member("height", walk.height)
       .member("by", wanted ? "operator" : "scenario")
       .end_object();
+  json.key("calibrating");
+  calibrates_till_ ? json.value(std::max(0.0, *calibrates_till_ - time_)) : json.null();
   json.key("ended");
   ended_.empty() ? json.null() : json.value(std::string_view(ended_));
   force_member(json, "push", forces_.push, session_.bodies);

@@ -56,6 +56,11 @@ class LiveFeed final : public WebContent {
   /// A line that every page shows.
   void tell(const std::string& notice);
 
+  /// Whether the next tick finds room.
+  [[nodiscard]] bool has_room() { return ring_->next_to_write() != nullptr; }
+  /// Whether a page has drawn the robot.
+  [[nodiscard]] bool is_seen() const { return is_seen_; }
+
   /// Of the robot, for the page.
   [[nodiscard]] std::vector<ViewMesh> meshes() const { return robot_.meshes(); }
 
@@ -67,6 +72,7 @@ class LiveFeed final : public WebContent {
   [[nodiscard]] std::vector<SharedBlock> blocks() override;
   [[nodiscard]] std::vector<std::string> messages(std::size_t clients) override;
   [[nodiscard]] std::string status(std::size_t clients) override;
+  void drawn() override { is_seen_ = true; }
   [[nodiscard]] std::string command(const ViewCommand& command) override;
 
  private:
@@ -94,6 +100,7 @@ class LiveFeed final : public WebContent {
   void take(const ViewTick& tick, std::string& bytes);
   void keep(const std::vector<SharedBlock>& blocks);
   void measure();
+  void see_calibration(const TickRecord& tick);
 
   LiveOperator& operator_;
   const ViewRobot robot_;
@@ -101,7 +108,7 @@ class LiveFeed final : public WebContent {
   Mailbox<News> mailbox_;
   std::uint32_t lost_ = 0;  // of the run's thread: ticks that found no room since the last that did
   std::uint64_t told_ = 0;  // of the run's thread: news so far
-  std::atomic<bool> paused_{false}, is_news_{true};
+  std::atomic<bool> paused_{false}, is_news_{true}, is_seen_{false};
   std::atomic<double> speed_{1.0};
 
   // Of the server's thread.
@@ -118,6 +125,8 @@ class LiveFeed final : public WebContent {
   ViewFrame frame_;
   std::optional<FrictionCone> cone_;  // of the run's stack
   std::optional<StartAlignment> start_;
+  const double calibration_;               // how long one takes [s]
+  std::optional<double> calibrates_till_;  // none: the robot does not calibrate [s]
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
   UserCommand user_;

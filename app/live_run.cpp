@@ -15,13 +15,14 @@ namespace surefoot {
 bool says_where(const ViewArguments& arguments) {
   const ViewArguments usual;
   return arguments.port != usual.port || !arguments.listen.empty() || !arguments.token.empty() ||
-         arguments.clients != usual.clients;
+         arguments.clients != usual.clients || arguments.no_wait;
 }
 
 void check(const ViewArguments& arguments) {
   if (says_where(arguments) && !arguments.view) {
     throw Error(
-        "--port, --listen, --token and --view-clients belong to --view, which is not given");
+        "--port, --listen, --token, --view-clients and --no-wait belong to --view, which is not "
+        "given");
   }
 }
 
@@ -35,6 +36,10 @@ void tell_link(const std::string& link, const std::string& how_it_ends, const st
 }
 
 namespace {
+
+constexpr const char* kWaits =
+    "\n  waits for the page: the robot calibrates, and walks once the link is open (--no-wait: at "
+    "once)";
 
 /// The log of a run that is begun again stays.
 void tell_kept(const LiveResult& before, const std::string& next) {
@@ -51,7 +56,7 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
                     const std::function<void(const RunResult&)>& ended) {
   LiveOperator wishes(scenario, ViewLimits());
   LiveFeed feed(scenario, wishes, options.record_path);
-  LiveView view(wishes, feed, options.interrupted);
+  LiveView view(wishes, feed, options.interrupted, !arguments.no_wait);
   options.steering = &view;
   options.interrupted = {};  // asked by the view
   std::optional<WebServer> server;
@@ -65,7 +70,9 @@ LiveResult run_live(const Scenario& scenario, ClosedLoopOptions options,
     const std::string missing = missing_meshes_text(feed.meshes());
     if (!missing.empty())
       std::fprintf(stderr, "surefoot: warning: %s\n", printable(missing).c_str());
-    tell_link(server->link(), "^C     ends the run", arguments.listen);
+    tell_link(server->link(),
+              std::string("^C     ends the run") + (arguments.no_wait ? "" : kWaits),
+              arguments.listen);
   };
   const std::string first_log = options.record_path;
   while (true) {

@@ -10,10 +10,11 @@ namespace surefoot {
 /// `--view` and what belongs to it, as typed.
 struct ViewArguments {
   bool view = false;
-  int port = 7373;     ///< 0: any that is free
-  std::string listen;  ///< address; empty: loopback alone
-  std::string token;   ///< for commands; empty: a random one
-  int clients = 8;     ///< pages at once
+  int port = 7373;       ///< 0: any that is free
+  std::string listen;    ///< address; empty: loopback alone
+  std::string token;     ///< for commands; empty: a random one
+  int clients = 8;       ///< pages at once
+  bool no_wait = false;  ///< for the first of them
 };
 
 /// Throws Error where options of the view are given without it.

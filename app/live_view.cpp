@@ -12,7 +12,7 @@
 namespace surefoot {
 namespace {
 
-constexpr std::chrono::milliseconds kNap{4};       // while it is paused
+constexpr std::chrono::milliseconds kNap{4};       // while it is paused or waits
 constexpr std::chrono::milliseconds kLongest{20};  // sleep before the operator is asked again
 constexpr double kPullInterval = 0.05;             // that a pull stays as it is, at least [s]
 constexpr double kFade = 0.3;                      // from a stack to the next [s]
@@ -41,8 +41,12 @@ bool is_same(const std::optional<UserCommand>& a, const std::optional<UserComman
 
 }  // namespace
 
-LiveView::LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted)
-    : operator_(wishes), feed_(feed), interrupted_(std::move(interrupted)) {}
+LiveView::LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted,
+                   bool waits_for_page)
+    : operator_(wishes),
+      feed_(feed),
+      interrupted_(std::move(interrupted)),
+      waits_for_page_(waits_for_page) {}
 
 void LiveView::begin(const RunParts& parts) {
   parts_.emplace(parts);
@@ -55,6 +59,7 @@ void LiveView::begin(const RunParts& parts) {
   booked_.clear();
   pulled_ = Pull();
   reset_ = is_pending_ = false;
+  hurries_ = waits_for_page_;
   pending_.clear();
   tick_ = 0;
   pace_.begin(0.0, wishes_.speed, Clock::now());
@@ -69,15 +74,15 @@ RunOrder LiveView::before_tick(double time) {
     take(time);
     if (reset_) return RunOrder::reset;
     const Clock::time_point now = Clock::now();
-    if (wishes_.paused && steps_ == 0) {
-      was_paused_ = true;
+    if (is_held()) {
+      is_off_pace_ = true;
       std::this_thread::sleep_for(kNap);
       continue;
     }
-    if (wishes_.paused) break;
-    if (was_paused_ || wishes_.speed != speed_) {
+    if (wishes_.paused || hurries_) break;
+    if (is_off_pace_ || wishes_.speed != speed_) {
       pace_.begin(time, wishes_.speed, now);
-      was_paused_ = false;
+      is_off_pace_ = false;
       speed_ = wishes_.speed;
     }
     const Clock::time_point due = pace_.due(time, now);
@@ -90,6 +95,11 @@ RunOrder LiveView::before_tick(double time) {
   take_walk(time);
   take_pull(time);
   return RunOrder::tick;
+}
+
+bool LiveView::is_held() const {
+  if (wishes_.paused) return steps_ == 0;
+  return hurries_ ? !feed_.has_room() : waits_for_page_ && !feed_.is_seen();
 }
 
 bool LiveView::has(const WantedControl& control) const {
@@ -276,6 +286,9 @@ UserCommand LiveView::user(const UserCommand& planned) {
 void LiveView::after_tick(const TickRecord& tick, const GroundTruth& truth,
                           const TickTiming& timing) {
   feed_.put(tick_++, tick, truth, timing, forces_->now());
+  if (!hurries_) return;
+  is_off_pace_ = true;
+  hurries_ = tick.plan.calibration != CalibrationStage::none;
 }
 
 void LiveView::end(double time) {

@@ -16,8 +16,10 @@ namespace surefoot {
 /// watch it.
 class LiveView final : public RunSteering {
  public:
-  /// `interrupted` is asked while it waits. All must outlive it.
-  LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted);
+  /// `interrupted` is asked while it waits. With `waits_for_page` a run that begins calibrates as
+  /// fast as it can, and then waits until a page has drawn the robot. All must outlive it.
+  LiveView(LiveOperator& wishes, LiveFeed& feed, std::function<bool()> interrupted,
+           bool waits_for_page = false);
 
   void begin(const RunParts& parts) override;
   [[nodiscard]] RunOrder before_tick(double time) override;
@@ -35,6 +37,8 @@ class LiveView final : public RunSteering {
 
   /// Is this how the controller is?
   [[nodiscard]] bool has(const WantedControl& control) const;
+  /// Is the next tick not to be made yet, whatever the pace is?
+  [[nodiscard]] bool is_held() const;
   void take(double time);
   void take_control(double time);
   void take_walk(double time);
@@ -52,6 +56,7 @@ class LiveView final : public RunSteering {
   LiveOperator& operator_;
   LiveFeed& feed_;
   std::function<bool()> interrupted_;
+  const bool waits_for_page_;
   std::optional<RunParts> parts_;
   OperatorWishes wishes_;
   WantedControl present_;  // of the controller
@@ -62,7 +67,8 @@ class LiveView final : public RunSteering {
   std::vector<Push> booked_;              // pushes that begin with the next tick
   Pull pulled_;
   double pull_taken_ = 0.0;  // when the pull was last another one [s]
-  bool reset_ = false, was_paused_ = false;
+  bool hurries_ = false;     // the robot calibrates at the beginning, without a pace
+  bool reset_ = false, is_off_pace_ = false;
   bool is_pending_ = false;  // something of the control is wanted and not yet had
   std::string pending_;      // of what waits, as the pages were told
   double speed_ = 1.0;

@@ -57,6 +57,9 @@ void add_server(CLI::App& command, ViewArguments& view) {
 void add_view(CLI::App& command, ViewArguments& view) {
   command.add_flag("--view", view.view,
                    "Run at real time and serve a page on this machine that shows it; ^C ends it");
+  command.add_flag("--no-wait", view.no_wait,
+                   "Begin at once and at real time; else the robot calibrates as fast as it can, "
+                   "and walks once the page is open");
   add_server(command, view);
 }
 

@@ -18,7 +18,7 @@ from surefoot_log.whole_file import written_whole
 
 EVENT_SHOWN, GAVE_WAY_SHOWN = 1.2, 0.4  # s
 # Of a report: small, and made in some seconds.
-CLIP_SIZE, CLIP_RATE, CLIP_LENGTH = (512, 288), 12, 10.0  # pixels, 1/s, s
+CLIP_SIZE, CLIP_RATE, CLIP_LENGTH = (768, 432), 12, 10.0  # pixels, 1/s, s
 COARSE = 0.008  # m: detail of the meshes in it
 STRIP_SCALE = 2  # pixels that become one along each edge
 

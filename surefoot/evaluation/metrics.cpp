@@ -45,6 +45,7 @@ std::vector<std::pair<std::string_view, MetricValue>> values(const Metrics& metr
       {"base_height_error_rms_m", metrics.base_height_error_rms_m},
       {"orientation_error_rms_rad", metrics.orientation_error_rms_rad},
       {"max_tilt_rad", metrics.max_tilt_rad},
+      {"max_tilt_calibrating_rad", metrics.max_tilt_calibrating_rad},
       {"torso_reference_step_max_rad", metrics.torso_reference_step_max_rad},
       {"torso_reference_step_max_m", metrics.torso_reference_step_max_m},
       {"control_frame_step_max_rad", metrics.control_frame_step_max_rad},

@@ -46,7 +46,10 @@ struct Metrics {
   double base_height_end_m = kNaN;  ///< base above the mean stance foot sphere's centre, at the end
   double base_height_error_rms_m = kNaN;
   double orientation_error_rms_rad = kNaN;  ///< angle between torso and its reference
-  double max_tilt_rad = 0.0;                ///< between the torso's z axis and the vertical
+  /// Between the torso's z axis and the vertical; while the robot calibrates itself, and tilts to
+  /// do so, it counts apart.
+  double max_tilt_rad = kNaN;
+  double max_tilt_calibrating_rad = kNaN;
   /// Largest change between two ticks, of the torso's reference and of the friction pyramids' frame
   /// (of the control frame, whichever axes they have).
   double torso_reference_step_max_rad = 0.0;

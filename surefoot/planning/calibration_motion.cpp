@@ -34,6 +34,11 @@ double CalibrationMotion::shortest_duration(const CalibrationOptions& options) {
   return std::max(kShortest, 2.0 * kPi * std::sqrt(most / kQuickest));
 }
 
+double CalibrationMotion::duration() const {
+  if (!(options_.duration > 0.0)) return 0.0;
+  return options_.settle + options_.duration + kTakeOver + kWeighing + kFollowing;
+}
+
 CalibrationStage CalibrationMotion::stage(double t) const {
   if (!(options_.duration > 0.0)) return CalibrationStage::none;
   const double since_turning = t - options_.settle - options_.duration;

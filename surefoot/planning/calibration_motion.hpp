@@ -26,6 +26,8 @@ class CalibrationMotion {
   /// or somewhat more, within what legs and ground can give.
   [[nodiscard]] static double shortest_duration(const CalibrationOptions& options);
 
+  /// From the beginning to the end of all [s]; 0 if the motion takes no time.
+  [[nodiscard]] double duration() const;
   /// What is done `t` after the beginning of all [s]; nothing if the motion takes no time.
   [[nodiscard]] CalibrationStage stage(double t) const;
   /// Roll, pitch and yaw [rad], their rates and accelerations; zero where the torso does not turn.

@@ -90,6 +90,7 @@ std::string estimate_figure(const RunData& run) {
       {.description = "Errors of the believed tilt, velocity, position and heading over time",
        .x = std::move(time),
        .x_range = time_range(run),
+       .calibration = calibration_times(run),
        .panels = {panel("(a) tilt", "error [°]", "line c0", std::move(errors.tilt)),
                   panel("(b) velocity", "error [mm/s]", "line c3", std::move(errors.velocity)),
                   panel("(c) position, drift", "drift [mm]", "line c1", std::move(errors.position)),

@@ -121,6 +121,19 @@ plot::Range time_range(const RunData& run) {
   return {run.ticks.front().time, run.ticks.back().time + run.header.control_period};
 }
 
+std::vector<plot::Range> calibration_times(const RunData& run) {
+  std::vector<plot::Range> times;
+  bool open = false;
+  for (const TickSample& tick : run.ticks) {
+    const bool inside = tick.plan.calibration != CalibrationStage::none;
+    if (inside && !open) times.emplace_back();
+    if (inside) times.back().add(tick.time);
+    if (inside) times.back().add(tick.time + run.header.control_period);
+    open = inside;
+  }
+  return times;
+}
+
 bool limb_limits_acted(const RunData& run) { return !limit_spans(run).empty(); }
 
 std::string com_figure(const RunData& run) {
@@ -150,6 +163,7 @@ std::string com_figure(const RunData& run) {
                                     " centre of mass over time, with the tracking error below",
                      .x = times(run),
                      .x_range = time_range(run),
+                     .calibration = calibration_times(run),
                      .panels = {position("(a) COM, lateral", 1),
                                 position("(b) COM, forward", 0),
                                 {.title = "(c) COM tracking error in the plane",
@@ -177,7 +191,7 @@ std::string adaptation_figure(const RunData& run) {
                                   column(run,
                                          [](const TickSample& tick) {
                                            return kMillimetres *
-                                                  (tick.truth.p_WB.z() - tick.plan.torso.height);
+                                                  (tick.truth.p_WB.z() - tick.desired_height);
                                          })}},
                       .spans = limit_spans(run)});
   }
@@ -187,6 +201,7 @@ std::string adaptation_figure(const RunData& run) {
            "Errors of torso orientation and height, and hip to foot distances with their limits",
        .x = times(run),
        .x_range = time_range(run),
+       .calibration = calibration_times(run),
        .panels = panels});
 }
 
@@ -211,6 +226,7 @@ std::string torque_figure(const RunData& run) {
   return plot::draw({.description = "Commanded joint torques with their limits",
                      .x = times(run),
                      .x_range = time_range(run),
+                     .calibration = calibration_times(run),
                      .panels = panels});
 }
 
@@ -234,6 +250,7 @@ std::string force_figure(const RunData& run) {
   return plot::draw({.description = "Normal force of each foot",
                      .x = times(run),
                      .x_range = time_range(run),
+                     .calibration = calibration_times(run),
                      .panels = panels});
 }
 

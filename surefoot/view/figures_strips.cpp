@@ -14,7 +14,7 @@ namespace {
 using plot::Frame;
 using plot::Svg;
 
-constexpr double kRowHeight = 18.0, kHead = 34.0, kNames = 270.0;
+constexpr double kRowHeight = 18.0, kHead = 34.0, kLeastNames = 150.0;
 constexpr double kShortest = 0.01;  // what acted for less is a flicker [s]
 
 using Times = std::vector<std::pair<double, double>>;  // from, to
@@ -34,11 +34,18 @@ std::string bars(const Frame& frame, double y, const Times& times) {
   return path;
 }
 
+double names_width(const std::vector<Strip>& strips) {
+  double width = kLeastNames;
+  for (const Strip& strip : strips) width = std::max(width, plot::text_width(strip.name) + 14.0);
+  return width;
+}
+
 std::string draw(const RunData& run, const std::vector<Strip>& strips,
                  const std::vector<plot::LegendEntry>& legend, const char* description) {
   if (strips.empty()) return "";
-  const Frame frame{.corner = {kNames, legend.empty() ? 6.0 : kHead},
-                    .width = plot::kFigureWidth - kNames - plot::kRightMargin,
+  const double names = names_width(strips);
+  const Frame frame{.corner = {names, legend.empty() ? 6.0 : kHead},
+                    .width = plot::kFigureWidth - names - plot::kRightMargin,
                     .height = kRowHeight * static_cast<double>(strips.size()),
                     .x = time_range(run),
                     .y = {0.0, 1.0}};
@@ -46,12 +53,13 @@ std::string draw(const RunData& run, const std::vector<Strip>& strips,
   plot::draw_x_axis(svg, frame, "time [s]");
   double y = frame.corner.y + kRowHeight / 2.0;
   for (const Strip& strip : strips) {
-    svg.text({kNames - 8.0, y + 4.0}, strip.name, "tick", plot::Anchor::end);
+    svg.text({names - 8.0, y + 4.0}, strip.name, "tick", plot::Anchor::end);
     svg.path(bars(frame, y, strip.plain), "bar b0");
     svg.path(bars(frame, y, strip.strong), "bar b1");
     y += kRowHeight;
   }
   plot::outline(svg, frame);
+  plot::draw_calibration(svg, frame, calibration_times(run), false);
   plot::draw_legend(svg, frame.corner.x + frame.width, 20.0, legend);
   return svg.image(description);
 }

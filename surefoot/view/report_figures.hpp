@@ -4,12 +4,15 @@
 #include "surefoot/view/run_data.hpp"
 
 #include <string>
+#include <vector>
 
 /// The report's figures, each an SVG image; empty where the log has nothing for it.
 namespace surefoot::report {
 
 /// Of all figures over time: from the first tick to the end of the last.
 [[nodiscard]] plot::Range time_range(const RunData& run);
+/// In which the robot calibrates itself on the spot.
+[[nodiscard]] std::vector<plot::Range> calibration_times(const RunData& run);
 /// True if rows of the limb limits were at a bound at any time.
 [[nodiscard]] bool limb_limits_acted(const RunData& run);
 

@@ -166,7 +166,9 @@ void lay_plans(RunData& run) {
   for (TickSample& tick : run.ticks) {
     if (!std::isnan(tick.truth.time)) frame.update(tick.plan, tick.model.p_WF, tick.truth.p_WF);
     const Vec2& p = tick.plan.com.p;
-    tick.desired_com = frame.to_truth({p.x(), p.y(), 0.0}).head<2>();
+    const Vec3 desired = frame.to_truth({p.x(), p.y(), tick.plan.torso.height});
+    tick.desired_com = desired.head<2>();
+    tick.desired_height = desired.z();
     tick.R_belief = frame.R();
   }
 }

@@ -36,6 +36,7 @@ struct TickSample {
   ModelRecord model;
   /// Of the plan, in the true W (in the controller's, without a truth) [m].
   Vec2 desired_com = Vec2::Constant(kNaN);
+  double desired_height = kNaN;              ///< the same of the torso [m]
   Mat3 R_belief = Mat3::Identity();          ///< turns the controller's W into the true one
   JointVector torque = JointVector::Zero();  ///< commanded [N·m]
   CommandMode mode = CommandMode::optimal;

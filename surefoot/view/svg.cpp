@@ -56,6 +56,14 @@ std::string escape(std::string_view text) {
   return out;
 }
 
+// Letters are bytes that do not continue a UTF-8 sequence.
+double text_width(std::string_view text) {
+  constexpr double kLetter = 6.3;
+  return kLetter * static_cast<double>(std::ranges::count_if(text, [](char c) {
+           return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+         }));
+}
+
 std::string decimal(double value, int decimals) {
   if (!std::isfinite(value)) return "–";
   std::array<char, 64> text;
@@ -131,8 +139,9 @@ void Svg::begin_clip(Point corner, double width, double height) {
 }
 
 std::string Svg::image(std::string_view description) const {
-  return "<svg class=\"plot\" viewBox=\"0 0 " + px(width_) + " " + px(height_) +
-         "\" role=\"img\" aria-label=\"" + escape(description) + "\">\n" + body_ + "</svg>\n";
+  return "<svg class=\"plot\"" + attribute("width", width_) + attribute("height", height_) +
+         " viewBox=\"0 0 " + px(width_) + " " + px(height_) + "\" role=\"img\" aria-label=\"" +
+         escape(description) + "\">\n" + body_ + "</svg>\n";
 }
 
 std::string path_through(const std::vector<Point>& points) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Drawing primitives of the report: an SVG image as text. Lengths in pixels; looks are CSS classes
-/// of the page (report_style.hpp), so that one image serves light and dark.
+/// (report_style.hpp), so that one image serves light and dark.
 namespace surefoot::plot {
 
 struct Point {
@@ -18,6 +18,9 @@ struct Point {
 [[nodiscard]] std::string decimal(double value, int decimals);
 /// With two digits, for values from 0 on: "42", "0.42", "1.3·10⁻⁴".
 [[nodiscard]] std::string two_digits(double value);
+
+/// About how wide a text of the report's size is [px]; no less than it is in usual fonts.
+[[nodiscard]] double text_width(std::string_view text);
 
 enum class Anchor { start, middle, end };
 

@@ -9,13 +9,6 @@ constexpr double kHead = 24.0;    // above a panel: title and legend
 constexpr double kGap = 8.0;      // below it
 constexpr double kBottom = 40.0;  // below the last: numbers and label
 
-// Number of letters: bytes that do not continue a UTF-8 sequence.
-double letters(const std::string& text) {
-  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
 Range y_range(const Panel& panel) {
   if (!panel.y_range.empty()) return panel.y_range;
   Range range;
@@ -78,21 +71,33 @@ std::string draw(const TimeFigure& figure) {
                       .x = x.padded(0.0),
                       .y = y_range(panel)};
     draw_panel(svg, frame, panel, figure.x, &panel == &figure.panels.back(), figure.x_label);
+    draw_calibration(svg, frame, figure.calibration, &panel == &figure.panels.front());
     y += kHead + panel.height + kGap;
   }
   return svg.image(figure.description);
 }
 
+void draw_calibration(Svg& svg, const Frame& frame, const std::vector<Range>& times,
+                      bool with_words) {
+  constexpr double kThick = 4.0;
+  for (const Range& time : times) {
+    const double from = frame.px_x(std::max(time.low, frame.x.low)),
+                 to = frame.px_x(std::min(time.high, frame.x.high));
+    if (to > from) svg.rectangle({from, frame.corner.y}, to - from, kThick, "calibration");
+    if (to - from > text_width("calibrates") && with_words)
+      svg.text({to - 4.0, frame.corner.y + 16.0}, "calibrates", "note", Anchor::end);
+  }
+}
+
 void draw_legend(Svg& svg, double right, double y, const std::vector<LegendEntry>& entries) {
-  constexpr double kSample = 22.0, kSpace = 16.0, kLetter = 6.3;
+  constexpr double kSample = 22.0, kSpace = 16.0;
   double x = right;
-  for (const LegendEntry& entry : entries)
-    x -= kSample + 5.0 + kLetter * letters(entry.label) + kSpace;
+  for (const LegendEntry& entry : entries) x -= kSample + 5.0 + text_width(entry.label) + kSpace;
   x += kSpace;
   for (const LegendEntry& entry : entries) {
     svg.line({x, y - 4.0}, {x + kSample, y - 4.0}, entry.style);
     svg.text({x + kSample + 5.0, y}, entry.label, "legend");
-    x += kSample + 5.0 + kLetter * letters(entry.label) + kSpace;
+    x += kSample + 5.0 + text_width(entry.label) + kSpace;
   }
 }
 

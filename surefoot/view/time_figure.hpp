@@ -44,14 +44,19 @@ struct Panel {
 struct TimeFigure {
   std::string description;
   std::string x_label = "time [s]";
-  std::vector<double> x;  ///< of all curves
-  Range x_range = {};     ///< shown; empty: all of x
+  std::vector<double> x;                ///< of all curves
+  Range x_range = {};                   ///< shown; empty: all of x
+  std::vector<Range> calibration = {};  ///< times in which the robot calibrates itself
   std::vector<Panel> panels;
 };
 
 inline constexpr double kFigureWidth = 880.0, kLeftMargin = 68.0, kRightMargin = 16.0;
 
 [[nodiscard]] std::string draw(const TimeFigure& figure);
+
+/// A bar along the upper edge of a plot over time, and what it stands for.
+void draw_calibration(Svg& svg, const Frame& frame, const std::vector<Range>& times,
+                      bool with_words);
 
 /// A row of samples with names, flush right at `right`.
 struct LegendEntry {

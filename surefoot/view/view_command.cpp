@@ -184,8 +184,10 @@ ViewMessage read_message(std::string_view text) {
   if (token != message.end() && token->is_string()) result.token = token->get<std::string>();
   try {
     if (has_id && !id->is_number_integer()) throw BadMessage{"`id` must be a whole number"};
-    result.is_hello = message.value("type", json()) == "hello";
-    if (!result.is_hello) result.command = read_command(message);
+    const json type = message.value("type", json());
+    result.is_hello = type == "hello";
+    result.is_drawn = type == "drawn";
+    if (!result.is_hello && !result.is_drawn) result.command = read_command(message);
   } catch (const BadMessage& bad) {
     result.error = bad.what;
   }

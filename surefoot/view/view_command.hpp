@@ -52,6 +52,7 @@ struct ViewMessage {
   bool is_object = true;  ///< otherwise nothing else of it is known than `error`
   std::string token;
   bool is_hello = false;  ///< it asks only whether its token is known; without a command
+  bool is_drawn = false;  ///< the page has drawn the robot; without a command, token or reply
   std::string error;      ///< what is wrong with the rest of it; empty: nothing
   ViewCommand command;
 };

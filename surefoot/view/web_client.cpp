@@ -87,6 +87,8 @@ void WebClient::take(std::string_view text) {
   const ViewMessage message = read_message(text);
   if (!message.is_object) {
     reply(message.id, message.error);
+  } else if (message.is_drawn) {
+    shared_.content.drawn();
   } else if (!is_same_secret(message.token, shared_.options.token)) {
     reply(message.id, "commands need the token of the link that the program printed", false);
   } else if (!message.error.empty()) {

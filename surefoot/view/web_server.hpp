@@ -56,6 +56,8 @@ class WebContent {
     static_cast<void>(clients);
     return "";
   }
+  /// A page has drawn the robot for the first time.
+  virtual void drawn() {}
   /// Takes a command whose token was right. What is wrong with it; empty: nothing.
   [[nodiscard]] virtual std::string command(const ViewCommand& command) {
     static_cast<void>(command);

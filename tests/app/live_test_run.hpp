@@ -18,11 +18,12 @@ namespace surefoot::test {
 class LiveTestRun {
  public:
   explicit LiveTestRun(const std::vector<std::string>& assignments,
-                       const std::string& scenario_name = "walk_flat_ideal")
+                       const std::string& scenario_name = "walk_flat_ideal",
+                       bool waits_for_page = false)
       : scenario(load_scenario({scenario_name, 0, over_many_levels(assignments)})),
         wishes(scenario, ViewLimits()),
         feed(scenario, wishes, ""),
-        view(wishes, feed, [this] { return turn(); }) {
+        view(wishes, feed, [this] { return turn(); }, waits_for_page) {
     ViewCommand fast{.type = ViewCommandType::speed, .factor = 8.0};
     (void)wishes.command(fast);
   }
@@ -57,11 +58,12 @@ class LiveTestRun {
   LiveFeed feed;
   LiveView view;
   ViewChannels channels;
-  std::vector<ViewFrame> frames;           // of all that the pages got
-  std::vector<std::uint32_t> generations;  // of each frame
-  std::vector<std::string> events;         // messages of these
-  std::vector<std::string> messages;       // without status and events
-  std::vector<std::string> errors;         // of the commands
+  std::vector<ViewFrame> frames;            // of all that the pages got
+  std::vector<std::uint32_t> generations;   // of each frame
+  std::vector<std::string> events;          // messages of these
+  std::vector<std::string> messages;        // without status and events
+  std::vector<std::string> errors;          // of the commands
+  std::function<void()> each_turn = [] {};  // before each tick, and while the run waits
 
  private:
   static std::vector<std::string> over_many_levels(std::vector<std::string> assignments) {
@@ -72,6 +74,7 @@ class LiveTestRun {
   /// Is called before each tick, and while it waits.
   bool turn() {
     drain();
+    each_turn();
     const auto next = static_cast<long>(frames.size());
     if (const auto found = actions_.find(next); found != actions_.end()) {
       const auto todo = std::exchange(found->second, {});

@@ -51,6 +51,33 @@ TEST(LiveView, a_run_that_is_only_watched_is_the_same_to_the_bit) {
   }
 }
 
+TEST(LiveView, a_run_that_waits_calibrates_without_a_pace_and_walks_once_a_page_has_drawn) {
+  LiveTestRun run({"duration=5", "planner.calibration.duration=1.3"}, "walk_flat_ideal", true);
+  run.at(0, {.type = Type::speed, .factor = 0.03125});
+  std::size_t before = 0;
+  int turns = 0;
+  double held_at = 0.0;
+  std::vector<std::pair<double, json>> calibrating;
+  run.each_turn = [&] {
+    if (run.frames.empty()) return;
+    const json status = json::parse(run.feed.status(1));
+    calibrating.emplace_back(status.at("time").get<double>(), status.at("calibrating"));
+    turns = run.frames.size() == before ? turns + 1 : 0;
+    before = run.frames.size();
+    if (turns < 20 || held_at > 0.0) return;
+    held_at = run.frames.back().time;
+    EXPECT_EQ(run.wishes.command({.type = Type::speed, .factor = 8.0}), "");
+    run.feed.drawn();
+  };
+  (void)run.run();
+  EXPECT_NEAR(held_at, 4.8, 0.01);
+  EXPECT_EQ(run.frames.size(), 2000u) << "no tick is lost";
+  for (const auto& [time, left] : calibrating) {
+    if (time < 4.79) EXPECT_NEAR(left.get<double>(), 4.8 - time, 1e-6);
+    if (time > 4.81) EXPECT_TRUE(left.is_null()) << time;
+  }
+}
+
 TEST(LiveView, the_frames_say_what_the_log_says) {
   const test::TemporaryFolder folder;
   LiveTestRun run({"duration=1.5"});

@@ -348,6 +348,20 @@ TEST(Evaluator, ATiltBeyondSixtyDegreesIsAFall) {
   EXPECT_NE(run.evaluator.fall().find("60°"), std::string::npos);
 }
 
+TEST(Evaluator, TheTiltOfACalibrationCountsApart) {
+  HandMadeRun run;
+  run.step();
+  EXPECT_TRUE(std::isnan(run.metrics().max_tilt_calibrating_rad));
+  for (const auto& [stage, angle] :
+       {std::pair{CalibrationStage::turning, 0.2}, std::pair{CalibrationStage::none, 0.1}}) {
+    run.tick.plan.calibration = stage;
+    run.truth.q_WB = Quat(Eigen::AngleAxisd(angle, Vec3::UnitX()));
+    run.step();
+  }
+  EXPECT_NEAR(run.metrics().max_tilt_rad, 0.1, 1e-7);
+  EXPECT_NEAR(run.metrics().max_tilt_calibrating_rad, 0.2, 1e-7);
+}
+
 TEST(Evaluator, YawIsNoTilt) {
   HandMadeRun run;
   run.truth.q_WB = Quat(Eigen::AngleAxisd(3.0, Vec3::UnitZ()));

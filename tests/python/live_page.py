@@ -13,7 +13,7 @@ import subprocess
 import threading
 import time
 
-from program import PROGRAM
+from program import served
 
 # A run that does not end by itself, with many levels.
 LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
@@ -22,10 +22,8 @@ LONG = ["--set", "duration=1000", "--set", "stack=terrain_adaptation"]
 class Served:
     """The program while it serves a page on this machine."""
 
-    def __init__(self, *arguments):
-        self.process = subprocess.Popen(
-            [PROGRAM, *map(str, arguments), "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
+    def __init__(self, *arguments, waits=False):
+        self.process = subprocess.Popen(served(arguments, waits), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.errors = ""
         for line in self.process.stderr:
             self.errors += line
@@ -153,6 +151,10 @@ class Page:
         else:
             head += bytes([128 | 127]) + struct.pack(">Q", len(content))
         self.socket.sendall(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(content)))
+
+    def drawn(self):
+        """As a page says that has drawn the robot."""
+        self.send_bytes(1, json.dumps({"type": "drawn"}).encode())
 
     def ask(self, type, **members):
         """Sends a command; the reply."""

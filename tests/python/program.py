@@ -10,6 +10,12 @@ PROGRAM = os.environ.get("SUREFOOT_PROGRAM", str(ROOT / "build/release/app/suref
 SHORT = ["--set", "duration=0.1"]
 
 
+def served(arguments, waits, port=0):
+    """The call that serves a page; a run that is watched begins at once, unless it `waits` for its page."""
+    at_once = ["--no-wait"] if "--view" in arguments and not waits else []
+    return [PROGRAM, *map(str, arguments), *at_once, "--port", str(port)]
+
+
 def surefoot(*arguments, cwd=None):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
 

@@ -67,6 +67,29 @@ def test_frames_come_in_order_at_real_time(run):
     assert status["command"]["by"] == "scenario"
 
 
+def test_a_run_calibrates_and_then_waits_for_a_page_that_has_drawn():
+    with Served("run", "walk_flat", "--view", *LONG, waits=True) as run, run.page() as page:
+        page.status(lambda status: status["tick"] > 0 and status["calibrating"] is None, 60)
+        held = page.status()["time"]
+        assert 9.4 < held < 9.6
+        end = time.monotonic() + 1.0
+        while time.monotonic() < end:
+            page.hear()
+        assert page.status()["time"] == held
+        page.drawn()
+        assert page.status(lambda status: status["time"] > held + 0.1)["calibrating"] is None
+        assert run.end() == 2
+    assert "waits" in run.errors and "--no-wait" in run.errors
+
+
+def test_without_waiting_the_calibration_is_told_at_real_time():
+    with Served("run", "walk_flat", "--view", *LONG) as run, run.page() as page:
+        first = page.status(lambda status: status["calibrating"] is not None)
+        later = page.status(lambda status: status["time"] > first["time"] + 0.2)
+    assert first["time"] + first["calibrating"] == pytest.approx(9.5, abs=0.01)
+    assert later["time"] + later["calibrating"] == pytest.approx(9.5, abs=0.01)
+
+
 def test_after_its_end_the_page_stays_until_it_is_interrupted():
     with Served("run", "walk_flat", "--view", "--set", "duration=0.3") as run, run.page() as page:
         status = page.status(lambda status: status["ended"] is not None)

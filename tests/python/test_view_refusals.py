@@ -38,6 +38,7 @@ def test_what_does_not_go_with_a_view_is_told():
     assert "--seeds" in complaint("run", "walk_flat", "--view", "--seeds", 3)
     assert "--record" in complaint("run", "walk_flat", "--view", "--report", "out")
     assert "--view" in complaint("run", "walk_flat", "--listen", "0.0.0.0")
+    assert "--no-wait belong to --view" in complaint("run", "walk_flat", "--no-wait")
     assert "16 to 128" in complaint("run", "walk_flat", "--view", "--token", "short")
     assert "65535" in complaint("run", "walk_flat", "--view", "--port", 70000)
     assert "64" in complaint("run", "walk_flat", "--view", "--view-clients", 65)

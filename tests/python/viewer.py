@@ -7,7 +7,7 @@ import subprocess
 import threading
 import urllib.request
 
-from program import PROGRAM
+from program import served
 
 LINK = re.compile(r"http://127\.0\.0\.1:(\d+)/(?:#token=(\S+))?")
 
@@ -15,8 +15,8 @@ LINK = re.compile(r"http://127\.0\.0\.1:(\d+)/(?:#token=(\S+))?")
 class Viewer:
     """`surefoot run … --view` or `surefoot replay …` until it is closed."""
 
-    def __init__(self, *arguments, port=0, cwd=None):
-        command = [PROGRAM, *map(str, arguments), "--port", str(port)]
+    def __init__(self, *arguments, port=0, cwd=None, waits=False):
+        command = served(arguments, waits, port)
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=cwd)
         self.lines, self.said = queue.Queue(), []
         threading.Thread(target=self.listen, daemon=True).start()

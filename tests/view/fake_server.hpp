@@ -49,8 +49,10 @@ class FakeContent final : public WebContent {
     return command.type == ViewCommandType::undo ? "there is nothing to undo" : "";
   }
 
+  void drawn() override { ++drawings; }
+
   std::atomic<std::size_t> block_bytes{0};
-  std::atomic<int> calls{0}, commands{0};
+  std::atomic<int> calls{0}, commands{0}, drawings{0};
   std::atomic<int> most_at_once{0};  // answers without a block between them
   std::atomic<std::chrono::milliseconds> answer_time{};
   std::atomic<bool> talks{false};   // a status with every block

@@ -8,6 +8,7 @@
 #include "surefoot/view/outcome.hpp"
 #include "surefoot/view/report_numbers.hpp"
 #include "surefoot/view/run_data.hpp"
+#include "surefoot/view/svg.hpp"
 #include "tests/logging/synthetic_run.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
@@ -32,6 +33,7 @@ struct Options {
   bool walked_down = true;
   double explained = 1.0;     // share of the ticks at which it is known what held levels back
   bool pushed = false;        // alone from 2 to 3 s, to the left
+  double calibrates = 0.0;    // for so long from the beginning [s]
   Mat3 R = Mat3::Identity();  // the true world, from where the controller believes to be
   Vec3 p = Vec3::Zero();
 };
@@ -56,6 +58,9 @@ void record(const std::string& path, const Options& options,
   SyntheticRun run(1, options.walked_down ? 2.0 : 1e9);
   for (int i = 0; i < options.seconds / SyntheticRun::kPeriod; ++i) {
     run.step();
+    run.tick.plan.calibration = run.tick.reading.time < options.calibrates
+                                    ? CalibrationStage::turning
+                                    : CalibrationStage::none;
     if (i % 100 >= 100.0 * options.explained) run.tick.hierarchy.blocking_is_known = false;
     GroundTruth truth = elsewhere(run.truth, options.R, options.p);
     if (options.pushed) {
@@ -237,6 +242,73 @@ TEST(Report, ShadesTheTorsosErrorsWhereTheLimbLimitsAct) {
   EXPECT_EQ(shaded(), std::pair(1, 1));  // the one stretch of the synthetic adaptation
   header.limb.level = -1;
   EXPECT_EQ(shaded(), std::pair(0, 0));
+}
+
+TEST(Report, EachFigureIsAFileThatStandsAlone) {
+  const TemporaryFolder folder;
+  record(folder / "run.mcap", {.seconds = 1.0});
+  const std::string page = contents(write_report(folder / "run.mcap", folder / "report"));
+  const std::regex link("href=\"(figures/[a-z_]+\\.svg)\" download");
+  int files = 0;
+  for (std::sregex_iterator found(page.begin(), page.end(), link), end; found != end; ++found) {
+    const std::string image = contents(folder / "report/" + (*found)[1].str());
+    EXPECT_TRUE(image.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"")) << (*found)[1];
+    EXPECT_EQ(image.find("var("), std::string::npos) << "only browsers know variables";
+    EXPECT_NE(image.find(".c0 { stroke: #0072b2; }"), std::string::npos);
+    ++files;
+  }
+  EXPECT_EQ(files, count(page, "<figure>"));
+  record(folder / "run.mcap", {.seconds = 1.0, .truth = false});
+  write_report(folder / "run.mcap", folder / "report");
+  EXPECT_FALSE(std::filesystem::exists(folder / "report/figures/forces.svg"))
+      << "of an earlier run that had it";
+  EXPECT_TRUE(std::filesystem::exists(folder / "report/figures/torques.svg"));
+}
+
+TEST(Report, NoUnitOfAResidualIsCutOff) {
+  const TemporaryFolder folder;
+  LogHeader header = SyntheticRun::header();
+  const std::string unit = "N, N·m, m/s² and rad/s², each of its own";
+  header.level_units.assign(header.level_names.size(), unit);
+  record(folder / "run.mcap", {.seconds = 3.0}, header);
+  write_report(folder / "run.mcap", folder / "report");
+  const std::string image = contents(folder / "report/figures/residuals.svg");
+  const std::regex text("<text x=\"([0-9.]+)\"[^>]*>([^<]*own[^<]*)<");
+  int units = 0;
+  for (std::sregex_iterator found(image.begin(), image.end(), text), end; found != end; ++found) {
+    EXPECT_LT(std::stod((*found)[1]) + plot::text_width((*found)[2].str()), 880.0);
+    ++units;
+  }
+  EXPECT_GT(units, 0);
+}
+
+TEST(Report, WhatTheCalibrationIsInAndWhatNotIsTold) {
+  const std::string page = report_of({.calibrates = 1.5});
+  EXPECT_NE(page.find("calibrates itself on the spot (0 to 1.5 s)"), std::string::npos);
+  EXPECT_GT(count(page, "class=\"calibration\""), 10);
+  for (const char* row : {"<td>COM tracking error, largest</td>", "<td>largest tilt</td>"}) {
+    const std::size_t at = page.find(row);
+    ASSERT_NE(at, std::string::npos) << row;
+    EXPECT_NE(page.substr(at, page.find("</tr>", at) - at).find(", without calibration<"),
+              std::string::npos)
+        << row;
+  }
+  EXPECT_NE(page.find("<td>largest tilt while calibrating</td>"), std::string::npos);
+  const std::string none = report_of({});
+  EXPECT_EQ(count(none, "class=\"calibration\""), 0);
+  EXPECT_EQ(none.find("without calibration"), std::string::npos);
+  EXPECT_EQ(none.find("while calibrating"), std::string::npos);
+}
+
+TEST(Report, ANumberSaysWhatItIsMeasuredOn) {
+  const report::Outcome outcome = report::read_outcome(summary_json(Metrics(), {}), "");
+  const std::string table = report::numbers(outcome);
+  for (const char* cell :
+       {"truth against plan", "truth, while it walks", "plan", "command", "wall clock"}) {
+    EXPECT_NE(table.find("<td class=\"basis\">" + std::string(cell) + "<"), std::string::npos)
+        << cell;
+  }
+  EXPECT_EQ(table.find("<td class=\"basis\"><"), std::string::npos);
 }
 
 TEST(Report, NeedsNoNetworkAndNoScript) {

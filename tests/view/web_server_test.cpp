@@ -206,6 +206,17 @@ TEST_F(WebServerTest, says_what_is_wrong_with_a_message) {
   EXPECT_TRUE(test::holds(client.hear_text(), "`id` must be a whole number"));
 }
 
+TEST_F(WebServerTest, that_a_page_has_drawn_needs_no_token_and_gets_no_reply) {
+  RawClient client(server_.port());
+  ASSERT_EQ(client.upgrade(host(), origin()), 101);
+  (void)client.hear_text();
+  client.say(R"({"type":"drawn"})");
+  client.say(message(R"("type":"hello")"));
+  EXPECT_TRUE(test::holds(client.hear_text(), R"("id":7,"ok":true)"));
+  EXPECT_EQ(content_.drawings, 1);
+  EXPECT_EQ(content_.commands, 0);
+}
+
 TEST_F(WebServerTest, a_message_that_is_too_long_ends_the_connection) {
   RawClient client(server_.port());
   ASSERT_EQ(client.upgrade(host(), origin()), 101);

@@ -23,6 +23,7 @@ import { StatePanel } from "./panels/state_panel.ts";
 import { Tabs } from "./panels/tabs.ts";
 import { courseOf, endedText, Transport } from "./panels/transport.ts";
 import { TunePanel } from "./panels/tune_panel.ts";
+import { tellWithoutCard } from "./panels/without_card.ts";
 import { Commands } from "./protocol/commands.ts";
 import { orderOf, type Session } from "./protocol/session.ts";
 import { ReplayLink } from "./replay_link.ts";
@@ -38,6 +39,8 @@ import { Wish } from "./data/wish.ts";
 const WITHOUT_ROBOT = 2000;
 /** What a key that drives a run says where there is none. */
 const OF_A_LOG = "This is a log: only a run can be pushed, steered or changed (`surefoot run SCENARIO --view`).";
+/** A run that waits for its page waits no longer for meshes [ms]. */
+const LONGEST_DRESSING = 10000;
 /** Texts and the time bar change this often [s]. */
 const TEXT_PERIOD = 0.1;
 
@@ -78,6 +81,7 @@ export class App {
   private canAct = false;
   private readonly progress: () => string;
   private readonly pauseWish = new Wish<boolean>();
+  private toldDrawn = false;
 
   constructor(
     public session: Session,
@@ -140,6 +144,7 @@ export class App {
         this.notes.take("context");
         world.invalidate();
       });
+      if (world.stage.quality.software) tellWithoutCard();
       world.library.onMissing = () => this.notes.keep("meshes", missingText(world.library.missing));
       return world;
     } catch (error) {
@@ -377,6 +382,7 @@ export class App {
     this.transport.update(this.link?.status, heard);
     this.plots.showProgress(this.progress());
     this.tellUnreadable();
+    this.tellDrawn();
     for (const [name, text] of this.aboutRun()) this.state.fact(name, text);
     say(part("loading"), this.world?.library.progress ?? "");
     this.tellHead(heard);
@@ -389,7 +395,15 @@ export class App {
     const rate = heard || !this.player.live ? quality?.rate : "";
     const end = endFact(this.ending, this.session.cut);
     showFacts([this.session.source, end, ...(this.link?.tellFacts() ?? []), rate ?? "", quality?.coarse ?? ""], end);
-    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard));
+    if (this.link !== undefined) showMode(this.player, courseOf(this.link.status, heard), this.link.status?.calibrating);
+  }
+
+  /** Once, to a run that waits for it: the robot is in the picture with its meshes, or these take long. */
+  private tellDrawn(): void {
+    const isDressed = (this.world?.library.loading ?? 0) === 0 || performance.now() - this.firstPicture > LONGEST_DRESSING;
+    if (this.toldDrawn || this.pictures === 0 || !isDressed) return;
+    this.toldDrawn = true;
+    this.link?.tellDrawn();
   }
 
   private tellUnreadable(): void {

@@ -264,9 +264,15 @@ export class LiveLink {
     } else if (state === "open") {
       app.notes.take("lost");
       app.handlers().commands.greet();
+      this.tellDrawn();
       if (this.lostBefore) this.comeBack();
       else void this.recall();
     }
+  }
+
+  /** The run may wait until somebody sees the robot. */
+  tellDrawn(): void {
+    if ((this.app?.pictures ?? 0) > 0) this.connection.send({ type: "drawn" });
   }
 
   /** Another program may be there that has nothing live, as one that shows a log: it has no connection for this page. */

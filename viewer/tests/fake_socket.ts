@@ -3,11 +3,14 @@ export class FakeSocket {
   onmessage: ((event: { data: unknown }) => void) | null = null;
   onclose: ((event: { reason: string }) => void) | null = null;
   isClosed = false;
+  readonly sent: object[] = [];
 
   hear(message: object): void {
     this.onmessage?.({ data: message instanceof ArrayBuffer ? message : JSON.stringify(message) });
   }
-  send(): void {}
+  send(text: string): void {
+    this.sent.push(JSON.parse(text) as object);
+  }
   close(): void {
     this.isClosed = true;
   }

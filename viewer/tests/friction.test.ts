@@ -65,14 +65,14 @@ test("the pyramid that is drawn is the one that held the force, with the share t
   const q_WP = randomTurn(randomNumbers(9));
   const schema = schemaOf({ "commanded.friction_use.RF": 1, "commanded.normal_force.RF": 1, "commanded.q_WP.RF": 4, "commanded.pyramid_friction.RF": 1, "model.p_WF.RF": 3 });
   const frame: Frame = { schema, tick: 0, time: 0, values: new Float32Array([0.93, 200, ...q_WP, 0.3, 1, 2, 3]), active: [], blocking: [] };
-  const put: string[][] = [];
+  const put: [string, string, boolean][] = [];
   const spared: THREE.Vector3[][] = [];
-  const labels = { put: (_: THREE.Vector3, ...told: string[]) => put.push(told), spare: (points: THREE.Vector3[]) => spared.push(points.map((point) => point.clone())) };
+  const labels = { put: (_: THREE.Vector3, ...told: [string, string, boolean]) => put.push(told), spare: (points: THREE.Vector3[]) => spared.push(points.map((point) => point.clone())) };
   const picture = { frame, header: { robot: { foot_radius: 0.03 } }, labels, newton: 0.002, beliefToWorld: new THREE.Matrix4() };
   const overlay = new FrictionPyramids();
   overlay.wear(paletteOf(false));
   overlay.update(picture as unknown as Picture);
-  assert.deepEqual(put, [["RF 93 %", "use leg1 bad"]]);
+  assert.deepEqual(put, [["RF 93 %", "use leg1 bad", true]]);
   assert.deepEqual(spared.map((points) => points.length), [5], "the pyramid itself is to be seen beside its number");
   const [sides] = overlay.root.children[1]?.children as [THREE.Mesh<THREE.BufferGeometry, THREE.Material>];
   assert.deepEqual([...overlay.root.children.map(({ visible }) => visible), sides.material.depthTest], [false, true, false], "seen through the leg that it stands at");

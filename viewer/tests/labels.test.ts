@@ -46,6 +46,18 @@ test("a text that stands away from its point has a line to it, from its edge", (
   }
 });
 
+test("a text that stands under its point goes over it only where it has no room there", () => {
+  const under = { ...label(100, 100), under: true }, [place] = spread([under], 400, 200, []) as [[number, number]];
+  assert.deepEqual(place, [100, 100 + 0.7 * 16]);
+  assert.equal(leaderOf(under, place), undefined);
+  const two = spread([under, under], 400, 200, []) as [number, number][];
+  assert.deepEqual(two.map(([x]) => x), [100, 100]);
+  assert.ok((two[1] as [number, number])[1] >= (two[0] as [number, number])[1] + 16, "in lines");
+  const mark = { left: 0, right: 400, top: 101, bottom: 200 };
+  const [over] = spread([under], 400, 200, [], [mark]) as [[number, number]];
+  assert.ok(over[1] + 8 <= 101);
+});
+
 test("a text has the upper edge for it where no button is, and none where there is no room for it", () => {
   assert.deepEqual(spread([label(300, 10), label(60, 10)], 400, 200, BUTTONS), [[300, 8], [60, 56]]);
   assert.deepEqual([...spread([label(60, 30), label(300, 30)], 400, 50, BUTTONS)], [undefined, [300, 30 - 0.7 * 16]]);

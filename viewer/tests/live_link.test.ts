@@ -33,16 +33,16 @@ function watching() {
   for (const [name, value] of Object.entries({ location, fetch: fetchFrom })) Object.defineProperty(globalThis, name, { value, configurable: true });
   const sockets = fakeSockets();
   const said: string[] = [], kept: string[] = [], recalled: string[] = [];
-  const { session } = program;
+  const { session } = program, pictures = { pictures: 0 };
   const source = new LiveSource(schemaOf({ x: 1 }, { period: PERIOD }));
   const link = new LiveLink(source, session);
   const nothing = (): void => {};
   const changes = { hear: nothing, recall: (all: { text: string }[]) => recalled.push(...all.map(({ text }) => text)) };
   const handlers = { commands: { greet: nothing, lost: nothing }, tune: { changes, showStatus: nothing }, drive: { show: nothing } };
-  link.wire({ handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing } as unknown as App);
+  link.wire(Object.assign(pictures, { handlers: () => handlers, notes: { say: (text: string) => said.push(text), keep: (_: string, text: string) => kept.push(text), take: nothing }, letCommand: nothing, refresh: nothing, use: nothing, restart: nothing }) as unknown as App);
   const newest = (): FakeSocket => sockets.at(-1) as FakeSocket;
   const hear = (tick: number, generation = 0): void => newest().hear(blockOf([{ tick, time: tick * PERIOD, values: [tick] }], 0, generation));
-  return { program, source, link, said, kept, recalled, newest, hear };
+  return { program, source, link, said, kept, recalled, newest, hear, pictures };
 }
 
 /** What was asked is answered by now. */
@@ -105,6 +105,19 @@ test("what happened in a run that was reset meanwhile is not told of the one tha
   answer();
   await answered();
   assert.deepEqual([source.marks, recalled], [[], []]);
+});
+
+test("a program that waits hears that the robot is drawn, and a connection after it, too", async (t) => {
+  t.after(() => mock.timers.reset());
+  const page = watching();
+  page.hear(0);
+  assert.deepEqual(page.newest().sent, [], "there is no picture yet");
+  page.pictures.pictures = 1;
+  page.link.tellDrawn();
+  assert.deepEqual(page.newest().sent, [{ type: "drawn" }]);
+  await loseAndFind(page);
+  page.hear(1);
+  assert.deepEqual(page.newest().sent, [{ type: "drawn" }]);
 });
 
 test("frames of before a change of the control do not ask for the session again", async (t) => {

@@ -10,7 +10,7 @@ const STL = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0
 function libraryOf(uri: string, text: string): MeshLibrary {
   const answer = { fetch: async () => new Response(text), requestAnimationFrame: (call: () => void) => setTimeout(call) };
   for (const [name, value] of Object.entries(answer)) Object.defineProperty(globalThis, name, { value, configurable: true });
-  return new MeshLibrary([{ id: 0, uri, found: true }], Promise.resolve(), () => false);
+  return new MeshLibrary([{ id: 0, uri, found: true }], Promise.resolve(), () => 0);
 }
 
 function materialsIn(object: THREE.Object3D): THREE.Material[] {

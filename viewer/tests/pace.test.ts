@@ -85,14 +85,28 @@ test("what stands still is drawn once as finely as the machine can, and tells no
     quality.measure();
   }
   const { step } = quality;
-  assert.ok(!quality.shadows && !quality.meshes && quality.rate.includes("fps"));
+  assert.ok(!quality.shadows && quality.rate.includes("fps"));
   assert.ok(quality.rest());
   assert.ok(!quality.rest(), "once");
-  assert.ok(quality.shadows && quality.meshes && quality.fine);
+  assert.ok(quality.shadows && quality.detail === 0);
   assert.deepEqual([quality.rate, quality.coarse], ["", ""]);
   quality.pace.took = 5000; // that the fine picture kept the browser busy
   quality.move();
   quality.measure();
-  assert.deepEqual([quality.step, quality.meshes], [step, false]);
+  assert.deepEqual([quality.step, quality.shadows], [step, false]);
   assert.ok(quality.frameTime < 1000);
+});
+
+test("what the processor draws begins coarse, and is finer where it stands still", () => {
+  Object.assign(globalThis, { document: new EventTarget(), window: { devicePixelRatio: 1 } });
+  const quality = new Quality({ shadowMap: {} } as unknown as THREE.WebGLRenderer, () => {}, true);
+  assert.deepEqual([quality.pixelRatio, quality.shadows, quality.detail > 0], [0.6, false, true]);
+  assert.ok(quality.rest());
+  assert.deepEqual([quality.pixelRatio, quality.shadows], [1, false]);
+  quality.move();
+  for (let k = 0; k < 100; ++k) {
+    quality.pace.took = 300;
+    quality.measure();
+  }
+  assert.deepEqual([quality.pixelRatio, quality.coarse], [0.4, "coarse picture: the processor draws"]);
 });

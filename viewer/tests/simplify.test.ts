@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import * as THREE from "three";
+import { coarsen } from "../src/scene/coarse_mesh.ts";
 import { simplify } from "../src/scene/simplify.ts";
 
 /** A square of n × n quads in the plane z = 0, as triangles; edge 1. */
@@ -52,4 +54,13 @@ test("each corner keeps a place in the picture that is painted on", () => {
   const coarse = simplify({ position, uv }, 1e-3, [[0, position.length / 3]]);
   assert.equal(coarse.uv?.length, (2 * coarse.position.length) / 3);
   for (let i = 0; i < coarse.position.length / 3; ++i) assert.equal(coarse.uv?.[2 * i], coarse.position[3 * i]);
+});
+
+test("a thin tube stays one, however coarse", () => {
+  const tube = new THREE.Mesh(new THREE.CylinderGeometry(0.02, 0.02, 1, 48, 40).toNonIndexed());
+  const sizeOf = (): number[] => new THREE.Box3().setFromObject(tube).getSize(new THREE.Vector3()).toArray();
+  const [before, triangles] = [sizeOf(), tube.geometry.getAttribute("position").count / 3];
+  coarsen(tube, 1 / 10);
+  assert.ok((tube.geometry.index?.count ?? Infinity) / 3 < triangles / 2);
+  sizeOf().forEach((size, i) => assert.ok(size > 0.6 * (before[i] as number), String(size)));
 });

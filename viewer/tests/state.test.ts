@@ -145,11 +145,11 @@ test("an arrow that would leave the picture is cut short, with two heads, and ke
   const schema = schemaOf(Object.fromEntries(names));
   const table = new FrameTable(schema, 1);
   table.append(0, 0, Float32Array.from([1, 1, 0, 0, 0, 0, 300, 0, 0, 2792, ...Array<number>(18).fill(0)]), undefined);
-  const texts: string[] = [], ends: number[] = [];
-  const labels = { put: (at: THREE.Vector3, text: string) => (texts.push(text), ends.push(Number(at.z.toFixed(6)))) };
+  const texts: string[] = [], feet: number[] = [];
+  const labels = { put: (at: THREE.Vector3, text: string) => (texts.push(text), feet.push(at.z)) };
   const overlay = new GroundForces();
   overlay.update({ frame: table.frame(0), labels, newton: 0.0025, longest: 1.5 } as unknown as Picture);
-  assert.deepEqual([texts, ends], [["|f| 300 N", "|f| 2792 N"], [0.75, 1.5]]);
+  assert.deepEqual([texts, feet], [["LF 300 N", "RF 2792 N"], [0, 0]], "under the foot");
   const [shafts, heads] = overlay.root.children.at(-1)?.children as THREE.InstancedMesh[];
   assert.deepEqual([shafts?.count, heads?.count], [2, 3]);
 });

@@ -5,7 +5,7 @@ import { effortOf } from "../src/panels/hierarchy_panel.ts";
 import { amountOf, rowsOf, boundsMotion, briefOf, hindranceOf, metaOf, timeOf, words } from "../src/panels/level_card.ts";
 import { speedText } from "../src/data/lag.ts";
 import { changeText } from "../src/data/change_words.ts";
-import { modeText } from "../src/panels/head.ts";
+import { calibrationText, modeText } from "../src/panels/head.ts";
 import { logFact } from "../src/live_link.ts";
 import { clockText, courseOf, endedText, newestText, nextSpeed, pastText, playText } from "../src/panels/transport.ts";
 import { beliefText } from "../src/panels/tune_panel.ts";
@@ -83,6 +83,12 @@ test("of a program that is no longer heard it is told what is known, never that 
   assert.equal(modeText({ past: true }, courseOf(runs, false)), "past");
   assert.deepEqual([true, false].map((heard) => endedText("", courseOf(runs, heard))), ["not yet", "not known"]);
   assert.equal(endedText("fell", courseOf(ended, false)), "fell");
+});
+
+test("of a robot that calibrates it is told how long that goes on, of the present alone", () => {
+  const [now, past] = [{ past: false }, { past: true }];
+  assert.deepEqual([modeText(now, "runs", true), modeText(now, "paused", true), modeText(past, "runs", true)], ["calibrating", "paused", "past"]);
+  assert.deepEqual([calibrationText(now, 5.2), calibrationText(now, 0), calibrationText(now, null), calibrationText(past, 5.2)], ["6 s left, then it walks", "once more", "", ""]);
 });
 
 test("where a run has ended there is nothing to let go on", () => {

@@ -12,6 +12,8 @@ const SILENCE = 3;
 const MEMORY = 5;
 
 type Told = Pick<Status, "clock" | "time" | "paused" | "ended" | "speed" | "real_factor">;
+/** More than this times what was asked for is a run that hurries, as while the robot calibrates before somebody looks. */
+const HURRIED = 1.2;
 
 /** Text of a speed factor: 1/32× … 8×, and what else may have been asked for. */
 export function speedText(factor: number): string {
@@ -26,6 +28,7 @@ export function paceText(status: Told): string {
   const { speed, real_factor } = status;
   if (real_factor > 0 && real_factor < SLOW * speed)
     return `${Number(real_factor.toPrecision(2))}× of ${Number(speed.toPrecision(3))}× asked: the program's machine is busy`;
+  if (real_factor > HURRIED * speed) return `${Number(real_factor.toPrecision(2))}× real time`;
   return `${rate > AS_ASKED * speed ? speedText(speed) : `${Number(rate.toPrecision(2))}×`} real time`;
 }
 

@@ -9,7 +9,7 @@ import type { Palette } from "../scene/palette.ts";
 import { Arrows, paint, paintOverBodies } from "./arrow.ts";
 import { vector, type Overlay, type Picture } from "./overlay.ts";
 
-/** Forces of the ground on the feet as they are, with their size in N. */
+/** Forces of the ground on the feet as they are; their size in N stands under the foot, where no leg is. */
 export class GroundForces implements Overlay {
   readonly space = "world";
   readonly root = new THREE.Group();
@@ -28,13 +28,13 @@ export class GroundForces implements Overlay {
 
   update({ frame, labels, newton, longest }: Picture): void {
     this.arrows.begin();
-    LEGS.forEach((_, k) => {
+    LEGS.forEach((leg, k) => {
       if (!(scalar(frame, LEG_CHANNELS.touching[k] as string) > 0)) return;
       if (!vector(frame, LEG_CHANNELS.trueForce[k] as string, this.force)) return;
       if (!vector(frame, LEG_CHANNELS.truePoint[k] as string, this.point)) return;
       const newtons = this.force.length();
       if (this.arrows.add(this.point, this.force.multiplyScalar(newton), this.colours[k] as THREE.Color, longest))
-        labels.put(this.arrows.tip, `|f| ${newtons.toFixed(0)} N`, `leg${k}`);
+        labels.put(this.point, `${leg} ${newtons.toFixed(0)} N`, `leg${k}`, true);
     });
     this.arrows.end();
   }

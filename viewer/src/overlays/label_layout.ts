@@ -1,4 +1,4 @@
-/** A text of this size wants to stand over a point [pixels]. */
+/** A text of this size wants to stand over a point, or under it [pixels]. */
 export interface Wanted {
   x: number;
   y: number;
@@ -6,6 +6,8 @@ export interface Wanted {
   height: number;
   /** Those with a smaller one choose first. */
   rank: number;
+  /** Its usual place is under the point. */
+  under?: boolean;
 }
 
 /** Middle of a text [pixels]. */
@@ -16,8 +18,14 @@ const STEPS: readonly Place[] = [
   [0, 0], [0, 1.9], [0.6, 0.95], [-0.6, 0.95], [0.6, 0], [-0.6, 0], [0, -1.1], [0.6, -1.1], [-0.6, -1.1], [0, 3], [1.1, 0.95], [-1.1, 0.95],
 ];
 
+/** The same of a text under its point: further down first, so that several stand there in lines. */
+const STEPS_UNDER: readonly Place[] = [
+  [0, 0], [0, 1.1], [0.6, 0], [-0.6, 0], [0.6, 1.1], [-0.6, 1.1], [0, 2.2], [1.1, 0], [-1.1, 0], [0.6, -0.95], [-0.6, -0.95], [0, -1.9],
+];
+
 /** From a point to the middle of the text over it, in heights of the text. */
 const OVER = 0.7;
+const usualHeight = ({ y, height, under = false }: Wanted): number => y + (under ? OVER : -OVER) * height;
 /** A part of the picture [pixels]. */
 export interface Box {
   left: number;
@@ -38,9 +46,9 @@ export function spread(wanted: Wanted[], width: number, height: number, covers: 
     const one = wanted[k] as Wanted;
     const near = ([dx, dy]: Place): Place => {
       const x = inside(one.x + dx * one.width, one.width, 0, width);
-      return [x, inside(one.y + (dy - OVER) * one.height, one.height, ceiling(x, one.width, covers), height)];
+      return [x, inside(usualHeight(one) + dy * one.height, one.height, ceiling(x, one.width, covers), height)];
     };
-    const free = STEPS.map(near).filter(([x, y]) => 2 * x + one.width <= 2 * width && 2 * y + one.height <= 2 * height && taken.every((other) => isFree(x, y, one, other)));
+    const free = (one.under ? STEPS_UNDER : STEPS).map(near).filter(([x, y]) => 2 * x + one.width <= 2 * width && 2 * y + one.height <= 2 * height && taken.every((other) => isFree(x, y, one, other)));
     const place = beside(marks, free, one);
     if (place === undefined) continue;
     places[k] = place;
@@ -75,7 +83,7 @@ function beside(marks: Box[], free: Place[], one: Wanted): Place | undefined {
   const isBeside = (at: Place): boolean => marks.every((mark) => isOff(at, one, mark));
   const [first] = free;
   if (first === undefined || isBeside(first)) return first;
-  const way = ([x, y]: Place): number => Math.hypot(x - one.x, y - (one.y - OVER * one.height));
+  const way = ([x, y]: Place): number => Math.hypot(x - one.x, y - usualHeight(one));
   return free.filter(isBeside).sort((a, b) => way(a) - way(b))[0] ?? first;
 }
 

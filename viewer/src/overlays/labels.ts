@@ -80,8 +80,8 @@ export class Labels {
     if (box !== undefined) this.marks.push(box);
   }
 
-  /** `p_W`: a point of the scene in W. */
-  put(p_W: THREE.Vector3, text: string, className = ""): void {
+  /** `p_W`: a point of the scene in W; `under`: the text stands below it rather than above. */
+  put(p_W: THREE.Vector3, text: string, className = "", under = false): void {
     this.at.copy(p_W).project(this.camera);
     const rank = rankOf(className), reach = reachOf(className);
     if (this.at.z > 1 || Math.abs(this.at.x) > reach || Math.abs(this.at.y) > reach) return;
@@ -91,7 +91,7 @@ export class Labels {
     if (label.className !== className) element.className = `label ${(label.className = className)}`;
     const x = 0.5 * (1 + this.at.x) * this.width;
     const y = 0.5 * (1 - this.at.y) * this.height;
-    this.wanted.push({ x, y, width: LETTER * text.length + PADDING, height: HEIGHT, rank });
+    this.wanted.push({ x, y, width: LETTER * text.length + PADDING, height: HEIGHT, rank, under });
   }
 
   end(): void {

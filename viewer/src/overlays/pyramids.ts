@@ -11,8 +11,6 @@ import { vector, type Overlay, type Picture } from "./overlay.ts";
 const SIDES = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1];
 /** How dense the sides are: the more is used, the denser. */
 const DENSITY = { good: 0.18, near: 0.35, bad: 0.55 };
-/** The corner that points outward of each leg, where its number stands. */
-const OUTWARD = [0, 3, 1, 2];
 const EDGES = [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1];
 
 /** Some pyramids, each in its colour and density; sides and edges are drawn in one call each. */
@@ -70,7 +68,7 @@ function attribute(count: number, size: number): THREE.BufferAttribute {
 
 /**
  * The friction pyramids that held the solution's forces, as high as the normal force, within what can be seen: where the tip of a force lies in
- * the square, or inside, friction holds it. Coloured and numbered by the share of the pyramid that is used; those that are nearly used up are seen
+ * the square, or inside, friction holds it. Coloured, and numbered under the foot, by the share of the pyramid that is used; those that are nearly used up are seen
  * through the leg that they stand at.
  */
 export class FrictionPyramids implements Overlay {
@@ -81,7 +79,6 @@ export class FrictionPyramids implements Overlay {
   private readonly colours = { good: new THREE.Color(), near: new THREE.Color(), bad: new THREE.Color() };
   private readonly alarmEdge = new THREE.Color();
   private readonly tip = new THREE.Vector3();
-  private readonly corner = new THREE.Vector3();
   private readonly outline = Array.from({ length: 5 }, () => new THREE.Vector3());
   private readonly q_WP = [1, 0, 0, 0];
 
@@ -107,9 +104,8 @@ export class FrictionPyramids implements Overlay {
       const kind = useClass(use);
       if (kind === "bad") this.alarms.add(this.tip, corners, this.colours[kind], DENSITY[kind], this.alarmEdge);
       else this.pyramids.add(this.tip, corners, this.colours[kind], DENSITY[kind]);
-      this.corner.fromArray(corners[OUTWARD[k] as number] as number[]).add(this.tip).applyMatrix4(beliefToWorld);
       labels.spare(this.outlineOf(corners, beliefToWorld));
-      labels.put(this.corner, `${leg} ${percent(use)}`, `use leg${k} ${kind}`);
+      labels.put(this.tip.applyMatrix4(beliefToWorld), `${leg} ${percent(use)}`, `use leg${k} ${kind}`, true);
     });
     this.pyramids.end();
     this.alarms.end();

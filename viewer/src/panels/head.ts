@@ -5,15 +5,23 @@ import type { Course } from "./transport.ts";
 
 const MODES: Record<Course, string> = { runs: "live", paused: "paused", ended: "ended", unheard: "not known" };
 
-/** How a live run goes on, in a word or two. */
-export function modeText({ past }: Pick<Player, "past">, course: Course): string {
-  return past ? "past" : MODES[course];
+/** How a live run goes on, in a word or two; `calibrates`: the robot does so before it walks. */
+export function modeText({ past }: Pick<Player, "past">, course: Course, calibrates = false): string {
+  return past ? "past" : calibrates && course === "runs" ? "calibrating" : MODES[course];
 }
 
-export function showMode(player: Pick<Player, "past">, course: Course): void {
+/** How long a calibration goes on [s]; "": the run's present is not shown, or there is none. */
+export function calibrationText({ past }: Pick<Player, "past">, left: number | null): string {
+  if (past || left === null) return "";
+  return left > 0 ? `${Math.ceil(left)} s left, then it walks` : "once more";
+}
+
+export function showMode(player: Pick<Player, "past">, course: Course, calibrating: number | null = null): void {
   const badge = part("mode");
-  badge.dataset["state"] = player.past ? "past" : course;
-  say(badge, modeText(player, course));
+  const words = modeText(player, course, calibrating !== null);
+  badge.dataset["state"] = player.past ? "past" : words === "calibrating" ? words : course;
+  say(badge, words);
+  say(part("calibration"), course === "ended" || course === "unheard" ? "" : calibrationText(player, calibrating));
   badge.title = !player.past && course === "unheard" ? "how the run goes on is not known" : "";
 }
 

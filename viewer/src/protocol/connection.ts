@@ -14,6 +14,8 @@ export interface Status {
   tick: number;
   clients: number;
   can_command: boolean;
+  /** Seconds of the run until the robot has calibrated itself, 0 where it takes longer than usual; null: it does not calibrate. */
+  calibrating: number | null;
   ended: string | null;
   recording: string;
   generation: number;

@@ -1,16 +1,19 @@
 import * as THREE from "three";
 import { simplify } from "./simplify.ts";
 
-/** Edge of a cell within which corners become one, as a share of the file's longest extent. */
-const CELL = 1 / 24;
+/** A cell is no larger than this share of the file's shortest extent, or tubes would lose their area. */
+const THIN = 1 / 3;
 /** Meshes with fewer triangles stay as they are. */
 const SMALL = 200;
 
-/** Puts coarser geometry into the meshes below `object`, for machines that draw slowly. */
-export function coarsen(object: THREE.Object3D): void {
+/** Puts coarser geometry into the meshes below `object`, for machines that draw slowly; `share`: of the file's longest extent, within which corners
+ * become one. */
+export function coarsen(object: THREE.Object3D, share: number): void {
   object.updateMatrixWorld(true);
   const extent = new THREE.Box3().setFromObject(object).getSize(new THREE.Vector3());
-  const cell = CELL * Math.max(extent.x, extent.y, extent.z);
+  const sides = extent.toArray();
+  const cell = Math.min(share * Math.max(...sides), THIN * Math.min(...sides));
+  if (!(cell > 0)) return;
   object.traverse((child) => {
     if (!(child instanceof THREE.Mesh)) return;
     const geometry = child.geometry as THREE.BufferGeometry;

@@ -47,11 +47,11 @@ export class MeshLibrary {
   private readonly loads = new Map<string, Promise<THREE.Object3D>>();
   private queue: Promise<unknown>;
 
-  /** Nothing is loaded before `ready`; `coarse`: whether fewer triangles do. */
+  /** Nothing is loaded before `ready`; `detail`: the smallest that is kept of a mesh, as a share of its size; 0: all. */
   constructor(
     meshes: MeshInfo[],
     ready: Promise<void>,
-    private readonly coarse: () => boolean,
+    private readonly detail: () => number,
   ) {
     this.queue = ready;
     for (const mesh of meshes) this.byUri.set(mesh.uri, mesh);
@@ -92,7 +92,8 @@ export class MeshLibrary {
     const bytes = await askUntilAnswered(`/api/mesh/${info.id}`, () => new Promise((resolve) => setTimeout(resolve, AGAIN)));
     const breath = new Breath();
     const read = await this.parse(uri, bytes, () => breath.take());
-    if (this.coarse()) coarsen(read);
+    const detail = this.detail();
+    if (detail > 0) coarsen(read, detail);
     await breath.take();
     const object = hasMaterials(uri) ? merged(read) : read;
     for (const mesh of meshesOf(object)) mesh.castShadow = mesh.receiveShadow = true;

@@ -7,19 +7,21 @@ interface Step {
   /** Most pixels of the picture for one of the page. */
   ratio: number;
   shadows: boolean;
-  /** Meshes with as many triangles as their files have. */
-  fine: boolean;
-  meshes: boolean;
+  /** The smallest that is kept of a mesh, as a share of its size; 0: as many triangles as its file has. */
+  detail: number;
 }
 
-/** From the finest picture to the quickest. */
+/** From the finest picture to the quickest. Meshes stay: coarse ones cost little more than primitives, and show the robot. */
 export const STEPS: readonly Step[] = [
-  { words: "", ratio: 2, shadows: true, fine: true, meshes: true },
-  { words: "", ratio: 1, shadows: true, fine: true, meshes: true },
-  { words: "no shadows", ratio: 1, shadows: false, fine: false, meshes: true },
-  { words: "coarse picture", ratio: 0.75, shadows: false, fine: false, meshes: true },
-  { words: "coarse picture, simple bodies", ratio: 0.6, shadows: false, fine: false, meshes: false },
+  { words: "", ratio: 2, shadows: true, detail: 0 },
+  { words: "", ratio: 1, shadows: true, detail: 0 },
+  { words: "no shadows", ratio: 1, shadows: false, detail: 1 / 14 },
+  { words: "coarse picture", ratio: 0.6, shadows: false, detail: 1 / 14 },
+  { words: "coarse picture", ratio: 0.4, shadows: false, detail: 1 / 14 },
 ];
+/** What the processor draws begins with, and what of it that stands still is drawn with. */
+const SOFTWARE = 3;
+const SOFTWARE_AT_REST = 2;
 
 /** Whether the processor draws, without a graphics card. */
 export function drawsInSoftware(): boolean {
@@ -52,11 +54,11 @@ export class Quality {
   constructor(
     renderer: THREE.WebGLRenderer,
     private readonly resize: () => void,
-    private readonly software: boolean,
+    /** The processor draws. */
+    readonly software: boolean,
   ) {
-    if (software) this.step = 2;
-    else if (window.devicePixelRatio <= 1) this.step = 1;
-    this.finest = this.step;
+    this.finest = software ? SOFTWARE_AT_REST : window.devicePixelRatio <= 1 ? 1 : 0;
+    this.step = software ? SOFTWARE : this.finest;
     renderer.shadowMap.enabled = this.shadows;
     this.apply = () => (renderer.shadowMap.enabled = this.shadows);
   }
@@ -72,11 +74,8 @@ export class Quality {
   get shadows(): boolean {
     return this.current.shadows;
   }
-  get fine(): boolean {
-    return this.current.fine;
-  }
-  get meshes(): boolean {
-    return this.current.meshes;
+  get detail(): number {
+    return this.current.detail;
   }
 
   /** Nothing moves any more: whether that asks for a finer picture, which may take its time. */

@@ -7,11 +7,9 @@ import { bend, type Posture } from "./posture.ts";
 export class Robot {
   readonly root = new THREE.Group();
   readonly urdf: URDFRobot;
-  private readonly visuals: THREE.Object3D[] = [];
   private readonly primitives: THREE.Object3D[] = [];
   /** Centres of mass of the links, in their frames. */
   private readonly centres = new Map<string, THREE.Vector3>();
-  private showMeshes = true;
 
   /** `paint`: replaces every material, e.g. for a ghost. */
   constructor(urdf: string, library: MeshLibrary, private readonly paint?: THREE.Material) {
@@ -37,31 +35,26 @@ export class Robot {
   private collect(): void {
     for (const [name, { urdfNode }] of Object.entries(this.urdf.links)) this.centres.set(name, centreIn(urdfNode));
     this.urdf.traverse((child) => {
-      if ("isURDFVisual" in child) this.visuals.push(child);
       if ("isURDFCollider" in child) this.primitives.push(child);
     });
     const body = new THREE.MeshLambertMaterial({ color: 0x9aa3ab });
+    const ball = new THREE.SphereGeometry(1, 16, 10); // the loader's has 1740 triangles
     for (const primitive of this.primitives)
       primitive.traverse((child) => {
         if (!(child instanceof THREE.Mesh)) return;
         child.material = body;
+        if (child.geometry instanceof THREE.SphereGeometry) child.geometry = ball;
         child.castShadow = child.receiveShadow = true;
       });
-  }
-
-  useMeshes(use: boolean): void {
-    this.showMeshes = use;
-    this.dress();
   }
 
   /** A link shows its meshes where they are all here, its primitives otherwise. */
   private dress(): void {
     this.urdf.traverse(stand);
-    for (const visual of this.visuals) visual.visible = this.showMeshes || !this.hasMesh(visual);
     for (const primitive of this.primitives) {
       const siblings = (primitive.parent as THREE.Object3D).children.filter((child) => "isURDFVisual" in child);
       const dressed = siblings.length > 0 && siblings.every((visual) => visual.children.length > 0);
-      primitive.visible = !(dressed && this.showMeshes);
+      primitive.visible = !dressed;
     }
     if (this.paint === undefined) return;
     this.urdf.traverse((child) => {
@@ -69,10 +62,6 @@ export class Robot {
       child.material = this.paint as THREE.Material;
       child.castShadow = child.receiveShadow = false;
     });
-  }
-
-  private hasMesh(visual: THREE.Object3D): boolean {
-    return visual.parent?.children.some((child) => "isURDFCollider" in child) ?? false;
   }
 
   /** `joints`: names, in the posture's order; `like`: has those that the posture does not know. */

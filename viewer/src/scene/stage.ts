@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import { drawsInSoftware, Quality } from "./quality.ts";
+import { lightOf, SUN_OFFSET } from "./light.ts";
 import type { Palette } from "./palette.ts";
 
 THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
@@ -52,7 +53,7 @@ export class Stage {
     shadow.near = 0.5;
     shadow.far = 12;
     this.scene.add(this.sky, this.sun, this.sun.target);
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
+    new ResizeObserver(() => this.resize()).observe(canvas);
     this.fit();
   }
 
@@ -60,14 +61,15 @@ export class Stage {
     this.scene.background = new THREE.Color(palette.background);
     this.scene.fog = new THREE.Fog(palette.background, 9, 30);
     this.sky.groundColor.set(palette.dark ? 0x6b747c : 0xb8bec4);
-    this.sky.intensity = palette.dark ? 1.9 : 1.5;
-    this.sun.intensity = palette.dark ? 2.5 : 2.4;
+    const { sky, sun } = lightOf(palette);
+    this.sky.intensity = sky;
+    this.sun.intensity = sun;
   }
 
   /** The light comes from the same side wherever the robot is. */
   lightAt(target: THREE.Vector3): void {
     this.sun.target.position.copy(target);
-    this.sun.position.set(target.x - 1.6, target.y + 2.2, target.z + 4.5);
+    this.sun.position.copy(target).add(SUN_OFFSET);
   }
 
   /** A picture that gets another size is empty: it gets it when the next is drawn. */
@@ -80,7 +82,7 @@ export class Stage {
   fit(): void {
     if (this.fits) return;
     this.fits = true;
-    const { clientWidth, clientHeight } = this.canvas.parentElement as HTMLElement;
+    const { clientWidth, clientHeight } = this.canvas; // below it there are the key and messages
     this.width = Math.max(1, clientWidth);
     this.height = Math.max(1, clientHeight);
     this.renderer.setPixelRatio(this.quality.pixelRatio);

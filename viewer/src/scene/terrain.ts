@@ -2,6 +2,7 @@ import * as THREE from "three";
 import { GROUND_ORDER } from "../overlays/arrow.ts";
 import type { TerrainPiece } from "../protocol/session.ts";
 import type { Palette } from "./palette.ts";
+import { PlainGround } from "./plain_ground.ts";
 import { TerrainGeometry } from "./terrain_geometry.ts";
 
 const FLAT: TerrainPiece = {
@@ -17,18 +18,18 @@ const FLAT: TerrainPiece = {
 /** The ground, with lines each 0.1 m and stronger ones each metre. */
 export class Terrain {
   readonly root = new THREE.Group();
-  private readonly surface: THREE.MeshLambertMaterial;
+  private readonly surface: THREE.MeshLambertMaterial | PlainGround;
   private readonly edges: THREE.LineBasicMaterial;
   private readonly lineColour = { value: new THREE.Color() };
 
-  constructor(pieces: TerrainPiece[]) {
+  /** `plain`: as quick to draw as can be. */
+  constructor(pieces: TerrainPiece[], plain: boolean) {
     const parts = new TerrainGeometry(pieces.length > 0 ? pieces : [FLAT]);
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(parts.positions, 3));
     geometry.setAttribute("normal", new THREE.Float32BufferAttribute(parts.normals, 3));
     geometry.setIndex(parts.indices);
-    this.surface = new THREE.MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }); // behind its edges
-    this.surface.onBeforeCompile = (shader) => this.addGrid(shader);
+    this.surface = plain ? new PlainGround() : this.fineGround();
     const mesh = new THREE.Mesh(geometry, this.surface);
     mesh.receiveShadow = true;
     const lines = new THREE.BufferGeometry();
@@ -38,8 +39,15 @@ export class Terrain {
     this.root.add(mesh, new THREE.LineSegments(lines, this.edges));
   }
 
+  private fineGround(): THREE.MeshLambertMaterial {
+    const surface = new THREE.MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }); // behind its edges
+    surface.onBeforeCompile = (shader) => this.addGrid(shader);
+    return surface;
+  }
+
   wear(palette: Palette): void {
-    this.surface.color.set(palette.ground);
+    if (this.surface instanceof PlainGround) this.surface.wear(palette);
+    else this.surface.color.set(palette.ground);
     this.edges.color.set(palette.edge);
     this.lineColour.value.set(palette.groundLine);
   }

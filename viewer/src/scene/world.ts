@@ -65,23 +65,16 @@ export class World {
     this.camera = new FollowCamera(this.stage.camera, canvas);
     labelLayer.after(this.axes.root);
     this.labels = new Labels(labelLayer, [...over, this.axes.root], this.stage.camera);
-    this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => !this.stage.quality.fine);
+    this.library = new MeshLibrary(session.meshes, new Promise((resolve) => (this.onFirstPicture = resolve)), () => this.stage.quality.detail);
     this.robot = new Robot(urdf, this.library);
     this.ghost = new Robot(urdf, this.library, this.ghostPaint);
-    this.terrain = new Terrain(session.header.terrain);
+    this.terrain = new Terrain(session.header.terrain, this.stage.quality.software);
     this.newton = WEIGHT_LENGTH / newtonsOf(session.header.robot);
     this.stage.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.extras);
     this.clear();
-    this.stage.quality.onStep = () => this.dress();
+    this.stage.quality.onStep = () => this.invalidate();
     this.library.onLoad = () => this.invalidate();
     this.stage.onResize = () => this.invalidate();
-    this.dress();
-  }
-
-  private dress(): void {
-    this.invalidate();
-    this.robot.useMeshes(this.stage.quality.meshes);
-    this.ghost.useMeshes(this.stage.quality.meshes);
   }
 
   wear(dark: boolean): void {
