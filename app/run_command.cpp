@@ -183,13 +183,23 @@ int run_one(const RunArguments& arguments) {
   return exit_code(scenario, {json});
 }
 
+/// What a run would leave out or change, besides the warnings of the scenario.
+std::string check_text(const Scenario& scenario, const std::vector<std::string>& notes) {
+  std::string said = scenario.name + ": nothing is wrong with it\n";
+  for (const std::string& note : notes) {
+    if (std::ranges::find(scenario.notes, note) == scenario.notes.end())
+      said += "note: " + note + "\n";
+  }
+  return said;
+}
+
 int check_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
-  check_setup(scenario);
+  const std::vector<std::string> notes = check_setup(scenario);
   tell_notes(scenario);
-  print(arguments, check_json(scenario), scenario.name + ": nothing is wrong with it\n");
+  print(arguments, check_json(scenario), check_text(scenario, notes));
   return kPassed;
 }
 
