@@ -236,7 +236,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   top.text("urdf", urdf_name);
   robot.urdf_path = resolve_urdf(urdf_name, file);
   for (const std::filesystem::path& folder : package_directories())
-    robot.mesh_root += folder.string() + ":";
+    robot.package_folders.push_back(folder.string());
   const Urdf urdf = read_urdf_of(top, robot.urdf_path);
   NameReader names(urdf);
   names.frame(top, "base", robot.base_link);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 namespace surefoot {
@@ -66,11 +65,8 @@ void collect(const tinyxml2::XMLElement& element, const MeshFolders& folders,
 }  // namespace
 
 MeshFolders mesh_folders(const RobotDescription& description) {
-  MeshFolders folders;
-  std::istringstream list(description.mesh_root);
-  for (std::string folder; std::getline(list, folder, ':');) folders.packages.emplace_back(folder);
-  folders.urdf = fs::absolute(description.urdf_path).parent_path();
-  return folders;
+  return {.packages = {description.package_folders.begin(), description.package_folders.end()},
+          .urdf = fs::absolute(description.urdf_path).parent_path()};
 }
 
 std::vector<fs::path> mesh_places(const std::string& uri, const MeshFolders& folders) {

@@ -8,7 +8,7 @@ RobotDescription anymal_b() {
   RobotDescription robot;
   robot.name = "anymal_b";
   const std::string packages(build_info().robot_packages);
-  robot.mesh_root = packages;
+  robot.package_folders = {packages};
   robot.urdf_path =
       packages + "/example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf";
   robot.base_link = "base";

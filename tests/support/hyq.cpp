@@ -9,9 +9,10 @@ namespace surefoot::test {
 RobotDescription hyq() {
   RobotDescription robot;
   robot.name = "hyq";
-  robot.mesh_root = build_info().robot_packages;
+  const std::string packages(build_info().robot_packages);
+  robot.package_folders = {packages};
   robot.urdf_path =
-      robot.mesh_root + "/example-robot-data/robots/hyq_description/robots/hyq_no_sensors.urdf";
+      packages + "/example-robot-data/robots/hyq_description/robots/hyq_no_sensors.urdf";
   robot.base_link = "base_link";
   for (const Leg leg : kLegs) {
     std::string name(kLegNames[index(leg)]);
