@@ -78,6 +78,10 @@ class ClosedLoop {
     if (options.ready) options.ready();
   }
 
+  [[nodiscard]] std::vector<std::string> notes() const {
+    return run_notes(scenario_, controller_, plant_);
+  }
+
   RunResult run() {
     const auto start = std::chrono::steady_clock::now();
     const auto ticks =
@@ -216,7 +220,7 @@ class ClosedLoop {
     result.troubles = troubles_.counts();
     result.torques_hash = torques_.value();
     result.drawn = scenario_.drawn;
-    result.notes = run_notes(scenario_, controller_, plant_);
+    result.notes = notes();
     if (options_.steering != nullptr) {
       options_.steering->end(plant_.time());
       result.changes = changes_.count();
@@ -261,7 +265,9 @@ RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& opt
   return ClosedLoop(scenario, options).run();
 }
 
-void check_setup(const Scenario& scenario) { const ClosedLoop made(scenario, ClosedLoopOptions{}); }
+std::vector<std::string> check_setup(const Scenario& scenario) {
+  return ClosedLoop(scenario, ClosedLoopOptions{}).notes();
+}
 
 double measure_tick(const Scenario& scenario) {
   return ClosedLoop(scenario, ClosedLoopOptions{}).measure_tick();

@@ -53,8 +53,8 @@ struct RunResult {
 [[nodiscard]] RunResult run_closed_loop(const Scenario& scenario, const ClosedLoopOptions& options);
 
 /// Throws Error, as a run would at its start, if plant or controller can't be made from the
-/// scenario.
-void check_setup(const Scenario& scenario);
+/// scenario. Returns the run's notes.
+std::vector<std::string> check_setup(const Scenario& scenario);
 
 /// Wall clock that a tick of the run takes here, in the mean of the first [s]. Throws Error as
 /// `check_setup` does.

@@ -65,7 +65,7 @@ std::uint32_t ticks_of(double seconds, double period) {
 
 LiveFeed::LiveFeed(const Scenario& scenario, LiveOperator& wishes, std::string recording)
     : operator_(wishes),
-      robot_(text_of_file(scenario.robot.urdf_path), scenario.robot.mesh_root),
+      robot_(text_of_file(scenario.robot.urdf_path), mesh_folders(scenario.robot)),
       history_(ticks_of(kHistory, scenario.controller.period)),
       past_(wishes.limits().changes),
       recording_(std::move(recording)),

@@ -45,7 +45,7 @@ LogContent::LogContent(const std::string& path) : LogContent(path, LogReader(pat
 LogContent::LogContent(const std::string& path, const LogHeader& header)
     : frames_(path, header),
       summary_(path, header),
-      robot_(urdf_of(header), robot_package_directory()),
+      robot_(urdf_of(header), {.packages = package_directories(), .urdf = {}}),
       explainer_(path, frames_.period()) {
   describe(path, header);
   const std::string missing = missing_meshes_text(session_.meshes);

@@ -189,10 +189,23 @@ int run_one(const RunArguments& arguments) {
   return exit_code(scenario, {json});
 }
 
+/// What a run would leave out or change, besides the warnings of the scenario.
+std::string check_text(const Scenario& scenario, const RunCost& cost,
+                       const std::vector<std::string>& notes) {
+  std::string said =
+      scenario.name + ": nothing is wrong with it; a run is " + cost_text(cost) + "\n";
+  for (const std::string& note : notes) {
+    if (std::ranges::find(scenario.notes, note) == scenario.notes.end())
+      said += "note: " + note + "\n";
+  }
+  return said;
+}
+
 int check_one(const RunArguments& arguments) {
   const Scenario scenario = load_scenario({.name_or_path = arguments.scenario,
                                            .seed = arguments.seed.value_or(0),
                                            .assignments = arguments.assignments});
+  const std::vector<std::string> notes = check_setup(scenario);
   const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
   Json json = check_json(scenario);
@@ -200,8 +213,7 @@ int check_one(const RunArguments& arguments) {
                   {"wall_time_s", cost.wall_seconds},
                   {"memory_bytes", cost.memory},
                   {"log_bytes", cost.log}};
-  print(arguments, json,
-        scenario.name + ": nothing is wrong with it; a run is " + cost_text(cost) + "\n");
+  print(arguments, json, check_text(scenario, cost, notes));
   return kPassed;
 }
 

@@ -14,9 +14,9 @@ namespace {
 constexpr std::string_view kUrdf = "/api/robot.urdf";
 constexpr std::string_view kMesh = "/api/mesh/";
 
-std::vector<MeshFile> meshes_of(const std::string& urdf, const std::filesystem::path& packages) {
+std::vector<MeshFile> meshes_of(const std::string& urdf, const MeshFolders& folders) {
   try {
-    return mesh_files(urdf, packages);
+    return mesh_files(urdf, folders);
   } catch (const FileError&) {
     return {};  // the page tells what it can't read
   }
@@ -31,8 +31,8 @@ std::string media_type(const std::filesystem::path& file) {
 
 }  // namespace
 
-ViewRobot::ViewRobot(std::string urdf, const std::filesystem::path& packages)
-    : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, packages)) {}
+ViewRobot::ViewRobot(std::string urdf, const MeshFolders& folders)
+    : urdf_(std::move(urdf)), meshes_(meshes_of(urdf_, folders)) {}
 
 std::vector<ViewMesh> ViewRobot::meshes() const {
   std::vector<ViewMesh> list;
@@ -55,7 +55,7 @@ std::string missing_meshes_text(const std::vector<ViewMesh>& meshes) {
   for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i)
     text += (i == 0 ? "" : ", ") + names[i];
   if (names.size() > kTold) text += " and " + std::to_string(names.size() - kTold) + " more";
-  return text + "; $SUREFOOT_ROBOT_PACKAGES says where they are looked for";
+  return text + "; $SUREFOOT_ROBOT_PACKAGES and $ROS_PACKAGE_PATH say where they are looked for";
 }
 
 WebAnswer ViewRobot::get(std::string_view path) const {

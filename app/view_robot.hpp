@@ -4,7 +4,6 @@
 #include "surefoot/view/view_session.hpp"
 #include "surefoot/view/web_server.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +13,8 @@ namespace surefoot {
 /// The robot's URDF and meshes, for the page.
 class ViewRobot {
  public:
-  /// `packages`: the folder that package:// names are resolved in. Of a URDF that is no XML there
-  /// are no meshes.
-  ViewRobot(std::string urdf, const std::filesystem::path& packages);
+  /// Of a URDF that is no XML there are no meshes.
+  ViewRobot(std::string urdf, const MeshFolders& folders);
 
   [[nodiscard]] std::vector<ViewMesh> meshes() const;
   /// The answer for /api/robot.urdf and /api/mesh/ID.

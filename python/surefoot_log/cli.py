@@ -152,7 +152,7 @@ def write_foxglove(arguments, topics):
     from surefoot_log import foxglove, pictures
 
     log = LogFile(arguments.log)
-    for note in foxglove.write_scene(log, arguments.foxglove, pictures.packages_folder(), pictures.cache_folder(), topics, arguments.every):
+    for note in foxglove.write_scene(log, arguments.foxglove, pictures.package_folders(), pictures.cache_folder(), topics, arguments.every):
         tell(f"note: {note}")
     tell_problem(log)
 

@@ -55,20 +55,20 @@ def used_only(vertices, faces, uv):
     return vertices[used], renumbered.reshape(-1, 3), None if uv is None else uv[used]
 
 
-def image_file(folder, name, root):
-    """Where an image lies; empty where that is not below the root."""
+def image_file(folder, name, roots):
+    """Where an image lies; empty where that is below none of the roots."""
     path = pathlib.Path(os.path.normpath(folder / name))
-    return str(path) if path.is_relative_to(os.path.normpath(root)) else ""
+    return str(path) if any(path.is_relative_to(os.path.normpath(root)) for root in roots) else ""
 
 
-def material_of(primitive, folder, root):
+def material_of(primitive, folder, roots):
     """Colour and image of a bound Collada primitive."""
     from collada.material import Map
 
     effect = getattr(primitive.material, "effect", None)
     diffuse = getattr(effect, "diffuse", None)
     if isinstance(diffuse, Map):
-        return UNKNOWN, image_file(folder, diffuse.sampler.surface.image.path, root)
+        return UNKNOWN, image_file(folder, diffuse.sampler.surface.image.path, roots)
     return tuple(float(part) for part in diffuse) if diffuse is not None else UNKNOWN, ""
 
 
@@ -101,7 +101,7 @@ def opened_collada(path):
     return opened(ElementTree.tostring(tree)) if broken else document
 
 
-def read_collada(path, root):
+def read_collada(path, roots):
     """Up is z whatever the file says of it, as the ROS tools that these files are made for have it."""
     document = opened_collada(path)
     by_material = {}
@@ -109,7 +109,7 @@ def read_collada(path, root):
         for primitive in geometry.primitives():
             if len(primitive) == 0 or "Line" in type(primitive).__name__:
                 continue
-            colour, image = material_of(primitive, path.parent, root)
+            colour, image = material_of(primitive, path.parent, roots)
             vertices, faces, uv = triangles_of(primitive)
             piece = (vertices * document.assetInfo.unitmeter, faces, uv if image else None)
             by_material.setdefault((colour, image if uv is not None else ""), []).append(piece)
@@ -150,9 +150,9 @@ def read_obj(path, _):
 READERS = {".dae": read_collada, ".stl": read_stl, ".obj": read_obj}
 
 
-def load(path, cache=None, cell=CELL, root=None):
-    """The parts of a mesh file, thinned to a cell [m]. `cache`: a folder that keeps them for the next time. `root`: the folder
-    that its images must lie below; its own by default."""
+def load(path, cache=None, cell=CELL, roots=None):
+    """The parts of a mesh file, thinned to a cell [m]. `cache`: a folder that keeps them for the next time. `roots`: folders
+    that its images must lie below one of; its own by default."""
     path = pathlib.Path(path)
     reader = READERS.get(path.suffix.lower())
     if reader is None:
@@ -164,7 +164,7 @@ def load(path, cache=None, cell=CELL, root=None):
         known = unpacked(kept)
         if known is not None:
             return known
-    parts = [thinned(part, cell) for part in reader(path, path.parent if root is None else root)]
+    parts = [thinned(part, cell) for part in reader(path, [path.parent] if roots is None else roots)]
     parts = [part for part in parts if len(part.faces) > 0]
     if kept is not None:
         pack(parts, kept)
@@ -208,4 +208,4 @@ def missing_notes(missing, packages):
     if len(missing) <= MOST_NOTES:
         return [f"{link} is shown as the physics has it: {reason}" for (link, *_), reason in zip(missing, reasons)]
     return [f"{len(missing)} parts of the robot are shown as the physics has them, the first of {missing[0][0]}: {reasons[0]}; "
-            f"meshes are sought in {packages} ($SUREFOOT_ROBOT_PACKAGES names another folder)"]  # fmt: skip
+            f"meshes are sought in {', '.join(map(str, packages))} ($SUREFOOT_ROBOT_PACKAGES and $ROS_PACKAGE_PATH name others)"]  # fmt: skip

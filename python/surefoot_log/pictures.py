@@ -32,9 +32,13 @@ class Made:
     has_pushes: bool = False  # in a strip
 
 
-def packages_folder():
-    """Where the meshes of robots lie: as the environment says, or where pip puts them."""
-    return os.environ.get("SUREFOOT_ROBOT_PACKAGES") or pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share"
+def package_folders():
+    """Where package://NAME/… is looked for, as the program does (surefoot/config/data_directory.hpp)."""
+    listed = {name: [entry for entry in os.environ.get(name, "").split(":") if entry]
+              for name in ("SUREFOOT_ROBOT_PACKAGES", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH")}  # fmt: skip
+    robots = listed["SUREFOOT_ROBOT_PACKAGES"] or [pathlib.Path(sysconfig.get_path("platlib")) / "cmeel.prefix/share"]
+    shares = [pathlib.Path(prefix) / "share" for prefix in listed["AMENT_PREFIX_PATH"]]
+    return [pathlib.Path(folder) for folder in robots + listed["ROS_PACKAGE_PATH"] + shares]
 
 
 def cache_folder():
@@ -47,7 +51,7 @@ def title_of(header):
 
 
 def dressed(log, run, size, detail):
-    scene = dress(log.text("model.xml"), log.text("robot.urdf"), packages_folder(), cache_folder(), size, detail)
+    scene = dress(log.text("model.xml"), log.text("robot.urdf"), package_folders(), cache_folder(), size, detail)
     if len(run.frames[0].qpos) > scene.model.nq:
         raise InputError(f"{log.path}: its model.xml is not that of its /truth")
     if not run.has_truth:

@@ -29,7 +29,7 @@ def dress(model_xml, urdf, packages, cache=None, size=(1280, 720), detail=meshes
     spec = mujoco.MjSpec.from_string(model_xml)
     set_light(spec, size)
     set_ground(spec)
-    load = partial(meshes.load, cache=cache, cell=detail, root=packages)
+    load = partial(meshes.load, cache=cache, cell=detail, roots=packages)
     notes = add_robot(spec, urdf, packages, load)
     return Scene(spec.compile(), notes)
 

@@ -96,8 +96,11 @@ def links_below_bodies(urdf, bodies):
 
 
 def file_of(uri, packages):
-    """Where a mesh lies: `package://NAME/…` below the folder of packages, and nowhere else. Throws ValueError."""
+    """Where a mesh lies: `package://NAME/…` in one of the folders of packages, and nowhere else. Throws ValueError."""
     inside = os.path.normpath(uri.removeprefix("package://"))
     if not uri.startswith("package://") or os.path.isabs(inside) or inside.split(os.sep)[0] in ("..", "."):
         raise ValueError("is not below the folder of packages; package://NAME/… would be valid")
-    return pathlib.Path(packages) / inside
+    name = inside.split(os.sep)[0]
+    places = [place for folder in map(pathlib.Path, packages)
+              for place in (folder / inside, *([folder.parent / inside] if folder.name == name else []))]  # fmt: skip
+    return next((place for place in places if place.is_file()), places[0])

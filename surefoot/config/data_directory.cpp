@@ -4,12 +4,30 @@
 #include "surefoot/base/error.hpp"
 
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace surefoot {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Folders of a variable like PATH.
+std::vector<fs::path> listed_in(const char* variable) {
+  std::vector<fs::path> folders;
+  const char* value = std::getenv(variable);
+  std::istringstream list(value == nullptr ? "" : value);
+  for (std::string folder; std::getline(list, folder, ':');) {
+    while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
+    if (!folder.empty()) folders.emplace_back(folder);
+  }
+  return folders;
+}
+
+}  // namespace
 
 std::vector<fs::path> data_directories() {
   std::vector<fs::path> places;
@@ -33,9 +51,12 @@ fs::path data_directory() {
                   "; set SUREFOOT_DATA_DIR to where it is");
 }
 
-fs::path robot_package_directory() {
-  if (const char* chosen = std::getenv("SUREFOOT_ROBOT_PACKAGES")) return chosen;
-  return build_info().robot_packages;
+std::vector<fs::path> package_directories() {
+  std::vector<fs::path> folders = listed_in("SUREFOOT_ROBOT_PACKAGES");
+  if (folders.empty()) folders.emplace_back(build_info().robot_packages);
+  for (fs::path& folder : listed_in("ROS_PACKAGE_PATH")) folders.push_back(std::move(folder));
+  for (const fs::path& prefix : listed_in("AMENT_PREFIX_PATH")) folders.push_back(prefix / "share");
+  return folders;
 }
 
 }  // namespace surefoot

@@ -13,8 +13,9 @@ namespace surefoot {
 /// tried, if there is none.
 [[nodiscard]] std::filesystem::path data_directory();
 
-/// The folder below which `package://example-robot-data/…` lies: $SUREFOOT_ROBOT_PACKAGES, or the
-/// one that this build was made with.
-[[nodiscard]] std::filesystem::path robot_package_directory();
+/// Folders in which `package://NAME/…` is looked for: those of $SUREFOOT_ROBOT_PACKAGES, or the one
+/// that this build was made with, which holds example-robot-data; then those of $ROS_PACKAGE_PATH,
+/// and share/ in those of $AMENT_PREFIX_PATH. Each variable is a list with `:` between.
+[[nodiscard]] std::vector<std::filesystem::path> package_directories();
 
 }  // namespace surefoot

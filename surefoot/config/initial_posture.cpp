@@ -1,6 +1,7 @@
 #include "surefoot/config/initial_posture.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
 
 #include <cmath>
@@ -13,19 +14,32 @@ namespace {
 // Well bent, so that the straight leg does not lie between start and solution [rad].
 constexpr double kBentHip = 0.6;
 constexpr double kBentKnee = 1.2;
+// Of the inverse kinematics, whose angles may miss a limit that they lie on [rad].
+constexpr double kRounding = 1e-6;
 
 }  // namespace
 
 Vec3 knee_side(const RobotDescription& robot, Leg leg, KneeConfiguration knees) {
   const bool backward =
       knees == KneeConfiguration::backward || (knees == KneeConfiguration::x && is_front(leg));
-  const double side = backward == is_front(leg) ? 1.0 : -1.0;
-  const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
+  const double side = backward ? 1.0 : -1.0;
+  const Leg front = is_left(leg) ? Leg::LF : Leg::RF;
+  const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(front));
   return {nominal.x(), std::copysign(kBentHip, side * nominal.y()),
           std::copysign(kBentKnee, side * nominal.z())};
 }
 
-JointVector stance_posture(const RobotModel& model, const StanceOptions& stance) {
+namespace {
+
+/// The first joint of a posture that is outside its limits; −1: none.
+Eigen::Index outside_limits(const RobotDescription& robot, const JointVector& q) {
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    if (q[i] < robot.q_min[i] - kRounding || q[i] > robot.q_max[i] + kRounding) return i;
+  }
+  return -1;
+}
+
+JointVector posture_of(const RobotModel& model, const StanceOptions& stance) {
   JointVector q = JointVector::Zero();
   for (const Leg leg : kLegs) {
     Vec3 p_BF;
@@ -40,6 +54,37 @@ JointVector stance_posture(const RobotModel& model, const StanceOptions& stance)
     q.segment<3>(first_joint(leg)) = q_leg;
   }
   return q;
+}
+
+/// Other sides of the knees that the limits leave, as advice; empty if there are none.
+std::string other_knees(const RobotModel& model, StanceOptions stance) {
+  for (const auto& [name, knees] : kKnees) {
+    stance.knees = knees;
+    try {
+      if (outside_limits(model.description(), posture_of(model, stance)) < 0)
+        return std::string("; knees: ") + name + " would fit";
+    } catch (const Error&) {
+      continue;  // out of reach with these
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+JointVector stance_posture(const RobotModel& model, const StanceOptions& stance) {
+  const JointVector q = posture_of(model, stance);
+  const RobotDescription& robot = model.description();
+  const Eigen::Index i = outside_limits(robot, q);
+  if (i < 0) return q;
+  const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
+  const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
+  throw Error(formatted("planner.stance: it puts joint %s of %s, \"%s\", at %.3f rad, outside the "
+                        "robot's limits.position_min and position_max, %g to %g rad",
+                        kJointNames[joint].data(), kLegNames[leg].data(),
+                        robot.legs[leg].joints[joint].c_str(), q[i], robot.q_min[i],
+                        robot.q_max[i]) +
+              other_knees(model, stance));
 }
 
 }  // namespace surefoot

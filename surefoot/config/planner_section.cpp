@@ -1,5 +1,6 @@
 #include "surefoot/config/planner_section.hpp"
 
+#include "surefoot/config/initial_posture.hpp"
 #include "surefoot/planning/calibration_motion.hpp"
 #include "surefoot/planning/com_planner.hpp"
 
@@ -13,10 +14,7 @@ void read_stance(Section& section, StanceOptions& stance) {
   section.number("half_length", stance.half_length, kPositive);
   section.number("half_width", stance.half_width, kPositive);
   section.number("height", stance.height, kPositive);
-  section.choice<KneeConfiguration>("knees", stance.knees,
-                                    {{"x", KneeConfiguration::x},
-                                     {"forward", KneeConfiguration::forward},
-                                     {"backward", KneeConfiguration::backward}});
+  section.choice<KneeConfiguration>("knees", stance.knees, {kKnees.begin(), kKnees.end()});
 }
 
 /// Each leg once.

@@ -1,10 +1,12 @@
 #include "surefoot/config/robot_file.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/base/formatted.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/section.hpp"
+#include "surefoot/model/mesh_files.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
 
@@ -16,13 +18,14 @@
 namespace surefoot {
 namespace {
 
-constexpr std::string_view kPackage = "package://";
-
+/// The URDF is looked for as its meshes are; where it is not, the likeliest place is told.
 std::string resolve_urdf(const std::string& urdf, const std::filesystem::path& robot_file) {
-  if (urdf.starts_with(kPackage)) {
-    return (robot_package_directory() / urdf.substr(kPackage.size())).string();
-  }
-  return (robot_file.parent_path() / urdf).string();
+  const MeshFolders folders{.packages = package_directories(),
+                            .urdf = std::filesystem::absolute(robot_file).parent_path()};
+  const std::filesystem::path found = find_mesh(urdf, folders);
+  if (!found.empty()) return found.string();
+  const std::vector<std::filesystem::path> places = mesh_places(urdf, folders);
+  return places.empty() ? urdf : places.front().string();
 }
 
 /// HAA, HFE, KFE of all legs alike.
@@ -58,8 +61,18 @@ void read_limits(Section& limits, RobotDescription& robot) {
   }
 }
 
-/// The posture of a front leg, its knee backward; hind legs mirror HFE and KFE (X-configuration).
-void read_posture(Section& posture, JointVector& q) {
+/// Is a leg's posture within the limits? `bad` gets the joint that is not.
+bool is_within_limits(const RobotDescription& robot, Leg leg, const Vec3& q, Eigen::Index& bad) {
+  const Eigen::Index first = first_joint(leg);
+  for (bad = 0; bad < kJointsPerLeg; ++bad) {
+    if (q[bad] < robot.q_min[first + bad] || q[bad] > robot.q_max[first + bad]) return false;
+  }
+  return true;
+}
+
+/// The posture of a front leg, its knee backward. Hind legs mirror HFE and KFE (X-configuration),
+/// but where their limits leave that out, they stand like the front ones.
+void read_posture(Section& posture, RobotDescription& robot) {
   posture.require("nominal");
   Vec3 front = Vec3::Zero();
   posture.vector("nominal", front);
@@ -67,8 +80,18 @@ void read_posture(Section& posture, JointVector& q) {
     posture.fail("nominal", "HFE and KFE must bend the knee, one above 0 and the other below");
   }
   for (const Leg leg : kLegs) {
-    const double side = is_front(leg) ? 1.0 : -1.0;
-    q.segment<3>(first_joint(leg)) = Vec3(front.x(), side * front.y(), side * front.z());
+    const Vec3 mirrored(front.x(), -front.y(), -front.z());
+    Eigen::Index bad = 0;
+    const bool mirror = !is_front(leg) && is_within_limits(robot, leg, mirrored, bad);
+    const Vec3 q = mirror ? mirrored : front;
+    robot.q_nominal.segment<3>(first_joint(leg)) = q;
+    if (is_within_limits(robot, leg, q, bad)) continue;
+    const Eigen::Index joint = first_joint(leg) + bad;
+    posture.fail("nominal",
+                 std::string(kJointNames[static_cast<std::size_t>(bad)]) +
+                     formatted(" at %g rad lies outside limits.position_min and position_max, "
+                               "%g to %g rad",
+                               q[bad], robot.q_min[joint], robot.q_max[joint]));
   }
 }
 
@@ -116,6 +139,11 @@ class NameReader {
     if (joint->type != "revolute" && joint->type != "continuous") {
       section.fail(key, "joint \"" + name + "\" is " + joint->type + " (" + urdf_.path + ":" +
                             std::to_string(joint->line) + "); a leg's joint must be revolute");
+    }
+    if (!joint->mimics.empty()) {
+      section.fail(key, "joint \"" + name + "\" mimics \"" + joint->mimics + "\" (" + urdf_.path +
+                            ":" + std::to_string(joint->line) +
+                            "); a leg's joints must each have a drive of their own");
     }
     const auto [first, is_new] = places_.emplace(name, section.path_of(key));
     if (!is_new) {
@@ -207,7 +235,8 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   std::string urdf_name;
   top.text("urdf", urdf_name);
   robot.urdf_path = resolve_urdf(urdf_name, file);
-  robot.mesh_root = robot_package_directory().string();
+  for (const std::filesystem::path& folder : package_directories())
+    robot.package_folders.push_back(folder.string());
   const Urdf urdf = read_urdf_of(top, robot.urdf_path);
   NameReader names(urdf);
   names.frame(top, "base", robot.base_link);
@@ -221,7 +250,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   });
   top.section("foot", [&](Section& foot) { read_foot(foot, robot); });
   top.section("limits", [&](Section& limits) { read_limits(limits, robot); });
-  top.section("posture", [&](Section& posture) { read_posture(posture, robot.q_nominal); });
+  top.section("posture", [&](Section& posture) { read_posture(posture, robot); });
   top.section("gains", [&](Section& gains) { read_gains(gains, robot); });
   check_robot(top, *tree.find("legs"), robot);
   return robot;

@@ -2,10 +2,9 @@
 
 #include "surefoot/base/error.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace surefoot {
 namespace {
@@ -50,6 +49,11 @@ std::map<std::string, int> described_joints(const RobotDescription& description,
         throw Error("joint \"" + name + "\" is " + found->type +
                     "; a leg's joint must be revolute");
       }
+      if (!found->mimics.empty()) {
+        throw FileError(urdf.path + ":" + std::to_string(found->line) + ": joint \"" + name +
+                        "\" mimics \"" + found->mimics +
+                        "\"; a leg's joints must each have a drive of their own");
+      }
       if (!bodies.emplace(name, body_of(leg, j)).second) {
         throw Error("joint \"" + name + "\" is named for two places of the robot");
       }
@@ -64,6 +68,7 @@ class Builder {
   Builder(const RobotDescription& description, const Urdf& urdf)
       : urdf_(urdf), bodies_(described_joints(description, urdf)) {
     add_link(urdf.root, Placement());
+    check_inertia(*urdf.find_link(urdf.root), tree_.base);
   }
 
   [[nodiscard]] const BodyTree& tree() const { return tree_; }
@@ -93,8 +98,9 @@ class Builder {
     const auto described = bodies_.find(joint.name);
     if (described == bodies_.end()) {
       if (joint.type != "fixed") {
-        throw FileError(urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
-                        "\" can move but is not a joint of a leg of the description");
+        throw FileError(
+            urdf_.path + ":" + std::to_string(joint.line) + ": joint \"" + joint.name +
+            "\" can move but is not a joint of a leg of the description; make it fixed");
       }
       add_link(joint.child, {parent.body, R, p});
       return;
@@ -106,18 +112,24 @@ class Builder {
     }
     leg_of(body).chain.hinges[static_cast<std::size_t>(place)] = {R, p, joint.axis};
     add_link(joint.child, {body, Mat3::Identity(), Vec3::Zero()});
-    check_mass(*urdf_.find_link(joint.child), inertia_of(body));
+    check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
   }
 
   /// `inertia`: of the link with all that is fixed to it.
-  void check_mass(const UrdfLink& link, const Inertia& inertia) const {
-    const Vec3 moments =
-        Eigen::SelfAdjointEigenSolver<Mat3>(inertia.about_com, Eigen::EigenvaluesOnly)
-            .eigenvalues();
-    if (inertia.mass > 0.0 && moments[0] > 0.0) return;
+  void check_inertia(const UrdfLink& link, const Inertia& inertia) const {
+    const Vec3 moments = principal_moments(inertia);
+    if (inertia.mass <= 0.0) fail(link, "has no mass; it must be above 0");
+    if (moments[0] <= 0.0) fail(link, "has no inertia; it must be above 0");
+    if (obeys_triangle_inequality(moments)) return;
+    std::ostringstream numbers;
+    numbers << "has principal moments of inertia of " << moments.transpose()
+            << " kg·m²; in a body none is larger than the sum of the two others";
+    fail(link, numbers.str());
+  }
+
+  [[noreturn]] void fail(const UrdfLink& link, const std::string& what) const {
     throw FileError(urdf_.path + ":" + std::to_string(link.line) + ": link \"" + link.name +
-                    "\" moves, but with all that is fixed to it has no " +
-                    (inertia.mass > 0.0 ? "inertia" : "mass") + "; it must be above 0");
+                    "\" moves, but with all that is fixed to it " + what);
   }
 
   LegTree& leg_of(int body) {

@@ -21,8 +21,8 @@ struct BodyTree {
 
 /// Finds the description's parts in a URDF. Throws UnknownNameError if a name is not in it (the
 /// message lists what is), Error if the parts are not connected as base – HAA – HFE – KFE – shank –
-/// foot, FileError, with the URDF's line, if a joint that the description does not name can move or
-/// if what a joint moves has no mass.
+/// foot, FileError, with the URDF's line, if a joint that the description does not name can move, a
+/// leg's joint mimics another, or the base or what a joint moves has not the inertia of a body.
 [[nodiscard]] BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf);
 
 }  // namespace surefoot

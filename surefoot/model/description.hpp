@@ -3,6 +3,7 @@
 #include "surefoot/signals/leg.hpp"
 
 #include <string>
+#include <vector>
 
 namespace surefoot {
 
@@ -19,7 +20,7 @@ struct LegDescription {
 struct RobotDescription {
   std::string name;
   std::string urdf_path;
-  std::string mesh_root;  ///< folder that package:// names are resolved in
+  std::vector<std::string> package_folders;  ///< in which package:// names are looked for
   std::string base_link;
   PerLeg<LegDescription> legs;
   double foot_radius = 0.0;         ///< [m]

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace surefoot {
@@ -13,45 +14,86 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPackage = "package://";
+constexpr std::array<std::string_view, 2> kPackages{"package://", "model://"};
+constexpr std::string_view kFile = "file://";
 constexpr std::array<std::string_view, 5> kMeshes{".dae", ".stl", ".obj", ".glb", ".gltf"};
 
-fs::path found(const std::string& uri, const fs::path& packages) {
-  if (!uri.starts_with(kPackage)) return {};
-  const fs::path inside = fs::path(uri.substr(kPackage.size())).lexically_normal();
-  std::string extension = inside.extension().string();
-  for (char& letter : extension)
-    letter = letter >= 'A' && letter <= 'Z' ? char(letter + 32) : letter;
-  const bool leaves = inside.is_absolute() || inside.empty() || *inside.begin() == "..";
-  if (leaves || std::ranges::find(kMeshes, extension) == kMeshes.end()) return {};
-  std::error_code error;
-  const fs::path path = packages / inside;
-  return fs::is_regular_file(path, error) ? path : fs::path();
+/// NAME/… of package://NAME/…, or nothing where it would lead out of a package.
+std::optional<fs::path> inside_package(const std::string& uri) {
+  for (const std::string_view scheme : kPackages) {
+    if (!uri.starts_with(scheme)) continue;
+    const fs::path inside = fs::path(uri.substr(scheme.size())).lexically_normal();
+    const bool leaves = inside.is_absolute() || inside.empty() || *inside.begin() == "..";
+    return leaves ? fs::path() : inside;
+  }
+  return std::nullopt;
 }
 
-void collect(const tinyxml2::XMLElement& element, const fs::path& packages,
+std::vector<fs::path> places_of_package(const fs::path& inside, const MeshFolders& folders) {
+  std::vector<fs::path> places;
+  const fs::path& package = *inside.begin();
+  for (const fs::path& folder : folders.packages) {
+    places.push_back(folder / inside);
+    if (folder.filename() == package) places.push_back(folder.parent_path() / inside);
+  }
+  for (fs::path above = folders.urdf; above.has_relative_path(); above = above.parent_path()) {
+    if (above.filename() == package) places.push_back(above.parent_path() / inside);
+  }
+  return places;
+}
+
+bool is_mesh_by_name(const std::string& uri) {
+  std::string extension = fs::path(uri).extension().string();
+  for (char& letter : extension)
+    letter = letter >= 'A' && letter <= 'Z' ? char(letter + 32) : letter;
+  return std::ranges::find(kMeshes, extension) != kMeshes.end();
+}
+
+void collect(const tinyxml2::XMLElement& element, const MeshFolders& folders,
              std::vector<MeshFile>& meshes) {
   for (const auto* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
     const char* name = child->Attribute("filename");
     if (std::string_view(child->Name()) == "mesh" && name != nullptr &&
         std::ranges::find(meshes, name, &MeshFile::uri) == meshes.end()) {
-      meshes.push_back({name, found(name, packages)});
+      meshes.push_back({name, is_mesh_by_name(name) ? find_mesh(name, folders) : fs::path()});
     }
-    collect(*child, packages, meshes);
+    collect(*child, folders, meshes);
   }
 }
 
 }  // namespace
 
-std::vector<MeshFile> mesh_files(const std::string& urdf, const fs::path& packages) {
+MeshFolders mesh_folders(const RobotDescription& description) {
+  return {.packages = {description.package_folders.begin(), description.package_folders.end()},
+          .urdf = fs::absolute(description.urdf_path).parent_path()};
+}
+
+std::vector<fs::path> mesh_places(const std::string& uri, const MeshFolders& folders) {
+  if (const std::optional<fs::path> inside = inside_package(uri)) {
+    return inside->empty() ? std::vector<fs::path>() : places_of_package(*inside, folders);
+  }
+  if (folders.urdf.empty()) return {};
+  const std::string path = uri.starts_with(kFile) ? uri.substr(kFile.size()) : uri;
+  return {(folders.urdf / path).lexically_normal()};
+}
+
+fs::path find_mesh(const std::string& uri, const MeshFolders& folders) {
+  for (const fs::path& place : mesh_places(uri, folders)) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error)) return place;
+  }
+  return {};
+}
+
+std::vector<MeshFile> mesh_files(const std::string& urdf, const MeshFolders& folders) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf.c_str(), urdf.size()) != tinyxml2::XML_SUCCESS ||
       document.RootElement() == nullptr) {
     throw FileError("the URDF is not XML: " + std::string(document.ErrorStr()));
   }
   std::vector<MeshFile> meshes;
-  collect(*document.RootElement(), packages, meshes);
+  collect(*document.RootElement(), folders, meshes);
   return meshes;
 }
 

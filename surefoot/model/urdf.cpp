@@ -1,52 +1,22 @@
 #include "surefoot/model/urdf.hpp"
 
-#include "surefoot/base/error.hpp"
-#include "surefoot/math/rotation.hpp"
+#include "surefoot/model/urdf_reader.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <fstream>
-#include <locale>
 #include <set>
-#include <sstream>
+#include <string_view>
 
 namespace surefoot {
 namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr double kPlaceholderMass = 1e-3;  // [kg]
-constexpr double kRounding = 1e-9;         // share of the largest moment that counts as none
-
-/// Principal moments of inertia, the smallest first.
-Vec3 moments(const Inertia& inertia) {
-  return Eigen::SelfAdjointEigenSolver<Mat3>(inertia.about_com, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
-
-/// m (|r|² 1 − r rᵀ), the inertia of a point mass at r.
-Mat3 point_inertia(double mass, const Vec3& r) {
-  return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-}
-
-/// Reads the elements of one file and words its errors.
-class Reader {
+/// Reads links and joints.
+class Reader : public UrdfReader {
  public:
-  explicit Reader(const std::string& path) : path_(path) {}
-
-  [[noreturn]] void fail(int line, const std::string& what) const {
-    throw FileError(path_ + ":" + std::to_string(line) + ": " + what);
-  }
-
-  std::string name(const XMLElement& element) const {
-    const char* text = element.Attribute("name");
-    if (text == nullptr) {
-      fail(element.GetLineNum(), std::string("<") + element.Name() + "> has no name");
-    }
-    return text;
-  }
+  using UrdfReader::UrdfReader;
 
   UrdfLink link(const XMLElement& element) const {
     const XMLElement* inertial = element.FirstChildElement("inertial");
@@ -64,47 +34,23 @@ class Reader {
     result.parent = end(element, "parent", result.name);
     result.child = end(element, "child", result.name);
     read_origin(element, result.R, result.p);
-    if (const XMLElement* axis = element.FirstChildElement("axis")) {
-      result.axis = vector(*axis, "xyz");
-      if (result.axis.norm() < 1e-6) fail(axis->GetLineNum(), "the axis has no direction");
-      result.axis.normalize();
+    if (result.type != "fixed" && result.type != "floating") read_axis(element, result);
+    if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
+      const char* followed = mimic->Attribute("joint");
+      result.mimics = followed == nullptr ? "another joint" : followed;
     }
     return result;
   }
 
  private:
-  template <std::size_t N>
-  std::array<double, N> numbers(const XMLElement& element, const char* attribute) const {
-    const char* text = element.Attribute(attribute);
-    std::istringstream stream(text == nullptr ? "" : text);
-    stream.imbue(std::locale::classic());
-    std::array<double, N> values{};
-    for (double& value : values) stream >> value;  // reads neither "nan" nor "inf"
-    std::string rest;
-    if (stream.fail() || (stream >> rest)) {
-      fail(element.GetLineNum(), std::string("<") + element.Name() + "> needs " + attribute +
-                                     "=\"" + (N == 1 ? "a finite number" : "three finite numbers") +
-                                     "\", not \"" + (text == nullptr ? "" : text) + "\"");
+  void read_axis(const XMLElement& element, UrdfJoint& joint) const {
+    const XMLElement* axis = element.FirstChildElement("axis");
+    if (axis == nullptr) return;
+    joint.axis = vector(*axis, "xyz");
+    if (joint.axis.norm() < 1e-6) {
+      fail(axis->GetLineNum(), "joint \"" + joint.name + "\": its axis has no direction");
     }
-    return values;
-  }
-
-  double number(const XMLElement& element, const char* attribute) const {
-    return numbers<1>(element, attribute)[0];
-  }
-
-  Vec3 vector(const XMLElement& element, const char* attribute) const {
-    const std::array<double, 3> values = numbers<3>(element, attribute);
-    return {values[0], values[1], values[2]};
-  }
-
-  void read_origin(const XMLElement& parent, Mat3& R, Vec3& p) const {
-    const XMLElement* origin = parent.FirstChildElement("origin");
-    if (origin == nullptr) return;
-    if (origin->Attribute("xyz") != nullptr) p = vector(*origin, "xyz");
-    if (origin->Attribute("rpy") != nullptr) {
-      R = from_roll_pitch_yaw(vector(*origin, "rpy")).toRotationMatrix();
-    }
+    joint.axis.normalize();
   }
 
   const XMLElement& child(const XMLElement& parent, const char* tag,
@@ -142,9 +88,17 @@ class Reader {
     }
     return link;
   }
-
-  const std::string& path_;
 };
+
+void check_joint_names(const Reader& reader, const Urdf& urdf) {
+  std::map<std::string, int> lines;
+  for (const UrdfJoint& joint : urdf.joints) {
+    const auto [first, is_new] = lines.emplace(joint.name, joint.line);
+    if (is_new) continue;
+    reader.fail(joint.line, "joint \"" + joint.name + "\" stands twice, first in line " +
+                                std::to_string(first->second));
+  }
+}
 
 std::string find_root(const Reader& reader, const Urdf& urdf) {
   std::set<std::string> roots;
@@ -172,13 +126,37 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
   return *roots.begin();
 }
 
+/// Joints that lead round in a circle are reached from no root.
+void check_connected(const Reader& reader, const Urdf& urdf) {
+  const std::map<std::string, Weld> reached = welds(urdf);
+  for (const UrdfLink& link : urdf.links) {
+    if (reached.contains(link.name)) continue;
+    reader.fail(link.line, "link \"" + link.name + "\" is not connected to the root, \"" +
+                               urdf.root + "\"; the links must form one tree");
+  }
+}
+
+/// Places a link and all that is below it.
+void weld(const Urdf& urdf, const std::string& link, const Weld& at,
+          std::map<std::string, Weld>& found) {
+  found[link] = at;
+  for (const UrdfJoint& joint : urdf.joints) {
+    if (joint.parent != link) continue;
+    const Weld fixed{at.body, at.R * joint.R, at.p + at.R * joint.p};
+    weld(urdf, joint.child, joint.type == "fixed" ? fixed : Weld{.body = joint.child}, found);
+  }
+}
+
 /// Drops the root's inertia if it is a placeholder, refuses any other that can't be one of a body.
 void check_inertias(const Reader& reader, Urdf& urdf) {
   for (UrdfLink& link : urdf.links) {
     if (link.name == urdf.root && is_placeholder(link.inertia)) {
       urdf.notes.push_back(placeholder_note(link.name, link.inertia.mass));
       link.inertia = Inertia();
-    } else if (moments(link.inertia)[0] < 0.0) {
+      continue;
+    }
+    const Vec3 moment = principal_moments(link.inertia);
+    if (moment[0] < -kInertiaRounding * moment.cwiseAbs().maxCoeff()) {
       reader.fail(link.line, "link \"" + link.name + "\": its inertia has a negative eigenvalue");
     }
   }
@@ -186,60 +164,34 @@ void check_inertias(const Reader& reader, Urdf& urdf) {
 
 }  // namespace
 
-Inertia Inertia::placed(const Mat3& R, const Vec3& p) const {
-  return {mass, R * com + p, R * about_com * R.transpose()};
-}
-
-Inertia Inertia::operator+(const Inertia& other) const {
-  Inertia sum;
-  sum.mass = mass + other.mass;
-  if (sum.mass > 0.0) sum.com = (mass * com + other.mass * other.com) / sum.mass;
-  sum.about_com = about_com + point_inertia(mass, com - sum.com) + other.about_com +
-                  point_inertia(other.mass, other.com - sum.com);
-  return sum;
-}
-
 const UrdfLink* Urdf::find_link(const std::string& name) const {
   const auto found = std::find_if(links.begin(), links.end(),
                                   [&](const UrdfLink& link) { return link.name == name; });
   return found == links.end() ? nullptr : &*found;
 }
 
-bool is_placeholder(const Inertia& inertia) {
-  const Vec3 moment = moments(inertia);
-  const bool described = inertia.mass > 0.0 || !inertia.about_com.isZero(0.0);
-  const bool positive_definite = moment[0] > kRounding * moment[2];
-  return described && inertia.mass <= kPlaceholderMass &&
-         (inertia.mass == 0.0 || !positive_definite);
-}
-
-std::string placeholder_note(const std::string& link, double mass) {
-  std::ostringstream note;
-  note << "root link \"" << link << "\": its inertia (" << mass
-       << " kg, not positive definite) is a placeholder and was left out";
-  return note.str();
+std::map<std::string, Weld> welds(const Urdf& urdf) {
+  std::map<std::string, Weld> found;
+  weld(urdf, urdf.root, {.body = urdf.root}, found);
+  return found;
 }
 
 Urdf read_urdf(const std::string& path) {
-  if (!std::ifstream(path))
-    throw FileError(path + ": the URDF can't be read; does the file exist?");
   const Reader reader(path);
   tinyxml2::XMLDocument xml;
-  if (xml.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) {
-    reader.fail(xml.ErrorLineNum(), std::string("not well-formed XML: ") + xml.ErrorName());
-  }
-  const XMLElement* robot = xml.FirstChildElement("robot");
-  if (robot == nullptr) reader.fail(1, "not a URDF: the file has no <robot>");
+  const XMLElement& robot = reader.robot(xml);
 
   Urdf urdf;
   urdf.path = path;
-  for (const XMLElement* element = robot->FirstChildElement(); element != nullptr;
+  for (const XMLElement* element = robot.FirstChildElement(); element != nullptr;
        element = element->NextSiblingElement()) {
     const std::string_view tag = element->Name();
     if (tag == "link") urdf.links.push_back(reader.link(*element));
     if (tag == "joint") urdf.joints.push_back(reader.joint(*element));
   }
+  check_joint_names(reader, urdf);
   urdf.root = find_root(reader, urdf);
+  check_connected(reader, urdf);
   check_inertias(reader, urdf);
   return urdf;
 }

@@ -1,23 +1,12 @@
 #pragma once
 
-#include "surefoot/math/types.hpp"
+#include "surefoot/model/inertia.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace surefoot {
-
-/// Mass, centre of mass and rotational inertia about it, in the axes of the body's frame.
-struct Inertia {
-  double mass = 0.0;              ///< [kg]
-  Vec3 com = Vec3::Zero();        ///< [m]
-  Mat3 about_com = Mat3::Zero();  ///< [kg·m²]
-
-  /// The inertia of this body in a frame that it is placed in by x ↦ R x + p.
-  [[nodiscard]] Inertia placed(const Mat3& R, const Vec3& p) const;
-  /// Both bodies, welded together. Massless bodies are legal.
-  [[nodiscard]] Inertia operator+(const Inertia& other) const;
-};
 
 struct UrdfLink {
   std::string name;
@@ -32,7 +21,8 @@ struct UrdfJoint {
   std::string child;
   Mat3 R = Mat3::Identity();  ///< orientation and
   Vec3 p = Vec3::Zero();  ///< position of the child's frame in the parent's, at joint position 0
-  Vec3 axis = Vec3::UnitX();  ///< unit vector in the child's frame
+  Vec3 axis = Vec3::UnitX();  ///< unit vector in the child's frame; of a fixed joint: as it is here
+  std::string mimics;         ///< the joint that it follows; empty: none
   int line = 0;               ///< where it stands in the file
 };
 
@@ -50,16 +40,18 @@ struct Urdf {
 
 /// Reads a URDF. An inertia of the root link that is a placeholder is left out, with a note. Throws
 /// FileError, with file and line, if the file is missing, is not XML or not a robot, if its links
-/// do not form one tree, a mass is negative, an inertia has a negative eigenvalue or a number is
-/// not finite.
+/// do not form one tree, a joint's name stands twice, a mass is negative, an inertia has a negative
+/// eigenvalue beyond rounding or a number is not finite. What is not kept here can't be wrong.
 [[nodiscard]] Urdf read_urdf(const std::string& path);
 
-/// Is the inertia of a root link none of a body, but there for a tool that wants one? At most 1 g,
-/// and massless or not positive definite. Controller and plant leave out the same.
-[[nodiscard]] bool is_placeholder(const Inertia& inertia);
+/// Where a link is fixed: the link that its body moves with, and its frame in that one's.
+struct Weld {
+  std::string body;  ///< the link behind a joint that moves, or the root
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+};
 
-/// The note on a root link's inertia that was left out: controller and plant say it in the same
-/// words, so that a run tells it once.
-[[nodiscard]] std::string placeholder_note(const std::string& link, double mass);
+/// Of all links of the tree, by their names.
+[[nodiscard]] std::map<std::string, Weld> welds(const Urdf& urdf);
 
 }  // namespace surefoot

@@ -3,11 +3,13 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/simulation/disturbances.hpp"
 #include "surefoot/simulation/link_lengths.hpp"
+#include "surefoot/simulation/mesh_hulls.hpp"
 #include "surefoot/simulation/robot_parts.hpp"
 #include "surefoot/simulation/terrain.hpp"
 #include "surefoot/simulation/text.hpp"
 #include "surefoot/simulation/urdf_spec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
@@ -87,6 +89,7 @@ void set_collision(mjsBody& base, const ContactOptions& contact) {
          element = mjs_nextChild(body, element, 0)) {
       mjsGeom& geom = *mjs_asGeom(element);
       geom.group = kRobotGroup;
+      std::fill_n(geom.rgba, 3, 0.7F);  // light grey, where a picture has no mesh
       geom.condim = 3;
       geom.friction[0] = 0.5;  // of the robot against itself
       geom.solref[0] = contact.solref_time;
@@ -103,18 +106,6 @@ void exclude(mjSpec& spec, const std::string& first, const std::string& second) 
   mjs_setString(pair->bodyname2, second.c_str());
 }
 
-/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap
-/// at the hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
-void exclude_neighbours(mjSpec& spec, const RobotDescription& description) {
-  for (const LegDescription& leg : description.legs) {
-    mjsBody& thigh = find_body(spec, leg.thigh_link, "thigh link");
-    mjsBody& shank = find_body(spec, leg.shank_link, "shank link");
-    const std::string hip = name_of(mjs_getParent(thigh.element)->element);
-    exclude(spec, description.base_link, leg.thigh_link);
-    exclude(spec, hip, name_of(shank.element));
-  }
-}
-
 bool is_hinge(mjsElement* element) { return mjs_asJoint(element)->type == mjJNT_HINGE; }
 
 std::vector<std::string> hinge_names(mjSpec& spec) {
@@ -126,12 +117,50 @@ std::vector<std::string> hinge_names(mjSpec& spec) {
   return names;
 }
 
-void add_motor(mjSpec& spec, const std::string& joint) {
+mjsElement& find_hinge(mjSpec& spec, const std::string& joint) {
   mjsElement* element = mjs_findElement(&spec, mjOBJ_JOINT, joint.c_str());
-  if (element == nullptr || !is_hinge(element)) {
-    throw UnknownNameError(
-        text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
+  if (element != nullptr && is_hinge(element)) return *element;
+  throw UnknownNameError(
+      text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
+}
+
+/// A body and all that is fixed to it that has a shape.
+void collect_solid(mjsBody& body, std::vector<std::string>& names) {
+  if (mjs_firstChild(&body, mjOBJ_GEOM, 0) != nullptr) names.push_back(name_of(body.element));
+  for (mjsElement* child = mjs_firstChild(&body, mjOBJ_BODY, 0); child != nullptr;
+       child = mjs_nextChild(&body, child, 0)) {
+    mjsBody& below = *mjs_asBody(child);
+    if (mjs_firstChild(&below, mjOBJ_JOINT, 0) == nullptr) collect_solid(below, names);
   }
+}
+
+std::vector<std::string> solid(mjsBody& body) {
+  std::vector<std::string> names;
+  collect_solid(body, names);
+  return names;
+}
+
+void exclude_all(mjSpec& spec, const std::vector<std::string>& some,
+                 const std::vector<std::string>& others) {
+  for (const std::string& one : some)
+    for (const std::string& other : others) exclude(spec, one, other);
+}
+
+mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
+  return *mjs_getParent(&find_hinge(spec, joint));
+}
+
+/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap
+/// at the hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
+/// What is fixed to a link belongs to it.
+void exclude_neighbours(mjSpec& spec, mjsBody& base, const RobotDescription& description) {
+  for (const LegDescription& leg : description.legs) {
+    exclude_all(spec, solid(base), solid(moved_by(spec, leg.joints[1])));
+    exclude_all(spec, solid(moved_by(spec, leg.joints[0])), solid(moved_by(spec, leg.joints[2])));
+  }
+}
+
+void add_motor(mjSpec& spec, const std::string& joint) {
   mjsActuator* motor = mjs_addActuator(&spec, nullptr);
   mjs_setName(motor->element, joint.c_str());
   mjs_setToMotor(motor);
@@ -167,11 +196,19 @@ std::string saved_with_full_precision(const mjSpec& spec) {
   return xml;
 }
 
+SpecHandle parsed_back(const std::string& xml) {
+  std::array<char, 1024> error{};
+  SpecHandle spec(
+      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!spec) throw Error(text("the physics model can't be read back: ", error.data()));
+  return spec;
+}
+
 }  // namespace
 
 BuiltModel build_model(const RobotDescription& description, const PlantOptions& options,
                        std::vector<std::string>& notes) {
-  const SpecHandle spec = read_urdf(description, notes);
+  const SpecHandle spec = read_spec(description, notes);
   mjsBody& base = find_body(*spec, description.base_link, "base link");
   set_physics(*spec, options);
   for (const Leg leg : kLegs) {
@@ -179,21 +216,24 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
     mjs_setName(sphere.element, foot_geom_name(leg).c_str());
   }
   set_collision(base, options.contact);
-  exclude_neighbours(*spec, description);
+  exclude_neighbours(*spec, base, description);
   for (const LegDescription& leg : description.legs) {
     for (const std::string& joint : leg.joints) add_motor(*spec, joint);
   }
   disturb_masses(base, description, options.disturbances);
   change_link_lengths(*spec, description, options.disturbances);
   add_terrain(*spec, options.terrain, options.contact);
-  static_cast<void>(compile(*spec, description.urdf_path));
+  const ModelHandle compiled = compile(*spec, description.urdf_path);
 
   // The model that runs is the one that is logged: compiled from the same text.
   std::string xml = saved_with_full_precision(*spec);
-  std::array<char, 1024> error{};
-  const SpecHandle saved(
-      mj_parseXMLString(xml.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!saved) throw Error(text("the physics model can't be read back: ", error.data()));
+  SpecHandle saved = parsed_back(xml);
+  if (compiled->nmesh > 0) {
+    embed_hulls(*saved, *compiled);
+    (void)compile(*saved, description.urdf_path);
+    xml = saved_with_full_precision(*saved);
+    saved = parsed_back(xml);
+  }
   return {compile(*saved, description.urdf_path), std::move(xml)};
 }
 

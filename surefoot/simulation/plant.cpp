@@ -9,6 +9,7 @@
 #include "surefoot/simulation/sensor_link.hpp"
 #include "surefoot/simulation/sensors.hpp"
 #include "surefoot/simulation/stand_up.hpp"
+#include "surefoot/simulation/starting_posture.hpp"
 #include "surefoot/simulation/terrain.hpp"
 #include "surefoot/simulation/text.hpp"
 #include "surefoot/simulation/truth.hpp"
@@ -51,6 +52,7 @@ struct Plant::Implementation {
         link(options.sensors, options.control_period) {
     place(description);
     mj_step1(&model, &data);
+    simulation::check_starting_posture(model, data, parts, description.urdf_path);
     settle(description.torque_limit);
     observe();
     catcher.reset();

@@ -8,9 +8,9 @@
 
 namespace surefoot::simulation {
 
-/// The robot's URDF as an editable MuJoCo spec: masses checked, without visual shapes, with fixed
-/// links kept as bodies of their own, the base free. Throws FileError or Error as build_model does.
-[[nodiscard]] SpecHandle read_urdf(const RobotDescription& description,
+/// What physics needs of the robot's URDF as an editable MuJoCo spec: fixed links kept as bodies of
+/// their own, the base free. Throws FileError or Error as build_model does.
+[[nodiscard]] SpecHandle read_spec(const RobotDescription& description,
                                    std::vector<std::string>& notes);
 
 /// The spec's bodies below and with `body`, in depth-first order.

@@ -54,6 +54,21 @@ TEST_P(InitialPosture, out_of_reach_names_the_foot) {
       test::holds(test::message_of([&] { (void)stance_posture(model_, stance_); }), "foot LF"));
 }
 
+TEST_P(InitialPosture, outside_the_limits_names_the_joint_and_the_knees_that_would_fit) {
+  RobotDescription robot = test::anymal_b();
+  const bool backward = GetParam() != KneeConfiguration::backward;  // all that the limits leave
+  for (const Leg leg : kLegs) {
+    const Eigen::Index knee = first_joint(leg) + 2;
+    (backward ? robot.q_max : robot.q_min)[knee] = backward ? -0.1 : 0.1;
+  }
+  const RobotModel model(robot);
+  const std::string message = test::message_of([&] { (void)stance_posture(model, stance_); });
+  EXPECT_TRUE(test::holds(message, "planner.stance: it puts joint KFE of "));
+  EXPECT_TRUE(test::holds(message, backward ? " -2.9 to -0.1 rad" : " 0.1 to 2.9 rad"));
+  EXPECT_TRUE(
+      test::holds(message, backward ? "knees: backward would fit" : "knees: forward would fit"));
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryKneeConfiguration, InitialPosture,
                          testing::Values(KneeConfiguration::x, KneeConfiguration::forward,
                                          KneeConfiguration::backward));

@@ -179,6 +179,42 @@ TEST_F(RobotFile, whose_nominal_posture_bends_no_knee_says_so) {
   }
 }
 
+TEST_F(RobotFile, whose_nominal_posture_is_outside_the_limits_names_the_joint) {
+  change(text_, "position_max: [1.2, 2.6", "position_max: [1.2, 0.3");
+  EXPECT_TRUE(holds(complaint(),
+                    "posture.nominal: HFE at 0.4 rad lies outside "
+                    "limits.position_min and position_max, -2.6 to 0.3 rad"));
+}
+
+TEST_F(RobotFile, whose_knees_bend_backward_alone_has_hind_legs_like_the_front_ones) {
+  change(text_, "2.6, 2.9]", "2.6, -0.1]");
+  test::write_file(folder_ / "robot.yaml", text_);
+  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  for (const Leg leg : kLegs)
+    EXPECT_EQ(robot.q_nominal.segment<3>(first_joint(leg)), Vec3(0.0, 0.4, -0.8));
+}
+
+TEST_F(RobotFile, whose_joint_mimics_another_gives_both_lines) {
+  use_own_urdf();
+  change(urdf_, "<joint name=\"LF_HFE\" type=\"revolute\">",
+         "<joint name=\"LF_HFE\" type=\"revolute\"><mimic joint=\"LF_HAA\"/>");
+  const std::string message = complaint();
+  EXPECT_TRUE(holds(message, "robot.yaml:6: legs.LF.joints: joint \"LF_HFE\" mimics \"LF_HAA\""));
+  EXPECT_TRUE(holds(message, "robot.urdf:"));
+}
+
+TEST_F(RobotFile, may_lie_in_a_package_of_ones_own) {
+  std::filesystem::create_directories(folder_ / "mine/robots");
+  test::write_file(folder_ / "mine/robots/robot.urdf", urdf_);
+  const std::size_t begin = text_.find("package://");
+  text_.replace(begin, text_.find('\n', begin) - begin, "package://mine/robots/robot.urdf");
+  test::write_file(folder_ / "robot.yaml", text_);
+  setenv("ROS_PACKAGE_PATH", ("/nowhere:" + folder_.path() + "/").c_str(), 1);
+  const RobotDescription robot = load_robot(folder_ / "robot.yaml");
+  unsetenv("ROS_PACKAGE_PATH");
+  EXPECT_EQ(robot.urdf_path, folder_ / "mine/robots/robot.urdf");
+}
+
 TEST_F(RobotFile, that_does_not_exist_lists_those_that_do) {
   EXPECT_TRUE(holds(message_of([] { (void)load_robot("anymal_x"); }),
                     "unknown robot \"anymal_x\"; did you mean \"anymal_b\"?"));

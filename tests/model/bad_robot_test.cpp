@@ -2,46 +2,15 @@
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
-#include "tests/support/anymal_b.hpp"
+#include "tests/support/changed_urdf.hpp"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace surefoot {
 namespace {
 
 using test::anymal_b;
-
-/// The URDF of ANYmal B with one place of its text changed, as a file that is deleted afterwards.
-class ChangedUrdf {
- public:
-  ChangedUrdf(const std::string& from, const std::string& to) {
-    std::ifstream original(anymal_b().urdf_path);
-    std::string text{std::istreambuf_iterator<char>(original), std::istreambuf_iterator<char>()};
-    const std::size_t place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from;
-    text.replace(place, from.size(), to);
-    std::ofstream(path_) << text;
-  }
-  ChangedUrdf(const ChangedUrdf&) = delete;
-  ChangedUrdf& operator=(const ChangedUrdf&) = delete;
-  ~ChangedUrdf() { std::filesystem::remove(path_); }
-
-  [[nodiscard]] RobotDescription robot() const {
-    RobotDescription description = anymal_b();
-    description.urdf_path = path_.string();
-    return description;
-  }
-
- private:
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() /
-      ("surefoot_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-       ".urdf");
-};
+using test::ChangedUrdf;
 
 template <typename Exception>
 std::string message_of(const RobotDescription& robot) {
@@ -155,6 +124,81 @@ TEST(BadRobot, refuses_a_movable_joint_that_the_description_does_not_name) {
                          "<joint name=\"imu_joint\" type=\"revolute\">");
   EXPECT_TRUE(
       contains(message_of<Error>(urdf.robot()), "joint \"imu_joint\" can move but is not a joint"));
+}
+
+TEST(BadRobot, refuses_a_leg_joint_that_follows_another) {
+  const ChangedUrdf urdf("<joint name=\"LF_KFE\" type=\"revolute\">",
+                         "<joint name=\"LF_KFE\" type=\"revolute\"><mimic joint=\"LF_HFE\"/>");
+  EXPECT_TRUE(contains(message_of<FileError>(urdf.robot()),
+                       "joint \"LF_KFE\" mimics \"LF_HFE\"; a leg's joints must each have"));
+}
+
+TEST(BadRobot, refuses_a_name_that_two_joints_have_and_gives_both_lines) {
+  const ChangedUrdf urdf("<joint name=\"imu_joint\"", "<joint name=\"LF_HAA\"");
+  const std::string message = message_of<FileError>(urdf.robot());
+  EXPECT_TRUE(contains(message, "joint \"LF_HAA\" stands twice, first in line ")) << message;
+}
+
+TEST(BadRobot, refuses_only_an_axis_that_something_turns_about) {
+  const ChangedUrdf fixed("<joint name=\"imu_joint\" type=\"fixed\">",
+                          "<joint name=\"imu_joint\" type=\"fixed\"><axis xyz=\"0 0 0\"/>");
+  EXPECT_EQ(message_of<Error>(fixed.robot()), "nothing was thrown");
+  const ChangedUrdf moving("<axis xyz=\"1 0 0\"/>", "<axis xyz=\"0 0 0\"/>");
+  EXPECT_TRUE(contains(message_of<FileError>(moving.robot()),
+                       "joint \"LF_HAA\": its axis has no direction"));
+}
+
+/// An inertia of a body whose mass is all on a line: of rank one but for rounding, which leaves an
+/// eigenvalue a little below 0.
+TEST(BadRobot, takes_an_inertia_that_is_below_zero_by_rounding_alone) {
+  const std::string placeholder =
+      "<inertia ixx=\"1e-6\" ixy=\"1e-6\" ixz=\"1e-6\" "
+      "iyy=\"1e-6\" iyz=\"1e-6\" izz=\"1e-6\"/>";
+  const ChangedUrdf urdf(
+      "<link name=\"imu_link\">",
+      "<link name=\"imu_link\"><inertial><mass value=\"1e-6\"/>" + placeholder + "</inertial>");
+  EXPECT_EQ(message_of<Error>(urdf.robot()), "nothing was thrown");
+}
+
+TEST(BadRobot, refuses_a_body_whose_moments_of_inertia_contradict_each_other) {
+  const ChangedUrdf urdf("ixx=\"0.217391101503\"", "ixx=\"9.217391101503\"");
+  const std::string message = message_of<FileError>(urdf.robot());
+  EXPECT_TRUE(contains(message,
+                       "link \"base\" moves, but with all that is fixed to it has "
+                       "principal moments of inertia of "))
+      << message;
+  EXPECT_TRUE(contains(message, "none is larger than the sum of the two others")) << message;
+}
+
+TEST(BadRobot, refuses_a_base_without_mass) {
+  ChangedUrdf urdf;
+  for (const char* mass : {"1e-6", "16.793507758", "0.05"})
+    urdf.change(std::string("<mass value=\"") + mass, "<mass value=\"0");
+  EXPECT_TRUE(contains(message_of<FileError>(urdf.robot()),
+                       "link \"base\" moves, but with all that is fixed to it has no mass"));
+}
+
+TEST(BadRobot, says_that_xacro_must_be_run) {
+  const ChangedUrdf element("<link name=\"imu_link\">",
+                            "<xacro:leg side=\"left\"/><link name=\"imu_link\">");
+  EXPECT_TRUE(contains(message_of<FileError>(element.robot()),
+                       "<xacro:leg> does not belong in a URDF; run xacro first: xacro FILE"));
+  const ChangedUrdf value("<mass value=\"1.42462064\"/>", "<mass value=\"${hip_mass}\"/>");
+  EXPECT_TRUE(contains(message_of<FileError>(value.robot()), "run xacro first"));
+}
+
+TEST(BadRobot, reads_a_file_that_begins_with_a_byte_order_mark) {
+  const ChangedUrdf urdf("<?xml", "\xEF\xBB\xBF<?xml");
+  EXPECT_EQ(message_of<Error>(urdf.robot()), "nothing was thrown");
+}
+
+TEST(BadRobot, refuses_joints_that_lead_round_in_a_circle) {
+  const ChangedUrdf urdf(
+      "</robot>",
+      "<link name=\"a\"/><link name=\"b\"/>"
+      "<joint name=\"ab\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>"
+      "<joint name=\"ba\" type=\"fixed\"><parent link=\"b\"/><child link=\"a\"/></joint></robot>");
+  EXPECT_TRUE(contains(message_of<FileError>(urdf.robot()), "link \"a\" is not connected to"));
 }
 
 TEST(BadRobot, refuses_links_that_do_not_form_a_tree) {

@@ -28,7 +28,7 @@ TEST(MeshFiles, each_mesh_is_found_once_below_the_packages) {
   const std::vector<MeshFile> meshes =
       mesh_files(urdf_with({"package://robot/meshes/base.dae", "package://robot/meshes/gone.stl",
                             "package://robot/meshes/base.dae"}),
-                 folder / "");
+                 {.packages = {folder / "."}, .urdf = {}});
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].uri, "package://robot/meshes/base.dae");
   EXPECT_TRUE(fs::equivalent(meshes[0].path, folder / "robot/meshes/base.dae"));
@@ -44,16 +44,37 @@ TEST(MeshFiles, a_urdf_from_elsewhere_reaches_no_file_but_meshes_below_the_packa
   for (const std::string& name :
        {std::string("package://../outside.stl"), std::string("package://robot/../../outside.stl"),
         "package://" + absolute, "file://" + absolute, absolute,
-        std::string("package://robot/notes.txt"), std::string("package://")}) {
-    const std::vector<MeshFile> meshes = mesh_files(urdf_with({name}), folder / "packages");
+        std::string("package://robot/notes.txt"), std::string("package://"),
+        std::string("outside.stl")}) {
+    const std::vector<MeshFile> meshes =
+        mesh_files(urdf_with({name}), {.packages = {folder / "packages"}, .urdf = {}});
     ASSERT_EQ(meshes.size(), 1u) << name;
     EXPECT_TRUE(meshes[0].path.empty()) << name;
   }
 }
 
+TEST(MeshFiles, of_a_urdf_that_lies_here_relative_paths_begin_at_its_folder) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(fs::path(folder / "robot/urdf"));
+  std::ofstream(folder / "robot/leg.stl") << "mesh";
+  const MeshFolders folders{.packages = {}, .urdf = fs::path(folder / "robot/urdf")};
+  for (const char* name : {"../leg.stl", "package://robot/leg.stl"}) {
+    const std::vector<MeshFile> meshes = mesh_files(urdf_with({name}), folders);
+    EXPECT_TRUE(fs::equivalent(meshes.at(0).path, folder / "robot/leg.stl")) << name;
+  }
+}
+
+TEST(MeshFiles, a_folder_of_packages_may_be_the_package) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(fs::path(folder / "robot"));
+  std::ofstream(folder / "robot/leg.stl") << "mesh";
+  EXPECT_FALSE(
+      find_mesh("package://robot/leg.stl", {.packages = {folder / "robot"}, .urdf = {}}).empty());
+}
+
 TEST(MeshFiles, what_is_no_xml_is_told) {
-  EXPECT_THROW((void)mesh_files("no robot", "."), FileError);
-  EXPECT_THROW((void)mesh_files("", "."), FileError);
+  EXPECT_THROW((void)mesh_files("no robot", {}), FileError);
+  EXPECT_THROW((void)mesh_files("", {}), FileError);
 }
 
 }  // namespace

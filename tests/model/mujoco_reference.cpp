@@ -15,14 +15,13 @@ using RowMajor3 = Eigen::Matrix<double, 3, kNumVelocities, Eigen::RowMajor>;
 using RowMajorMass = Eigen::Matrix<double, kNumVelocities, kNumVelocities, Eigen::RowMajor>;
 
 /// The URDF's text with MuJoCo's settings: every link stays a body, shapes do not count as mass.
-std::string urdf_for_mujoco(const std::string& path, const std::string& mesh_folder) {
+std::string urdf_for_mujoco(const std::string& path) {
   std::ifstream file(path);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const std::size_t after_robot = text.find('>', text.find("<robot")) + 1;
   text.insert(after_robot,
               "<mujoco><compiler discardvisual=\"true\" fusestatic=\"false\" strippath=\"true\" "
-              "inertiafromgeom=\"false\" meshdir=\"" +
-                  mesh_folder + "\"/></mujoco>");
+              "inertiafromgeom=\"false\"/></mujoco>");
   return text;
 }
 
@@ -40,7 +39,7 @@ void free_root_without_dummy_inertia(mjSpec* spec, const std::string& root) {
 
 struct MujocoReference::Implementation {
   explicit Implementation(const RobotDescription& robot) : description(robot) {
-    const std::string text = urdf_for_mujoco(robot.urdf_path, robot.mesh_root);
+    const std::string text = urdf_for_mujoco(robot.urdf_path);
     std::array<char, 1000> error{};
     mjSpec* spec = mj_parseXMLString(text.c_str(), nullptr, error.data(), 1000);
     if (spec == nullptr) throw std::runtime_error(error.data());

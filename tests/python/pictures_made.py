@@ -12,7 +12,7 @@ from surefoot_log.log_file import LogFile  # isort: skip
 from surefoot_log.painter import painter  # isort: skip
 from surefoot_log.scene import dress  # isort: skip
 
-PACKAGES = pictures.packages_folder()
+PACKAGES = pictures.package_folders()
 SIZE = (192, 144)
 
 

@@ -234,6 +234,32 @@ def test_an_inertia_that_physics_refuses_is_told_in_one_line(robot):
     assert "robot.urdf" in message and "LF_THIGH" in message
 
 
+def test_a_check_tells_what_is_left_out_of_the_urdf(robot):
+    file = robot(urdf_change=('<dynamics damping="0.0" friction="0.0"/>', '<dynamics damping="0.1" friction="0.0"/>'))
+    assert "note: <dynamics> of 12 joints was left out: friction is that of the drives" in answer("run", file, "--check")
+
+
+BEAM = """<link name="beam"><collision><origin xyz="0 0 -0.2"/><geometry><box size="0.3 1.0 0.05"/></geometry></collision></link>
+<joint name="beam" type="fixed"><parent link="LF_SHANK"/><child link="beam"/></joint></robot>"""
+SPUR = '<sphere radius="0.031"/></geometry></collision><collision><geometry><box size="0.02 0.02 0.1"/>'
+
+
+@pytest.mark.parametrize(
+    "changes, told",
+    [
+        ({"urdf_change": ("</robot>", BEAM)}, [' "beam" ', "overlap by ", " mm"]),
+        ({"urdf_change": ('<sphere radius="0.031"/>', SPUR)}, ['"LF_FOOT" reaches ', " mm below the foot sphere of LF"]),
+        ({"robot_change": ("position_max: [1.2, 2.6, 2.9]", "position_max: [1.2, 2.6, 0.6]")},
+         ["planner.stance: it puts joint KFE of LH", "-2.9 to 0.6 rad", "knees: backward would fit"]),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("options", [[], ["--check"]])
+def test_what_would_throw_the_robot_over_at_once_is_told_before_the_run(robot, changes, told, options):
+    said = complaint("run", robot(**changes), *options)
+    for part in told:
+        assert part in said
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

@@ -1,29 +1,28 @@
 """Meshes of pictures: found where the URDF says and nowhere else, thinned, kept, and replaced where they are missing."""
 
-import pathlib
 
 import numpy as np
 import pytest
 from pictures_made import PACKAGES, SIZE, cache, dressed, painted, run  # noqa: F401, fixtures
 
-from surefoot_log import meshes, urdf_visuals  # isort: skip
+from surefoot_log import meshes, pictures, urdf_visuals  # isort: skip
 from surefoot_log.frames import Frame  # isort: skip
 
 
 def test_a_mesh_that_is_missing_is_noted_and_the_physics_shape_stands_for_it(log, run, tmp_path, cache):
-    scene = dressed(log, packages=tmp_path)
+    scene = dressed(log, packages=[tmp_path])
     (note,) = scene.notes
     assert "parts of the robot are shown as the physics has them, the first of base: package://" in note
     assert f"anymal_base.dae: No such file or directory; meshes are sought in {tmp_path} ($SUREFOOT_ROBOT_PACKAGES" in note
     here = run.frames[0]
     gone = Frame(here.time, [here.qpos[0] + 50.0, *here.qpos[1:]], here.p_WB)
-    shown, empty = painted(log, run, [here, gone], packages=tmp_path)
+    shown, empty = painted(log, run, [here, gone], packages=[tmp_path])
     assert ((empty - shown).sum(axis=2) > 100).sum() > 0.02 * SIZE[0] * SIZE[1]
     assert dressed(log, cache=cache).notes == []
 
 
 def test_thinned_meshes_keep_their_size_and_colours(cache):
-    urdf = (pathlib.Path(PACKAGES) / "example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf").read_text()
+    urdf = (PACKAGES[0] / "example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf").read_text()
     files = {urdf_visuals.file_of(visual.mesh, PACKAGES) for visual in urdf_visuals.visuals_of(urdf) if visual.mesh}
     assert len(files) >= 6
     for file in files:
@@ -37,21 +36,33 @@ def test_thinned_meshes_keep_their_size_and_colours(cache):
 @pytest.mark.parametrize("uri", ["file:///etc/passwd", "/etc/passwd", "package://../x.dae", "package://a/../../x.dae", "package:///etc/x.dae", "x.dae", "package://."])
 def test_meshes_lie_below_the_folder_of_packages(uri, tmp_path):
     with pytest.raises(ValueError, match="folder of packages"):
-        urdf_visuals.file_of(uri, tmp_path)
-    assert urdf_visuals.file_of("package://a/b/../c.dae", tmp_path) == tmp_path / "a" / "c.dae"
+        urdf_visuals.file_of(uri, [tmp_path])
+    assert urdf_visuals.file_of("package://a/b/../c.dae", [tmp_path]) == tmp_path / "a" / "c.dae"
+
+
+def test_meshes_are_found_in_every_folder_of_packages(tmp_path, monkeypatch):
+    for folder in ("one", "two/share"):
+        (tmp_path / folder / "robot").mkdir(parents=True)
+    (tmp_path / "two/share/robot/leg.stl").write_text("mesh")
+    (tmp_path / "one/robot/arm.stl").write_text("mesh")
+    for name, value in {"SUREFOOT_ROBOT_PACKAGES": "", "ROS_PACKAGE_PATH": f"{tmp_path}/one/robot:", "AMENT_PREFIX_PATH": f"{tmp_path}/two"}.items():
+        monkeypatch.setenv(name, value)
+    folders = pictures.package_folders()
+    assert urdf_visuals.file_of("package://robot/leg.stl", folders) == tmp_path / "two/share/robot/leg.stl"
+    assert urdf_visuals.file_of("package://robot/arm.stl", folders) == tmp_path / "one/robot/arm.stl", "a folder that is the package"
 
 
 def test_images_lie_there_too(tmp_path):
-    assert meshes.image_file(tmp_path / "a" / "meshes", "../images/x.png", tmp_path) == str(tmp_path / "a" / "images" / "x.png")
-    assert meshes.image_file(tmp_path / "a", "../../x.png", tmp_path) == ""
-    assert meshes.image_file(tmp_path / "a", "/etc/x.png", tmp_path) == ""
+    assert meshes.image_file(tmp_path / "a" / "meshes", "../images/x.png", [tmp_path]) == str(tmp_path / "a" / "images" / "x.png")
+    assert meshes.image_file(tmp_path / "a", "../../x.png", [tmp_path]) == ""
+    assert meshes.image_file(tmp_path / "a", "/etc/x.png", [tmp_path]) == ""
 
 
 def test_of_a_few_meshes_that_are_missing_each_is_noted():
     missing = [("a", "package://a.dae", FileNotFoundError(2, "No such file")), ("b", "b.dae", ValueError("no mesh"))]
-    assert meshes.missing_notes(missing, "/p") == ["a is shown as the physics has it: package://a.dae: No such file",
+    assert meshes.missing_notes(missing, ["/p"]) == ["a is shown as the physics has it: package://a.dae: No such file",
                                                    "b is shown as the physics has it: b.dae: no mesh"]  # fmt: skip
-    assert meshes.missing_notes([], "/p") == []
+    assert meshes.missing_notes([], ["/p"]) == []
 
 
 def test_a_broken_cache_is_read_anew(tmp_path):

@@ -1,15 +1,16 @@
-#include "tests/logging/temporary_folder.hpp"
 #include "tests/simulation/plant_support.hpp"
+#include "tests/support/changed_urdf.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 
 namespace surefoot {
 namespace {
+
+using test::ChangedUrdf;
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
@@ -169,7 +170,8 @@ TEST(Options, OfTheDefaultAreValid) { EXPECT_EQ(test::error_of(test::anymal_b(),
 TEST(RobotDescription, WithAMissingUrdfIsAnErrorThatNamesTheFile) {
   RobotDescription robot = test::anymal_b();
   robot.urdf_path = "/nowhere/robot.urdf";
-  EXPECT_EQ(test::error_of(robot, {}), "/nowhere/robot.urdf: the URDF can't be read");
+  EXPECT_EQ(test::error_of(robot, {}),
+            "/nowhere/robot.urdf: the URDF can't be read; does the file exist?");
 }
 
 TEST(RobotDescription, WithAnUnknownNameIsAnErrorThatListsWhatThereIs) {
@@ -194,45 +196,31 @@ TEST(RobotDescription, ThatContradictsTheFootSphereOfTheUrdfIsAnError) {
             std::string::npos);
 }
 
-/// ANYmal B's URDF with one text replaced, in a file that is removed at the end.
-class EditedUrdf {
- public:
-  EditedUrdf(const std::string& from, const std::string& to) : robot_(test::anymal_b()) {
-    std::ifstream file(robot_.urdf_path);
-    std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    content.replace(content.find(from), from.size(), to);
-    robot_.urdf_path = folder_ / "surefoot_edited.urdf";
-    std::ofstream(robot_.urdf_path) << content;
-  }
-  [[nodiscard]] const RobotDescription& robot() const { return robot_; }
-
- private:
-  test::TemporaryFolder folder_;
-  RobotDescription robot_;
-};
-
 TEST(Urdf, WithANegativeMassIsAnErrorThatNamesTheLink) {
-  const EditedUrdf urdf("<mass value=\"1.42462064\"/>", "<mass value=\"-1.4\"/>");
+  const ChangedUrdf urdf("<mass value=\"1.42462064\"/>", "<mass value=\"-1.4\"/>");
   const std::string error = test::error_of(urdf.robot(), {});
-  EXPECT_NE(error.find("surefoot_edited.urdf"), std::string::npos);
-  EXPECT_NE(error.find("link \"LF_HIP\" has the mass -1.4 kg"), std::string::npos) << error;
+  EXPECT_NE(error.find("changed.urdf"), std::string::npos);
+  EXPECT_NE(error.find("link \"LF_HIP\": mass -1.4 kg is negative"), std::string::npos) << error;
 }
 
-TEST(Urdf, WithAHeavyBaseThatHasNoProperInertiaLosesNoMassSilently) {
-  const EditedUrdf urdf("<mass value=\"1e-6\"/>", "<mass value=\"5\"/>");
-  PlantOptions options = test::standing_options();
-  options.initial.position.z() = 50.0;
-  EXPECT_NE(test::error_of(urdf.robot(), options), "") << "MuJoCo can't simulate it and says so";
+TEST(Urdf, WithAHeavyBaseThatHasNoProperInertiaLosesNoMass) {
+  const ChangedUrdf urdf("<mass value=\"1e-6\"/>", "<mass value=\"5\"/>");
+  const Plant plant(urdf.robot(), test::falling_options());
+  const test::StockMujoco stock(plant.model_xml(), plant.truth());
+  EXPECT_NEAR(mj_getTotalmass(stock.model.get()), test::kMass + 5.0, 1e-6);
+  ASSERT_EQ(plant.notes().size(), 1U);
+  EXPECT_NE(plant.notes()[0].find("no body can have the inertia of: base"), std::string::npos);
 }
 
 TEST(Urdf, ThatIsBrokenIsAnErrorThatNamesTheFile) {
-  const EditedUrdf urdf("</robot>", "</robt>");
-  EXPECT_NE(test::error_of(urdf.robot(), {}).find("surefoot_edited.urdf: "), std::string::npos);
+  const ChangedUrdf urdf("</robot>", "</robt>");
+  EXPECT_NE(test::error_of(urdf.robot(), {}).find("changed.urdf:"), std::string::npos);
 }
 
 TEST(Urdf, ThatIsSomethingElseIsAnErrorThatSaysSo) {
-  const EditedUrdf urdf("<robot", "<rabbit");
-  EXPECT_NE(test::error_of(urdf.robot(), {}).find("it has no <robot> element"), std::string::npos);
+  ChangedUrdf urdf("<robot", "<rabbit");
+  urdf.change("</robot", "</rabbit");
+  EXPECT_NE(test::error_of(urdf.robot(), {}).find("the file has no <robot>"), std::string::npos);
 }
 
 }  // namespace

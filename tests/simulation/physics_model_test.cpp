@@ -1,13 +1,16 @@
 #include "tests/simulation/plant_support.hpp"
+#include "tests/support/changed_urdf.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 namespace surefoot {
 namespace {
 
+using test::ChangedUrdf;
 using test::StockMujoco;
 
 /// Mass, centre of mass (front left leg; y changes sign on the right, x behind) and inertia about
@@ -48,6 +51,15 @@ Mat3 inertia_in_link(const mjModel& model, int body) {
   const Mat3 R = Quat(q[0], q[1], q[2], q[3]).toRotationMatrix();
   const Vec3 principal = Eigen::Map<const Vec3>(model.body_inertia + 3 * body);
   return R * principal.asDiagonal() * R.transpose();
+}
+
+/// A point of W in the axes of a link [m].
+Vec3 in_link(const StockMujoco& mujoco, const std::string& link, const Vec3& p_W) {
+  const int body = mujoco.body(link);
+  Vec3 p;
+  const Vec3 from_origin = p_W - Eigen::Map<const Vec3>(mujoco.data->xpos + 3 * body);
+  mju_mulMatTVec3(p.data(), mujoco.data->xmat + 9 * body, from_origin.data());
+  return p;
 }
 
 StockMujoco stock(const Plant& plant) { return {plant.model_xml(), plant.truth()}; }
@@ -202,12 +214,52 @@ TEST(PhysicsModel, OwnShapesDoNotTouchInAnyKneeConfiguration) {
 
 TEST(PhysicsModel, TwoLegsThatAreSwungIntoEachOtherCollide) {
   PlantOptions options = test::falling_options();
-  options.initial.q[first_joint(Leg::LF)] = -0.6;
-  options.initial.q[first_joint(Leg::RF)] = 0.6;
-  const Plant plant(test::anymal_b(), options);
-  EXPECT_GT(plant.truth().body_contact_force, 1.0);
-  EXPECT_FALSE(plant.truth().torso_contact);
-  EXPECT_EQ(plant.truth().shank_contacts, 0) << "a leg is not the ground";
+  Plant plant(test::anymal_b(), options);
+  JointCommand inwards;
+  inwards.torque[first_joint(Leg::LF)] = -20.0;
+  inwards.torque[first_joint(Leg::RF)] = 20.0;
+  double force = 0.0;
+  for (int tick = 0; tick < 200; ++tick) {
+    plant.write(inwards);
+    force = std::max(force, plant.truth().body_contact_force);
+    EXPECT_FALSE(plant.truth().torso_contact);
+    EXPECT_EQ(plant.truth().shank_contacts, 0) << "a leg is not the ground";
+  }
+  EXPECT_GT(force, 1.0);
+}
+
+TEST(PhysicsModel, AMeshThatCollidesIsInTheModelItself) {
+  std::string xml;
+  GroundTruth truth;
+  {
+    ChangedUrdf urdf("<link name=\"imu_link\">",
+                     "<link name=\"imu_link\"><collision><geometry><mesh filename=\"wedge.obj\" "
+                     "scale=\"0.1 0.2 0.3\"/></geometry></collision>");
+    const std::string folder = std::filesystem::path(urdf.robot().urdf_path).parent_path();
+    test::write_file(folder + "/wedge.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const Plant plant(urdf.robot(), test::standing_options());
+    xml = plant.model_xml();
+    truth = plant.truth();
+  }
+  const StockMujoco mujoco{xml, truth};  // its files are gone
+  ASSERT_EQ(mujoco.model->nmesh, 1);
+  EXPECT_EQ(mujoco.model->mesh_vertnum[0], 4);
+  EXPECT_NEAR(mj_getTotalmass(mujoco.model.get()), test::kMass, 1e-6);
+  const int geom = mujoco.model->body_geomadr[mujoco.body("imu_link")];
+  Vec3 low = Vec3::Constant(1.0), high = -low;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Map<const Eigen::Vector3f> vertex(mujoco.model->mesh_vert + 3 * i);
+    Vec3 p_W;
+    mju_mulMatVec3(p_W.data(), mujoco.data->geom_xmat + 9 * geom,
+                   Vec3(vertex.cast<double>()).data());
+    p_W += Eigen::Map<const Vec3>(mujoco.data->geom_xpos + 3 * geom);
+    const Vec3 p = in_link(mujoco, "imu_link", p_W);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  EXPECT_LT(low.norm(), 1e-6);
+  EXPECT_LT((high - Vec3(0.1, 0.2, 0.3)).norm(), 1e-6);
 }
 
 TEST(PhysicsModel, AFootSphereThatTheUrdfLacksIsAddedWithoutMass) {

@@ -7,9 +7,10 @@ namespace surefoot::test {
 RobotDescription anymal_b() {
   RobotDescription robot;
   robot.name = "anymal_b";
-  robot.mesh_root = build_info().robot_packages;
+  const std::string packages(build_info().robot_packages);
+  robot.package_folders = {packages};
   robot.urdf_path =
-      robot.mesh_root + "/example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf";
+      packages + "/example-robot-data/robots/anymal_b_simple_description/robots/anymal.urdf";
   robot.base_link = "base";
   for (const Leg leg : kLegs) {
     const std::string name(kLegNames[index(leg)]);

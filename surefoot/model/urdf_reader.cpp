@@ -1,0 +1,103 @@
+#include "surefoot/model/urdf_reader.hpp"
+
+#include "surefoot/base/error.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <tinyxml2.h>
+
+#include <array>
+#include <fstream>
+#include <locale>
+#include <sstream>
+#include <string_view>
+
+namespace surefoot {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// The first element that xacro would have replaced; nullptr if there is none.
+const XMLElement* of_xacro(const XMLElement& element) {
+  if (std::string_view(element.Name()).starts_with("xacro:")) return &element;
+  for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    if (const XMLElement* found = of_xacro(*child)) return found;
+  }
+  return nullptr;
+}
+
+constexpr const char* kRunXacro = "run xacro first: xacro FILE > robot.urdf";
+
+/// What to do about a text that xacro would have replaced.
+std::string advice_for(const std::string& text) {
+  return text.find("${") == std::string::npos ? "" : std::string("; ") + kRunXacro;
+}
+
+template <std::size_t N>
+std::array<double, N> numbers(const UrdfReader& reader, const XMLElement& element,
+                              const char* attribute) {
+  const char* given = element.Attribute(attribute);
+  const std::string text = given == nullptr ? "" : given;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  std::array<double, N> values{};
+  for (double& value : values) stream >> value;  // reads neither "nan" nor "inf"
+  std::string rest;
+  if (!stream.fail() && !(stream >> rest)) return values;
+  reader.fail(element.GetLineNum(), std::string("<") + element.Name() + "> needs " + attribute +
+                                        "=\"" +
+                                        (N == 1 ? "a finite number" : "three finite numbers") +
+                                        "\", not \"" + text + "\"" + advice_for(text));
+}
+
+}  // namespace
+
+const XMLElement& UrdfReader::robot(tinyxml2::XMLDocument& document) const {
+  if (!std::ifstream(path_))
+    throw FileError(path_ + ": the URDF can't be read; does the file exist?");
+  if (document.LoadFile(path_.c_str()) != tinyxml2::XML_SUCCESS) {
+    fail(document.ErrorLineNum(), std::string("not well-formed XML: ") + document.ErrorName());
+  }
+  const XMLElement* robot = document.FirstChildElement("robot");
+  if (robot == nullptr) fail(1, "not a URDF: the file has no <robot>");
+  if (const XMLElement* macro = of_xacro(*robot)) {
+    fail(macro->GetLineNum(),
+         std::string("<") + macro->Name() + "> does not belong in a URDF; " + kRunXacro);
+  }
+  return *robot;
+}
+
+void UrdfReader::fail(int line, const std::string& what) const {
+  throw FileError(path_ + ":" + std::to_string(line) + ": " + what);
+}
+
+std::string UrdfReader::name(const XMLElement& element) const {
+  const char* text = element.Attribute("name");
+  if (text == nullptr) {
+    fail(element.GetLineNum(), std::string("<") + element.Name() + "> has no name");
+  }
+  const std::string advice = advice_for(text);
+  if (!advice.empty())
+    fail(element.GetLineNum(), std::string("\"") + text + "\" is no name" + advice);
+  return text;
+}
+
+double UrdfReader::number(const XMLElement& element, const char* attribute) const {
+  return numbers<1>(*this, element, attribute)[0];
+}
+
+Vec3 UrdfReader::vector(const XMLElement& element, const char* attribute) const {
+  const std::array<double, 3> values = numbers<3>(*this, element, attribute);
+  return {values[0], values[1], values[2]};
+}
+
+void UrdfReader::read_origin(const XMLElement& parent, Mat3& R, Vec3& p) const {
+  const XMLElement* origin = parent.FirstChildElement("origin");
+  if (origin == nullptr) return;
+  if (origin->Attribute("xyz") != nullptr) p = vector(*origin, "xyz");
+  if (origin->Attribute("rpy") != nullptr) {
+    R = from_roll_pitch_yaw(vector(*origin, "rpy")).toRotationMatrix();
+  }
+}
+
+}  // namespace surefoot
