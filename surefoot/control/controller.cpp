@@ -223,7 +223,7 @@ TickContext Controller::Implementation::context() noexcept {
 const Solution* Controller::Implementation::act(const UserCommand& user) noexcept {
   const Dynamics& dynamics = feel();
   const bool stood = footing.stands();
-  const PlanEvent event = footing.update(model, record.state.q, record.state.qd, lift);
+  const PlanEvent event = footing.update(model, record.state, lift);
   if (stood && footing.stands()) return optimise(dynamics, user);
   get_on_feet();
   record.plan.event = static_cast<int>(event);

@@ -18,6 +18,7 @@ constexpr double kToBear = 0.5;    // in which the feet take over the weight [s]
 constexpr double kToHarden = 0.5;  // … and its joints become hard once they have [s]
 constexpr double kSettle = 0.5;    // after the way [s]
 constexpr double kPatience = 3.0;  // … until a robot that does not stand is given up [s]
+constexpr double kTips = 0.5;      // a torso that leans so far on the way up [rad]
 constexpr double kThere = 0.2;     // a joint that is where it should be [rad]
 constexpr double kAtRest = 0.3;    // [rad/s]
 
@@ -38,8 +39,9 @@ void Footing::look_at_start(const RobotModel& model, const JointVector& q) noexc
   go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)), kLeastWay);
 }
 
-PlanEvent Footing::update(const RobotModel& model, const JointVector& q, const JointVector& qd,
+PlanEvent Footing::update(const RobotModel& model, const RobotState& state,
                           const LiftDetector& lift) noexcept {
+  const JointVector& q = state.q;
   restarts_ = false;
   time_ += period_;
   switch (state_) {
@@ -54,24 +56,25 @@ PlanEvent Footing::update(const RobotModel& model, const JointVector& q, const J
       rise(model, q, 0.0);
       return PlanEvent::stands_up;
     case State::rises:
-      return update_rise(model, q, qd, lift);
+      return update_rise(model, state, lift);
   }
   return PlanEvent::none;
 }
 
-PlanEvent Footing::update_rise(const RobotModel& model, const JointVector& q, const JointVector& qd,
+PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
                                const LiftDetector& lift) {
   if (lift.is_down()) stood_for_ += period_;
   const bool has_arrived = time_ > duration_ + kSettle;
-  if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, q);
+  if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
+  has_failed_ = state.R_WB()(2, 2) < std::cos(kTips);
   if (!has_arrived) return PlanEvent::none;
-  const bool is_there = (q - to_).cwiseAbs().maxCoeff() < kThere;
-  const bool is_at_rest = qd.cwiseAbs().maxCoeff() < kAtRest;
+  const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kThere;
+  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < kAtRest;
   if (is_there && is_at_rest && lift.is_down()) {
     state_ = State::stands;
     restarts_ = true;
   } else {
-    has_failed_ = time_ > duration_ + kPatience;
+    has_failed_ = has_failed_ || time_ > duration_ + kPatience;
   }
   return PlanEvent::none;
 }

@@ -17,7 +17,8 @@ namespace surefoot {
 ///     rises    the legs stretch to the stance's posture, with the torques that bear the robot
 ///
 /// and from there it stands, with estimate and plan begun anew. Knees stay on the side where they
-/// were at the start. A robot that does not come to stand can't: `has_failed`. Does not allocate.
+/// were at the start. A robot that does not come to stand, or tips on the way, can't: `has_failed`.
+/// Does not allocate.
 class Footing {
  public:
   /// `period` of the control loop [s].
@@ -27,9 +28,8 @@ class Footing {
   /// happens where q [rad] is not known.
   void look_at_start(const RobotModel& model, const JointVector& q) noexcept;
 
-  /// One tick with the joint angles [rad] and velocities [rad/s]; `lift` of this tick. What has
-  /// happened.
-  PlanEvent update(const RobotModel& model, const JointVector& q, const JointVector& qd,
+  /// One tick: the state, and `lift` of this tick. What has happened.
+  PlanEvent update(const RobotModel& model, const RobotState& state,
                    const LiftDetector& lift) noexcept;
 
   [[nodiscard]] bool stands() const { return state_ == State::stands; }
@@ -46,8 +46,7 @@ class Footing {
   /// From where the joints are to another posture, at rest at both ends.
   void go(State state, const JointVector& q, const JointVector& to, double at_least);
   void rise(const RobotModel& model, const JointVector& q, double borne);
-  PlanEvent update_rise(const RobotModel& model, const JointVector& q, const JointVector& qd,
-                        const LiftDetector& lift);
+  PlanEvent update_rise(const RobotModel& model, const RobotState& state, const LiftDetector& lift);
   PlanEvent hang(const RobotModel& model, const JointVector& q);
   /// Feet at their places of the stance but for the height of the base over them [m].
   [[nodiscard]] JointVector posture_at(const RobotModel& model, double height) const;

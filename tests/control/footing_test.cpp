@@ -1,6 +1,7 @@
 #include "surefoot/control/footing.hpp"
 
 #include "surefoot/config/initial_posture.hpp"
+#include "surefoot/math/rotation.hpp"
 #include "tests/support/anymal_b.hpp"
 #include "tests/support/malloc_counter.hpp"
 
@@ -45,12 +46,20 @@ struct Robot {
   void run(double duration, bool until_it_stands = true) {
     for (double t = 0.0; t < duration && !(until_it_stands && footing.stands()); t += kPeriod) {
       lift.update(kWeight, forces, Vec3(0.0, 0.0, kGravity));
-      const PlanEvent event = footing.update(model, q, JointVector::Zero(), lift);
+      const PlanEvent event = footing.update(model, state(), lift);
       if (event != PlanEvent::none) events.push_back(event);
       const JointVector next = footing.posture(lift).q;
       largest_step = std::max(largest_step, (next - q).cwiseAbs().maxCoeff());
       if (follows && !footing.stands()) q = next;
     }
+  }
+
+  [[nodiscard]] RobotState state() const {
+    RobotState result;
+    result.q = q;
+    result.qd.setZero();
+    result.q_WB = from_roll_pitch_yaw({roll, 0.0, 0.0});
+    return result;
   }
 
   RobotModel model{anymal_b()};
@@ -59,6 +68,7 @@ struct Robot {
   JointVector q;
   PerLeg<Vec3> forces{};
   bool follows = true;
+  double roll = 0.0;          // [rad]
   double largest_step = 0.0;  // [rad]
   std::vector<PlanEvent> events;
 };
@@ -136,6 +146,16 @@ TEST(Footing, OneThatIsHeldWithFoldedLegsHangs) {
   robot.run(10.0, false);
   EXPECT_TRUE(robot.footing.hangs());
   EXPECT_FALSE(robot.footing.has_failed());
+}
+
+TEST(Footing, OneThatTipsOnTheWayCanNotStand) {
+  Robot robot(lying());
+  robot.bear(1.0);
+  robot.run(4.0);
+  EXPECT_FALSE(robot.footing.has_failed());
+  robot.roll = 0.6;
+  robot.run(0.01);
+  EXPECT_TRUE(robot.footing.has_failed());
 }
 
 TEST(Footing, OneWhoseLegIsHeldFastCanNotStand) {
