@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <string_view>
 
 namespace surefoot {
 namespace {
@@ -183,13 +184,20 @@ std::string nothing_gave_way(const std::string& every,
          (names.size() == 1 ? "does." : "do.");
 }
 
+/// Why nothing was solved, of a controller that has not stopped.
+std::string_view without_state(CommandMode mode) {
+  if (mode == CommandMode::lifted) return "its feet bear too little";
+  return mode == CommandMode::rise ? "it stands up" : "there was no state to believe";
+}
+
 std::string without_solution(const TickRecord& tick) {
   const std::string mode(logged::kModeNames[static_cast<std::size_t>(tick.command.mode)]);
   const std::string why = text_of_stop(tick);
   return std::string(was_solved(tick.hierarchy)
                          ? "The controller stopped, and what was solved was not used"
                          : "No hierarchy was solved") +
-         ": " + mode + ", because " + (why.empty() ? "there was no state to believe" : why) + ".";
+         ": " + mode + ", because " +
+         (why.empty() ? std::string(without_state(tick.command.mode)) : why) + ".";
 }
 
 /// The level in which a solve was cut off; empty: it came to its end.

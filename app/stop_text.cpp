@@ -63,6 +63,8 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
       return of_joint("joint torque", "joint torques", fault, joint) + " " + verb(fault);
     case StopCause::imu:
       return "IMU " + verb(fault);
+    case StopCause::cannot_stand:
+      return "it could not stand up";
   }
   return "";
 }

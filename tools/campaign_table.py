@@ -139,7 +139,7 @@ def cells(runs):
 def blamed(run):
     """Whether the controller stopped in the name of a sensor."""
     stop = re.search(r"stopped for safety at [\d.]+ s: ([^,]*)", run["reason"])
-    return bool(stop) and stop[1] not in ("the torso tilted too far", "too many ticks without a solution")
+    return bool(stop) and stop[1] not in ("the torso tilted too far", "too many ticks without a solution", "it could not stand up")
 
 
 def main():

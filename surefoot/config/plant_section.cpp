@@ -89,6 +89,24 @@ void read_pushes(Section& section, std::vector<Push>& pushes) {
   }
 }
 
+void read_lift(Section& section, Lift& lift) {
+  section.require("time");
+  section.number("time", lift.time, kNotNegative);
+  section.number("height", lift.height,
+                 {.min = 0.0, .max = 2.0, .min_included = false, .words = "above 0, at most 2 m"});
+  section.number("duration", lift.duration, kPositive);
+  section.number("hold", lift.hold, kNotNegative);
+  section.vector("point", lift.point);
+}
+
+/// Named, as pushes are.
+void read_lifts(Section& section, std::vector<Lift>& lifts) {
+  for (const std::string& name : section.keys()) {
+    if (section.node(name.c_str())->kind == ConfigNode::Kind::null) continue;
+    section.section(name.c_str(), [&](Section& s) { read_lift(s, lifts.emplace_back()); });
+  }
+}
+
 /// Also if it is empty; nothing behind the name takes away what a base has.
 bool is_map(Section& section, const char* key) {
   const ConfigNode* given = section.node(key);
@@ -97,6 +115,7 @@ bool is_map(Section& section, const char* key) {
 
 void read_disturbances(Section& section, DisturbanceOptions& disturbances) {
   section.section("pushes", [&](Section& s) { read_pushes(s, disturbances.pushes); });
+  section.section("lifts", [&](Section& s) { read_lifts(s, disturbances.lifts); });
   section.section("payload", [&](Section& payload) {
     if (is_map(section, "payload")) payload.require("mass");
     constexpr NumberRange kMass{

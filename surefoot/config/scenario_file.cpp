@@ -11,6 +11,7 @@
 #include "surefoot/config/initial_posture.hpp"
 #include "surefoot/config/nearest_name.hpp"
 #include "surefoot/config/plant_section.hpp"
+#include "surefoot/config/plant_vectors.hpp"
 #include "surefoot/config/robot_file.hpp"
 #include "surefoot/config/scenario_notes.hpp"
 #include "surefoot/config/section.hpp"
@@ -120,11 +121,25 @@ auto load_named(Section& top, const char* key, const Load& load) {
   }
 }
 
+/// Of a leg that is not named, those of the stance.
+void read_joints(Section& joints, InitialState& state) {
+  for (const Leg leg : kLegs) {
+    double* q = &state.q[first_joint(leg)];
+    std::fill_n(q, kJointsPerLeg, kNaN);
+    joints.elements(leg_elements()[index(leg)].c_str(), q,
+                    {kJointNames.begin(), kJointNames.end()});
+  }
+}
+
 void read_initial(Section& initial, InitialState& state) {
   initial.number("x", state.position.x());
   initial.number("y", state.position.y());
   initial.number("z", state.position.z());
   initial.number("yaw", state.yaw);
+  const ConfigNode* joints = initial.node("joints");
+  state.is_given = joints != nullptr && joints->kind == ConfigNode::Kind::map;
+  initial.section("joints", [&](Section& s) { read_joints(s, state); });
+  initial.flag("limp", state.limp);
   initial.number("settle", state.settle, {.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"});
 }
 
@@ -262,6 +277,25 @@ JointVector read_posture(const ConfigNode& tree, const RobotModel& model,
   }
 }
 
+/// The stance, but for the joints that the scenario gives.
+void complete_posture(const ConfigNode& tree, const RobotModel& model, Scenario& scenario) {
+  InitialState& initial = scenario.plant.initial;
+  const JointVector stance = read_posture(tree, model, scenario.controller.planner.stance);
+  if (!initial.is_given) initial.q = stance;
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    double& q = initial.q[i];
+    if (std::isnan(q)) q = stance[i];
+    const RobotDescription& robot = scenario.robot;
+    if (!initial.is_given || (q >= robot.q_min[i] && q <= robot.q_max[i])) continue;
+    const ConfigNode& joints = *tree.find("initial")->find("joints");
+    const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
+    const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
+    fail_at(joints, "initial.joints." + std::string(kLegNames[leg]),
+            formatted("%s is %g rad; valid is %g to %g rad",
+                      std::string(kJointNames[joint]).c_str(), q, robot.q_min[i], robot.q_max[i]));
+  }
+}
+
 /// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
 /// Reading both holds the ranges against the keys' limits, whatever the seed; no run is of it.
 class EndOfRanges {
@@ -343,7 +377,7 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.notes = scenario_notes(tree, scenario);
   const RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
-  scenario.plant.initial.q = read_posture(tree, model, scenario.controller.planner.stance);
+  complete_posture(tree, model, scenario);
   for (EndOfRanges& end : ends) end.check(model, scenario.controller.stack);
   return scenario;
 }

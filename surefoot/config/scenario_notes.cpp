@@ -15,7 +15,7 @@ constexpr std::string_view kActuators = "actuators.";
 constexpr std::array<std::string_view, 3> kOfSpring{"actuators.spring.", "actuators.rotor.",
                                                     "actuators.torque_loop."};
 
-/// Pushes and faults, which begin at a time, that come after the end: nothing happens.
+/// Pushes, lifts and faults, which begin at a time, that come after the end: nothing happens.
 template <typename Entry>
 void note_late(const ConfigNode& tree, const char* section, const char* key,
                const std::vector<Entry>& entries, const Scenario& scenario,
@@ -67,6 +67,7 @@ std::vector<std::string> scenario_notes(const ConfigNode& tree, const Scenario& 
   std::vector<std::string> notes;
   const PlantOptions& plant = scenario.plant;
   note_late(tree, "disturbances", "pushes", plant.disturbances.pushes, scenario, notes);
+  note_late(tree, "disturbances", "lifts", plant.disturbances.lifts, scenario, notes);
   note_late(tree, "sensors", "faults", plant.sensors.faults, scenario, notes);
   note_undrawn(assigned, notes);
   note_unused_actuator(assigned, plant.actuators, notes);

@@ -84,10 +84,14 @@ struct Controller::Implementation : ControllerMemory {
   void take_in(SensorReading reading) noexcept;
   void begin_anew() noexcept;
   [[nodiscard]] bool estimate() noexcept;
+  const Dynamics& feel() noexcept;
+  [[nodiscard]] const Solution* act(const UserCommand& user) noexcept;
+  void get_on_feet() noexcept;
+  void stand_anew() noexcept;
   const JointVector& observe_joints() noexcept;
   [[nodiscard]] TickContext context() noexcept;
   void forget_lost_joints() noexcept;
-  const Solution* optimise(const UserCommand& user) noexcept;
+  const Solution* optimise(const Dynamics& dynamics, const UserCommand& user) noexcept;
   void compare_sensors(const Dynamics& dynamics) noexcept;
   void calibrate(const Dynamics& dynamics) noexcept;
   void describe(const Dynamics& dynamics, const Solution& solution) noexcept;
@@ -121,7 +125,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (observer != nullptr) observer->tick_begins();
   record.reading = reading;
   record.user = sane(user);
-  guard.set_loose(safety.has_stopped() || !safety.has_begun());
+  guard.set_loose(safety.has_stopped() || !safety.has_begun() || !footing.stands());
   take_in(reading);
   record.health = guard.health();
   const bool estimates = std::isfinite(last_time);
@@ -129,12 +133,14 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
       first_readings.are_contradicted(reading, guard.clock_is_right(), record.health, estimates) &&
       !safety.has_stopped();
   if (begun_anew) begin_anew();
+  if (footing.restarts()) stand_anew();
+  if (!estimates) footing.look_at_start(model, guard.repaired().q);
   const bool believed = estimate();
   ended(Stage::estimate);
-  const Solution* solution = believed ? optimise(record.user) : nullptr;
+  const Solution* solution = believed ? act(record.user) : nullptr;
   if (!believed) describe_refused_state();
   if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
-  has_solved = believed;
+  has_solved = solution != nullptr;
   if (believed) safety.set_standing(record.plan.standing());
   // Whose base is not known, but whose joints are.
   const bool waits = !safety.has_begun() && !safety.has_stopped();
@@ -203,7 +209,8 @@ TickContext Controller::Implementation::context() noexcept {
                      .joint_lag = guard.joint_lag(),
                      .imu_lag = guard.imu_lag(),
                      .kinematics = kinematics.errors(),
-                     .restarts = planner.restarts()};
+                     .restarts = planner.restarts() || footing.restarts(),
+                     .off_its_feet = !footing.stands()};
   for (const Leg leg : kLegs) {
     const Vec3& force = record.state.foot_force[index(leg)];
     result.contacts[index(leg)] = {.carries = record.plan.contact(leg),
@@ -213,13 +220,57 @@ TickContext Controller::Implementation::context() noexcept {
   return result;
 }
 
-const Solution* Controller::Implementation::optimise(const UserCommand& user) noexcept {
+const Solution* Controller::Implementation::act(const UserCommand& user) noexcept {
+  const Dynamics& dynamics = feel();
+  const bool stood = footing.stands();
+  const PlanEvent event = footing.update(model, record.state, lift);
+  if (stood && footing.stands()) return optimise(dynamics, user);
+  get_on_feet();
+  record.plan.event = static_cast<int>(event);
+  return nullptr;
+}
+
+/// The model and the ground's forces on the feet.
+const Dynamics& Controller::Implementation::feel() noexcept {
   model.set_leg_lengths(kinematics.errors());
   base_load = com_calibration.load();
   model.set_base_load(base_load);
   const Dynamics& dynamics = model.update(record.state, planner.terrain_normal());
   contact_force.update(dynamics, record.plan.standing(), planner.terrain_normal(), guard.repaired(),
                        record.state);
+  lift.update(kGravity * dynamics.mass, record.state.foot_force, guard.repaired().accelerometer);
+  return dynamics;
+}
+
+/// Nothing is planned or solved for a robot that is not on its feet.
+void Controller::Implementation::get_on_feet() noexcept {
+  const LegPosture posture = footing.posture(lift);
+  describe_refused_state();
+  record.plan.time = record.state.time;
+  record.plan.calibration = CalibrationStage::none;
+  for (const Leg leg : kLegs) {
+    const bool stands = posture.stands[index(leg)];
+    record.plan.feet[index(leg)].phase = stands ? LegPhase::stance : LegPhase::swing;
+  }
+  consistency.forget();
+  kinematics.forget();
+  safety.bear(standing_torque(model, record.state.q));
+  safety.pose(posture, footing.hangs() ? CommandMode::lifted : CommandMode::rise);
+  if (footing.has_failed()) safety.give_up_standing();
+}
+
+/// It has come to stand: of where it stood, who pushed it, and what its legs were felt to weigh as
+/// they lay on the ground, nothing holds any more.
+void Controller::Implementation::stand_anew() noexcept {
+  planner.begin_anew(at_start.planner);
+  contact_force = at_start.contact_force;
+  slip = at_start.slip;
+  external_force = at_start.external_force;
+  safety.begin_anew();
+}
+
+const Solution* Controller::Implementation::optimise(const Dynamics& dynamics,
+                                                     const UserCommand& user) noexcept {
   slip.update(dynamics, record.plan.standing(), planner.terrain_normal(), record.state);
   external_force.update(dynamics, record.plan.standing(), record.state);
   compare_sensors(dynamics);
@@ -245,10 +296,12 @@ const Solution* Controller::Implementation::optimise(const UserCommand& user) no
   return solution;
 }
 
-// Legs that are found to be other than they were believed to be have not moved.
+// Legs that are found to be other than they were believed to be have not moved; feet that bear
+// nothing do not stand.
 void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexcept {
-  if (kinematics.errors() != errors_before) consistency.forget();
+  if (kinematics.errors() != errors_before || lift.seems_lifted()) consistency.forget();
   errors_before = kinematics.errors();
+  if (lift.seems_lifted()) return;
   const PerLeg<bool> stands = record.plan.standing();
   PerLeg<Vec3> v_WF;
   for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = record.plan.feet[k].v_WF;

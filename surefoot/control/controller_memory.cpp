@@ -25,6 +25,8 @@ ControllerMemory::ControllerMemory(const RobotDescription& robot, const Controll
       slip(options.slip, options.period),
       external_force(options.external_force),
       consistency(options.consistency, options.period),
+      lift(options.period),
+      footing(options.planner.stance, options.period),
       planner(options.planner, model.mass() * kGravity, options.period) {}
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/control/controller.hpp"
+#include "surefoot/control/footing.hpp"
 #include "surefoot/estimation/com_calibration.hpp"
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
@@ -28,6 +29,8 @@ struct ControllerMemory {
   SlipDetector slip;
   ExternalForceEstimator external_force;
   SensorConsistency consistency;
+  LiftDetector lift;
+  Footing footing;
   Planner planner;
   HierarchyOutcome last;
   double last_time = kNaN;  // of the last state that was believed [s]

@@ -88,12 +88,15 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
     unsteady_ticks_ = static_cast<int>(std::lround(kUnsteady / period_));
   }
   failures_ = good ? 0 : failures_ + 1;
+  if (posed_) failures_ = std::min(failures_, 1 + static_cast<int>(kUnsureTilt / period_));
   has_begun_ = has_begun_ || good;
   look_for_a_stop(state, health);
   if (damping_) {
     damp(state);
   } else if (sitting_) {
     sit(state);
+  } else if (posed_) {
+    take_posture(state);
   } else if (good) {
     follow(state, *solution);
   } else {
@@ -102,11 +105,12 @@ const JointCommand& Safety::command(const RobotState& state, const Solution* sol
   limit();
   const bool bridges =
       is_bridged(health.encoders) || is_bridged(health.joint_torques) || is_bridged(health.imu);
-  const bool is_new = !has_begun_ || unsteady_ticks_ > 0;
-  if (has_begun_ && is_new) --unsteady_ticks_;
+  const bool is_new = !has_begun_ || unsteady_ticks_ > 0 || posed_;
+  if (has_begun_ && unsteady_ticks_ > 0) --unsteady_ticks_;
   limit_change(before, has_stopped() || bridges || is_new || is_careful_);
   is_careful_ = false;
-  if (good && !damping_ && !sitting_) good_torque_ = command_.torque;
+  if ((good || posed_) && !has_stopped()) good_torque_ = command_.torque;
+  posed_.reset();
   return command_;
 }
 
@@ -144,9 +148,12 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (lost == StopCause::encoders) note_lame_joints(state, health);
   // What an IMU tells that the robot sits down for is believed no longer.
   const bool lies = sitting_ && command_.cause == StopCause::imu;
-  const bool is_sure = !lies && (has_begun_ || failures_ * period_ > kUnsureTilt);
+  const bool is_sure =
+      !lies && posed_ != CommandMode::lifted && (has_begun_ || failures_ * period_ > kUnsureTilt);
   if (is_tilted(state) && is_sure) {
     stop(CommandMode::damping, StopCause::tilt, health);
+  } else if (cannot_stand_) {
+    stop(CommandMode::damping, StopCause::cannot_stand, health);
   } else if ((lost == StopCause::encoders || sitting_) && !can_sit(state)) {
     stop(CommandMode::damping, StopCause::encoders, health);
   } else if (lost != StopCause::none && !sitting_) {
@@ -271,6 +278,14 @@ void Safety::sit(const RobotState& state) {
     pulled[i] = 0.0;
   }
   command_.torque = (1.0 - light) * carried + pulled;
+}
+
+void Safety::take_posture(const RobotState& state) {
+  command_.mode = *posed_;
+  good_q_ = state.q;
+  stands_ = posture_.stands;
+  command_.torque = pull(state, posture_.q, posture_.qd, posture_.softness);
+  if (bearing_torque_.allFinite()) command_.torque += posture_.bears * bearing_torque_;
 }
 
 void Safety::damp(const RobotState& state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "surefoot/control/leg_posture.hpp"
 #include "surefoot/control/safety_options.hpp"
 #include "surefoot/model/description.hpp"
 #include "surefoot/signals/joint_command.hpp"
@@ -8,6 +9,7 @@
 #include "surefoot/solver/solution.hpp"
 
 #include <array>
+#include <optional>
 
 namespace surefoot {
 
@@ -21,6 +23,9 @@ namespace surefoot {
 ///     hold       joint PD about the last good posture, on top of the last good torques; if there
 ///                never was a good tick, about the first posture that was seen, on top of those
 ///                that bear the robot (`bear`): for 2 s then, so that it comes to stand
+///     lifted,    joint PD about a posture that is given (`pose`), on top of as much of the torques
+///     rise       that bear the robot (`bear`) as this says: the robot is not on its feet. Not
+///                latched; a lifted robot may tilt
 ///     sit        joint PD on the way to a lying posture, on top of the last good torques, which
 ///                turn into those that bear the robot in the posture that it has within 0.4 s,
 ///                latched: a sensor gave nothing good for longer than `bridge_time`, or after
@@ -35,10 +40,10 @@ namespace surefoot {
 ///
 /// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
 ///
-/// While a sensor is at fault, or where its samples may be wrong (`be_careful`), and after that
-/// until they are back where they should be, after every stop, and where the first tick was not
-/// good until 0.5 s after the first that was, torques change by no more than `max_torque_change` a
-/// tick.
+/// While the robot is not on its feet or a sensor is at fault, or where its samples may be wrong
+/// (`be_careful`), and after that until they are back where they should be, after every stop, and
+/// where the first tick was not good until 0.5 s after the first that was, torques change by no
+/// more than `max_torque_change` a tick.
 class Safety {
  public:
   /// `first_free_level`: a solve that ended at or after this level is still usable. `lying`: where
@@ -67,6 +72,14 @@ class Safety {
   }
   /// The legs that bear the robot at this tick: all, unless told. What counts is the last good one.
   void set_standing(const PerLeg<bool>& stands) { stands_now_ = stands; }
+
+  /// At the next tick the robot is not on its feet: its legs go there, whatever the solution.
+  void pose(const LegPosture& posture, CommandMode mode) {
+    posture_ = posture;
+    posed_ = mode;
+  }
+  /// It can't come to stand: it stops at the next tick.
+  void give_up_standing() { cannot_stand_ = true; }
 
   /// What was good so far is worth nothing; the torques go on from where they are, and how long it
   /// has not been good counts on. Not for a robot that has stopped.
@@ -102,6 +115,7 @@ class Safety {
                                  const JointVector& qd, double softness = 0.0,
                                  double spring = 1.0) const;
   void sit(const RobotState& state);
+  void take_posture(const RobotState& state);
   void damp(const RobotState& state);
   void limit();
   void limit_change(const JointVector& before, bool wanted);
@@ -115,7 +129,10 @@ class Safety {
   int failures_ = 0;
   bool has_begun_ = false;  // there was a good tick
   bool sitting_ = false, damping_ = false;
-  bool is_careful_ = false;              // at this tick
+  bool is_careful_ = false;  // at this tick
+  LegPosture posture_;
+  std::optional<CommandMode> posed_;  // at this tick, to `posture_`
+  bool cannot_stand_ = false;
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]

@@ -33,12 +33,17 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
                                                const TickContext& context) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  if (!started_ && !stands(reading, context.joint_velocity)) {
+  const bool hangs = context.off_its_feet && is_complete;
+  if (!started_ && !hangs && !stands(reading, context.joint_velocity)) {
     write_joints(reading, context);
     return state_;
   }
   const Vec3 p_before = filter_.p_WB();
-  if (!started_) {
+  const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
+  if (hangs) {
+    take_over(context.kinematics, reading.q);
+    hang(reading, dt);
+  } else if (!started_) {
     start(reading, standing_start_.state(), 0.0);
     gyro_before_ = reading.gyro;
     stand_at({0.0, 0.0, height_over_feet()});
@@ -46,7 +51,6 @@ const RobotState& LegInertialEstimator::update(const SensorReading& reading,
     start(reading, {.gyro_bias = mean_gyro_, .specific_force = mean_force_}, yaw(filter_.R_WB()));
     stand_at(p_before);
   } else {
-    const double dt = period_ * std::max(1.0, std::round((reading.time - state_.time) / period_));
     take_over(context.kinematics, reading.q);
     advance(reading, dt, is_complete);
     doubt_turn();
@@ -79,6 +83,21 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
     v_BC[index(leg)] = J * angles(joint_velocity, leg);
   }
   return standing_start_.stands(reading, joint_velocity, p_BC, v_BC);
+}
+
+// Nothing says how fast it goes; where it is, it is taken to stay.
+void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
+  if (!started_) {
+    start(reading, {.specific_force = reading.accelerometer}, 0.0);
+    stand_at({0.0, 0.0, height_over_feet()});
+  }
+  Vec3 p_WB = filter_.p_WB();
+  const double ground = p_WB.z() - height_over_feet();
+  advance(reading, dt, true);
+  filter_.start(mean_force_, filter_.gyro_bias(), yaw(filter_.R_WB()));
+  see_feet(reading);
+  p_WB.z() = ground + height_over_feet();
+  stand_at(p_WB);
 }
 
 void LegInertialEstimator::start(const SensorReading& reading, const StandingStart::State& standing,

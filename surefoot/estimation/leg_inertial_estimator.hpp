@@ -34,6 +34,9 @@ struct LegInertialOptions {
 /// velocities, but for the start (StandingStart): at the first reading of a robot at rest, or in
 /// the sway of one that has stood for 0.1 s. Position and heading begin at 0, with the feet's
 /// lowest points at z = 0 in the mean; a restart (TickContext) keeps them and forgets the rest.
+/// Off its feet the base is taken to rest where it was, level as the last tenth of a second of the
+/// accelerometer says, and to turn as the gyroscope says about the vertical alone; its height is
+/// such that its feet would stand on the ground that they left.
 /// Samples come late, by times that readings tell; with `predict` the state goes on from them to
 /// now as it moves,
 ///
@@ -66,6 +69,8 @@ class LegInertialEstimator final : public StateEstimator {
   /// One tick before the start.
   [[nodiscard]] bool stands(const SensorReading& reading,
                             const JointVector& joint_velocity) noexcept;
+  /// One tick of a robot that is not on its feet.
+  void hang(const SensorReading& reading, double dt);
   void start(const SensorReading& reading, const StandingStart::State& standing, double heading);
   void stand_at(const Vec3& p_WB);
   /// Of the base over the ground under the feet, in their mean [m].

@@ -45,12 +45,29 @@ void Evaluator::Squares::add(double value) {
 double Evaluator::Squares::root_mean() const { return count == 0 ? kNaN : std::sqrt(sum / count); }
 
 void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
-  if (tick.command.cause == StopCause::none) judge_plan(truth, tick);
+  const CommandMode mode = tick.command.mode;
+  if (is_off_its_feet(mode)) {
+    add_off_its_feet(truth, tick);
+  } else if (tick.command.cause == StopCause::none) {
+    judge_plan(truth, tick);
+  }
   add_progress(truth, tick);
   add_torques(truth, tick);
   add_body_contacts(truth);
-  check_fall(truth, is_sensor(tick.command.cause));
+  const bool may_lie = is_sensor(tick.command.cause) || is_off_its_feet(mode);
+  if (mode != CommandMode::lifted) check_fall(truth, may_lie);
   ++ticks_;
+}
+
+// What was believed of its place and plan before is worth nothing afterwards.
+void Evaluator::add_off_its_feet(const GroundTruth& truth, const TickRecord& tick) {
+  const bool is_lifted = tick.command.mode == CommandMode::lifted;
+  double& time = is_lifted ? metrics_.lifted_s : metrics_.standing_up_s;
+  time += options_.control_period;
+  raise(is_lifted ? metrics_.torque_lifted_max_nm : metrics_.torque_standing_up_max_nm,
+        truth.torque.cwiseAbs().maxCoeff());
+  estimate_ = {};
+  plan_before_.reset();
 }
 
 // Nobody follows the plan of a controller that has stopped, or acts on its estimate.

@@ -70,6 +70,7 @@ class Evaluator {
   };
 
   void judge_plan(const GroundTruth& truth, const TickRecord& tick);
+  void add_off_its_feet(const GroundTruth& truth, const TickRecord& tick);
   void add_progress(const GroundTruth& truth, const TickRecord& tick);
   void add_walk(const GroundTruth& truth, const TickRecord& tick);
   void add_com(const GroundTruth& truth, const TickRecord& tick);
@@ -80,7 +81,7 @@ class Evaluator {
   void add_stance(Foot& foot, const TrueContact& contact);
   void add_friction(const TrueContact& contact, double normal_force);
   void add_body_contacts(const GroundTruth& truth);
-  /// A robot that sits down for want of a sensor `may_lie`.
+  /// A robot that sits down for want of a sensor, or stands up, `may_lie`.
   void check_fall(const GroundTruth& truth, bool may_lie);
 
   EvaluatorOptions options_;

@@ -98,9 +98,13 @@ struct Metrics {
   double torque_max_nm = 0.0;          ///< applied at a joint
   double torque_command_max_nm = 0.0;  ///< commanded
   double torque_step_max_nm = 0.0;     ///< largest change of a commanded torque between two ticks
-  int fallback_ticks = 0;              ///< ticks whose command is not the hierarchy's optimum
-  Quantiles tick_us;                   ///< wall-clock time of a whole tick
-  Quantiles solve_us;                  ///< of the solver in it
+  double lifted_s = 0.0;               ///< for which it hung, its legs relaxed
+  double torque_lifted_max_nm = kNaN;  ///< applied at a joint meanwhile
+  double standing_up_s = 0.0;          ///< for which it got up: from its belly, or put down
+  double torque_standing_up_max_nm = kNaN;
+  int fallback_ticks = 0;  ///< ticks whose command is not the hierarchy's optimum
+  Quantiles tick_us;       ///< wall-clock time of a whole tick
+  Quantiles solve_us;      ///< of the solver in it
   double realtime_factor = kNaN;
 
   std::uint64_t seed = 0;

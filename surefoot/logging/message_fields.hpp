@@ -87,10 +87,10 @@ struct Hierarchy {
 
 inline constexpr std::array<std::string_view, 4> kPhaseNames{"stance", "unloading", "swing",
                                                              "search"};
-inline constexpr std::array<std::string_view, 5> kModeNames{"optimal", "degraded", "hold", "sit",
-                                                            "damping"};
-inline constexpr std::array<std::string_view, 6> kCauseNames{
-    "none", "tilt", "failures", "encoders", "joint_torques", "imu"};
+inline constexpr std::array<std::string_view, 7> kModeNames{"optimal", "degraded", "hold", "sit",
+                                                            "damping", "lifted",   "rise"};
+inline constexpr std::array<std::string_view, 7> kCauseNames{
+    "none", "tilt", "failures", "encoders", "joint_torques", "imu", "cannot_stand"};
 inline constexpr std::array<std::string_view, 4> kCalibrationNames{"none", "settling", "turning",
                                                                    "weighing"};
 inline constexpr std::array<std::string_view, 8> kFaultNames{

@@ -57,6 +57,12 @@ Planner::Planner(const PlannerOptions& options, double weight, double period)
             LegMotion(options.swing, options.contact, options.force, period, options.reflex),
             LegMotion(options.swing, options.contact, options.force, period, options.reflex)} {}
 
+void Planner::begin_anew(const Planner& fresh) {
+  const int steps_taken = steps_taken_;
+  *this = fresh;
+  steps_taken_ = steps_taken;
+}
+
 const MotionPlan& Planner::update(const UserCommand& command, const RobotState& state,
                                   const Dynamics& dynamics, const HierarchyOutcome& last) noexcept {
   time_ = state.time;

@@ -34,6 +34,10 @@ class Planner {
   const MotionPlan& update(const UserCommand& command, const RobotState& state,
                            const Dynamics& dynamics, const HierarchyOutcome& last = {}) noexcept;
 
+  /// Before an update: a plan that knows what `fresh` does, which has not begun; but for the steps
+  /// taken.
+  void begin_anew(const Planner& fresh);
+
   /// Between two ticks: the friction that every foot is believed to find from now on. Throws Error
   /// unless it is above 0.
   void set_friction(double friction);

@@ -11,6 +11,8 @@ enum class CommandMode : int {
   hold = 2,      ///< no usable solution: joint hold around the last good posture
   sit = 3,       ///< a sensor is lost: slowly down to a lying posture, latched
   damping = 4,   ///< bad input, fallen, or lying: τ = −k_d q̇, latched
+  lifted = 5,    ///< something else than its feet holds the robot: its legs are held softly
+  rise = 6,      ///< it lies or was put down: it gets up, joint by joint
 };
 
 /// What took the controller off its optimum for good.
@@ -21,7 +23,13 @@ enum class StopCause : int {
   encoders = 3,  ///< … or a sensor was lost
   joint_torques = 4,
   imu = 5,
+  cannot_stand = 6,  ///< it did not come to stand on its feet
 };
+
+/// Neither stands nor has stopped: nobody follows the plan.
+[[nodiscard]] constexpr bool is_off_its_feet(CommandMode mode) {
+  return mode == CommandMode::lifted || mode == CommandMode::rise;
+}
 
 /// Was a sensor lost?
 [[nodiscard]] constexpr bool is_sensor(StopCause cause) {

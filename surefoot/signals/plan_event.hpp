@@ -33,6 +33,8 @@ enum class PlanEvent : int {
   calibration_given_up = 21,
   raised = 22,      ///< the commanded height leaves legs no room to step: walking higher
   begun_anew = 23,  ///< the first readings are contradicted by the next: nothing of them is kept
+  lifted = 24,      ///< the feet bear little and the robot does not fall: the legs relax
+  stands_up = 25,   ///< its feet bear it again, or it began lying: it gets up
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {
@@ -85,6 +87,10 @@ enum class PlanEvent : int {
       return "torso too low for legs that step: higher than commanded";
     case PlanEvent::begun_anew:
       return "first readings contradicted by the next: beginning anew";
+    case PlanEvent::lifted:
+      return "lifted off the ground: legs relax";
+    case PlanEvent::stands_up:
+      return "on the ground: standing up";
   }
   return "unknown";
 }

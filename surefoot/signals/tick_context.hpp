@@ -21,6 +21,8 @@ struct TickContext {
   /// All feet stand and nothing is asked of them: forget what is believed, but for the place and
   /// the heading, and begin anew.
   bool restarts = false;
+  /// No foot is known to stand: the robot is lifted, or lies. Its base is taken to be at rest.
+  bool off_its_feet = false;
 };
 
 }  // namespace surefoot

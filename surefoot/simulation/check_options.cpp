@@ -202,6 +202,14 @@ void require_mass_scale(const std::string& name, double scale) {
           text("between ", 1.0 / kMaxMassScale, " and ", kMaxMassScale));
 }
 
+void check(const std::string& name, const Lift& lift) {
+  require_not_negative(name + ".time", lift.time);
+  require_positive(name + ".height", lift.height);
+  require_positive(name + ".duration", lift.duration);
+  require_not_negative(name + ".hold", lift.hold);
+  require_all_finite(name + ".point", lift.point);
+}
+
 void check(const DisturbanceOptions& disturbances) {
   for (std::size_t i = 0; i < disturbances.pushes.size(); ++i) {
     const Push& push = disturbances.pushes[i];
@@ -209,6 +217,9 @@ void check(const DisturbanceOptions& disturbances) {
     require_not_negative(name + ".time", push.time);
     require_positive(name + ".duration", push.duration);
     require_all_finite(name + ".force", push.force);
+  }
+  for (std::size_t i = 0; i < disturbances.lifts.size(); ++i) {
+    check(text("disturbances.lifts[", i, "]"), disturbances.lifts[i]);
   }
   const double payload = disturbances.payload.mass;
   require(payload >= 0.0 && payload <= kMaxPayload, "disturbances.payload.mass", payload,

@@ -1,6 +1,7 @@
 #include "surefoot/simulation/disturbances.hpp"
 
 #include "surefoot/base/error.hpp"
+#include "surefoot/math/smoothstep.hpp"
 #include "surefoot/simulation/text.hpp"
 
 #include <algorithm>
@@ -11,6 +12,11 @@ namespace {
 
 // MuJoCo wants an inertia above zero; this one is that of a millimetre-sized lump.
 constexpr double kPointInertia = 1e-9;
+
+// Of a hand: a robot of 30 kg hangs 3 cm lower, and swings to rest within a second.
+constexpr double kStiffness = 1e4;  // [N/m]
+constexpr double kSteadying = 3e2;  // [N·s/m]
+constexpr double kSlack = 0.15;     // [m]
 
 constexpr double kForgotten = 1.0;  // after its end a push is out of all steps [s]
 
@@ -91,6 +97,22 @@ double share(const Push& push, double time, double timestep) {
   return std::max(0.0, end - start) / timestep;
 }
 
+/// Of a point of a body, in W [m].
+Vec3 place(const mjData& data, int body, const Vec3& point) {
+  using RotationRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  return Eigen::Map<const Vec3>(data.xpos + 3 * body) + RotationRows(data.xmat + 9 * body) * point;
+}
+
+/// MuJoCo's external force acts at the body's centre of mass.
+void add_force(int body, const Vec3& p_W, const Vec3& force, mjData& data) {
+  const Vec3 arm = p_W - Eigen::Map<const Vec3>(data.xipos + 3 * body);
+  const Vec3 moment = arm.cross(force);
+  for (int i = 0; i < 3; ++i) {
+    data.xfrc_applied[6 * body + i] += force[i];
+    data.xfrc_applied[6 * body + 3 + i] += moment[i];
+  }
+}
+
 }  // namespace
 
 void disturb_masses(mjsBody& base, const RobotDescription& description,
@@ -100,8 +122,28 @@ void disturb_masses(mjsBody& base, const RobotDescription& description,
   if (options.payload.mass > 0.0) add_payload(base, options.payload);
 }
 
-Pushes::Pushes(const std::vector<Push>& pushes, const mjModel& model, const std::string& base_link)
-    : model_(model), base_link_(base_link) {
+Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
+  const double t = time - lift_.time;
+  if (t < 0.0 || t > 2.0 * lift_.duration + lift_.hold) return Vec3::Zero();
+  if (!begin_.allFinite()) begin_ = p_W;
+  const double pull = kStiffness * (begin_.z() + height(t) - p_W.z());
+  return pull > 0.0 ? Vec3(pull * Vec3::UnitZ() - kSteadying * v_W) : Vec3::Zero();
+}
+
+double Hand::height(double time) const {
+  const double down = time - lift_.duration - lift_.hold;
+  if (down < 0.0) return lift_.height * smoothstep(std::min(1.0, time / lift_.duration));
+  const double lowest = -kSlack;
+  return lift_.height + (lowest - lift_.height) * smoothstep(down / lift_.duration);
+}
+
+Pushes::Pushes(const DisturbanceOptions& disturbances, const mjModel& model,
+               const std::string& base_link)
+    : model_(model),
+      base_link_(base_link),
+      hands_(disturbances.lifts.begin(), disturbances.lifts.end()),
+      base_(id_of(model, mjOBJ_BODY, base_link)) {
+  const std::vector<Push>& pushes = disturbances.pushes;
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     const std::string key = text("disturbances.pushes[", i, "].body");
     forces_.push_back({pushes[i], body_of(pushes[i].body, key)});
@@ -133,30 +175,31 @@ void Pushes::set(const Pull& pull) {
   pulled_ = body;
 }
 
-void Pushes::apply(double timestep, mjData& data) const noexcept {
+void Pushes::apply(double timestep, mjData& data) noexcept {
   const auto clear = [&](int body) { std::fill_n(data.xfrc_applied + 6 * body, 6, 0.0); };
   for (const Force& force : forces_) clear(force.body);
+  if (!hands_.empty()) clear(base_);
   for (const int body : released_) clear(body);
   if (pulled_ >= 0) clear(pulled_);
   for (const Force& force : forces_) {
     const double part = share(force.push, data.time, timestep);
     for (int i = 0; i < 3; ++i) data.xfrc_applied[6 * force.body + i] += part * force.push.force[i];
   }
+  for (Hand& hand : hands_) lift(hand, data);
   if (pulled_ >= 0) apply_pull(data);
 }
 
-/// MuJoCo's external force acts at the body's centre of mass.
+void Pushes::lift(Hand& hand, mjData& data) const noexcept {
+  const Vec3 p_W = place(data, base_, hand.point());
+  std::array<mjtNum, 6> velocity{};  // of the body's origin: rotation, then translation, in W
+  mj_objectVelocity(&model_, &data, mjOBJ_XBODY, base_, velocity.data(), 0);
+  const Vec3 w(velocity.data()), v(velocity.data() + 3);
+  const Vec3 v_W = v + w.cross(p_W - Vec3(data.xpos + 3 * base_));
+  add_force(base_, p_W, hand.force(data.time, p_W, v_W), data);
+}
+
 void Pushes::apply_pull(mjData& data) const noexcept {
-  using ConstVec3 = Eigen::Map<const Vec3>;
-  using RotationRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-  const ConstVec3 p_WX(data.xpos + 3 * pulled_), p_WCom(data.xipos + 3 * pulled_);
-  const RotationRows R_WX(data.xmat + 9 * pulled_);
-  const Vec3 arm = p_WX + R_WX * pull_.point - p_WCom;
-  const Vec3 moment = arm.cross(pull_.force);
-  for (int i = 0; i < 3; ++i) {
-    data.xfrc_applied[6 * pulled_ + i] += pull_.force[i];
-    data.xfrc_applied[6 * pulled_ + 3 + i] += moment[i];
-  }
+  add_force(pulled_, place(data, pulled_, pull_.point), pull_.force, data);
 }
 
 }  // namespace surefoot::simulation

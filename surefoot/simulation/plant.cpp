@@ -46,7 +46,7 @@ struct Plant::Implementation {
         data_handle(mj_makeData(built.model.get())),
         data(*data_handle),
         parts(simulation::find_parts(model, description)),
-        pushes(options.disturbances.pushes, model, description.base_link),
+        pushes(options.disturbances, model, description.base_link),
         actuators(options.actuators, description.torque_limit, options.timestep),
         sensors(options.sensors, options.control_period, options.seed),
         link(options.sensors, options.control_period) {
@@ -67,6 +67,7 @@ struct Plant::Implementation {
   void settle(const JointVector& torque_limit);
   void set_joints(const JointVector& q);
   double touching_height(const RobotDescription& description) const;
+  void raise_out_of_terrain();
   JointVector finite(JointVector torque);
   void write(const JointVector& torque);
   void physics_step();
@@ -111,15 +112,39 @@ void Plant::Implementation::place(const RobotDescription& description) {
   set_joints(initial.q);
   actuators.rest_at(initial.q);
   mj_kinematics(&model, &data);
-  base[2] = std::isnan(initial.position.z()) ? touching_height(description) : initial.position.z();
+  const bool is_placed = !std::isnan(initial.position.z());
+  base[2] = is_placed ? initial.position.z() : touching_height(description);
+  if (initial.is_given && !is_placed) raise_out_of_terrain();
 }
 
 void Plant::Implementation::settle(const JointVector& torque_limit) {
   const InitialState& initial = options.initial;
   if (initial.settle <= 0.0) return;
   const JointVector torque = simulation::stand_up(
-      model, data, parts, {initial.q, torque_limit, initial.settle, options.timestep});
+      model, data, parts,
+      {initial.q, torque_limit, initial.settle, options.timestep, initial.limp});
   actuators.rest_at(simulation::joint_positions(data, parts), torque);
+}
+
+/// As far as any of its parts is in the terrain: only the feet stood on it.
+void Plant::Implementation::raise_out_of_terrain() {
+  constexpr int kTries = 5;
+  constexpr double kTouches = 1e-4;  // [m]
+  for (int i = 0; i < kTries; ++i) {
+    mj_kinematics(&model, &data);
+    mj_collision(&model, &data);
+    double deepest = 0.0;
+    for (int id = 0; id < data.ncon; ++id) {
+      const mjContact& contact = data.contact[id];
+      const bool on_terrain =
+          parts.owner[static_cast<std::size_t>(contact.geom[0])].part ==
+              simulation::Part::terrain ||
+          parts.owner[static_cast<std::size_t>(contact.geom[1])].part == simulation::Part::terrain;
+      if (on_terrain) deepest = std::max(deepest, -contact.dist);
+    }
+    if (deepest < kTouches) return;
+    data.qpos[parts.base_qpos + 2] += deepest;
+  }
 }
 
 /// Base height at which the first foot sphere touches the terrain, with the base now at z = 0.

@@ -197,6 +197,16 @@ struct Pull {
   Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
+/// Somebody lifts the robot by a point of its base: what he holds it by is a spring that only pulls
+/// up, and steadies the point. His hand rises, stays, comes down again and lets go.
+struct Lift {
+  double time = 0.0;                 ///< start [s]
+  double height = 0.3;               ///< of the hand's way [m]
+  double duration = 1.0;             ///< of the way up, and of the way down [s]
+  double hold = 3.0;                 ///< between them [s]
+  Vec3 point = Vec3(0.0, 0.0, 0.3);  ///< of the base, in B [m]
+};
+
 struct Payload {
   double mass = 0.0;                    ///< [kg], a point mass fixed to the base
   Vec3 position = Vec3(0.0, 0.0, 0.2);  ///< in B [m]
@@ -206,6 +216,7 @@ struct Payload {
 /// plant's alone.
 struct DisturbanceOptions {
   std::vector<Push> pushes;
+  std::vector<Lift> lifts;
   Payload payload;
   double base_mass_scale = 1.0;
   double leg_mass_scale = 1.0;  ///< of all links of the legs …
@@ -221,10 +232,15 @@ struct InitialState {
   Vec3 position = Vec3(0.0, 0.0, kNaN);  ///< base; z NaN: feet on the terrain's z = 0
   double yaw = 0.0;                      ///< [rad]
   JointVector q = JointVector::Zero();   ///< joint angles [rad]
+  /// Whether these are a posture of its own and not the stance: what touches the ground first may
+  /// be any part.
+  bool is_given = false;
   /// Before the run the joints are held by stiff springs for at least this long, feet in the air
   /// are let down, and nothing moves any more: it begins at rest, with loaded feet; 0: it begins
   /// with the foot that touches first, and carries nothing [s].
   double settle = 0.0;
+  /// Before the run nothing holds the joints, which only damp: the robot lies as it has sunk.
+  bool limp = false;
 };
 
 struct PlantOptions {

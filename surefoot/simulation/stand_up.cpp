@@ -59,6 +59,7 @@ Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& p
 
 JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts,
                      const StandUpOptions& options) {
+  const double stiffness = options.limp ? 0.0 : kStiffness;
   JointVector held = options.q, torque = JointVector::Zero();
   PerLeg<Foot> feet{};
   const auto least = std::lround(options.at_least / options.timestep);
@@ -74,7 +75,7 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
       held.segment<3>(first_joint(leg)) +=
           damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);
     }
-    torque = kStiffness * (held - joint_positions(data, parts)) -
+    torque = stiffness * (held - joint_positions(data, parts)) -
              kDamping * joint_velocities(data, parts);
     torque = torque.cwiseMin(options.torque_limit).cwiseMax(-options.torque_limit);
     for (std::size_t i = 0; i < kNumJoints; ++i) {

@@ -169,6 +169,34 @@ TEST_F(PlantOfScenario, whose_foot_contact_is_too_stiff_for_the_timestep_names_t
                     "trial.yaml:2: foot_contact.solref_time: must be at least two timesteps"));
 }
 
+TEST_F(PlantOfScenario, begins_in_the_stance_or_with_joints_of_its_own) {
+  const InitialState stance = read("").plant.initial;
+  EXPECT_FALSE(stance.is_given);
+  const InitialState given =
+      read("initial: {joints: {LF: [0.1, 1.4, -2.8], RH: {KFE: 2.5}}}\n").plant.initial;
+  EXPECT_TRUE(given.is_given);
+  EXPECT_EQ(given.q.head<3>(), Vec3(0.1, 1.4, -2.8));
+  EXPECT_EQ((given.q - stance.q).segment<8>(3).norm(), 0.0);
+  EXPECT_EQ(given.q[11], 2.5);
+  EXPECT_TRUE(holds(complaint("initial: {joints: {LF: [0, 3, -2.8]}}\n"),
+                    "initial.joints.LF: HFE is 3 rad; valid is -2.6 to 2.6 rad"));
+  EXPECT_TRUE(holds(complaint("initial: {joints: {FL: [0, 1, -2]}}\n"), "initial.joints.FL"));
+  EXPECT_TRUE(holds(complaint("initial: {joints: {LF: [0, 1]}}\n"), "HAA … KFE"));
+}
+
+TEST_F(PlantOfScenario, is_lifted_by_hands) {
+  const DisturbanceOptions disturbances =
+      read("disturbances: {lifts: {up: {time: 3, height: 0.2, hold: 2}, off: ~}}\n")
+          .plant.disturbances;
+  ASSERT_EQ(disturbances.lifts.size(), 1U);
+  EXPECT_EQ(disturbances.lifts[0].time, 3.0);
+  EXPECT_EQ(disturbances.lifts[0].height, 0.2);
+  EXPECT_EQ(disturbances.lifts[0].hold, 2.0);
+  EXPECT_TRUE(holds(complaint("disturbances: {lifts: {up: {height: 0.2}}}\n"), "time"));
+  EXPECT_TRUE(holds(complaint("disturbances: {lifts: {up: {time: 1, height: 3}}}\n"),
+                    "disturbances.lifts.up.height"));
+}
+
 TEST_F(PlantOfScenario, reads_a_push_as_force_or_as_impulse) {
   const Scenario scenario = read(
       "disturbances: {pushes: {a: {time: 1, force: [0, 9, 0]}, b: {time: 2, duration: 0.5, "

@@ -69,6 +69,49 @@ void expect_legal(const JointCommand& command) {
   ASSERT_TRUE(std::isfinite(command.time));
 }
 
+// Off its feet nothing is solved: that is no failure, however long it lasts.
+TEST(Safety, TakesThePostureOfARobotThatIsNotOnItsFeet) {
+  Safety safety = make_safety();
+  const Solution solution = solved(torques());
+  (void)safety.command(standing(), &solution);
+  const LegPosture posture{.q = anymal_b().q_nominal + JointVector::Constant(0.1),
+                           .qd = JointVector::Zero(),
+                           .softness = 0.0,
+                           .stands = {},
+                           .bears = 0.5};
+  JointVector before = torques();
+  for (int i = 0; i < 1000; ++i) {
+    safety.bear(torques());
+    safety.pose(posture, CommandMode::lifted);
+    const JointCommand command = safety.command(tilted(1.5), nullptr);
+    expect_legal(command);
+    EXPECT_LE((command.torque - before).cwiseAbs().maxCoeff(), 4.0 + 1e-9);
+    ASSERT_EQ(command.mode, CommandMode::lifted);
+    before = command.torque;
+  }
+  const double soft = 0.4 * anymal_b().hold_kp * 0.1;
+  EXPECT_LT((before - 0.5 * torques() - JointVector::Constant(soft)).norm(), 1e-9);
+  EXPECT_EQ(safety.command(standing(), &solution).mode, CommandMode::optimal);
+}
+
+TEST(Safety, OneThatRisesAskewIsStopped) {
+  Safety safety = make_safety();
+  for (int i = 0; i < 100; ++i) {
+    safety.pose({}, CommandMode::rise);
+    (void)safety.command(tilted(1.5), nullptr);
+  }
+  EXPECT_TRUE(safety.has_stopped());
+}
+
+TEST(Safety, OneThatCanNotStandIsDampedAndSaysSo) {
+  Safety safety = make_safety();
+  safety.pose({}, CommandMode::rise);
+  safety.give_up_standing();
+  const JointCommand command = safety.command(standing(), nullptr);
+  EXPECT_EQ(command.mode, CommandMode::damping);
+  EXPECT_EQ(command.cause, StopCause::cannot_stand);
+}
+
 TEST(Safety, PassesTheOptimumOn) {
   Safety safety = make_safety();
   const Solution solution = solved(torques());

@@ -413,5 +413,42 @@ TEST(LegInertialEstimator, AllocatesNothing) {
   EXPECT_EQ(counter.count(), 0U);
 }
 
+// Turned, tilted and shaken by somebody who carries it, or from its first reading on.
+TEST(LegInertialEstimator, OffItsFeetItRestsWhereItWasAndTurns) {
+  for (const bool has_stood : {true, false}) {
+    SCOPED_TRACE(has_stood);
+    TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 100.0});
+    LegInertialEstimator estimator(robot.description(), {}, TurningRobot::kPeriod);
+    RobotState state;
+    for (int i = 0; has_stood && i < 400; ++i) {
+      state = estimator.update(robot.reading(), standing());
+      robot.tick();
+    }
+    const Mat3 roll = exp_rotation(Vec3(0.2, 0.0, 0.0)).toRotationMatrix();
+    TickContext context = standing();
+    context.off_its_feet = true;
+    const test::MallocCounter counter;
+    for (int i = 0; i < 1000; ++i) {
+      SensorReading reading = robot.reading();
+      const double shaken = std::sin(0.3 * i);
+      reading.accelerometer = roll.transpose() * Vec3(shaken, 0.0, kGravity + shaken);
+      reading.gyro = roll.transpose() * Vec3(0.0, 0.0, 0.4);
+      const RobotState now = estimator.update(reading, context);
+      if (i == 0 && !has_stood) state = now;
+      ASSERT_EQ(now.v_WB.norm(), 0.0);
+      ASSERT_LT((now.p_WB - state.p_WB).head<2>().norm(), 1e-9);
+      if (i == 999) state = now;
+      robot.tick();
+    }
+    EXPECT_EQ(counter.count(), 0U);
+    EXPECT_NEAR(yaw(state.R_WB()), 1.0, 0.01);
+    EXPECT_LT(state.R_WB().row(2).cross(roll.row(2)).norm(), 0.03);
+    context.off_its_feet = false;
+    context.restarts = true;
+    const RobotState restarted = estimator.update(robot.reading(), context);
+    EXPECT_LT((restarted.p_WB - state.p_WB).norm(), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot

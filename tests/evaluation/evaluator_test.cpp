@@ -317,6 +317,30 @@ TEST(Evaluator, TheTorsoOnTheGroundIsAFall) {
   EXPECT_EQ(run.metrics().reason, "fell at 1.0000 s: the torso touched the ground");
 }
 
+TEST(Evaluator, ALiftedRobotHasNotFallenNorOneThatGetsUp) {
+  HandMadeRun run;
+  run.step();
+  run.tick.command.mode = CommandMode::lifted;
+  run.truth.q_WB = Quat(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
+  run.truth.torque[3] = -7.0;
+  run.steps(400);
+  run.truth.q_WB.setIdentity();
+  run.tick.command.mode = CommandMode::rise;
+  run.truth.torso_contact = true;
+  run.truth.p_WB.z() = 0.1;
+  run.truth.torque[3] = 22.0;
+  run.steps(200);
+  const Metrics metrics = run.metrics();
+  EXPECT_FALSE(metrics.fell) << run.evaluator.fall();
+  EXPECT_NEAR(metrics.lifted_s, 1.0, 1e-9);
+  EXPECT_NEAR(metrics.standing_up_s, 0.5, 1e-9);
+  EXPECT_EQ(metrics.torque_lifted_max_nm, 7.0);
+  EXPECT_EQ(metrics.torque_standing_up_max_nm, 22.0);
+  run.tick.command.mode = CommandMode::optimal;
+  run.step();
+  EXPECT_TRUE(run.evaluator.fell());
+}
+
 TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
   HandMadeRun run;
   for (Vec3& p_WF : run.truth.p_WF) p_WF.z() = -0.14 + 0.031;

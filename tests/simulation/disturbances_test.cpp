@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace surefoot {
 namespace {
 
@@ -52,6 +54,32 @@ TEST(Push, OffTheCenterOfMassTurnsTheRobot) {
   Plant plant(test::anymal_b(), options);
   for (int tick = 0; tick < 40; ++tick) plant.write({});
   EXPECT_GT(plant.truth().w_WB_B.z(), 0.1);
+}
+
+TEST(Lift, TheHandRisesStaysAndComesDownAndLetsGo) {
+  PlantOptions options = test::standing_options();
+  options.initial.settle = 0.6;
+  options.disturbances.lifts = {{.time = 0.2, .height = 0.3, .duration = 0.5, .hold = 1.0}};
+  Plant plant(test::anymal_b(), options);
+  const auto hold = [&](double until) {
+    while (plant.time() < until - 1e-9) {
+      const GroundTruth& truth = plant.truth();
+      JointCommand command;
+      command.torque = 200.0 * (options.initial.q - truth.q) - 5.0 * truth.qd;
+      plant.write(command);
+    }
+    return plant.truth();
+  };
+  const double standing = hold(0.2).p_WB.z();
+  const GroundTruth up = hold(1.6);
+  EXPECT_NEAR(up.p_WB.z() - standing, 0.3 - 0.03, 0.01);  // the hand gives way under the weight
+  EXPECT_LT(up.v_WB.norm(), 0.05);
+  for (const TrueContact& foot : up.feet) EXPECT_FALSE(foot.touching);
+  const GroundTruth down = hold(4.0);
+  EXPECT_NEAR(down.p_WB.z(), standing, 0.03);
+  for (const TrueContact& foot : down.feet) EXPECT_TRUE(foot.touching);
+  const auto& pulls = down.xfrc_applied;
+  EXPECT_TRUE(std::ranges::all_of(pulls, [](double pull) { return pull == 0.0; }));
 }
 
 TEST(Payload, AddsItsWeightAndMovesTheCenterOfMass) {

@@ -40,6 +40,32 @@ TEST(StandUp, WithoutItTheFootThatTouchesFirstIsTheOnlyOne) {
   EXPECT_LE(feet_that_touch(Plant(test::anymal_b(), rough_ground(1, 0.0))), 1);
 }
 
+TEST(StandUp, ALimpRobotLiesWhereItHasSunk) {
+  PlantOptions options = test::standing_options();
+  options.initial.settle = 0.6;
+  options.initial.limp = options.initial.is_given = true;
+  for (const Leg leg : kLegs) {
+    const double side = is_front(leg) ? 1.0 : -1.0;
+    options.initial.q.segment<3>(first_joint(leg)) << 0.0, 1.45 * side, -2.8 * side;
+  }
+  Plant plant(test::anymal_b(), options);
+  for (int tick = 0; tick < 40; ++tick) plant.write({});
+  EXPECT_TRUE(plant.truth().torso_contact);
+  EXPECT_LT(plant.truth().v_WB.norm(), 0.05);
+}
+
+// Not in the ground: legs that are folded well reach less deep than the torso.
+TEST(StandUp, APostureOfItsOwnRestsOnWhatIsLowest) {
+  PlantOptions options = test::standing_options();
+  options.initial.is_given = true;
+  for (const Leg leg : kLegs) {
+    const double side = is_front(leg) ? 1.0 : -1.0;
+    options.initial.q.segment<3>(first_joint(leg)) << 0.0, 1.9 * side, -2.6 * side;
+  }
+  const Plant plant(test::anymal_b(), options);
+  EXPECT_GT(plant.truth().p_WB.z(), 0.09);
+}
+
 TEST(StandUp, OnLevelGroundThePostureIsKept) {
   PlantOptions options = test::standing_options();
   options.initial.settle = 0.6;

@@ -187,7 +187,7 @@ test("of a solve that was cut off nothing is said of the level that it was in an
 
 test("of a solution that commands nothing the same is said as explain says", () => {
   const names = {
-    "command.mode": ["optimal", "hold", "sit", "damping"], "command.cause": ["none", "tilt", "failures", "imu"],
+    "command.mode": ["optimal", "hold", "sit", "damping", "lifted", "rise"], "command.cause": ["none", "tilt", "failures", "imu"],
     "command.fault": ["none", "silent", "late"],
   };
   const sizes = Object.fromEntries(Object.keys(names).map((name) => [name, 1]));

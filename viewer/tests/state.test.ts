@@ -45,7 +45,7 @@ test("of a foot that touches the size of the force is told, by that name", () =>
 });
 
 test("where the command is not the solution's nothing is told of what feet should do", () => {
-  for (const mode of ["hold", "sit", "damping"]) for (const phase of PHASES) {
+  for (const mode of ["hold", "sit", "damping", "lifted", "rise"]) for (const phase of PHASES) {
     assert.equal(said(phase, 0, [0, 0, 0], mode).get("Feet"), `nothing is asked of them (${mode}); all are in the air`);
     assert.ok((said(phase, 1, [3, 4, 12], mode).get("Feet") as string).startsWith(`nothing is asked of them (${mode}); LF touches, |f| 13.0 N; RF `));
     assert.equal(said(phase, undefined, [0, 0, 0], mode).get("Feet"), `nothing is asked of them (${mode})`);

@@ -81,6 +81,9 @@ export function levelStates(frame: Frame, explained?: Explained): LevelState[] {
 /** Modes of a command that follows no plan any more. */
 const STOPPED = ["sit", "damping"];
 
+/** Why a command is of no plan, of a robot that does not stand on its feet. */
+const OFF_ITS_FEET: Record<string, string> = { lifted: "its feet bear too little", rise: "it stands up" };
+
 /** False where no hierarchy was solved: what is planned is then of the last tick at which one was. False also where the controller has stopped for
  * safety, be it at this very tick, behind the solver: what was planned and solved commands nothing then. */
 export const isFollowed = (frame: Frame): boolean => scalar(frame, "hierarchy.status") !== INVALID_INPUT && !STOPPED.includes(word(frame, "command.mode"));
@@ -104,7 +107,7 @@ export function nothingText(frame: Frame, states: LevelState[]): string {
   if (isFollowed(frame)) return solvedLevels(frame) === 0 ? cutOffText(states[0]) : "No level is solved.";
   const begin = scalar(frame, "hierarchy.status") === INVALID_INPUT
     ? "No hierarchy was solved" : "The controller stopped, and what was solved was not used";
-  const why = stopText(frame) || "there was no state to believe";
+  const why = stopText(frame) || OFF_ITS_FEET[word(frame, "command.mode")] || "there was no state to believe";
   return `${begin}: ${word(frame, "command.mode")}, because ${why}.`;
 }
 

@@ -10,7 +10,9 @@ const GROUPS: Record<string, [one: string, all: string]> = {
 };
 /** Faults of all sensors of a group at once. */
 const OF_ALL = ["silent", "late"];
-const CAUSES: Record<string, string> = { tilt: "the torso tilted too far", failures: "too many ticks without a solution" };
+const CAUSES: Record<string, string> = {
+  tilt: "the torso tilted too far", failures: "too many ticks without a solution", cannot_stand: "it could not stand up",
+};
 
 /** Why the controller has stopped for safety; "": it has not. */
 export function stopText(frame: Frame): string {

@@ -22,7 +22,7 @@ const PHASES: Record<string, [as_planned: string, in_the_air: string]> = {
 };
 
 /** Commands that are not the solution's: nobody asks of feet what was planned. */
-const WITHOUT_PLAN = ["hold", "sit", "damping"];
+const WITHOUT_PLAN = ["hold", "sit", "damping", "lifted", "rise"];
 
 /** Of a foot that touches the ground: the size of its force. */
 function sizeText(frame: Frame, k: number): string {

@@ -1,0 +1,130 @@
+#include "surefoot/control/footing.hpp"
+
+#include "surefoot/planning/foothold_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kLow = 0.6;       // of the stance's height: a robot that is lower lies
+constexpr double kFolded = 0.2;    // of it: as far as the feet are drawn in, or they lie lower
+constexpr double kBentHip = 1.0;   // where the inverse kinematics starts …
+constexpr double kBentKnee = 1.8;  // … well bent [rad]
+constexpr double kSpeed = 0.6;     // of the joints on their way, in the mean [rad/s]
+constexpr double kLeastWay = 1.0;  // [s]
+constexpr double kToBear = 0.5;    // in which the feet take over the weight [s]
+constexpr double kToHarden = 0.5;  // … and its joints become hard once they have [s]
+constexpr double kSettle = 0.5;    // after the way [s]
+constexpr double kPatience = 3.0;  // … until a robot that does not stand is given up [s]
+constexpr double kTips = 0.5;      // a torso that leans so far on the way up [rad]
+constexpr double kThere = 0.2;     // a joint that is where it should be [rad]
+constexpr double kAtRest = 0.3;    // [rad/s]
+
+double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
+double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
+
+}  // namespace
+
+void Footing::look_at_start(const RobotModel& model, const JointVector& q) noexcept {
+  if (!stands() || !q.allFinite()) return;
+  double height = 0.0;
+  for (const Leg leg : kLegs) {
+    const Vec3 q_leg = q.segment<3>(first_joint(leg));
+    knees_[index(leg)] = std::copysign(1.0, q_leg.z());
+    height -= model.foot_in_base(leg, q_leg).z() / kNumLegs;
+  }
+  if (!(height < kLow * stance_.height)) return;
+  go(State::folds, q, posture_at(model, std::max(height, kFolded * stance_.height)), kLeastWay);
+}
+
+PlanEvent Footing::update(const RobotModel& model, const RobotState& state,
+                          const LiftDetector& lift) noexcept {
+  const JointVector& q = state.q;
+  restarts_ = false;
+  time_ += period_;
+  switch (state_) {
+    case State::stands:
+      return lift.is_lifted() ? hang(model, q) : PlanEvent::none;
+    case State::hangs:
+      if (!lift.is_down()) return PlanEvent::none;
+      rise(model, q, 1.0);
+      return PlanEvent::stands_up;
+    case State::folds:
+      if (time_ < duration_) return PlanEvent::none;
+      rise(model, q, 0.0);
+      return PlanEvent::stands_up;
+    case State::rises:
+      return update_rise(model, state, lift);
+  }
+  return PlanEvent::none;
+}
+
+PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
+                               const LiftDetector& lift) {
+  if (lift.is_down()) stood_for_ += period_;
+  const bool has_arrived = time_ > duration_ + kSettle;
+  if (lift.is_lifted() && (stood_for_ > 0.0 || has_arrived)) return hang(model, state.q);
+  has_failed_ = state.R_WB()(2, 2) < std::cos(kTips);
+  if (!has_arrived) return PlanEvent::none;
+  const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kThere;
+  const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < kAtRest;
+  if (is_there && is_at_rest && lift.is_down()) {
+    state_ = State::stands;
+    restarts_ = true;
+  } else {
+    has_failed_ = has_failed_ || time_ > duration_ + kPatience;
+  }
+  return PlanEvent::none;
+}
+
+PlanEvent Footing::hang(const RobotModel& model, const JointVector& q) {
+  go(State::hangs, q, posture_at(model, stance_.height), kLeastWay);
+  return PlanEvent::lifted;
+}
+
+void Footing::rise(const RobotModel& model, const JointVector& q, double borne) {
+  go(State::rises, q, posture_at(model, stance_.height), kLeastWay);
+  borne_ = borne;
+  stood_for_ = 0.0;
+}
+
+void Footing::go(State state, const JointVector& q, const JointVector& to, double at_least) {
+  state_ = state;
+  from_ = q;
+  to_ = to;
+  time_ = 0.0;
+  duration_ = std::max(at_least, (to - q).cwiseAbs().maxCoeff() / kSpeed);
+}
+
+JointVector Footing::posture_at(const RobotModel& model, double height) const {
+  const RobotDescription& robot = model.description();
+  JointVector result;
+  for (const Leg leg : kLegs) {
+    const Vec3 nominal = robot.q_nominal.segment<3>(first_joint(leg));
+    const double knee = kBentKnee * knees_[index(leg)];
+    const double hip = std::copysign(kBentHip, nominal.y() * nominal.z() * knee);
+    Vec3 p_BF, q_leg;
+    p_BF << nominal_offset(stance_, leg), -height;
+    (void)model.inverse_kinematics(leg, p_BF, Vec3(nominal.x(), hip, knee), q_leg);
+    result.segment<3>(first_joint(leg)) = q_leg;
+  }
+  return result.cwiseMax(robot.q_min).cwiseMin(robot.q_max);
+}
+
+LegPosture Footing::posture(const LiftDetector& lift) const {
+  const double share = std::min(1.0, time_ / duration_);
+  const JointVector way = to_ - from_;
+  LegPosture result{.q = from_ + ease(share) * way, .qd = ease_slope(share) / duration_ * way};
+  for (const Leg leg : kLegs) {
+    result.stands[index(leg)] = state_ != State::folds && lift.bears(leg);
+  }
+  if (state_ == State::rises) {
+    result.bears = std::max(borne_, ease(std::min(1.0, time_ / kToBear)));
+    result.softness = 1.0 - std::min(1.0, stood_for_ / kToHarden);
+  }
+  return result;
+}
+
+}  // namespace surefoot

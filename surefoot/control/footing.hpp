@@ -1,0 +1,65 @@
+#pragma once
+
+#include "surefoot/control/leg_posture.hpp"
+#include "surefoot/estimation/lift_detector.hpp"
+#include "surefoot/model/robot_model.hpp"
+#include "surefoot/planning/planner_options.hpp"
+#include "surefoot/signals/plan_event.hpp"
+
+namespace surefoot {
+
+/// What a robot does that is not on its feet: one that is lifted, or that lies.
+///
+///     stands   the walk
+///     hangs    its feet bear little and it does not fall (LiftDetector): the legs go to the
+///              stance's posture within a second and are held there softly, until the feet bear it
+///     folds    it begins with its feet too high for a stance: the feet go under the hips
+///     rises    the legs stretch to the stance's posture, with the torques that bear the robot
+///
+/// and from there it stands, with estimate and plan begun anew. Knees stay on the side where they
+/// were at the start. A robot that does not come to stand, or tips on the way, can't: `has_failed`.
+/// Does not allocate.
+class Footing {
+ public:
+  /// `period` of the control loop [s].
+  Footing(const StanceOptions& stance, double period) : stance_(stance), period_(period) {}
+
+  /// Before a robot stands for the first time: where are its knees, and does it lie? Nothing
+  /// happens where q [rad] is not known.
+  void look_at_start(const RobotModel& model, const JointVector& q) noexcept;
+
+  /// One tick: the state, and `lift` of this tick. What has happened.
+  PlanEvent update(const RobotModel& model, const RobotState& state,
+                   const LiftDetector& lift) noexcept;
+
+  [[nodiscard]] bool stands() const { return state_ == State::stands; }
+  [[nodiscard]] bool hangs() const { return state_ == State::hangs; }
+  /// It came to stand at the last update: estimate and plan begin anew.
+  [[nodiscard]] bool restarts() const { return restarts_; }
+  [[nodiscard]] bool has_failed() const { return has_failed_; }
+  /// While it does not stand.
+  [[nodiscard]] LegPosture posture(const LiftDetector& lift) const;
+
+ private:
+  enum class State { stands, hangs, folds, rises };
+
+  /// From where the joints are to another posture, at rest at both ends.
+  void go(State state, const JointVector& q, const JointVector& to, double at_least);
+  void rise(const RobotModel& model, const JointVector& q, double borne);
+  PlanEvent update_rise(const RobotModel& model, const RobotState& state, const LiftDetector& lift);
+  PlanEvent hang(const RobotModel& model, const JointVector& q);
+  /// Feet at their places of the stance but for the height of the base over them [m].
+  [[nodiscard]] JointVector posture_at(const RobotModel& model, double height) const;
+
+  StanceOptions stance_;
+  double period_;
+  State state_ = State::stands;
+  PerLeg<double> knees_{1.0, 1.0, 1.0, 1.0};  // sides on which they were at the start: ±1
+  JointVector from_ = JointVector::Zero(), to_ = JointVector::Zero();
+  double time_ = 0.0, duration_ = 1.0;  // of the way [s]
+  double borne_ = 0.0;                  // share of the weight on the feet when it began to rise
+  double stood_for_ = 0.0;              // since then [s]
+  bool restarts_ = false, has_failed_ = false;
+};
+
+}  // namespace surefoot

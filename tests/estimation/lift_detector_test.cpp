@@ -1,0 +1,126 @@
+#include "surefoot/estimation/lift_detector.hpp"
+
+#include "surefoot/signals/sensor_reading.hpp"
+#include "tests/support/malloc_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr double kPeriod = 0.0025;  // [s]
+constexpr double kWeight = 300.0;   // [N]
+
+/// What a robot feels that stands for a second before something happens.
+struct Felt {
+  Felt() { feel(1.0, {75.0, 75.0, 75.0, 75.0}, kGravity); }
+
+  void feel(double duration, const std::array<double, kNumLegs>& forces, double acceleration) {
+    for (std::size_t k = 0; k < kNumLegs; ++k) force[k] = Vec3(0.0, 0.0, forces[k]);
+    accelerometer = Vec3(0.0, 0.0, acceleration);
+    run(duration);
+  }
+  void run(double duration) {
+    for (int i = 0; i < static_cast<int>(std::lround(duration / kPeriod)); ++i) {
+      detector.update(kWeight, force, accelerometer);
+      was_lifted = was_lifted || detector.is_lifted();
+    }
+  }
+
+  LiftDetector detector{kPeriod};
+  PerLeg<Vec3> force{};
+  Vec3 accelerometer = Vec3::Zero();
+  bool was_lifted = false;
+};
+
+TEST(LiftDetector, ARobotThatStandsIsDown) {
+  const Felt robot;
+  EXPECT_TRUE(robot.detector.is_down());
+  EXPECT_FALSE(robot.was_lifted);
+}
+
+TEST(LiftDetector, ARobotThatFeelsItsWeightButNotOnItsFeetIsLifted) {
+  Felt robot;
+  robot.feel(0.2, {}, kGravity);
+  EXPECT_TRUE(robot.detector.is_lifted());
+  EXPECT_FALSE(robot.detector.is_down());
+}
+
+TEST(LiftDetector, ItTakesMoreThanAMoment) {
+  Felt robot;
+  robot.feel(0.05, {}, kGravity);
+  EXPECT_FALSE(robot.was_lifted);
+}
+
+TEST(LiftDetector, ARobotThatFallsIsNotLifted) {
+  Felt robot;
+  robot.feel(0.5, {}, 0.0);
+  EXPECT_FALSE(robot.was_lifted);
+}
+
+// Falls, lands on two feet, falls on.
+TEST(LiftDetector, NorIsOneThatTumbles) {
+  Felt robot;
+  for (int i = 0; i < 5; ++i) {
+    robot.feel(0.15, {}, 0.5);
+    robot.feel(0.03, {400.0, 0.0, 300.0, 0.0}, 23.0);
+  }
+  EXPECT_FALSE(robot.was_lifted);
+}
+
+TEST(LiftDetector, OneIsHeldThatHasLessThanHalfOfItsWeightOnItsFeet) {
+  Felt robot;
+  robot.feel(1.0, {0.0, 100.0, 70.0, 0.0}, kGravity);
+  EXPECT_FALSE(robot.was_lifted);
+  robot.feel(0.2, {0.0, 70.0, 50.0, 0.0}, kGravity);
+  EXPECT_TRUE(robot.was_lifted);
+}
+
+// Torques that are all wrong by the same make forces that are no less wrong.
+TEST(LiftDetector, ForcesThatCancelAreForces) {
+  Felt robot;
+  robot.feel(1.0, {60.0, -60.0, 60.0, -60.0}, kGravity);
+  EXPECT_FALSE(robot.was_lifted);
+}
+
+TEST(LiftDetector, OneThatSwingsOnACraneStaysLifted) {
+  Felt robot;
+  robot.feel(0.2, {}, kGravity);
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 0.5 * std::sin(0.01 * i);
+    robot.accelerometer =
+        (1.0 + 0.2 * std::sin(0.02 * i)) * kGravity * Vec3(std::sin(angle), 0.0, std::cos(angle));
+    robot.run(kPeriod);
+    ASSERT_TRUE(robot.detector.is_lifted()) << i;
+  }
+}
+
+TEST(LiftDetector, ItIsDownWhenThreeFeetBearMostOfItForSomeTime) {
+  Felt robot;
+  robot.feel(1.0, {}, kGravity);
+  robot.feel(1.0, {30.0, 30.0, 30.0, 30.0}, kGravity);
+  EXPECT_FALSE(robot.detector.is_down());
+  robot.feel(1.0, {150.0, 0.0, 0.0, 150.0}, kGravity);
+  EXPECT_FALSE(robot.detector.is_down());
+  robot.feel(0.2, {100.0, 100.0, 0.0, 100.0}, kGravity);
+  EXPECT_FALSE(robot.detector.is_down());
+  robot.feel(0.2, {100.0, 100.0, 0.0, 100.0}, kGravity);
+  EXPECT_TRUE(robot.detector.is_down());
+}
+
+TEST(LiftDetector, WhereNumbersAreMissingNothingChanges) {
+  Felt robot;
+  robot.force.fill(Vec3::Constant(kNaN));
+  robot.run(1.0);
+  robot.force.fill(Vec3::Zero());
+  robot.accelerometer.setConstant(kNaN);
+  const test::MallocCounter counter;
+  robot.run(1.0);
+  EXPECT_EQ(counter.count(), 0U);
+  EXPECT_TRUE(robot.detector.is_down());
+}
+
+}  // namespace
+}  // namespace surefoot
