@@ -18,14 +18,14 @@
 namespace surefoot {
 namespace {
 
-/// The URDF is looked for as its meshes are; where it is not, the likeliest place is told.
-std::string resolve_urdf(const std::string& urdf, const std::filesystem::path& robot_file) {
+/// The URDF is looked for as its meshes are.
+std::string resolve_urdf(const Section& top, const std::string& urdf,
+                         const std::filesystem::path& robot_file) {
   const MeshFolders folders{.packages = package_directories(),
                             .urdf = std::filesystem::absolute(robot_file).parent_path()};
   const std::filesystem::path found = find_mesh(urdf, folders);
-  if (!found.empty()) return found.string();
-  const std::vector<std::filesystem::path> places = mesh_places(urdf, folders);
-  return places.empty() ? urdf : places.front().string();
+  if (found.empty()) top.fail("urdf", missing_text(urdf, folders));
+  return found.string();
 }
 
 /// HAA, HFE, KFE of all legs alike.
@@ -234,7 +234,7 @@ RobotDescription load_robot(const std::string& name_or_path, const std::filesyst
   top.text("name", robot.name);
   std::string urdf_name;
   top.text("urdf", urdf_name);
-  robot.urdf_path = resolve_urdf(urdf_name, file);
+  robot.urdf_path = resolve_urdf(top, urdf_name, file);
   for (const std::filesystem::path& folder : package_directories())
     robot.package_folders.push_back(folder.string());
   const Urdf urdf = read_urdf_of(top, robot.urdf_path);

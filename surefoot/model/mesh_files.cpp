@@ -86,6 +86,17 @@ fs::path find_mesh(const std::string& uri, const MeshFolders& folders) {
   return {};
 }
 
+std::string missing_text(const std::string& uri, const MeshFolders& folders) {
+  std::string places;
+  for (const fs::path& place : mesh_places(uri, folders))
+    places += (places.empty() ? "" : ", ") + place.string();
+  return "there is no \"" + uri +
+         "\"; looked for at: " + (places.empty() ? "nowhere, as that is no valid name" : places) +
+         (uri.starts_with(kPackages[0])
+              ? "; ROS_PACKAGE_PATH may name the folder that holds the package"
+              : "");
+}
+
 std::vector<MeshFile> mesh_files(const std::string& urdf, const MeshFolders& folders) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf.c_str(), urdf.size()) != tinyxml2::XML_SUCCESS ||

@@ -26,6 +26,9 @@ struct MeshFolders {
 /// The first of these places that has a file; empty if none has.
 [[nodiscard]] std::filesystem::path find_mesh(const std::string& uri, const MeshFolders& folders);
 
+/// For a message: that there is no such file, and where it was looked for.
+[[nodiscard]] std::string missing_text(const std::string& uri, const MeshFolders& folders);
+
 /// A mesh that a URDF names.
 struct MeshFile {
   std::string uri;             ///< as it stands there

@@ -204,7 +204,8 @@ class Writer {
       return "";
     }
     const std::filesystem::path file = find_mesh(uri, folders_);
-    if (file.empty()) fail_to_find(shape, link, uri);
+    if (file.empty())
+      reader_.fail(shape.GetLineNum(), "link \"" + link + "\": " + missing_text(uri, folders_));
     if (shape.Attribute("scale") != nullptr) (void)reader_.vector(shape, "scale");
     return file.string();
   }
@@ -215,19 +216,6 @@ class Writer {
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension == ".stl" || extension == ".obj" || extension == ".msh";
-  }
-
-  [[noreturn]] void fail_to_find(const XMLElement& shape, const std::string& link,
-                                 const std::string& uri) const {
-    std::string places;
-    for (const std::filesystem::path& place : mesh_places(uri, folders_))
-      places += (places.empty() ? "" : ", ") + place.string();
-    reader_.fail(shape.GetLineNum(),
-                 "link \"" + link + "\": there is no mesh \"" + uri + "\"; looked for at: " +
-                     (places.empty() ? "nowhere, as that is no valid name" : places) +
-                     (uri.starts_with("package://")
-                          ? "; ROS_PACKAGE_PATH may name the folder that holds the package"
-                          : ""));
   }
 
   void write_joint(const XMLElement& from) {

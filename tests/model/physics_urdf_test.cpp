@@ -119,7 +119,7 @@ TEST_F(PhysicsUrdfTest, says_where_a_mesh_that_is_missing_was_looked_for) {
       "<collision><geometry><mesh filename=\"package://other/leg.stl\"/></geometry></collision>";
   const std::string message = complaint();
   EXPECT_TRUE(holds(message,
-                    "robot.urdf:1: link \"leg\": there is no mesh "
+                    "robot.urdf:1: link \"leg\": there is no "
                     "\"package://other/leg.stl\"; looked for at: "))
       << message;
   EXPECT_TRUE(holds(message, "packages/other/leg.stl; ROS_PACKAGE_PATH may name")) << message;
