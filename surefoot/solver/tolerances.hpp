@@ -39,9 +39,9 @@ constexpr double rounding_after(double smallest_pivot) {
   return rounding < kMostRounding ? rounding : kMostRounding;
 }
 
-/// Where less of a row was left, a rank is decided by what doubles can hardly tell,
+/// If less of a row was left, doubles can hardly tell whether it is independent.
 inline constexpr double kWeakPivot = 1e-5;
-/// and where less than this, by what they can't.
+/// If less of a row was left, doubles can't tell whether it is independent.
 inline constexpr double kBorderlinePivot = 1e-9;
 
 /// Values of rows, relative to ‖a‖ ‖x‖. Below: a difference may be rounding.
@@ -57,14 +57,14 @@ inline constexpr double kViolated = 1e-9;
 inline constexpr double kWrongSign = 1e-11;
 /// above kStrict it is certain to be needed.
 inline constexpr double kStrict = 1e-9;
-/// but below kWeakForce doubles can hardly tell,
-inline constexpr double kWeakForce = 1e-6;
-/// and below this they can't.
-inline constexpr double kBorderlineForce = 1e-8;
 /// The same, relative to what kRounding makes of Σ ‖aᵢ‖²: where nearly parallel rows make x large
 /// and forces small, a row that is kept in error costs more than one that is let go in vain.
 inline constexpr double kWrongSignOfNoise = 0.2;
 inline constexpr double kStrictOfNoise = 100.0;
+/// Of a held row, relative to Σ ‖aᵢ‖ |vᵢ|: doubles can hardly tell whether less is needed.
+inline constexpr double kWeakForce = 1e-6;
+/// The same: doubles can't tell whether less is needed.
+inline constexpr double kBorderlineForce = 1e-8;
 
 }  // namespace tolerance
 }  // namespace surefoot
