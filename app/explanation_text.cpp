@@ -220,6 +220,7 @@ std::string headline(const Solution& solution, std::size_t num_levels, std::stri
   else if (solution.failed_level >= 0)
     text += " in level " + std::to_string(solution.failed_level + 1) +
             "; the levels before it are optimal";
+  if (solution.borderline) text += ", borderline: doubles can't tell which answer is the optimum";
   return text + ", " + std::to_string(iterations) + unit + (iterations == 1 ? ", " : "s, ") +
          microseconds(solution.time) + "\n";
 }

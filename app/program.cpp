@@ -88,6 +88,9 @@ residuals and proofs of the weighted rows; "x_ref" stays the last. "strict_resid
 --json) has for comparison what the weighted x leaves of each level of the line, "x_ref" last, without --weights but
 with A_weights and D_weights.
 
+"borderline": true says that which answer is the optimum depends on less than doubles can tell, and x is
+the better one of those that were found.
+
 "flops" is what a line has counted against --budget; without one, what a budget has to be for it.
 A line whose search ended at its --budget or --budget-us, or at the solver's own cap of iterations,
 which is very rare, has "status": "iteration_cap" and "cut_off_by": "budget" or "cap",

@@ -121,6 +121,7 @@ class SolveCommand {
       line["instructions"] = instructions();
       line["flops"] = solution.flops;
     }
+    if (solution.borderline) line["borderline"] = true;
     if (solution.status == SolveStatus::iteration_cap)
       line["cut_off_by"] = is_budget_spent(solution) ? "budget" : "cap";
     return line;

@@ -50,7 +50,8 @@ struct SolveArguments {
 ///
 /// A line has at most 500 unknowns and 5000 rows. Blank lines are skipped. A line that can't be
 /// understood gives one message on `err`, with file and line, and nothing on `out`; the other lines
-/// are still solved. "flops" is what a line has counted against a budget, of the lexicographic
+/// are still solved. "borderline": true stands in a line where the solution is, see
+/// Solution::borderline. "flops" is what a line has counted against a budget, of the lexicographic
 /// method. A line that ended at its budget or at the solver's own cap of iterations has "status":
 /// "iteration_cap" and "cut_off_by": "budget" or "cap" in its result, the level where it did
 /// "status": "cut off" and the residual so far, the levels below "status": "not reached" and no

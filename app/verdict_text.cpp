@@ -42,13 +42,13 @@ auto first_that_is(Verdict said, const std::vector<LevelCertificate>& levels) {
                            [](const LevelCertificate& level) { return verdict(level); });
 }
 
-std::string why_not_proven(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
+std::string why_not_proven(const Hierarchy& hierarchy,
                            const std::vector<LevelCertificate>& levels) {
   const auto level = first_that_is(Verdict::not_proven, levels);
   std::ostringstream text;
   text << "not proven: level " << number_of(level, levels) << " is " << level->stationarity
-       << " from its optimality conditions, relative to its rows and 1 + ‖x‖ = " << 1.0 + x.norm()
-       << "; at most " << kProvenStationarity << " is rounding";
+       << " from its optimality conditions, relative to its rows; at most " << kProvenStationarity
+       << " is rounding";
   const double ratio = worst_ratio(hierarchy);
   if (ratio > kLargestRatio) {
     text << ", which is promised where rows of one level differ in length by at most "
@@ -90,7 +90,7 @@ std::string why_not_judged(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
 
 std::string verdict_text(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                          const std::vector<LevelCertificate>& levels) {
-  return verdict(levels) == Verdict::not_proven ? why_not_proven(hierarchy, x, levels)
+  return verdict(levels) == Verdict::not_proven ? why_not_proven(hierarchy, levels)
                                                 : why_not_judged(hierarchy, x, levels);
 }
 

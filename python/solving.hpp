@@ -24,6 +24,7 @@ struct NamedSolution {
   Eigen::VectorXd x;
   std::vector<LevelOutcome> levels;
   std::optional<int> failed_level;  ///< counted from 0
+  bool borderline = false;          ///< as in Solution
   double flops = 0.0;               ///< what a budget counts
   std::optional<std::string> verdict;
 };
@@ -190,6 +191,7 @@ inline NamedSolution solve_levels(const nb::list& levels, const nb::object& x_re
   NamedSolution result;
   result.status = solution.status == SolveStatus::optimal ? "optimal" : "iteration_cap";
   result.x = solution.x;
+  result.borderline = solution.borderline;
   result.flops = solution.flops;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     result.levels.push_back(outcome(hierarchy.level(k).name(), solution.levels[k], row_names[k]));
@@ -212,6 +214,8 @@ inline void bind_solving(nb::module_& module) {
       .def_ro(
           "status", &NamedSolution::status,
           "optimal, or iteration_cap: ended early, x is feasible for all levels that are finished")
+      .def_ro("borderline", &NamedSolution::borderline,
+              "which answer is the optimum depends on less than doubles can tell")
       .def_ro("flops", &NamedSolution::flops,
               "additions and multiplications that budget counts; 0 of the cascade")
       .def_ro(

@@ -82,6 +82,7 @@ void summarise(const Solution& solution, const Hierarchy& hierarchy,
   report = HierarchyReport{};
   report.status = static_cast<std::int32_t>(solution.status);
   report.failed_level = solution.failed_level;
+  report.borderline = solution.borderline;
   const std::size_t count = std::min({solution.levels.size(), hierarchy.num_levels(), kMaxLevels});
   report.num_levels = static_cast<std::int32_t>(count);
   for (std::size_t i = 0; i < count; ++i) {

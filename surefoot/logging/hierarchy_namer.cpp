@@ -21,6 +21,7 @@ std::string LevelNames::row(int level, std::int32_t id) const {
 const logged::Hierarchy& HierarchyNamer::name(const HierarchyReport& report) {
   named_.status = report.status;
   named_.failed_level = report.failed_level;
+  named_.borderline = report.borderline;
   named_.levels.resize(count(report.num_levels, kMaxLevels));
   for (std::size_t i = 0; i < named_.levels.size(); ++i) {
     named_.levels[i].name = names_.level(static_cast<int>(i));

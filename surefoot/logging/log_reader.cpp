@@ -92,6 +92,7 @@ HierarchyReport without_names(const logged::Hierarchy& named,
     report.failed_level = failed < named.levels.size() ? numbers.of(named.levels[failed].name)
                                                        : static_cast<std::int32_t>(kMaxLevels);
   }
+  report.borderline = named.borderline;
   report.num_levels = static_cast<std::int32_t>(std::min(named.levels.size(), kMaxLevels));
   report.num_active = static_cast<std::int32_t>(std::min(named.active.size(), kMaxReportedRows));
   for (std::size_t i = 0; i < static_cast<std::size_t>(report.num_levels); ++i) {

@@ -76,6 +76,7 @@ struct Change {
 /// HierarchyReport, with names.
 struct Hierarchy {
   std::int32_t status = 0, failed_level = -1;
+  bool borderline = false;
   std::vector<Level> levels;
   std::vector<Row> active;
   std::vector<MissedRow> missed;
@@ -287,6 +288,8 @@ void fields(Archive& field, T& hierarchy) {
         "0 optimal, 1 ended at the iteration cap, 2 invalid input, or no state was believed");
   field("failed_level", hierarchy.failed_level,
         "index of the level that ended early, counted from 0; -1: none");
+  field("borderline", hierarchy.borderline,
+        "which answer is the optimum depends on less than doubles can tell");
   field("levels", hierarchy.levels, "how each level came out");
   field("active", hierarchy.active, "inequality rows at or beyond a bound");
   field("missed", hierarchy.missed,

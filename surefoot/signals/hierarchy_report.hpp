@@ -65,6 +65,7 @@ struct HierarchyReport {
   /// Where it ended early; −1: nowhere. The number of no level: all are optimal, x not the
   /// shortest.
   std::int32_t failed_level = -1;
+  bool borderline = false;  ///< which answer is the optimum depends on less than doubles can tell
   std::int32_t num_levels = 0;
   std::int32_t num_active = 0;    ///< entries of `active`
   std::int32_t num_missed = 0;    ///< entries of `missed`

@@ -30,6 +30,7 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
   undecided_.clear();
   wrong_.clear();
   size_ = 0.0;
+  weakest_force_ = 1.0;
   for (int i = 0; i < s.unknowns; ++i) size_ += s.x[i] * s.x[i];
   way_ = size_ = std::sqrt(size_);
   timer.start();
@@ -118,6 +119,7 @@ void ActiveSetSearch::judge_undecided(const Sweep& s, int level, double scale, d
       wrong_.push_back(u.row);
     } else if (force > strict) {
       fixed_by_[at(u.row)] = level;
+      weakest_force_ = std::min(weakest_force_, force / scale);
     } else {
       undecided_[kept++] = u;
     }

@@ -30,6 +30,10 @@ class ActiveSetSearch {
   /// ‖x‖ of the last `is_optimal`.
   [[nodiscard]] double x_size() const { return size_; }
 
+  /// Of the rows that the last `is_optimal` found to be needed the smallest force, relative to the
+  /// level that needs it; 1 where there is none.
+  [[nodiscard]] double weakest_force() const { return weakest_force_; }
+
   /// Whether the last `is_optimal` asked what the length of y pulls at.
   [[nodiscard]] bool has_judged_norm() const { return has_judged_norm_; }
 
@@ -68,6 +72,7 @@ class ActiveSetSearch {
   std::vector<int> fixed_by_;
   double size_ = 0.0;  // ‖x‖
   double way_ = 0.0;   // the same, or how far rows of the levels so far pull it, if that is more
+  double weakest_force_ = 1.0;
   bool has_judged_norm_ = false;
 };
 

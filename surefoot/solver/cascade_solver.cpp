@@ -50,6 +50,7 @@ const Solution& CascadeSolver::solve(const Hierarchy& hierarchy) noexcept {
     result.degrees_of_freedom_left = tableau_.num_free();
     result.time = now() - level_begin;
   }
+  solution_.borderline = solution_.status == SolveStatus::optimal && level_solver_.is_borderline();
   solution_.x = tableau_.value.head(tableau_.unknowns);
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     describe(hierarchy.level(k), solution_.levels[k]);

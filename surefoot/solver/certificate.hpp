@@ -27,7 +27,8 @@ struct Doubt {
 struct LevelCertificate {
   double residual = 0.0;  ///< √Σ violation²
   /// 0 at an optimum. With r = Zᵀ (g + Tᵀ μ), Z an orthonormal basis of what E leaves free, U the
-  /// rows uᵢ aᵢ, uᵢ = ‖aᵢ‖ (1 + ‖x‖), of equalities and of what is violated or at a bound, the
+  /// rows uᵢ aᵢ, uᵢ = Σⱼ |aᵢⱼ xⱼ| + ‖aᵢ‖ (1 + 1e-3 ‖x‖), of equalities and of what is violated or
+  /// at a bound, the
   /// least over μ ≥ 0 of
   ///
   ///     √(rᵀ (Zᵀ Uᵀ U Z + w² I)⁻¹ r)
@@ -64,7 +65,7 @@ inline constexpr double kSameResidual = 1e-7;
 [[nodiscard]] Verdict verdict(const std::vector<LevelCertificate>& levels);
 
 struct CertificateOptions {
-  double tight = 1e-8;  ///< a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it
+  double tight = 1e-8;  ///< a row this close to a bound, relative to its `row_unit`, touches it
   double rank = 1e-8;   ///< relative length below which a row depends on others
   /// The first so many levels: those for which x is said to be the optimum.
   std::size_t levels = std::numeric_limits<std::size_t>::max();

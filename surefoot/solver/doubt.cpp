@@ -26,7 +26,7 @@ constexpr double kUnseen = 1e-16;
 /// The same where a row sees something, of a length squared: one that is 1e-11 times as long as
 /// another of its level is still seen beside it.
 constexpr double kSeen = 1e-22;
-/// A limit that is violated by less, relative to ‖a‖ (1 + ‖x‖), may be at its bound.
+/// A limit that is violated by less, relative to its `row_unit`, may be at its bound.
 constexpr double kAtBound = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -89,7 +89,7 @@ void Counting::add(const Level& level, Index i, const VectorXd& x, double tight)
   const double lower = level.lower()[i] / unit, upper = level.upper()[i] / unit;
   Wide value = 0.0;
   for (Index j = 0; j < x.size(); ++j) value += Wide(row[j]) * Wide(x[j]);
-  const Wide near = tight * row.norm() * (1.0 + x.norm());
+  const Wide near = tight * row_unit(row.transpose(), x);
   const Wide above = upper == kInfinity ? Wide(-kInfinity) : value - Wide(upper);
   const Wide below = lower == -kInfinity ? Wide(-kInfinity) : Wide(lower) - value;
   const bool is_at_upper = above >= -near, is_at_lower = below >= -near;
@@ -128,9 +128,9 @@ Counting at_bounds(Counting own, const Level& level, const VectorXd& x) {
   for (std::size_t k = 0; k < own.rows.size(); ++k) {
     const Index i = own.rows[k];
     const double by = static_cast<double>(own.violations[k]);
-    const double length = level.A().row(i).norm() / own.unit;
+    const double size = row_unit(level.A().row(i), x) / own.unit;
     if (level.lower()[i] == level.upper()[i] || by == 0.0) continue;
-    if (std::abs(by) > kAtBound * length * (1.0 + x.norm())) continue;
+    if (std::abs(by) > kAtBound * size) continue;
     own.violations[k] = 0.0;
     own.outward[k] = by > 0.0 ? 1.0 : -1.0;
   }
@@ -240,10 +240,11 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
     question.gradient =
         question.rows.transpose() * Eigen::Map<const WideVector>(of.violations.data(), count);
   };
+  VectorXd sizes(A.rows());
+  for (Index i = 0; i < A.rows(); ++i) sizes[i] = row_unit(A.row(i), x);
   const auto stationarity = [&](const Counting& of) {
     set_gradient(of);
-    return gain(question, of, lengths * (1.0 + x.norm()), kSeen * scale * scale,
-                kUnseen * scale * scale);
+    return gain(question, of, sizes, kSeen * scale * scale, kUnseen * scale * scale);
   };
   result.stationarity = std::max(stationarity(own), stationarity(at_bounds(own, level, x)));
   set_gradient(own);

@@ -117,7 +117,8 @@ static int factorize_level(Sweep& s, int begin, int end) {
     if (best < 0) break;
     swap_rows(s.order, next, best);
     const bool usable = best_relative > s.solve_tolerance;
-    if (usable) s.smallest_pivot = smaller(s.smallest_pivot, best_relative);
+    double& smallest = usable ? s.smallest_pivot : s.unused_pivot;
+    smallest = smaller(smallest, best_relative);
     num_weak += usable ? 0 : 1;
     (void)eliminate(s, next++, best_square, usable, s.stride);
   }

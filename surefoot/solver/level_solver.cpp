@@ -32,6 +32,7 @@ LevelSolver::LevelSolver(Index unknowns, Index max_rows)
 void LevelSolver::reset(const RankTolerance& tolerance) {
   tolerance_ = tolerance;
   smallest_pivot_ = 1.0;
+  is_borderline_ = false;
 }
 
 bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
@@ -208,6 +209,7 @@ void LevelSolver::retire(Tableau& tableau) {
     }
     tableau.first_free += factorization_.num_fixed();
     note_pivot(factorization_.smallest_pivot());
+    is_borderline_ = is_borderline_ || factorization_.has_unused();
   }
   note_pivot(smallest_held);
   mark_remaining(tableau);
@@ -219,7 +221,11 @@ void LevelSolver::release_idle_constraints(Tableau& tableau) {
   const double strict =
       tolerance::kStrict * force_scale_ + tolerance::kStrictOfNoise * force_noise_;
   for (Index i = working_set_.size() - 1; i >= 0; --i) {
-    if (working_set_[i].force > strict) continue;
+    if (working_set_[i].force > strict) {
+      const double clear = tolerance::kWeakForce * force_scale_;
+      is_borderline_ = is_borderline_ || working_set_[i].force < clear;
+      continue;
+    }
     working_set_.remove(tableau, i, turning_);
     num_factorized_ = -1;
   }

@@ -43,6 +43,11 @@ class LevelSolver {
 
   [[nodiscard]] int iterations() const { return iterations_; }
 
+  /// What was found since `reset` hangs on less than doubles can tell, see Solution::borderline.
+  [[nodiscard]] bool is_borderline() const {
+    return is_borderline_ || smallest_pivot_ < tolerance::kWeakPivot;
+  }
+
  private:
   struct Block {
     double length = 0.0;  ///< step at which the constraint is met
@@ -72,6 +77,7 @@ class LevelSolver {
 
   RankTolerance tolerance_;
   double smallest_pivot_ = 1.0;
+  bool is_borderline_ = false;
   RowFactorization factorization_;
   TurningLeastSquares turning_;
   WorkingSet working_set_;

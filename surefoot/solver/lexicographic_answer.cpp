@@ -1,4 +1,5 @@
 // How the solver's answer becomes a Solution.
+#include "surefoot/solver/answer_comparison.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/row_states.hpp"
 #include "surefoot/solver/tolerances.hpp"
@@ -32,17 +33,43 @@ signed char side_of(RowState state) {
 void LexicographicSolver::take(Outcome outcome, const Hierarchy& hierarchy) {
   solution_.status = SolveStatus::optimal;
   solution_.failed_level = -1;
+  solution_.borderline = false;
   switch (outcome) {
     case Outcome::optimal:
-      return take_from_sweep(hierarchy);
+      take_from_sweep(hierarchy);
+      solution_.borderline = hangs_on(tolerance::kWeakPivot, tolerance::kWeakForce);
+      if (solution_.borderline && !budget_.is_limited()) ask_cascade(hierarchy);
+      return;
     case Outcome::out_of_budget:
       take_kept_point();
+      solution_.borderline =
+          solution_.status == SolveStatus::optimal && hangs_on(tolerance::kWeakPivot, 0.0);
       return describe(hierarchy);
     case Outcome::stuck:
+      (void)solve_by_cascade(hierarchy);
       take_from_cascade(hierarchy);
-      if (solution_.status == SolveStatus::optimal && polish()) take_from_sweep(hierarchy);
-      num_sweeps_ = options_.max_sweeps + 1;
   }
+}
+
+// Was less than `pivot` left of a row that the last sweep has used, or did less than `force` need
+// one, or was a row too weak to be used?
+bool LexicographicSolver::hangs_on(double pivot, double force) const {
+  const Sweep& s = memory_.sweep;
+  return s.smallest_pivot < pivot || s.unused_pivot < 1.0 || search_.weakest_force() < force;
+}
+
+bool LexicographicSolver::is_too_close_to_call() const {
+  return hangs_on(tolerance::kBorderlinePivot, tolerance::kBorderlineForce);
+}
+
+// A second answer, of which the better counts.
+void LexicographicSolver::ask_cascade(const Hierarchy& hierarchy) {
+  const bool is_too_close = is_too_close_to_call();
+  const Solution& other = solve_by_cascade(hierarchy);
+  if (other.status != SolveStatus::optimal) return;
+  const AnswerComparison comparison = compare(hierarchy, solution_, other);
+  if (comparison.is_better) take_from_cascade(hierarchy);
+  solution_.borderline = comparison.differs || is_too_close;
 }
 
 // The last sweep has found the optimum.
@@ -66,9 +93,27 @@ void LexicographicSolver::take_kept_point() {
   }
 }
 
-void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
+const Solution& LexicographicSolver::solve_by_cascade(const Hierarchy& hierarchy) {
   const Solution& solution = cascade_.solve(hierarchy);
-  solution_.is_swept = false;
+  for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) timer_.add(k, solution.levels[k].time);
+  return solution;
+}
+
+// What the cascade has found; of the sweeps the shortest x, if they come to the same.
+void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
+  const Solution& found = cascade_.solution();
+  const bool is_polished = found.status == SolveStatus::optimal && polish();
+  if (is_polished) take_from_sweep(hierarchy);
+  num_sweeps_ = options_.max_sweeps + 1;
+  if (!is_polished) return adopt(found);
+  const AnswerComparison comparison = compare(hierarchy, solution_, found);
+  solution_.borderline = comparison.differs || is_too_close_to_call();
+  if (comparison.is_better) adopt(found);
+}
+
+void LexicographicSolver::adopt(const Solution& solution) {
+  is_swept_ = solution_.is_swept = false;
+  solution_.borderline = solution_.borderline || solution.borderline;
   solution_.status = solution.status;
   solution_.failed_level = solution.failed_level;
   solution_.x = solution.x;
@@ -80,7 +125,6 @@ void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
     to.num_rows = from.num_rows;
     to.degrees_of_freedom_left = from.degrees_of_freedom_left;
     to.iterations = from.iterations;
-    timer_.add(k, from.time);
     for (std::size_t i = 0; i < at(to.num_rows); ++i) {
       to.rows[i] = from.rows[i];
       s.side[at(s.level_begin[k]) + i] = side_of(from.rows[i]);

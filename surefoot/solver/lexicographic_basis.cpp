@@ -30,7 +30,7 @@ void LexicographicSolver::sweep_leading_equalities() {
   s.fixed = 0;
   s.solve_tolerance = options_.rank.solve;
   s.keep_tolerance = options_.rank.keep;
-  s.smallest_pivot = 1.0;
+  s.smallest_pivot = s.unused_pivot = 1.0;
   if (first_level_ > 0) {
     timer_.start();
     const bool are_independent = kernels_.run_together(s, first_level_);
@@ -54,6 +54,7 @@ void LexicographicSolver::sweep_leading_equalities() {
   }
   keep_tolerance_ = s.keep_tolerance;
   smallest_pivot_ = s.smallest_pivot;
+  unused_pivot_ = s.unused_pivot;
   is_orthonormal_ = true;
   forget_projections();
 }
@@ -107,7 +108,7 @@ void LexicographicSolver::substitute(const Substitution& substitution) {
   s.fixed = 0;
   s.solve_tolerance = options_.rank.solve;
   keep_tolerance_ = options_.rank.keep;
-  smallest_pivot_ = 1.0;
+  smallest_pivot_ = unused_pivot_ = 1.0;
   is_orthonormal_ = false;
   budget_.spend(4.0 * static_cast<double>(s.unknowns * columns));
   first_level_ = static_cast<int>(substitution.num_levels);

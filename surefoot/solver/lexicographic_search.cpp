@@ -58,6 +58,7 @@ void LexicographicSolver::sweep() {
   project_rows(false);
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
+  s.unused_pivot = unused_pivot_;
   kernels_.start(s, first_level_, s.num_levels);
   timer_.start();
   kernels_.run(s, first_level_, s.num_levels, timer());
@@ -99,6 +100,7 @@ LexicographicSolver::Outcome LexicographicSolver::descend() {
   project_rows(true);
   s.keep_tolerance = keep_tolerance_;
   s.smallest_pivot = smallest_pivot_;
+  s.unused_pivot = unused_pivot_;
   ++num_descents_;
   const bool has_ended = descent_.find_sides(s, kernels_, first_level_, budget_, timer_);
   if (budget_.is_limited()) keep_point(has_ended);

@@ -88,7 +88,8 @@ struct LexicographicOptions {
 /// How: the guessed rows make every level a set of equalities, solved by one orthogonal
 /// factorization from the top to the bottom (Sweep). If the check fails the guess is improved
 /// (ActiveSetSearch, Descent); if that doesn't end within `max_sweeps` the cascade solves
-/// (CascadeSolver), but not under a budget. docs/solver.md has the theory.
+/// (CascadeSolver), and where what was found hangs on little (Solution::borderline) it is asked for
+/// a second answer; neither under a budget. docs/solver.md has the theory.
 class LexicographicSolver {
  public:
   /// Takes the memory for as many unknowns, levels, and rows in them, as `capacity` has room for.
@@ -161,6 +162,11 @@ class LexicographicSolver {
   void take_from_sweep(const Hierarchy& hierarchy);
   void take_kept_point();
   void take_from_cascade(const Hierarchy& hierarchy);
+  void ask_cascade(const Hierarchy& hierarchy);
+  const Solution& solve_by_cascade(const Hierarchy& hierarchy);
+  void adopt(const Solution& solution);
+  [[nodiscard]] bool hangs_on(double pivot, double force) const;
+  [[nodiscard]] bool is_too_close_to_call() const;
   void describe(const Hierarchy& hierarchy);
   void count_freedom();
 
@@ -185,10 +191,11 @@ class LexicographicSolver {
   KeptPoint kept_;
   int first_level_ = 0;  // of the levels with a choice: those before are equalities
   int num_sweeps_ = 0, num_descents_ = 0;
-  bool has_guess_ = false;                              // from the last solve
-  bool is_swept_ = false;                               // the solution is that of the last sweep
-  bool is_orthonormal_ = true;                          // the basis
-  double keep_tolerance_ = 0.0, smallest_pivot_ = 1.0;  // after the leading equalities
+  bool has_guess_ = false;                            // from the last solve
+  bool is_swept_ = false;                             // the solution is that of the last sweep
+  bool is_orthonormal_ = true;                        // the basis
+  double keep_tolerance_ = 0.0;                       // after the leading equalities,
+  double smallest_pivot_ = 1.0, unused_pivot_ = 1.0;  // as in Sweep
 };
 
 }  // namespace surefoot

@@ -33,12 +33,12 @@ double violation(double value, double lower, double upper) {
 /// Rows uᵢ aᵢ, given with the lengths of aᵢ, the longest first: in this order a QR keeps what short
 /// rows say.
 MatrixXd in_units(const Level& level, std::vector<std::pair<double, Index>> counting,
-                  double x_size) {
+                  const VectorXd& x) {
   std::ranges::sort(counting, std::greater<>());
   MatrixXd rows(static_cast<Index>(counting.size()), level.A().cols());
   for (Index k = 0; k < rows.rows(); ++k) {
-    const auto [size, i] = counting[static_cast<std::size_t>(k)];
-    rows.row(k) = size * x_size * level.A().row(i);
+    const auto row = level.A().row(counting[static_cast<std::size_t>(k)].second);
+    rows.row(k) = row_unit(row, x) * row;
   }
   return rows;
 }
@@ -145,6 +145,11 @@ void RowSet::add(const RowSet& other) {
   origin.insert(origin.end(), other.origin.begin(), other.origin.end());
 }
 
+double row_unit(const Eigen::Ref<const Eigen::RowVectorXd>& row, const VectorXd& x) {
+  constexpr double kOfX = 1e-3;
+  return row.cwiseAbs().dot(x.cwiseAbs()) + row.norm() * (1.0 + kOfX * x.norm());
+}
+
 LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
                                       double tight) {
   const Index n = hierarchy.unknowns();
@@ -163,7 +168,7 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     const double upper = level.upper()[i];
     const double v = violation(value, lower, upper);
     const double size = row.norm();
-    const double near = tight * size * x_size;
+    const double near = tight * row_unit(level.A().row(i), x);
     result.gradient += v * row;
     sum_of_squares += v * v;
     if (size == 0.0) continue;
@@ -183,7 +188,7 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
     const double shortest = std::ranges::min(counting).first;
     result.pull += shortest * shortest * x_size;
   }
-  result.in_units = in_units(level, std::move(counting), x_size);
+  result.in_units = in_units(level, std::move(counting), x);
   result.residual = std::sqrt(sum_of_squares);
   return result;
 }

@@ -26,20 +26,26 @@ struct RowSet {
   std::vector<RowIndex> origin;
 };
 
+/// How large a row is at x, u = Σ |aⱼ xⱼ| + ‖a‖ (1 + 1e-3 ‖x‖): what is judged of its value is
+/// judged relative to it. The last part is what solvers leave of rounding where x is large: 1e-11
+/// ‖a‖ ‖x‖ of what counts as 1e-8.
+[[nodiscard]] double row_unit(const Eigen::Ref<const Eigen::RowVectorXd>& row,
+                              const Eigen::VectorXd& x);
+
 /// What decides whether x is optimal for a level, see `certify`: the gradient g of the level, and
 /// its own rows as they bind the levels after it. Allocates.
 struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
-  /// Rows uᵢ aᵢ, uᵢ = ‖aᵢ‖ (1 + ‖x‖), of those that are equalities, violated or at a bound.
+  /// Rows uᵢ aᵢ, uᵢ = `row_unit`, of those that are equalities, violated or at a bound.
   Eigen::MatrixXd in_units;
-  double pull = 0.0;      ///< Σ ‖aᵢ‖ |vᵢ| of the same rows, and ‖aᵢ‖ uᵢ of the shortest
-  double rounding = 0.0;  ///< that may be in g: 100 ε Σ ‖aᵢ‖ (|vᵢ| + uᵢ)
+  double pull = 0.0;      ///< Σ ‖aᵢ‖ |vᵢ| of the same rows, and ‖aᵢ‖² (1 + ‖x‖) of the shortest
+  double rounding = 0.0;  ///< that may be in g: 100 ε Σ ‖aᵢ‖ (|vᵢ| + ‖aᵢ‖ (1 + ‖x‖))
   RowSet fixed;           ///< E: equality rows and violated rows
   RowSet touching;        ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
 };
 
-/// `tight`: a row this close to a bound, relative to ‖a‖ (1 + ‖x‖), touches it.
+/// `tight`: a row this close to a bound, relative to its `row_unit`, touches it.
 [[nodiscard]] LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t level,
                                                     const Eigen::VectorXd& x, double tight);
 

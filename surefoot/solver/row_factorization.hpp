@@ -31,6 +31,8 @@ class RowFactorization {
 
   /// Directions that are no longer free: those that the rows can use, and those too weak for it.
   [[nodiscard]] Eigen::Index num_fixed() const { return num_fixed_; }
+  /// A direction is fixed that was too weak to be used.
+  [[nodiscard]] bool has_unused() const { return num_fixed_ > rank_; }
   /// Smallest relative length among the used pivots; 1 if there are none.
   [[nodiscard]] double smallest_pivot() const { return smallest_pivot_; }
 

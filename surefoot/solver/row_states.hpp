@@ -81,7 +81,7 @@ inline void reject(const Hierarchy& hierarchy, Solution& solution) {
   solution.status = SolveStatus::invalid_input;
   solution.failed_level = first_unsound_level(hierarchy);
   solution.time = 0.0;
-  solution.is_swept = false;
+  solution.is_swept = solution.borderline = false;
   solution.x.setZero();
   clear_levels(solution, 0);
 }

@@ -67,6 +67,7 @@ void SoftLevels::describe(const Hierarchy& hierarchy) {
 void SoftLevels::judge(const Solution& before, const Solution& after) {
   const bool is_before = before.status > after.status;
   solution_.status = is_before ? before.status : after.status;
+  solution_.borderline = before.borderline || after.borderline;
   solution_.failed_level = std::max(before.failed_level, after.failed_level);
   if (before.failed_level >= 0 && after.failed_level >= 0)
     solution_.failed_level = std::min(before.failed_level, after.failed_level);

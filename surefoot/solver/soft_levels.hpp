@@ -40,9 +40,9 @@ class SoftLevels {
 
   /// x(s), and what each row of `hierarchy`, with all levels of either side, does there; a level
   /// that is on one side only has a residual here, too. The status is the worse of the two sides':
-  /// `optimal` says that both are, not that x(s) is. If one side failed, so did what is between. A
-  /// share that is no number is 0. `time` and `flops` are 0. The reference stays valid until the
-  /// next call. Does not allocate.
+  /// `optimal` says that both are, not that x(s) is. If one side failed, so did what is between. It
+  /// is borderline where one side is. A share that is no number is 0. `time` and `flops` are 0. The
+  /// reference stays valid until the next call. Does not allocate.
   const Solution& between(const Hierarchy& hierarchy, const Solution& before, const Solution& after,
                           double share) noexcept;
 

@@ -62,6 +62,12 @@ struct Solution {
   std::vector<LevelResult> levels;
   /// Where the status isn't optimal: index of the level, from 0; −1: none, or no single one.
   int failed_level = -1;
+  /// Which answer is the optimum depends on less than doubles can tell. Either the solver came to
+  /// two answers whose residuals differ, and x is the better one, or a decision was too close to
+  /// call: hardly anything was left of a row beside those above it, or hardly any force needed a
+  /// limit (`tolerance::kBorderlinePivot`, `kBorderlineForce`), or that was only a little clearer
+  /// and there was no second answer. False of an answer that ended early.
+  bool borderline = false;
   bool is_swept = false;  ///< found by sweeps, whose number is `iterations` of every level
   double time = 0.0;      ///< that solving took [s]; 0 unless the solver was given a clock
   /// Additions and multiplications that a budget would have counted (`SolveBudget`): without those

@@ -60,6 +60,7 @@ struct Sweep {
 
   // Rank policy, see RankTolerance.
   double solve_tolerance = 0.0, keep_tolerance = 0.0, smallest_pivot = 1.0;
+  double unused_pivot = 1.0;  ///< the smallest of those that were too weak to be used
 
   // Results.
   double* y = nullptr;

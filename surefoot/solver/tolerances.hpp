@@ -39,6 +39,11 @@ constexpr double rounding_after(double smallest_pivot) {
   return rounding < kMostRounding ? rounding : kMostRounding;
 }
 
+/// If less of a row was left, doubles can hardly tell whether it is independent.
+inline constexpr double kWeakPivot = 1e-5;
+/// If less of a row was left, doubles can't tell whether it is independent.
+inline constexpr double kBorderlinePivot = 1e-9;
+
 /// Values of rows, relative to ‖a‖ ‖x‖. Below: a difference may be rounding.
 inline constexpr double kRounding = 2e-14;
 /// A row that is no further beyond its bound is taken for satisfied by a sweep.
@@ -56,6 +61,10 @@ inline constexpr double kStrict = 1e-9;
 /// and forces small, a row that is kept in error costs more than one that is let go in vain.
 inline constexpr double kWrongSignOfNoise = 0.2;
 inline constexpr double kStrictOfNoise = 100.0;
+/// Of a held row, relative to Σ ‖aᵢ‖ |vᵢ|: doubles can hardly tell whether less is needed.
+inline constexpr double kWeakForce = 1e-6;
+/// The same: doubles can't tell whether less is needed.
+inline constexpr double kBorderlineForce = 1e-8;
 
 }  // namespace tolerance
 }  // namespace surefoot

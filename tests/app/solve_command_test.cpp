@@ -28,6 +28,17 @@ TEST(SolveCommand, WritesOneLineForEach) {
   EXPECT_NEAR(run.results[1]["levels"][1]["residual"].get<double>(), 2.0, 1e-12);
 }
 
+TEST(SolveCommand, SaysWhereAnAnswerIsBorderline) {
+  const std::string clear = R"({"levels":[{"A":[[1,1],[1,2]],"b":[0,1]}]})";
+  const std::string weak = R"({"levels":[{"A":[[1,1],[1,1.00000000005]],"b":[0,1]}]})";
+  EXPECT_FALSE(CommandRun(clear).results[0].contains("borderline"));
+  EXPECT_EQ(CommandRun(weak).results[0]["borderline"], true);
+  EXPECT_EQ(CommandRun(weak, {.file = "", .explain = true, .json = true}).results[0]["borderline"],
+            true);
+  const CommandRun text(weak, {.file = "", .explain = true});
+  EXPECT_NE(text.out.str().find(", borderline: "), std::string::npos);
+}
+
 TEST(SolveCommand, SaysWhichInstructionsTheSolverUses) {
   const std::string line = R"({"levels":[{"A":[[1]],"b":[1]}]})", name = fastest_kernels().name;
   EXPECT_EQ(CommandRun(line).results[0]["instructions"], name);

@@ -67,6 +67,16 @@ TEST(HierarchySummary, TellsHowEveryLevelCameOut) {
   EXPECT_EQ(report.levels[3].num_rows, 0) << "no level: nothing left of the report before";
 }
 
+TEST(HierarchySummary, SaysWhereTheSolutionIsBorderline) {
+  Example example;
+  for (const bool is_borderline : {true, false}) {
+    example.solution.borderline = is_borderline;
+    HierarchyReport report = stale_report();
+    summarise(example.solution, example.hierarchy, report);
+    EXPECT_EQ(report.borderline, is_borderline);
+  }
+}
+
 TEST(HierarchySummary, NamesTheActiveInequalitiesByTheirIds) {
   const Example example;
   HierarchyReport report = stale_report();

@@ -42,6 +42,7 @@ std::string bits(const T& signal) {
 
 inline void expect_same_blockers(const HierarchyReport& a, const HierarchyReport& b) {
   ASSERT_EQ(a.failed_level, b.failed_level);
+  ASSERT_EQ(a.borderline, b.borderline);
   ASSERT_EQ(a.blocking_is_known, b.blocking_is_known);
   ASSERT_EQ(a.num_blocking, b.num_blocking);
   ASSERT_EQ(a.transition_share, b.transition_share);

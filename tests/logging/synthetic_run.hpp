@@ -214,6 +214,7 @@ class SyntheticRun {
     report.missed[0] = {9, 2, -8.0 * a};
     report.missed[1] = {8, 0, 2.0 * a * a * a};
     report.blocking_is_known = true;
+    report.borderline = a > 0.5;
     report.num_blocking = a > 0.2 ? 1 : 0;
     report.blocking[0] = {9, 6, 1, 3.0 * a, 8.0 * a};
     report.level_switch = {};

@@ -391,6 +391,11 @@ def test_of_a_search_that_ended_early_levels_that_were_not_reached_say_nothing()
     assert (whole.status, whole.failed_level, whole.verdict, whole.levels[0].certificate) == ("optimal", None, None, None)
 
 
+def test_an_answer_says_that_it_is_borderline():
+    assert not surefoot.solve([{"A": [[1, 1]], "b": [2]}]).borderline
+    assert surefoot.solve([{"A": [[1, 1], [1, 1 + 5e-11]], "b": [0, 1]}]).borderline
+
+
 def test_an_answer_is_certified_where_that_is_asked_for():
     proven = surefoot.solve([{"A": [[1, 1]], "b": [2]}], certify=True)
     assert proven.verdict == "proven" and proven.levels[0].certificate <= 1e-12

@@ -238,6 +238,15 @@ TEST(CertificateRounding, ALimitThatOnlyRoundingOfALargeXPullsAtIsLeft) {
   }
 }
 
+TEST(CertificateRounding, ALimitIsHeldToItsOwnSizeHoweverLargeXIs) {
+  // A torque of 40 beside accelerations of 5000.
+  const HierarchyData levels{at_most(RowVector2d(0.0, 1.0), number(40.0)),
+                             equalities(RowVector2d(1.0, 0.0), number(5000.0)),
+                             equalities(RowVector2d(0.0, 1.0), number(50.0))};
+  EXPECT_LE(optimality_error(2, levels, Vector2d(5000.0, 40.0)), kProven);
+  EXPECT_GE(optimality_error(2, levels, Vector2d(5000.0, 40.0 + 2e-6)), 3.0 * kProvenStationarity);
+}
+
 TEST(CertificateRounding, ALimitThatOnlyAnErrorOfXPullsAtIsLeft) {
   // a + b = 0 is missed by 1e-10, for which a can make up: b ≤ 0 isn't needed.
   const HierarchyData levels{at_most(RowVector2d(0.0, 1.0), number(0.0)),

@@ -168,6 +168,64 @@ HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggressi
   return levels;
 }
 
+namespace {
+
+constexpr Index kBase = 6, kLeg = 3, kAll = 30;
+
+/// Rows of a foot: those of a rigid base, and its own leg, which reaches up and down by `weak`
+/// only.
+MatrixXd foot_rows(RandomMatrices& random, Index foot, double weak) {
+  MatrixXd rows = MatrixXd::Zero(kLeg, kAll);
+  const double x = foot % 2 == 0 ? 0.3 : -0.3, y = foot < 2 ? 0.2 : -0.2, z = -0.5;
+  rows.leftCols(kBase) << 1, 0, 0, 0, z, -y, 0, 1, 0, -z, 0, x, 0, 0, 1, y, -x, 0;
+  MatrixXd leg = random.matrix(kLeg, kLeg);
+  leg.row(2) *= weak;
+  rows.middleCols(kBase + kLeg * foot, kLeg) = leg;
+  return rows;
+}
+
+LevelData twice(const LevelData& level) { return joined(level, level); }
+
+LevelData opposite(const LevelData& level) { return {-level.A, -level.upper, -level.lower}; }
+
+/// Unknowns of the base alone, one a row.
+LevelData base_level(RandomMatrices& random, std::initializer_list<Index> unknowns) {
+  MatrixXd A = MatrixXd::Zero(static_cast<Index>(unknowns.size()), kAll);
+  Index row = 0;
+  for (const Index unknown : unknowns) A(row++, unknown) = 1.0;
+  return equalities(A, random.vector(row));
+}
+
+/// With rows of zeros, of which one asks for what can't be had.
+LevelData with_zeros(const LevelData& level, double impossible) {
+  return joined(level, equalities(MatrixXd::Zero(2, kAll), Eigen::Vector2d(0.0, impossible)));
+}
+
+}  // namespace
+
+HierarchyData straight_legged_levels(RandomMatrices& random, int feet) {
+  HierarchyData levels = table_one_levels(random, feet, random.uniform(0.0, 0.6));
+  const double usual = random.chance(0.2) ? 0.0 : std::pow(10.0, random.uniform(-8.0, -4.0));
+  MatrixXd contacts(0, kAll), swings(0, kAll);
+  for (Index foot = 0; foot < 4; ++foot) {
+    MatrixXd& rows = foot < feet ? contacts : swings;
+    rows.conservativeResize(rows.rows() + kLeg, Eigen::NoChange);
+    rows.bottomRows(kLeg) = foot_rows(random, foot, usual * random.uniform(-1.0, 1.0));
+  }
+  levels[1] = twice(equalities(contacts, 0.3 * random.vector(contacts.rows())));
+  levels[3] = twice(levels[3]);
+  levels[5] = with_zeros(equalities(swings, random.vector(swings.rows())), random.integer(0, 1));
+  levels[7] = base_level(random, {5});
+  levels[8] = base_level(random, {2});
+  levels[9] = base_level(random, {3, 4});
+  levels.insert(levels.begin() + 5, opposite(levels[4]));
+  for (LevelData& level : levels) {
+    const double factor = std::pow(10.0, random.uniform(-6.0, 6.0));
+    level = {factor * level.A, factor * level.lower, factor * level.upper};
+  }
+  return levels;
+}
+
 HierarchyData degenerate_levels(RandomMatrices& random, Index unknowns) {
   HierarchyData levels = random_levels(random, {.unknowns = unknowns,
                                                 .levels = random.integer(2, 5),

@@ -71,6 +71,11 @@ HierarchyData degenerate_levels(RandomMatrices& random, Eigen::Index unknowns);
 /// few limits are active, with 1 many at several levels.
 HierarchyData table_one_levels(RandomMatrices& random, int feet, double aggression);
 
+/// The same with legs that are nearly straight: of each contact's rows a direction is left of 1e-8
+/// to 1e-4, or none, that only the base moves. Contacts and force limits stand twice, a level
+/// beside its opposite and rows of zeros, and each level is scaled by 1e-6 to 1e6.
+HierarchyData straight_legged_levels(RandomMatrices& random, int feet);
+
 /// The shape of a COM trajectory: few equalities, many limits, then more least-squares rows than
 /// unknowns, which push into many of the limits. Three levels and x is unique.
 HierarchyData least_squares_under_limits(RandomMatrices& random, Eigen::Index unknowns);
