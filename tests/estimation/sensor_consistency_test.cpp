@@ -44,7 +44,7 @@ struct Standing {
     if (is_imu_late) health.imu = {.fault = SampleFault::late, .age = 0.01};
     if (are_encoders_late) health.encoders = {.fault = SampleFault::late, .age = 0.01};
     if (torques_are_none) health.joint_torques = {.fault = SampleFault::not_a_number, .age = 0.01};
-    consistency.update(reading,
+    consistency.update(reading, reading,
                        {.state = state,
                         .dynamics = dynamics,
                         .stands = stands,
