@@ -14,6 +14,7 @@ void read_imu_check(Section& section, ImuCheckOptions& options) {
   section.number("doubt", options.doubt, kNotNegative);
   section.number("force", options.force, kNotNegative);
   section.number("settle", options.settle, {.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"});
+  section.number("max_acceleration", options.max_acceleration, kPositive);
 }
 
 void read_frozen_joints(Section& section, FrozenJointOptions& options) {

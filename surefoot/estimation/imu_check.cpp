@@ -59,7 +59,7 @@ void ImuCheck::update(const SensorReading& reading, const RobotState& state,
   if (!follows || !is_finite || !is_new) forget();
   if (is_finite) {
     move(reading, state, dynamics);
-    count_firm_feet(state, stands, normal_W);
+    count_firm_feet(state, dynamics, stands, normal_W);
   }
   judge();
 }
@@ -89,12 +89,17 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   }
 }
 
-void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stands,
-                               const Vec3& normal_W) {
+void ImuCheck::count_firm_feet(const RobotState& state, const Dynamics& dynamics,
+                               const PerLeg<bool>& stands, const Vec3& normal_W) {
+  Vec3 acceleration = kGravityVector;
+  for (std::size_t k = 0; k < kNumLegs; ++k)
+    if (stands[k]) acceleration += state.foot_force[k] / dynamics.mass;
+  const bool is_thrown = acceleration.norm() > options_.max_acceleration;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
     const bool is_firm =
-        stands[k] && normal_W.dot(state.foot_force[k]) >= options_.force;  // not if it is NaN
+        stands[k] && !is_thrown &&
+        normal_W.dot(state.foot_force[k]) >= options_.force;  // not if it is NaN
     firm_ticks_[k] = is_firm ? std::min(firm_ticks_[k] + 1, 1 << 20) : 0;
     if (!is_firm) rolled_[k].setZero();
   }

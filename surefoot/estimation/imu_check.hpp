@@ -81,7 +81,8 @@ class ImuCheck {
 
   [[nodiscard]] const Moment& before(int ticks) const;
   void move(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics);
-  void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
+  void count_firm_feet(const RobotState& state, const Dynamics& dynamics,
+                       const PerLeg<bool>& stands, const Vec3& normal_W);
   [[nodiscard]] Vec3 second_way_of_imu(int half) const;
   [[nodiscard]] double unseen_way(int ticks) const;
   /// Between the IMU's way and the mean of these feet's [m].

@@ -17,6 +17,9 @@ struct ImuCheckOptions {
   double doubt = 2.0;
   double force = 20.0;   ///< a foot that carries less says nothing [N] …
   double settle = 0.03;  ///< … nor one that does so for less [s]
+  /// Nor any where their forces throw the robot up or let it fall: feet come off then before their
+  /// forces tell it [m/s²].
+  double max_acceleration = 8.0;
 };
 
 /// When a joint's encoder or torque sensor stands still, bit by bit, though the joint does not.
