@@ -71,8 +71,8 @@ void read_leg(Section& section, SensorFault& fault) {
   fault.leg = static_cast<int>(found - kLegNames.begin());
 }
 
-/// Jumps and spikes are told in the sensor's unit, lateness in ticks, a scale as a factor; the others
-/// have no size.
+/// Jumps and spikes are told in the sensor's unit, lateness in ticks, a scale as a factor; the
+/// others have no size.
 void check_size(Section& section, const SensorFault& fault) {
   const bool late = fault.kind == FaultKind::late;
   const bool off = fault.kind == FaultKind::jump || fault.kind == FaultKind::spike;

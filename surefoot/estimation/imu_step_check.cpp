@@ -69,9 +69,12 @@ void ImuStepCheck::judge(const Dynamics& dynamics, const PerLeg<bool>& stands) {
     in_favour += more < -kSure ? 1 : 0;
   }
   verdict_ = ImuStep::undecided;
-  if (witnesses < kLeastWitnesses) verdict_ = ImuStep::no_witness;
-  else if (against == witnesses) verdict_ = ImuStep::contradicted;
-  else if (2 * in_favour > witnesses) verdict_ = ImuStep::confirmed;
+  if (witnesses < kLeastWitnesses)
+    verdict_ = ImuStep::no_witness;
+  else if (against == witnesses)
+    verdict_ = ImuStep::contradicted;
+  else if (2 * in_favour > witnesses)
+    verdict_ = ImuStep::confirmed;
 }
 
 }  // namespace surefoot

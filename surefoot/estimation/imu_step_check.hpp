@@ -57,7 +57,7 @@ class ImuStepCheck {
   double period_;
   bool has_begun_ = false;
   Way offered_, held_;
-  PerLeg<Vec3> p_WF_{};      // of the feet before the step [m]
+  PerLeg<Vec3> p_WF_{};        // of the feet before the step [m]
   PerLeg<bool> is_witness_{};  // they stood then
   ImuStep verdict_ = ImuStep::not_judged;
 };

@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kSlowJoints = 0.5;  // of a robot that stands [rad/s]
+constexpr double kSlowJoints = 0.5;   // of a robot that stands [rad/s]
 constexpr double kFastestBias = 0.5;  // beyond any gyroscope's [rad/s]
 constexpr double kBears = 0.5;        // share of the weight
 constexpr double kUnlike = 0.5;       // of the larger of weight and force

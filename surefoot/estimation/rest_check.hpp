@@ -12,8 +12,8 @@ namespace surefoot {
 ///     m f = Σ f_k,    ω = 0
 ///
 /// in B. An IMU that is mounted upside down, gives another unit or has a wrong sign is off by as
-/// much as there is; wrong masses, payloads and torques explain less than half of it. Legs that bear
-/// less than half of the robot say nothing: it may lie, or hang.
+/// much as there is; wrong masses, payloads and torques explain less than half of it. Legs that
+/// bear less than half of the robot say nothing: it may lie, or hang.
 class RestCheck {
  public:
   /// `period` of the control loop [s].

@@ -46,7 +46,8 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
   const Wrench errors = claimed_by_errors(dynamics, stands);
   by_errors_.force += claim_gain_ * (errors.force - by_errors_.force);
   by_errors_.moment += claim_gain_ * (errors.moment - by_errors_.moment);
-  claims_for_ = claims_too_much() && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
+  claims_for_ =
+      claims_too_much() && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
 }
 
 // A torque that is told e too high lets its leg push J⁺ᵀ e less on the ground.

@@ -42,7 +42,7 @@ class TorqueCheck {
   double period_, gain_, claim_gain_;
   JointVector error_ = JointVector::Zero(), off_for_ = JointVector::Zero();  // [N·m], [s]
   ExternalForceEstimator claim_;
-  Wrench by_errors_;  // of it
+  Wrench by_errors_;                           // of it
   double exact_for_ = 0.0, claims_for_ = 0.0;  // [s]
 };
 

@@ -171,8 +171,8 @@ struct SensorFault {
   double duration = std::numeric_limits<double>::infinity();  ///< [s]
   /// In the sensor's unit, on each of its values; of `late` in control ticks, of `scaled` a factor.
   double size = 0.0;
-  int joint = -1;     ///< encoders and joint_torques: this one alone; -1: all
-  int leg = -1;       ///< foot_force: this one alone; -1: all
+  int joint = -1;  ///< encoders and joint_torques: this one alone; -1: all
+  int leg = -1;    ///< foot_force: this one alone; -1: all
 };
 
 struct SensorOptions {

@@ -40,8 +40,8 @@ struct Stepping {
     held.gyro = is_doubted ? held.gyro : w_B;
     held.accelerometer = R_half.transpose() * (kGravity * kUp + (is_doubted ? Vec3::Zero() : a));
     offered.gyro = w_B + (is_doubted && !moves ? step_w : Vec3::Zero());
-    offered.accelerometer = R_half.transpose() * (kGravity * kUp + a) +
-                            (is_doubted && !moves ? step_f : Vec3::Zero());
+    offered.accelerometer =
+        R_half.transpose() * (kGravity * kUp + a) + (is_doubted && !moves ? step_f : Vec3::Zero());
     p += kPeriod * (v + 0.5 * kPeriod * a);
     v += kPeriod * a;
     R = R * exp_rotation(kPeriod * w_B).toRotationMatrix();
