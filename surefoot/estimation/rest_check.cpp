@@ -17,10 +17,11 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
   const double weight = mass * kGravity;
   const bool stands = joint_velocity.cwiseAbs().maxCoeff() < kSlowJoints &&
                       force.norm() > kBears * weight;  // not if it is NaN
+  if (!stands) return;
   const double off = (mass * reading.accelerometer - force).norm();
   const bool is_off = off > kUnlike * std::max(weight, force.norm());
   const bool turns = reading.gyro.norm() > kFastestBias;
-  wrong_for_ = stands && (is_off || turns) ? wrong_for_ + period_ : 0.0;
+  wrong_for_ = is_off || turns ? wrong_for_ + period_ : 0.0;
 }
 
 }  // namespace surefoot

@@ -13,7 +13,7 @@ namespace surefoot {
 ///
 /// in B. An IMU that is mounted upside down, gives another unit or has a wrong sign is off by as
 /// much as there is; wrong masses, payloads and torques explain less than half of it. Legs that
-/// bear less than half of the robot say nothing: it may lie, or hang.
+/// bear less than half of the robot, or move, say nothing: what was found before stands.
 class RestCheck {
  public:
   /// `period` of the control loop [s].
