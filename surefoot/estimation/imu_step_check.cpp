@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kCarries = 20.0;  // a foot that stands [N]
 constexpr int kLeastWitnesses = 2;
+constexpr int kShort = 2;         // samples held that leave the velocity as it was
+constexpr double kUnsure = 0.05;  // for which the feet correct the velocity [s]
 /// What encoders, rolling feet and samples out of step make of a foot within 20 ms [m].
 constexpr double kSure = 1e-3;
 
@@ -16,6 +18,7 @@ constexpr double kSure = 1e-3;
 
 void ImuStepCheck::forget() noexcept {
   has_begun_ = false;
+  doubted_ticks_ = 0;
   verdict_ = ImuStep::not_judged;
 }
 
@@ -23,11 +26,14 @@ void ImuStepCheck::update(const SensorReading& offered, const SensorReading& hel
                           const RobotState& state, const Dynamics& dynamics,
                           const PerLeg<bool>& stands, const Vec3& normal_W) noexcept {
   if (!is_doubted) {
+    const bool was_blow = doubted_ticks_ > kShort && verdict_ != ImuStep::contradicted;
+    unsure_ticks_ = was_blow ? static_cast<int>(kUnsure / period_) : std::max(0, unsure_ticks_ - 1);
     forget();
     begin(held, state, dynamics, stands, normal_W);
     return;
   }
-  if (!has_begun_) is_witness_.fill(false);
+  ++doubted_ticks_;
+  if (!has_begun_ || unsure_ticks_ > 0) is_witness_.fill(false);
   carry(offered_, offered);
   carry(held_, held);
   judge(dynamics, stands);

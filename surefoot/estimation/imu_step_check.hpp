@@ -26,7 +26,8 @@ enum class ImuStep : int {
 /// and the way that leaves less of d_k is the true one. That takes no limit on how hard a robot may
 /// be hit: what counts is which of the two explains the legs. A foot that slides or comes off fits
 /// neither, so all have to contradict the step for it to be a fault, and most
-/// to confirm it for a blow. Does not allocate.
+/// to confirm it for a blow. After samples were held through a blow the believed velocity lacks
+/// what they said, and for 50 ms no foot is a witness. Does not allocate.
 class ImuStepCheck {
  public:
   explicit ImuStepCheck(double period) : period_(period) {}
@@ -56,6 +57,8 @@ class ImuStepCheck {
 
   double period_;
   bool has_begun_ = false;
+  int doubted_ticks_ = 0;
+  int unsure_ticks_ = 0;  // of the velocity, left
   Way offered_, held_;
   PerLeg<Vec3> p_WF_{};        // of the feet before the step [m]
   PerLeg<bool> is_witness_{};  // they stood then

@@ -135,6 +135,19 @@ TEST(ImuStepCheck, WithoutTwoFeetThatStoodBeforeThereIsNoWitness) {
   EXPECT_EQ(robot.after(1), ImuStep::no_witness) << "nothing is known of before";
 }
 
+// The velocity that is believed then lacks what was held.
+TEST(ImuStepCheck, BehindABlowThatWasHeldThereIsNoWitnessForAMoment) {
+  for (const double size : {30.0, 0.0}) {
+    Stepping robot;
+    robot.step_f = {size, 0.0, 0.0};
+    (void)robot.after(kBridged);
+    robot.tick(false);
+    EXPECT_EQ(robot.after(1), ImuStep::no_witness);
+    for (int i = 0; i < 30; ++i) robot.tick(false);
+    EXPECT_EQ(robot.after(1), ImuStep::undecided);
+  }
+}
+
 TEST(ImuStepCheck, AllocatesNothing) {
   Stepping robot;
   robot.step_f = {30.0, 0.0, 0.0};
