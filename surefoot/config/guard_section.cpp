@@ -14,6 +14,9 @@ void read_imu_check(Section& section, ImuCheckOptions& options) {
   section.number("doubt", options.doubt, kNotNegative);
   section.number("force", options.force, kNotNegative);
   section.number("settle", options.settle, {.min = 0.0, .max = 1.0, .words = "from 0 to 1 s"});
+  section.number("max_acceleration", options.max_acceleration, kPositive);
+  section.number("tumbling", options.tumbling, kPositive);
+  section.number("shaking", options.shaking, kPositive);
 }
 
 void read_frozen_joints(Section& section, FrozenJointOptions& options) {

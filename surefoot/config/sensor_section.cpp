@@ -71,12 +71,14 @@ void read_leg(Section& section, SensorFault& fault) {
   fault.leg = static_cast<int>(found - kLegNames.begin());
 }
 
-/// Jumps and spikes are told in the sensor's unit, lateness in ticks; the others have no size.
+/// Jumps and spikes are told in the sensor's unit, lateness in ticks, a scale as a factor; the
+/// others have no size.
 void check_size(Section& section, const SensorFault& fault) {
   const bool late = fault.kind == FaultKind::late;
   const bool off = fault.kind == FaultKind::jump || fault.kind == FaultKind::spike;
-  if (!late && !off) {
-    if (section.node("size") != nullptr) section.fail("size", "only jump, spike and late have one");
+  if (!late && !off && fault.kind != FaultKind::scaled) {
+    if (section.node("size") != nullptr)
+      section.fail("size", "only jump, spike, scaled and late have one");
     return;
   }
   section.require("size");
@@ -108,7 +110,8 @@ void read_fault(Section& section, bool has_foot_sensors, SensorFault& fault) {
                              {"nan", FaultKind::nan},
                              {"jump", FaultKind::jump},
                              {"late", FaultKind::late},
-                             {"spike", FaultKind::spike}});
+                             {"spike", FaultKind::spike},
+                             {"scaled", FaultKind::scaled}});
   section.number("time", fault.time, kNotNegative);
   section.number("duration", fault.duration, kPositive);
   if (fault.kind == FaultKind::spike && section.node("duration") != nullptr)

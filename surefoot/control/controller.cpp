@@ -83,6 +83,7 @@ struct Controller::Implementation : ControllerMemory {
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   void take_in(SensorReading reading) noexcept;
   void begin_anew() noexcept;
+  void compare_at_rest() noexcept;
   [[nodiscard]] bool estimate() noexcept;
   const Dynamics& feel() noexcept;
   [[nodiscard]] const Solution* act(const UserCommand& user) noexcept;
@@ -144,7 +145,8 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   if (believed) safety.set_standing(record.plan.standing());
   // Whose base is not known, but whose joints are.
   const bool waits = !safety.has_begun() && !safety.has_stopped();
-  const bool is_blind = !believed && (waits || safety.is_sitting_down());
+  const bool knows_base = believed && rest_check.wrong_for() == 0.0;
+  const bool is_blind = !knows_base && (waits || safety.is_sitting_down());
   if (is_blind) safety.bear(standing_torque(model, record.state.q));
   if (guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);
@@ -180,11 +182,21 @@ bool Controller::Implementation::estimate() noexcept {
     return false;
   }
   record.state = estimator->update(guard.repaired(), context());
+  if (!safety.has_begun() && !safety.has_stopped()) compare_at_rest();
   forget_lost_joints();
   const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestHold;
   const bool believed = is_plausible(record.state) && !clock_jumps;
   if (believed) last_time = record.state.time;
   return believed && !safety.has_stopped() && safety.lost_sensor(record.health) == StopCause::none;
+}
+
+// An IMU that is upside down or has another unit would else be known by its tilt, or never begin.
+void Controller::Implementation::compare_at_rest() noexcept {
+  const SensorReading& reading = guard.repaired();
+  const Vec3 force = borne_force(model, reading.q, reading.torque);
+  rest_check.update(reading, joint_velocity, force, model.dynamics().mass);
+  if (!(rest_check.wrong_for() > 0.0) || record.health.imu.fault != SampleFault::none) return;
+  record.health.imu = {.fault = SampleFault::contradicts, .age = rest_check.wrong_for()};
 }
 
 // What was filled in for an encoder is good for a short time only.
@@ -306,7 +318,7 @@ void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexc
   PerLeg<Vec3> v_WF;
   for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = record.plan.feet[k].v_WF;
   const Vec3 normal_W = planner.terrain_normal();
-  consistency.update(guard.repaired(),
+  consistency.update(guard.repaired(), guard.offered(),
                      {.state = record.state,
                       .dynamics = dynamics,
                       .stands = stands,
@@ -314,6 +326,7 @@ void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexc
                       .normal_W = normal_W,
                       .command = record.command.torque},
                      record.health);
+  guard.judge_imu_step(consistency.imu_step());
 }
 
 static_assert(KinematicCalibration::kFadeIn <= CalibrationMotion::kTakeOver);

@@ -18,6 +18,7 @@ double checked_period(double period) {
 ControllerMemory::ControllerMemory(const RobotDescription& robot, const ControllerOptions& options,
                                    const RobotModel& model)
     : guard(options.guard, robot, checked_period(options.period)),
+      rest_check(options.period),
       contact_force(options.contact_force, options.period),
       kinematics(robot, options.period),
       link_masses(options.link_masses, options.period),

@@ -6,6 +6,7 @@
 #include "surefoot/estimation/kinematic_calibration.hpp"
 #include "surefoot/estimation/link_mass_estimator.hpp"
 #include "surefoot/estimation/reading_guard.hpp"
+#include "surefoot/estimation/rest_check.hpp"
 #include "surefoot/estimation/sensor_consistency.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/planning/planner.hpp"
@@ -20,6 +21,7 @@ struct ControllerMemory {
                    const RobotModel& model);
 
   ReadingGuard guard;
+  RestCheck rest_check;
   ContactForceEstimator contact_force;
   JointVector joint_velocity = JointVector::Zero();  // observed [rad/s]
   KinematicCalibration kinematics;

@@ -146,8 +146,10 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
-  // What an IMU tells that the robot sits down for is believed no longer.
-  const bool lies = sitting_ && command_.cause == StopCause::imu;
+  // What an IMU tells that the robot sits down for is believed no longer, nor what legs that stand
+  // contradict.
+  const bool lies = (sitting_ && command_.cause == StopCause::imu) ||
+                    (!has_begun_ && health.imu.fault == SampleFault::contradicts);
   const bool is_sure =
       !lies && posed_ != CommandMode::lifted && (has_begun_ || failures_ * period_ > kUnsureTilt);
   if (is_tilted(state) && is_sure) {

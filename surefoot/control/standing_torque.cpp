@@ -1,5 +1,7 @@
 #include "surefoot/control/standing_torque.hpp"
 
+#include "surefoot/model/leg_jacobian.hpp"
+
 #include <Eigen/Cholesky>
 
 namespace surefoot {
@@ -42,6 +44,17 @@ JointVector standing_torque(RobotModel& model, const JointVector& q) noexcept {
         force[static_cast<Eigen::Index>(index(leg))] * J.row(2).tail<kNumJoints>().transpose();
   }
   return torque;
+}
+
+Vec3 borne_force(RobotModel& model, const JointVector& q, const JointVector& torque) noexcept {
+  const Dynamics& dynamics = model.update(level_at_rest(q), Vec3::UnitZ());
+  const JointVector by_ground = dynamics.h.tail<kNumJoints>() - torque;
+  Vec3 force = Vec3::Zero();
+  for (const Leg leg : kLegs) {
+    const Mat3 inverse = damped_inverse(leg_jacobian(dynamics.contact[index(leg)], leg));
+    force += inverse.transpose() * by_ground.segment<kJointsPerLeg>(first_joint(leg));
+  }
+  return force;
 }
 
 }  // namespace surefoot

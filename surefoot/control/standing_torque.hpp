@@ -14,4 +14,10 @@ namespace surefoot {
 /// this posture. Does not allocate.
 [[nodiscard]] JointVector standing_torque(RobotModel& model, const JointVector& q) noexcept;
 
+/// Force of the ground on the feet all together, of a robot at rest whose torso is taken to be
+/// level, by its joint torques [N], in B. Not finite where q [rad] or a torque [N·m] isn't. As
+/// above.
+[[nodiscard]] Vec3 borne_force(RobotModel& model, const JointVector& q,
+                               const JointVector& torque) noexcept;
+
 }  // namespace surefoot

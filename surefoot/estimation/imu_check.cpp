@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 namespace {
 
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr int kLeastFeet = 2, kLeastFeetForTurn = 3;
 /// Parts of the window: a gross error shows in a short one already.
 constexpr std::array<double, ImuCheck::kNumSpans> kParts{0.1, 0.25, 0.5, 1.0};
@@ -60,6 +62,7 @@ void ImuCheck::update(const SensorReading& reading, const RobotState& state,
   if (is_finite) {
     move(reading, state, dynamics);
     count_firm_feet(state, stands, normal_W);
+    if (is_thrown(reading, state, dynamics, stands)) firm_ticks_.fill(0);
   }
   judge();
 }
@@ -89,6 +92,17 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   }
 }
 
+// What both instruments feel is no fault of one, and feet come off before their forces tell it.
+bool ImuCheck::is_thrown(const SensorReading& reading, const RobotState& state,
+                         const Dynamics& dynamics, const PerLeg<bool>& stands) const {
+  Vec3 by_feet = kGravityVector;
+  for (std::size_t k = 0; k < kNumLegs; ++k)
+    if (stands[k]) by_feet += state.foot_force[k] / dynamics.mass;
+  const double shaken = std::abs(reading.accelerometer.norm() - kGravity);
+  const bool tumbles = reading.gyro.norm() > options_.tumbling && shaken > options_.shaking;
+  return tumbles || by_feet.norm() > options_.max_acceleration;
+}
+
 void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stands,
                                const Vec3& normal_W) {
   for (const Leg leg : kLegs) {
@@ -115,13 +129,17 @@ double ImuCheck::unseen_way(int ticks) const {
   return jump * period_ * (0.5 * period_ * ticks);
 }
 
-double ImuCheck::displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const {
-  const auto feet = static_cast<double>(std::ranges::count(firm, true));
+// Feet that slide or fly off differ from an IMU that is right, but one that is wrong differs from
+// all of them.
+double ImuCheck::least_displacement(const Vec3& second_way, const PerLeg<bool>& firm,
+                                    int ticks) const {
+  double least = kUnlimited;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     if (!firm[k]) continue;
-    second_way += (before(0).x[k] - 2.0 * before(ticks / 2).x[k] + before(ticks).x[k]) / feet;
+    const Vec3 of_foot = before(0).x[k] - 2.0 * before(ticks / 2).x[k] + before(ticks).x[k];
+    least = std::min(least, (second_way + of_foot).norm());
   }
-  return second_way.norm();
+  return least;
 }
 
 double ImuCheck::swing(const PerLeg<bool>& firm, int from, int to) const {
@@ -149,7 +167,7 @@ ImuDisagreement ImuCheck::compare(int ticks) const {
     result.feet += firm[k] ? 1 : 0;
   }
   if (result.feet < kLeastFeet) return result;
-  result.displacement = displacement(second_way, firm, ticks);
+  result.displacement = least_displacement(second_way, firm, ticks);
   result.unseen = unseen_way(ticks);
   const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
   result.spread = first.spread + second.spread;
@@ -165,7 +183,6 @@ ImuDisagreement ImuCheck::compare(int ticks) const {
     if (!firm[k]) continue;
     PerLeg<bool> others = firm;
     others[k] = false;
-    result.displacement = std::min(result.displacement, displacement(second_way, others, ticks));
     result.turn =
         std::min(result.turn, 2.0 * std::min(swing(others, ticks, half), swing(others, half, 0)));
   }

@@ -13,8 +13,7 @@ namespace surefoot {
 /// What the IMU and the legs say differently of how the base moved over a span of time.
 struct ImuDisagreement {
   int feet = 0;  ///< that stood all the time; one says nothing, two nothing of the turn
-  /// Of the base, beyond a steady velocity; from three feet on without the one that explains most
-  /// of it [m].
+  /// Of the base, beyond a steady velocity, by the foot that agrees most with the IMU [m].
   double displacement = 0.0;
   double spread = 0.0;  ///< how far the feet moved against each other, which casts doubt on it [m]
   double unseen = 0.0;  ///< what a blow between two samples may have added to it [m]
@@ -32,9 +31,11 @@ struct ImuDisagreement {
 /// turns on: φ must be there in both halves of the span. Of the accelerometer, the velocity at the
 /// beginning is not known, so the second halves of the way are held against the first:
 ///
-///     e = ΔΔp − ΔΔ ∫∫ (R_IB a + g_I) dt²,    ΔΔy = y(t) − 2 y(t − T/2) + y(t − T)
+///     e_k = −ΔΔx_k − ΔΔ ∫∫ (R_IB a + g_I) dt²,    ΔΔy = y(t) − 2 y(t − T/2) + y(t − T)
 ///
-/// An accelerometer that is off by a gives e = a (T/2)². g_I is by the believed attitude. A foot
+/// and the least of all feet counts: one that slides or flies off disagrees with an IMU that is
+/// right, but no foot agrees with one that is wrong.
+/// An accelerometer that is off by a gives e_k = a (T/2)². g_I is by the believed attitude. A foot
 /// that strikes the ground does so between two samples, which differ by Δa then: of the velocity at
 /// most Δa times the period is not known, for at most half of the span. Encoders or an IMU without
 /// a new sample at every tick are too coarse for this: nothing is said of them. Does not allocate
@@ -81,11 +82,14 @@ class ImuCheck {
 
   [[nodiscard]] const Moment& before(int ticks) const;
   void move(const SensorReading& reading, const RobotState& state, const Dynamics& dynamics);
+  [[nodiscard]] bool is_thrown(const SensorReading& reading, const RobotState& state,
+                               const Dynamics& dynamics, const PerLeg<bool>& stands) const;
   void count_firm_feet(const RobotState& state, const PerLeg<bool>& stands, const Vec3& normal_W);
   [[nodiscard]] Vec3 second_way_of_imu(int half) const;
   [[nodiscard]] double unseen_way(int ticks) const;
-  /// Between the IMU's way and the mean of these feet's [m].
-  [[nodiscard]] double displacement(Vec3 second_way, const PerLeg<bool>& firm, int ticks) const;
+  /// Between the IMU's way and that of the foot of these that agrees most with it [m].
+  [[nodiscard]] double least_displacement(const Vec3& second_way, const PerLeg<bool>& firm,
+                                          int ticks) const;
   /// By how much a line between two of these feet has turned, at most [rad].
   [[nodiscard]] double swing(const PerLeg<bool>& firm, int from, int to) const;
   [[nodiscard]] ImuDisagreement compare(int ticks) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -10,6 +11,7 @@ constexpr double kLostFactor = 5.0;   // of the patience, until any value is bel
 constexpr double kStill = 0.2;        // all angles at once, of a robot that lives [s]
 constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
 constexpr double kOther = 0.5;        // share of a step, for it to vouch for the other instrument's
+constexpr double kRounding = 1e-9;    // of times [s]
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
   JointVector result;
@@ -25,6 +27,9 @@ void tell_delay(const SampleWatch& watch, GroupHealth& health) {
   if (watch.delayed_for() == 0.0 || health.fault != SampleFault::none) return;
   health = {.fault = SampleFault::late, .age = std::fmax(health.age, watch.delayed_for())};
 }
+
+/// Not if it is NaN.
+bool can_be(const Vec3& value, double range) { return (value.cwiseAbs().array() <= range).all(); }
 
 /// NaN is the same as NaN.
 bool are_same(const JointVector& a, const JointVector& b) {
@@ -141,7 +146,15 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                 lost_);
 }
 
-// A blow is felt by both instruments; where only one steps, that one is wrong.
+// What is wrong by so much shows in the legs before a decision is due.
+bool ReadingGuard::believes_imu_step() {
+  const ImuStep step = std::exchange(imu_step_, ImuStep::not_judged);
+  const bool is_due = health_.imu.age + period_ >= options_.patience - kRounding;
+  return step == ImuStep::confirmed || step == ImuStep::no_witness ||
+         (step == ImuStep::undecided && is_due);
+}
+
+// A blow is felt by both instruments, or the legs confirm it.
 void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& given) {
   const Vec3 turn = Vec3::Constant(options_.sure_gyro_step);
   const Vec3 force = Vec3::Constant(options_.sure_acceleration_step);
@@ -150,21 +163,23 @@ void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& g
     note_step(accelerometer_, reading.accelerometer, kOther * force, options_.max_acceleration);
   }
   const double lately = imu_watch_.sample_time() - options_.patience;
+  const bool believes = believes_imu_step();
+  const auto most = [&](double step) { return Vec3::Constant(believes ? kUnlimited : step); };
   take(gyro_, reading.gyro, given.gyro,
        {.range = Vec3::Constant(options_.max_gyro),
-        .tolerance = Vec3::Constant(options_.max_gyro_step),
+        .tolerance = most(options_.max_gyro_step),
         .sure = turn,
-        .sure_only = !(accelerometer_.stepped >= lately)});
+        .sure_only = !believes && !(accelerometer_.stepped >= lately)});
   take(accelerometer_, reading.accelerometer, given.accelerometer,
        {.range = Vec3::Constant(options_.max_acceleration),
-        .tolerance = Vec3::Constant(options_.max_acceleration_step),
+        .tolerance = most(options_.max_acceleration_step),
         .sure = force,
-        .sure_only = !(gyro_.stepped >= lately)});
+        .sure_only = !believes && !(gyro_.stepped >= lately)});
 }
 
 void ReadingGuard::note_step(Instrument& instrument, const Vec3& value, const Vec3& large,
                              double range) const {
-  if (!(value.cwiseAbs().array() <= range).all()) return;  // nor if it is NaN
+  if (!can_be(value, range)) return;
   const double now = imu_watch_.sample_time();
   const double periods = std::max(1.0, (now - instrument.last_time) / period_);  // not NaN
   const Vec3 step = value - instrument.last;
@@ -197,6 +212,10 @@ void ReadingGuard::describe(const SensorReading& reading) {
   repaired_.torque = torques_.repaired();
   repaired_.gyro = gyro_.values.repaired();
   repaired_.accelerometer = accelerometer_.values.repaired();
+  offered_ = repaired_;
+  if (can_be(reading.gyro, options_.max_gyro)) offered_.gyro = reading.gyro;
+  if (can_be(reading.accelerometer, options_.max_acceleration))
+    offered_.accelerometer = reading.accelerometer;
   measured_ = repaired_;
   measured_.q = angles_.measured();
   if (!encoder_watch_.is_punctual()) measured_.q.setConstant(kNaN);

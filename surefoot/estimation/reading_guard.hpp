@@ -1,6 +1,7 @@
 #pragma once
 
 #include "surefoot/estimation/guarded_values.hpp"
+#include "surefoot/estimation/imu_step_check.hpp"
 #include "surefoot/estimation/reading_guard_options.hpp"
 #include "surefoot/model/description.hpp"
 
@@ -32,6 +33,9 @@ class ReadingGuard {
   void update(const SensorReading& reading, const JointVector& joint_velocity,
               const SensorReading& given) noexcept;
 
+  /// What the legs said in the tick before of the step that it doubts; counts for the next update.
+  void judge_imu_step(ImuStep step) { imu_step_ = step; }
+
   /// Of a robot that is not controlled nobody knows how fast its joints turn: then no jump is too
   /// large for the next sample to confirm it.
   void set_loose(bool loose) { is_loose_ = loose; }
@@ -51,6 +55,8 @@ class ReadingGuard {
   /// change within 0.2 s, those of the reading's that can be.
   [[nodiscard]] const SensorReading& measured() const { return measured_; }
   [[nodiscard]] const SensorHealth& health() const { return health_; }
+  /// repaired() with the IMU's samples as they came, where they can be, however far they stepped.
+  [[nodiscard]] const SensorReading& offered() const { return offered_; }
   /// Time since each joint's last good angle [s].
   [[nodiscard]] JointVector encoder_age() const;
   /// How far what repaired() has of the joints, and of the IMU, is behind its time [s].
@@ -76,6 +82,7 @@ class ReadingGuard {
   [[nodiscard]] bool imu_is_shaken() const;
   /// Within `patience` both of its instruments stepped.
   [[nodiscard]] bool is_hit() const;
+  [[nodiscard]] bool believes_imu_step();
   [[nodiscard]] bool goes_on(double time) noexcept;
   void miss(const SensorReading& reading, const JointVector& given_q) noexcept;
   [[nodiscard]] GuardedValues<kNumJoints>::Limits angle_limits(const JointVector& unseen) const;
@@ -101,7 +108,8 @@ class ReadingGuard {
   JointVector given_q_ = JointVector::Constant(kNaN);  // of the last, whatever its clock
   bool clock_is_right_ = true;
   bool is_loose_ = false;
-  SensorReading repaired_, measured_;
+  ImuStep imu_step_ = ImuStep::not_judged;
+  SensorReading repaired_, measured_, offered_;
   SensorHealth health_;
 };
 

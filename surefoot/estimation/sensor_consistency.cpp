@@ -17,11 +17,12 @@ void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
 
 void SensorConsistency::forget() noexcept {
   imu_.forget();
+  imu_step_.forget();
   torques_.forget();
 }
 
-void SensorConsistency::update(const SensorReading& reading, const ConsistencyInputs& known,
-                               SensorHealth& health) noexcept {
+void SensorConsistency::update(const SensorReading& reading, const SensorReading& offered,
+                               const ConsistencyInputs& known, SensorHealth& health) noexcept {
   if (!enabled_) return;
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
@@ -30,6 +31,12 @@ void SensorConsistency::update(const SensorReading& reading, const ConsistencyIn
   const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
              jumps = health.imu.fault == SampleFault::jump,
              turns_well = is_well(health.imu) || (jumps && !jumped_);
+  if (moves_well) {
+    imu_step_.update(offered, reading, jumps, known.state, known.dynamics, known.stands,
+                     known.normal_W);
+  } else {
+    imu_step_.forget();
+  }
   // A blow that was over with one sample: what was held in its place is no motion.
   const bool is_over = jumped_ && is_well(health.imu) &&
                        (reading.accelerometer - held_force_).norm() < kSameForce &&

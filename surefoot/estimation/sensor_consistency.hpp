@@ -2,6 +2,7 @@
 
 #include "surefoot/estimation/frozen_joints.hpp"
 #include "surefoot/estimation/imu_check.hpp"
+#include "surefoot/estimation/imu_step_check.hpp"
 #include "surefoot/estimation/torque_check.hpp"
 #include "surefoot/signals/sensor_health.hpp"
 
@@ -17,7 +18,8 @@ struct ConsistencyInputs {
   const JointVector& command;  ///< torques of the tick before [N·m]
 };
 
-/// Holds the sensors against each other: IMU against the feet that stand (`ImuCheck`), joints
+/// Holds the sensors against each other: IMU against the feet that stand (`ImuCheck`,
+/// `ImuStepCheck`), joints
 /// against what is asked of them (`FrozenJoints`), joint torques against what was commanded and
 /// what can push or load the robot (`TorqueCheck`). Does not allocate after construction.
 class SensorConsistency {
@@ -25,19 +27,24 @@ class SensorConsistency {
   SensorConsistency(const SensorConsistencyOptions& options, double period)
       : enabled_(options.enabled),
         imu_(options.imu, period),
+        imu_step_(period),
         frozen_(options.frozen, period),
         torques_(options.torques, period) {}
 
-  /// One tick, with the reading as `ReadingGuard` repairs it. What contradicts the others is
-  /// written into `health`, where nothing worse is known of it.
-  void update(const SensorReading& reading, const ConsistencyInputs& known,
-              SensorHealth& health) noexcept;
+  /// One tick, with the reading as `ReadingGuard` repairs it, and with the IMU's samples as they
+  /// were `offered`. What contradicts the others is written into `health`, where nothing worse is
+  /// known of it.
+  void update(const SensorReading& reading, const SensorReading& offered,
+              const ConsistencyInputs& known, SensorHealth& health) noexcept;
+  /// What the legs say of a step of the IMU that is doubted at this tick.
+  [[nodiscard]] ImuStep imu_step() const { return imu_step_.verdict(); }
   /// The legs are found to be other than was believed: what was held against them says nothing.
   void forget() noexcept;
 
  private:
   bool enabled_;
   ImuCheck imu_;
+  ImuStepCheck imu_step_;
   FrozenJoints frozen_;
   TorqueCheck torques_;
   double encoder_time_ = kNaN;  // [s]

@@ -17,6 +17,12 @@ struct ImuCheckOptions {
   double doubt = 2.0;
   double force = 20.0;   ///< a foot that carries less says nothing [N] …
   double settle = 0.03;  ///< … nor one that does so for less [s]
+  // Nor any where the robot is thrown, as feet come off then before their forces tell it: where
+  // these would accelerate it by more than
+  double max_acceleration = 6.0;  ///< [m/s²]
+  // or it turns faster than this, and feels more or less than g by that:
+  double tumbling = 1.0;  ///< [rad/s]
+  double shaking = 1.5;   ///< [m/s²]
 };
 
 /// When a joint's encoder or torque sensor stands still, bit by bit, though the joint does not.

@@ -1,5 +1,7 @@
 #include "surefoot/estimation/torque_check.hpp"
 
+#include "surefoot/model/leg_jacobian.hpp"
+
 #include <cmath>
 
 namespace surefoot {
@@ -7,6 +9,7 @@ namespace {
 
 constexpr double kSmoothing = 0.02;  // of a joint's error [s]
 constexpr double kSure = 0.01;       // an IMU that lies lets torques claim much for a moment [s]
+constexpr double kExplained = 0.5;   // share of a claim, of which errors of torques leave less
 
 }  // namespace
 
@@ -14,6 +17,7 @@ TorqueCheck::TorqueCheck(const TorqueCheckOptions& options, double period)
     : options_(options),
       period_(period),
       gain_(1.0 - std::exp(-period / kSmoothing)),
+      claim_gain_(1.0 - std::exp(-period / options.time_constant)),
       claim_(
           {.time_constant = options.time_constant, .load_time_constant = options.time_constant}) {}
 
@@ -21,6 +25,7 @@ void TorqueCheck::forget() noexcept {
   error_.setZero();
   off_for_.setZero();
   claims_for_ = 0.0;
+  by_errors_ = {};
 }
 
 void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
@@ -38,9 +43,34 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
   claimed.time = state.time;
   claimed.foot_force = state.foot_force;
   claim_.update(dynamics, stands, claimed);
-  const bool claims =
-      claim_.force().norm() > options_.max_force || claim_.moment().norm() > options_.max_moment;
-  claims_for_ = claims && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
+  const Wrench errors = claimed_by_errors(dynamics, stands);
+  by_errors_.force += claim_gain_ * (errors.force - by_errors_.force);
+  by_errors_.moment += claim_gain_ * (errors.moment - by_errors_.moment);
+  claims_for_ =
+      claims_too_much() && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
+}
+
+// A torque that is told e too high lets its leg push J⁺ᵀ e less on the ground.
+TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const Dynamics& dynamics,
+                                                   const PerLeg<bool>& stands) const {
+  Wrench result;
+  for (const Leg leg : kLegs) {
+    const PointKinematics& contact = dynamics.contact[index(leg)];
+    if (!stands[index(leg)]) continue;
+    const Vec3 force = damped_inverse(leg_jacobian(contact, leg)).transpose() *
+                       error_.segment<kJointsPerLeg>(first_joint(leg));
+    result.force += force;
+    result.moment += (contact.p - dynamics.com.p).cross(force);
+  }
+  return result;
+}
+
+bool TorqueCheck::claims_too_much() const {
+  const auto explains = [](const Vec3& claim, const Vec3& errors, double most) {
+    return claim.norm() > most && (claim - errors).norm() < kExplained * claim.norm();
+  };
+  return explains(claim_.force(), by_errors_.force, options_.max_force) ||
+         explains(claim_.moment(), by_errors_.moment, options_.max_moment);
 }
 
 double TorqueCheck::wrong_for() const {

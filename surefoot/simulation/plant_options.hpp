@@ -160,6 +160,7 @@ enum class FaultKind {
   jump,     ///< every sample is off by `size`
   late,     ///< samples are `size` ticks older than usual
   spike,    ///< one sample is off by `size`
+  scaled,   ///< every sample is `size` times what it should be: another unit, or a wrong sign
 };
 
 /// A sensor that fails for a time.
@@ -168,9 +169,10 @@ struct SensorFault {
   FaultKind kind = FaultKind::stops;
   double time = 0.0;                                          ///< start [s]
   double duration = std::numeric_limits<double>::infinity();  ///< [s]
-  double size = 0.0;  ///< in the sensor's unit, on each of its values; of `late` in control ticks
-  int joint = -1;     ///< encoders and joint_torques: this one alone; -1: all
-  int leg = -1;       ///< foot_force: this one alone; -1: all
+  /// In the sensor's unit, on each of its values; of `late` in control ticks, of `scaled` a factor.
+  double size = 0.0;
+  int joint = -1;  ///< encoders and joint_torques: this one alone; -1: all
+  int leg = -1;    ///< foot_force: this one alone; -1: all
 };
 
 struct SensorOptions {

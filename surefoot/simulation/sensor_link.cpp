@@ -109,6 +109,9 @@ void SensorLink::apply(Fault& fault) noexcept {
       case FaultKind::spike:
         value += options.size;
         break;
+      case FaultKind::scaled:
+        value *= options.size;
+        break;
     }
   });
   const bool has_other_time = options.kind == FaultKind::stops ||

@@ -103,7 +103,7 @@ TEST_F(PlantOfScenario, with_a_fault_that_makes_no_sense_names_key_and_reason) {
   says("sensor: imu, kind: stop, time: 1", "did you mean \"stops\"?");
   says("sensor: imu, kind: stops, time: -1", "at least 0");
   says("sensor: imu, kind: stops, time: 1, duration: 0", "above 0");
-  says("sensor: imu, kind: stops, time: 1, size: 2", "only jump, spike and late have one");
+  says("sensor: imu, kind: stops, time: 1, size: 2", "only jump, spike, scaled and late have one");
   says("sensor: gyro, kind: jump, time: 1", "size: this key is missing");
   says("sensor: imu, kind: jump, time: 1, size: 1", "have different units");
   says("sensor: gyro, kind: late, time: 1, size: 2.5", "a whole number of ticks from 1 to 1000");

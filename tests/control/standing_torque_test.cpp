@@ -52,6 +52,19 @@ TEST(StandingTorque, NoFootPulls) {
   }
 }
 
+TEST(BorneForce, IsTheWeightUnderTorquesThatBearTheRobot) {
+  RobotModel model(anymal_b());
+  Random random(2);
+  for (int i = 0; i < 50; ++i) {
+    const JointVector q = random.standing_state(anymal_b().q_nominal).q;
+    const JointVector torque = standing_torque(model, q);
+    const Vec3 weight = model.mass() * kGravity * Vec3::UnitZ();
+    EXPECT_LT((borne_force(model, q, torque) - weight).norm(), 0.05 * weight.norm());
+    EXPECT_LT(borne_force(model, q, JointVector::Zero()).norm(), 0.5 * weight.norm()) << "it lies";
+    EXPECT_FALSE(borne_force(model, q, JointVector::Constant(kNaN)).allFinite());
+  }
+}
+
 TEST(StandingTorque, IsNotFiniteWhereAngleIsNot) {
   RobotModel model(anymal_b());
   JointVector q = anymal_b().q_nominal;

@@ -29,6 +29,7 @@ struct Swaying {
       foot[index(leg)] = {is_front(leg) ? 0.33 : -0.33, is_left(leg) ? 0.22 : -0.22, kRadius};
       state.foot_force[index(leg)] = 75.0 * kUp;
     }
+    dynamics.mass = kNumLegs * 75.0 / kGravity;
     tick();
   }
 
@@ -182,6 +183,24 @@ TEST(ImuCheck, FeetThatDoNotStandOrHardlyCarrySayNothing) {
   EXPECT_GT(robot.time_until_found(), 0.99);
   robot.state.foot_force[1] = 75.0 * kUp;
   EXPECT_LE(robot.time_until_found(), 0.1) << "from now on three stand";
+}
+
+// Feet come off then before their forces tell it.
+TEST(ImuCheck, WhileTheRobotIsThrownNothingIsSaid) {
+  for (const double share : {0.2, 2.0}) {
+    Swaying robot;
+    robot.run(0.5);
+    for (Vec3& force : robot.state.foot_force) force *= share;
+    robot.accelerometer_error = {0.0, 3.0, 0.0};
+    EXPECT_GT(robot.time_until_found(), 0.99) << share;
+    for (Vec3& force : robot.state.foot_force) force /= share;
+    EXPECT_LE(robot.time_until_found(), 0.3) << "it stands again";
+  }
+  Swaying tumbling;
+  tumbling.run(0.5);
+  tumbling.gyro_error = {1.5, 0.0, 0.0};
+  tumbling.accelerometer_error = {0.0, 0.0, 8.0};
+  EXPECT_GT(tumbling.time_until_found(), 0.99) << "as both instruments feel";
 }
 
 TEST(ImuCheck, AGapOrAReadingWithoutNumbersBeginsAnew) {

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kPeriod = 0.0025;
 constexpr double kMass = 30.0;
+constexpr double kLever = 0.05;  // so short that no torque is off by what drives are not [m]
+const Vec3 kUp = Vec3::UnitZ();
 const TorqueCheckOptions kOptions;
 
 /// A lump of the robot's mass that stands still on four feet; a test makes its torques wrong.
@@ -19,7 +21,9 @@ struct Lump {
     dynamics.mass = kMass;
     state.foot_force.fill(0.25 * kMass * kGravity * Vec3::UnitZ());
     for (const Leg leg : kLegs) {
-      dynamics.contact[index(leg)].p = {is_front(leg) ? 0.3 : -0.3, is_left(leg) ? 0.2 : -0.2, 0.0};
+      PointKinematics& contact = dynamics.contact[index(leg)];
+      contact.p = {is_front(leg) ? 0.3 : -0.3, is_left(leg) ? 0.2 : -0.2, 0.0};
+      contact.J.middleCols<kJointsPerLeg>(6 + first_joint(leg)) = kLever * Mat3::Identity();
     }
     run(0.5);
   }
@@ -31,6 +35,11 @@ struct Lump {
   }
   void run(double duration) {
     for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
+  }
+  /// A force on a foot, be it real, or only told by torques that were not commanded.
+  void push(Leg leg, const Vec3& force, bool is_real) {
+    state.foot_force[index(leg)] += force;
+    if (!is_real) error.segment<kJointsPerLeg>(first_joint(leg)) -= kLever * force;
   }
 
   TorqueCheck check{kOptions, kPeriod};
@@ -88,11 +97,11 @@ TEST(TorqueCheck, WhatIsOffToEitherSideInTurnIsNotOffToOneSide) {
   }
 }
 
-TEST(TorqueCheck, ForcesThatNothingLoadsARobotWithAreFound) {
+TEST(TorqueCheck, ForcesThatNothingLoadsARobotWithAreFoundWhereTorquesWereNotCommanded) {
   for (const double share : {0.9, 1.1}) {
     Lump robot;
     const double each = share * kOptions.max_force / kNumLegs;
-    for (Vec3& force : robot.state.foot_force) force += each * Vec3(0.6, 0.0, 0.8);
+    for (const Leg leg : kLegs) robot.push(leg, each * Vec3(0.6, 0.0, 0.8), false);
     robot.run(1.0);
     EXPECT_EQ(robot.check.wrong_for() > 0.0, share > 1.0) << share;
     EXPECT_EQ(robot.check.joint(), -1);
@@ -102,21 +111,36 @@ TEST(TorqueCheck, ForcesThatNothingLoadsARobotWithAreFound) {
   }
 }
 
-TEST(TorqueCheck, MomentsThatNothingLoadsARobotWithAreFound) {
+TEST(TorqueCheck, MomentsThatNothingLoadsARobotWithAreFoundWhereTorquesWereNotCommanded) {
   for (const double share : {0.9, 1.1}) {
     Lump robot;
     const double each = share * kOptions.max_moment / (kNumLegs * 0.3);
-    for (const Leg leg : kLegs)
-      robot.state.foot_force[index(leg)].z() += is_front(leg) ? each : -each;
+    for (const Leg leg : kLegs) robot.push(leg, (is_front(leg) ? each : -each) * kUp, false);
     robot.run(1.0);
     EXPECT_EQ(robot.check.wrong_for() > 0.0, share > 1.0) << share;
+  }
+}
+
+// A robot that is thrown down, or lies on its belly.
+TEST(TorqueCheck, WhatTheCommandedTorquesClaimAsWellIsNoFault) {
+  for (const double share : {1.1, 5.0}) {
+    Lump pushed, turned;
+    for (const Leg leg : kLegs) {
+      pushed.push(leg, 0.25 * share * kOptions.max_force * kUp, true);
+      const double each = share * kOptions.max_moment / (kNumLegs * 0.3);
+      turned.push(leg, (is_front(leg) ? each : -each) * kUp, true);
+    }
+    pushed.run(1.0);
+    turned.run(1.0);
+    EXPECT_EQ(pushed.check.wrong_for(), 0.0) << share;
+    EXPECT_EQ(turned.check.wrong_for(), 0.0) << share;
   }
 }
 
 TEST(TorqueCheck, EncodersThatAreCoarserThanTheLoopSayNothingOfForces) {
   Lump robot;
   robot.encoder_ticks = 2;
-  for (Vec3& force : robot.state.foot_force) force *= 5.0;
+  for (const Leg leg : kLegs) robot.push(leg, 0.28 * kOptions.max_force * kUp, false);
   robot.run(2.0);
   EXPECT_EQ(robot.check.wrong_for(), 0.0);
   robot.encoder_ticks = 1;

@@ -29,6 +29,8 @@ class Loop {
   /// Until the time, or until `stop` says so.
   void run_until(double time, const std::function<bool()>& stop = [] { return false; });
 
+  /// Between two ticks.
+  [[nodiscard]] Controller& controller() { return controller_; }
   [[nodiscard]] const GroundTruth& truth() const { return plant_.truth(); }
   [[nodiscard]] const TickRecord& record() const { return controller_.record(); }
   [[nodiscard]] const Hierarchy& hierarchy() const { return controller_.hierarchy(); }

@@ -135,6 +135,16 @@ TEST(SensorLink, adds_the_size_of_a_spike_to_one_sample) {
   }
 }
 
+TEST(SensorLink, scales_every_sample_of_another_unit_or_sign) {
+  const auto readings = received(with_fault(fault(FaultySensor::gyro, FaultKind::scaled, -57.3)));
+  for (int tick = 0; tick < 40; ++tick) {
+    const SensorReading& reading = readings[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(reading.gyro.x(), (active(tick) ? -57.3 : 1.0) * (3000.0 + tick)) << tick;
+    EXPECT_EQ(reading.accelerometer, sampled_at(tick).accelerometer) << tick;
+    EXPECT_EQ(reading.imu_time, tick * kPeriod) << tick;
+  }
+}
+
 TEST(SensorLink, makes_late_samples_later_than_the_usual_delay) {
   SensorOptions options = with_fault(fault(FaultySensor::encoders, FaultKind::late, 4.0));
   options.encoders.delay_ticks = 2;

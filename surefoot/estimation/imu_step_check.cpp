@@ -1,0 +1,86 @@
+#include "surefoot/estimation/imu_step_check.hpp"
+
+#include "surefoot/math/rotation.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double kCarries = 20.0;  // a foot that stands [N]
+constexpr int kLeastWitnesses = 2;
+constexpr int kShort = 2;         // samples held that leave the velocity as it was
+constexpr double kUnsure = 0.05;  // for which the feet correct the velocity [s]
+/// What encoders, rolling feet and samples out of step make of a foot within 20 ms [m].
+constexpr double kSure = 1e-3;
+
+}  // namespace
+
+void ImuStepCheck::forget() noexcept {
+  has_begun_ = false;
+  doubted_ticks_ = 0;
+  verdict_ = ImuStep::not_judged;
+}
+
+void ImuStepCheck::update(const SensorReading& offered, const SensorReading& held, bool is_doubted,
+                          const RobotState& state, const Dynamics& dynamics,
+                          const PerLeg<bool>& stands, const Vec3& normal_W) noexcept {
+  if (!is_doubted) {
+    const bool was_blow = doubted_ticks_ > kShort && verdict_ != ImuStep::contradicted;
+    unsure_ticks_ = was_blow ? static_cast<int>(kUnsure / period_) : std::max(0, unsure_ticks_ - 1);
+    forget();
+    begin(held, state, dynamics, stands, normal_W);
+    return;
+  }
+  ++doubted_ticks_;
+  if (!has_begun_ || unsure_ticks_ > 0) is_witness_.fill(false);
+  carry(offered_, offered);
+  carry(held_, held);
+  judge(dynamics, stands);
+}
+
+void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
+                         const Dynamics& dynamics, const PerLeg<bool>& stands,
+                         const Vec3& normal_W) {
+  has_begun_ = true;
+  offered_ = {.R = state.R_WB(), .p = dynamics.base.p, .v = state.v_WB, .gyro = reading.gyro};
+  held_ = offered_;
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    p_WF_[k] = dynamics.foot[k].p;
+    is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= kCarries;  // not if NaN
+  }
+}
+
+void ImuStepCheck::carry(Way& way, const SensorReading& reading) const {
+  const Vec3 turn = 0.5 * period_ * (way.gyro + reading.gyro);
+  const Mat3 R_half = way.R * exp_rotation(0.5 * turn).toRotationMatrix();
+  const Vec3 change = period_ * (R_half * reading.accelerometer + kGravityVector);
+  way.p += period_ * (way.v + 0.5 * change);
+  way.v += change;
+  way.R = way.R * exp_rotation(turn).toRotationMatrix();
+  way.gyro = reading.gyro;
+}
+
+void ImuStepCheck::judge(const Dynamics& dynamics, const PerLeg<bool>& stands) {
+  const Mat3 R_BW = dynamics.base_rotation.R.transpose();
+  int witnesses = 0, against = 0, in_favour = 0;
+  for (std::size_t k = 0; k < kNumLegs; ++k) {
+    is_witness_[k] = is_witness_[k] && stands[k];
+    if (!is_witness_[k]) continue;
+    const Vec3 h_B = R_BW * (dynamics.foot[k].p - dynamics.base.p);
+    const auto moved = [&](const Way& way) { return (way.p + way.R * h_B - p_WF_[k]).norm(); };
+    const double more = moved(offered_) - moved(held_);
+    ++witnesses;
+    against += more > kSure ? 1 : 0;
+    in_favour += more < -kSure ? 1 : 0;
+  }
+  verdict_ = ImuStep::undecided;
+  if (witnesses < kLeastWitnesses)
+    verdict_ = ImuStep::no_witness;
+  else if (against == witnesses)
+    verdict_ = ImuStep::contradicted;
+  else if (2 * in_favour > witnesses)
+    verdict_ = ImuStep::confirmed;
+}
+
+}  // namespace surefoot
