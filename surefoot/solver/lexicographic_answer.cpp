@@ -64,6 +64,7 @@ bool LexicographicSolver::is_too_close_to_call() const {
 
 // A second answer, of which the better counts.
 void LexicographicSolver::ask_cascade(const Hierarchy& hierarchy) {
+  if (!is_finite(solution_, hierarchy.num_levels())) return;
   const bool is_too_close = is_too_close_to_call();
   const Solution& other = solve_by_cascade(hierarchy);
   if (other.status != SolveStatus::optimal) return;

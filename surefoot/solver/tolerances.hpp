@@ -64,7 +64,7 @@ inline constexpr double kStrictOfNoise = 100.0;
 /// Of a held row, relative to Σ ‖aᵢ‖ |vᵢ|: doubles can hardly tell whether less is needed.
 inline constexpr double kWeakForce = 1e-6;
 /// The same: doubles can't tell whether less is needed.
-inline constexpr double kBorderlineForce = 1e-8;
+inline constexpr double kBorderlineForce = 1e-7;
 
 }  // namespace tolerance
 }  // namespace surefoot
