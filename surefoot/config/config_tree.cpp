@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMaxDepth = 32;
 constexpr const char* kRandomise = "randomise";
-constexpr std::array<std::string_view, 3> kNamedEntries{"terrain.elements", "disturbances.pushes",
-                                                        "sensors.faults"};
+constexpr std::array<std::string_view, 4> kNamedEntries{"terrain.elements", "disturbances.pushes",
+                                                        "disturbances.lifts", "sensors.faults"};
 
 /// Turns yaml-cpp's nodes into ours; the only place that knows them.
 class Converter {

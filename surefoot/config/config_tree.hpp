@@ -47,9 +47,9 @@ void merge(ConfigNode& tree, ConfigNode overlay);
 void set_path(ConfigNode& tree, const std::string& path, ConfigNode value);
 
 /// An overlay from the command line, "path.to.key=value": the value is read as YAML.
-/// No value takes off an element of the terrain, a push or a fault, and what would be drawn of it.
-/// Throws Error if it has another form, if there is nothing to take off, and where the value is the
-/// home folder: a shell makes it of ~.
+/// No value takes off an element of the terrain, a push, a lift or a fault, and what would be drawn
+/// of it. Throws Error if it has another form, if there is nothing to take off, and where the value
+/// is the home folder: a shell makes it of ~.
 void apply_assignment(ConfigNode& tree, const std::string& assignment);
 
 /// The path of an assignment. Throws Error if it has none.

@@ -141,6 +141,8 @@ void read_initial(Section& initial, InitialState& state) {
   initial.section("joints", [&](Section& s) { read_joints(s, state); });
   initial.flag("limp", state.limp);
   initial.number("settle", state.settle, {.min = 0.0, .max = 5.0, .words = "from 0 to 5 s"});
+  if (state.limp && state.settle == 0.0)
+    initial.fail("limp", "needs time to sink down: a settle above 0 s");
 }
 
 void read_goal(Section& section, Goal& goal) {

@@ -83,11 +83,12 @@ struct Controller::Implementation : ControllerMemory {
   const JointCommand& step(const SensorReading& reading, const UserCommand& user) noexcept;
   void take_in(SensorReading reading) noexcept;
   void begin_anew() noexcept;
-  void compare_at_rest() noexcept;
+  [[nodiscard]] bool fits_at_rest() noexcept;
   [[nodiscard]] bool estimate() noexcept;
   const Dynamics& feel() noexcept;
   [[nodiscard]] const Solution* act(const UserCommand& user) noexcept;
   void get_on_feet() noexcept;
+  void keep_posture() noexcept;
   void stand_anew() noexcept;
   const JointVector& observe_joints() noexcept;
   [[nodiscard]] TickContext context() noexcept;
@@ -134,19 +135,19 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
       first_readings.are_contradicted(reading, guard.clock_is_right(), record.health, estimates) &&
       !safety.has_stopped();
   if (begun_anew) begin_anew();
-  if (footing.restarts()) stand_anew();
-  if (!estimates) footing.look_at_start(model, guard.repaired().q);
+  if (footing.restarts() && !safety.has_stopped()) stand_anew();
+  if (!std::isfinite(last_time)) footing.look_at_start(model, guard.repaired().q);
   const bool believed = estimate();
   ended(Stage::estimate);
   const Solution* solution = believed ? act(record.user) : nullptr;
   if (!believed) describe_refused_state();
+  if (!believed && !footing.stands() && !safety.has_stopped()) keep_posture();
   if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
   has_solved = solution != nullptr;
   if (believed) safety.set_standing(record.plan.standing());
   // Whose base is not known, but whose joints are.
   const bool waits = !safety.has_begun() && !safety.has_stopped();
-  const bool knows_base = believed && rest_check.wrong_for() == 0.0;
-  const bool is_blind = !knows_base && (waits || safety.is_sitting_down());
+  const bool is_blind = !believed && (waits || safety.is_sitting_down());
   if (is_blind) safety.bear(standing_torque(model, record.state.q));
   if (guard.is_shaken()) safety.be_careful();
   record.command = safety.command(record.state, solution, record.health);
@@ -182,21 +183,25 @@ bool Controller::Implementation::estimate() noexcept {
     return false;
   }
   record.state = estimator->update(guard.repaired(), context());
-  if (!safety.has_begun() && !safety.has_stopped()) compare_at_rest();
+  const bool fits = fits_at_rest();
   forget_lost_joints();
   const bool clock_jumps = std::abs(record.state.time - last_time) > kLongestHold;
   const bool believed = is_plausible(record.state) && !clock_jumps;
   if (believed) last_time = record.state.time;
-  return believed && !safety.has_stopped() && safety.lost_sensor(record.health) == StopCause::none;
+  return believed && fits && !safety.has_stopped() &&
+         safety.lost_sensor(record.health) == StopCause::none;
 }
 
 // An IMU that is upside down or has another unit would else be known by its tilt, or never begin.
-void Controller::Implementation::compare_at_rest() noexcept {
+bool Controller::Implementation::fits_at_rest() noexcept {
+  if (!footing.stands() || safety.has_begun() || safety.has_stopped()) return true;
   const SensorReading& reading = guard.repaired();
   const Vec3 force = borne_force(model, reading.q, reading.torque);
   rest_check.update(reading, joint_velocity, force, model.dynamics().mass);
-  if (!(rest_check.wrong_for() > 0.0) || record.health.imu.fault != SampleFault::none) return;
-  record.health.imu = {.fault = SampleFault::contradicts, .age = rest_check.wrong_for()};
+  if (!(rest_check.wrong_for() > 0.0)) return true;
+  if (record.health.imu.fault == SampleFault::none)
+    record.health.imu = {.fault = SampleFault::contradicts, .age = rest_check.wrong_for()};
+  return false;
 }
 
 // What was filled in for an encoder is good for a short time only.
@@ -266,9 +271,14 @@ void Controller::Implementation::get_on_feet() noexcept {
   }
   consistency.forget();
   kinematics.forget();
-  safety.bear(standing_torque(model, record.state.q));
-  safety.pose(posture, footing.hangs() ? CommandMode::lifted : CommandMode::rise);
+  keep_posture();
   if (footing.has_failed()) safety.give_up_standing();
+}
+
+/// Also where the state of this tick is not believed.
+void Controller::Implementation::keep_posture() noexcept {
+  safety.bear(standing_torque(model, record.state.q));
+  safety.pose(footing.posture(lift), footing.hangs() ? CommandMode::lifted : CommandMode::rise);
 }
 
 /// It has come to stand: of where it stood, who pushed it, and what its legs were felt to weigh as
@@ -278,6 +288,7 @@ void Controller::Implementation::stand_anew() noexcept {
   contact_force = at_start.contact_force;
   slip = at_start.slip;
   external_force = at_start.external_force;
+  rest_check = at_start.rest_check;
   safety.begin_anew();
 }
 
@@ -311,9 +322,12 @@ const Solution* Controller::Implementation::optimise(const Dynamics& dynamics,
 // Legs that are found to be other than they were believed to be have not moved; feet that bear
 // nothing do not stand.
 void Controller::Implementation::compare_sensors(const Dynamics& dynamics) noexcept {
-  if (kinematics.errors() != errors_before || lift.seems_lifted()) consistency.forget();
+  if (kinematics.errors() != errors_before) consistency.legs_have_changed();
   errors_before = kinematics.errors();
-  if (lift.seems_lifted()) return;
+  if (lift.seems_lifted()) {
+    consistency.forget();
+    return;
+  }
   const PerLeg<bool> stands = record.plan.standing();
   PerLeg<Vec3> v_WF;
   for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = record.plan.feet[k].v_WF;

@@ -1,5 +1,6 @@
 #include "surefoot/control/footing.hpp"
 
+#include "surefoot/control/ease.hpp"
 #include "surefoot/planning/foothold_planner.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLow = 0.6;       // of the stance's height: a robot that is lower lies
-constexpr double kFolded = 0.2;    // of it: as far as the feet are drawn in, or they lie lower
+constexpr double kFolded = 0.2;    // of it: how far the feet are drawn in
 constexpr double kBentHip = 1.0;   // where the inverse kinematics starts …
 constexpr double kBentKnee = 1.8;  // … well bent [rad]
 constexpr double kSpeed = 0.6;     // of the joints on their way, in the mean [rad/s]
@@ -21,9 +22,6 @@ constexpr double kPatience = 3.0;  // … until a robot that does not stand is g
 constexpr double kTips = 0.5;      // a torso that leans so far on the way up [rad]
 constexpr double kThere = 0.2;     // a joint that is where it should be [rad]
 constexpr double kAtRest = 0.3;    // [rad/s]
-
-double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
-double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
 
 }  // namespace
 
@@ -70,7 +68,7 @@ PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
   if (!has_arrived) return PlanEvent::none;
   const bool is_there = (state.q - to_).cwiseAbs().maxCoeff() < kThere;
   const bool is_at_rest = state.qd.cwiseAbs().maxCoeff() < kAtRest;
-  if (is_there && is_at_rest && lift.is_down()) {
+  if (is_there && is_at_rest && lift.is_down() && !has_failed_) {
     state_ = State::stands;
     restarts_ = true;
   } else {

@@ -1,5 +1,6 @@
 #include "surefoot/control/safety.hpp"
 
+#include "surefoot/control/ease.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -58,10 +59,6 @@ StopCause missing_sensor(const RobotState& state, const SensorHealth& health) {
 double progress(double share, double from, double to) {
   return std::clamp((share - from) / (to - from), 0.0, 1.0);
 }
-
-/// From 0 to 1 with rest at both ends, and its slope.
-double ease(double s) { return s * s * s * (10.0 + s * (-15.0 + 6.0 * s)); }
-double ease_slope(double s) { return 30.0 * s * s * (1.0 - s) * (1.0 - s); }
 
 }  // namespace
 
@@ -146,8 +143,7 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   if (damping_) return;
   const StopCause lost = lost_sensor(health);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
-  // What an IMU tells that the robot sits down for is believed no longer, nor what legs that stand
-  // contradict.
+  // An IMU that made the robot sit down is not believed, nor one that the standing legs contradict.
   const bool lies = (sitting_ && command_.cause == StopCause::imu) ||
                     (!has_begun_ && health.imu.fault == SampleFault::contradicts);
   const bool is_sure =
@@ -161,7 +157,7 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
   } else if (lost != StopCause::none && !sitting_) {
     stopped_q_ = state.q;
     stop(can_sit(state) ? CommandMode::sit : CommandMode::damping, lost, health);
-  } else if (!sitting_ && failures_ > patience(state, health)) {
+  } else if (!sitting_ && !posed_ && failures_ > patience(state, health)) {
     stop_after_failures(state, health);
   } else if (sitting_ && command_.time - stopped_at_ >= options_.sit_duration) {
     damping_ = true;

@@ -8,7 +8,8 @@ namespace {
 constexpr double kSlowJoints = 0.5;   // of a robot that stands [rad/s]
 constexpr double kFastestBias = 0.5;  // beyond any gyroscope's [rad/s]
 constexpr double kBears = 0.5;        // share of the weight
-constexpr double kUnlike = 0.5;       // of the larger of weight and force
+constexpr double kUnlike = 0.5;       // of the larger of weight and force …
+constexpr double kStillUnlike = 0.4;  // … of an IMU that was wrong before
 
 }  // namespace
 
@@ -19,7 +20,8 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
                       force.norm() > kBears * weight;  // not if it is NaN
   if (!stands) return;
   const double off = (mass * reading.accelerometer - force).norm();
-  const bool is_off = off > kUnlike * std::max(weight, force.norm());
+  const double unlike = wrong_for_ > 0.0 ? kStillUnlike : kUnlike;
+  const bool is_off = off > unlike * std::max(weight, force.norm());
   const bool turns = reading.gyro.norm() > kFastestBias;
   wrong_for_ = is_off || turns ? wrong_for_ + period_ : 0.0;
 }

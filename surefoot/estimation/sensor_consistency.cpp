@@ -16,8 +16,14 @@ void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
 }  // namespace
 
 void SensorConsistency::forget() noexcept {
-  imu_.forget();
+  legs_have_changed();
   imu_step_.forget();
+  frozen_.forget();
+  jumped_ = false;
+}
+
+void SensorConsistency::legs_have_changed() noexcept {
+  imu_.forget();
   torques_.forget();
 }
 

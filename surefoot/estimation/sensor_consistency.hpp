@@ -39,6 +39,8 @@ class SensorConsistency {
   /// What the legs say of a step of the IMU that is doubted at this tick.
   [[nodiscard]] ImuStep imu_step() const { return imu_step_.verdict(); }
   /// The legs are found to be other than was believed: what was held against them says nothing.
+  void legs_have_changed() noexcept;
+  /// The robot is not on its feet: nothing that was before says anything.
   void forget() noexcept;
 
  private:

@@ -94,6 +94,7 @@ void Evaluator::add_progress(const GroundTruth& truth, const TickRecord& tick) {
   if (ticks_ == 0) start_ = truth.p_WB;
   end_ = truth.p_WB;
   if (tick.command.mode != CommandMode::optimal) ++metrics_.fallback_ticks;
+  if (tick.command.mode == CommandMode::lifted) return;
   const bool calibrates = tick.plan.calibration != CalibrationStage::none;
   raise(calibrates ? metrics_.max_tilt_calibrating_rad : metrics_.max_tilt_rad, tilt(truth.q_WB));
 }

@@ -127,7 +127,10 @@ Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
   if (t < 0.0 || t > 2.0 * lift_.duration + lift_.hold) return Vec3::Zero();
   if (!begin_.allFinite()) begin_ = p_W;
   const double pull = kStiffness * (begin_.z() + height(t) - p_W.z());
-  return pull > 0.0 ? Vec3(pull * Vec3::UnitZ() - kSteadying * v_W) : Vec3::Zero();
+  if (!(pull > 0.0)) return Vec3::Zero();
+  Vec3 force = pull * Vec3::UnitZ() - kSteadying * v_W;
+  force.z() = std::max(0.0, force.z());
+  return force;
 }
 
 double Hand::height(double time) const {

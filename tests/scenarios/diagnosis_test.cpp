@@ -23,7 +23,7 @@ TEST(Diagnosis, ARobotThatIsPushedOverAtAnEdgeIsStoppedForNoSensor) {
                      3));
   loop.run_until(17.0, [&] { return loop.record().command.cause != StopCause::none; });
   EXPECT_GT(loop.truth().time, 15.2);
-  EXPECT_FALSE(is_sensor(loop.record().command.cause));
+  EXPECT_EQ(loop.record().command.cause, StopCause::tilt);
 }
 
 // A shank comes down hard on the edge, which stops the torso's turn within two ticks.
@@ -71,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongImu{"upside_down", "sensors.imu.tilt=[3.1416, 0, 0]"},
         WrongImu{"on_its_side", "sensors.imu.tilt=[1.5708, 0, 0]"},
+        WrongImu{"askew", "sensors.imu.tilt=[0.8, 0, 0]"},
         WrongImu{"wrong_sign",
                  "sensors.faults.f={sensor: accelerometer, kind: scaled, size: -1, time: 0}"},
         WrongImu{"in_g",

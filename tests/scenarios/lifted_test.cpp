@@ -62,11 +62,12 @@ TEST(Lifted, ItRelaxesAndWalksOnWhenItIsPutDown) {
 }
 
 TEST(Lifted, PushedAsItHangsItStaysRelaxed) {
-  Loop loop(scenario("walk_flat",
-                     {"disturbances.lifts.hands={time: 2, height: 0.3, hold: 4}",
-                      "disturbances.pushes.a={time: 4, duration: 0.2, impulse: [9, 0, 0]}",
-                      "disturbances.pushes.b={time: 5, duration: 0.2, impulse: [0, 9, 0]}"},
-                     1));
+  Loop loop(scenario(
+      "walk_flat",
+      {"safety.damp_after_failures=5", "disturbances.lifts.hands={time: 2, height: 0.3, hold: 4}",
+       "disturbances.pushes.a={time: 4, duration: 0.2, impulse: [9, 0, 0]}",
+       "disturbances.pushes.b={time: 5, duration: 0.2, impulse: [0, 9, 0]}"},
+      1));
   Watch watch(loop);
   loop.run_until(12.0, std::ref(watch));
   EXPECT_TRUE(watch.is_well);
@@ -98,7 +99,8 @@ TEST(LyingStart, ItStandsUpCalibratesAndWalks) {
     Loop loop(scenario("lying_start", changes, 4));
     EXPECT_TRUE(loop.truth().torso_contact);
     Watch watch(loop);
-    loop.run_until(7.0, [&] { return loop.record().command.cause != StopCause::none; });
+    loop.run_until(7.0, std::ref(watch));
+    EXPECT_TRUE(watch.is_well);
     EXPECT_EQ(loop.count(PlanEvent::stands_up), 1);
     EXPECT_EQ(loop.count(PlanEvent::lifted), 0);
     EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
@@ -108,6 +110,15 @@ TEST(LyingStart, ItStandsUpCalibratesAndWalks) {
     EXPECT_TRUE(watch.is_well);
     EXPECT_GT(loop.steps_taken(), 6);
   }
+}
+
+// Its first ticks have no state that could be believed.
+TEST(LyingStart, AnImuThatBeginsLateIsWaitedFor) {
+  Loop loop(scenario("lying_start",
+                     {"sensors.faults.f={sensor: imu, kind: stops, time: 0, duration: 0.05}"}, 4));
+  loop.run_until(8.0, [&] { return loop.record().command.cause != StopCause::none; });
+  EXPECT_EQ(loop.record().command.mode, CommandMode::optimal);
+  EXPECT_GT(loop.truth().p_WB.z(), 0.44);
 }
 
 }  // namespace
