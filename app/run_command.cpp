@@ -209,7 +209,6 @@ int check_one(const RunArguments& arguments) {
   const RunCost cost = run_cost(scenario);
   tell_notes(scenario);
   Json json = check_json(scenario);
-  json["notes"] = notes;
   json["cost"] = {{"ticks", cost.ticks},
                   {"wall_time_s", cost.wall_seconds},
                   {"memory_bytes", cost.memory},

@@ -199,8 +199,9 @@ bool Controller::Implementation::fits_at_rest() noexcept {
   const Vec3 force = borne_force(model, reading.q, reading.torque);
   rest_check.update(reading, joint_velocity, force, model.dynamics().mass);
   if (!(rest_check.wrong_for() > 0.0)) return true;
-  if (record.health.imu.fault == SampleFault::none)
-    record.health.imu = {.fault = SampleFault::contradicts, .age = rest_check.wrong_for()};
+  GroupHealth& wrong = rest_check.torques_pull() ? record.health.joint_torques : record.health.imu;
+  if (wrong.fault == SampleFault::none)
+    wrong = {.fault = SampleFault::contradicts, .age = rest_check.wrong_for()};
   return false;
 }
 

@@ -23,6 +23,7 @@ void RestCheck::update(const SensorReading& reading, const JointVector& joint_ve
   const double unlike = wrong_for_ > 0.0 ? kStillUnlike : kUnlike;
   const bool is_off = off > unlike * std::max(weight, force.norm());
   const bool turns = reading.gyro.norm() > kFastestBias;
+  torques_pull_ = force.z() < 0.0;
   wrong_for_ = is_off || turns ? wrong_for_ + period_ : 0.0;
 }
 

@@ -26,10 +26,13 @@ class RestCheck {
 
   /// How long the IMU has been wrong for [s]; 0: it is not, or nothing is known.
   [[nodiscard]] double wrong_for() const { return wrong_for_; }
+  /// By the joint torques the ground pulls, so it is they that are wrong.
+  [[nodiscard]] bool torques_pull() const { return torques_pull_; }
 
  private:
   double period_;
   double wrong_for_ = 0.0;
+  bool torques_pull_ = false;
 };
 
 }  // namespace surefoot

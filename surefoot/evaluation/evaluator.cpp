@@ -54,8 +54,8 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   add_progress(truth, tick);
   add_torques(truth, tick);
   add_body_contacts(truth);
-  const bool may_lie = is_sensor(tick.command.cause) || is_off_its_feet(mode);
-  if (mode != CommandMode::lifted) check_fall(truth, may_lie);
+  const bool may_lie = is_sensor(tick.command.cause) || mode == CommandMode::rise;
+  check_fall(truth, may_lie, mode == CommandMode::lifted);
   ++ticks_;
 }
 
@@ -205,7 +205,7 @@ void Evaluator::add_body_contacts(const GroundTruth& truth) {
   torso_touched_ = truth.torso_contact;
 }
 
-void Evaluator::check_fall(const GroundTruth& truth, bool may_lie) {
+void Evaluator::check_fall(const GroundTruth& truth, bool may_lie, bool hangs) {
   double sum = 0.0;
   int count = 0;
   for (const Leg leg : kLegs) {
@@ -222,11 +222,11 @@ void Evaluator::check_fall(const GroundTruth& truth, bool may_lie) {
   if (truth.torso_contact && !lands_softly) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);
-  } else if (height < kMinBaseHeight && !may_lie) {
+  } else if (height < kMinBaseHeight && !may_lie && !hangs) {
     std::snprintf(text.data(), text.size(),
                   "fell at %.4f s: the base came down to %.2f m above the feet", truth.time,
                   height);
-  } else if (!(tilt(truth.q_WB) <= kMaxTilt)) {
+  } else if (!(tilt(truth.q_WB) <= kMaxTilt) && !hangs) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: tilted by more than 60°", truth.time);
   } else {
     return;

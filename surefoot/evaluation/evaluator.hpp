@@ -81,8 +81,9 @@ class Evaluator {
   void add_stance(Foot& foot, const TrueContact& contact);
   void add_friction(const TrueContact& contact, double normal_force);
   void add_body_contacts(const GroundTruth& truth);
-  /// A robot that sits down for want of a sensor, or stands up, `may_lie`.
-  void check_fall(const GroundTruth& truth, bool may_lie);
+  /// A robot that sits down for want of a sensor, or stands up, `may_lie`. One that `hangs` may do
+  /// so at any height and tilt, but if its torso is on the ground nobody holds it.
+  void check_fall(const GroundTruth& truth, bool may_lie, bool hangs);
 
   EvaluatorOptions options_;
   Metrics metrics_;  // what is final at every tick

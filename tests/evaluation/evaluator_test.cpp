@@ -341,6 +341,17 @@ TEST(Evaluator, ALiftedRobotHasNotFallenNorOneThatGetsUp) {
   EXPECT_TRUE(run.evaluator.fell());
 }
 
+TEST(Evaluator, WhoseTorsoIsOnTheGroundHasFallenThoughItSeemsLifted) {
+  HandMadeRun run;
+  run.step();
+  run.tick.command.mode = CommandMode::lifted;
+  run.step();
+  EXPECT_FALSE(run.evaluator.fell());
+  run.truth.torso_contact = true;
+  run.step();
+  EXPECT_TRUE(run.evaluator.fell());
+}
+
 TEST(Evaluator, ALowBaseIsAFallAndACrouchIsNot) {
   HandMadeRun run;
   for (Vec3& p_WF : run.truth.p_WF) p_WF.z() = -0.14 + 0.031;

@@ -160,7 +160,7 @@ def test_an_interrupted_demo_leaves_whole_experiments_and_their_index(tmp_path):
     assert "walk_flat" in folders and "interrupted" in index
     for folder in folders:
         assert f'href="{folder}/index.html"' in index and (out / folder / "index.html").exists()
-        assert {file.name for file in (out / folder).iterdir()} == {"index.html", "run.mcap"}
+        assert {file.name for file in (out / folder).iterdir()} == {"index.html", "run.mcap", "figures"}
     assert index.count("href=") == len(folders) < 15
 
 

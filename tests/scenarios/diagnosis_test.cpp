@@ -81,5 +81,14 @@ INSTANTIATE_TEST_SUITE_P(
                  "sensors.faults.f={sensor: gyro, kind: scaled, size: -1, time: 0}"}),
     [](const auto& parameter) { return parameter.param.name; });
 
+// By them the ground pulls at the feet.
+TEST(Diagnosis, JointTorquesOfTheWrongSignAreNamedAndNotTheImu) {
+  Loop loop(scenario("walk_flat",
+                     {"sensors.faults.f={sensor: joint_torques, kind: scaled, size: -1, time: 0}"},
+                     1));
+  loop.run_until(1.0, [&] { return loop.record().command.cause != StopCause::none; });
+  EXPECT_EQ(loop.record().command.cause, StopCause::joint_torques);
+}
+
 }  // namespace
 }  // namespace surefoot
