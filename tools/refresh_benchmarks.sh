@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures the solver again and writes all figures of docs/benchmarks.md: goals, tables and plot. Prints the line
-# of docs/results.md about the solver. Leave the machine alone meanwhile.
+# Measures the solver again and writes all figures of docs/benchmarks.md: goals, table and plot; those of each solver go
+# into docs/results/solver.csv. Prints the line of docs/results.md about the solver. Leave the machine alone meanwhile.
 #   bash tools/setup_benchmarks.sh          # once: the solvers to compare with
 #   bash tools/refresh_benchmarks.sh [OPTIONS OF benchmark_solver]
 set -euo pipefail
@@ -13,5 +13,6 @@ read -r load _ </proc/loadavg
 limit() { timeout --foreground "$@" || { echo "refresh_benchmarks: not done within $1; nothing was written" >&2; exit 1; }; }
 limit 18m "$build/benchmark_solver" --json "$root/build/solver.json" "$@"
 limit 6m "$build/benchmark_solver" --growth --passes 4 --json "$root/build/growth.json"
-python3 "$root/tools/solver_benchmark_table.py" "$root/build/solver.json" "$root/build/growth.json" "$root/docs/benchmarks.md"
+python3 "$root/tools/solver_benchmark_table.py" "$root/build/solver.json" "$root/build/growth.json" "$root/docs/benchmarks.md" \
+  "$root/docs/results/solver.csv"
 python3 "$root/tools/plot_solver_growth.py" "$root/build/growth.json" "$root/docs/images/solver_growth.svg"

@@ -1,9 +1,10 @@
-"""The figures of docs/benchmarks.md from `benchmark_solver --json FILE`: replaces what stands between its marks, and
-prints the line of docs/results.md about the solver.
+"""The figures of docs/benchmarks.md from `benchmark_solver --json FILE`: replaces what stands between its marks, keeps
+all figures of each solver in docs/results/solver.csv, and prints the line of docs/results.md about the solver.
 
-    tools/solver_benchmark_table.py build/solver.json build/growth.json docs/benchmarks.md
+    tools/solver_benchmark_table.py build/solver.json build/growth.json docs/benchmarks.md docs/results/solver.csv
 """
 
+import csv
 import json
 import math
 import os
@@ -21,20 +22,55 @@ def number(value, digits):
     return "–" if value is None or math.isnan(value) else f"{value:.{digits}f}"
 
 
+COLUMNS = ("family problems active_rows solver median_q p99_q max_q times_ours right_percent within_1e-3_percent "
+           "failed hung allocations").split()
+
+
 def rows(family):
+    """The figures of each solver of a family; the first solver is ours."""
     ours = family["solvers"][0]["median_us"]
-    title = (f"\n**{family['family']}**: {family['problems']} problems, "
-             f"{family['active_rows']:.1f} active inequality rows\n")
-    yield title
-    yield "| solver | median Q | p99 Q | max Q | × ours | right % | within 1e-3 % | failed | hung | allocations |"
-    yield "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
     for solver in family["solvers"]:
         times = [solver[key] for key in ("median_us", "p99_us", "max_us")]
         in_q = [number(None if t is None else t / family["q_us"], 2) for t in times]
         ratio = number(None if times[0] is None else times[0] / ours, 2)
-        yield " | ".join([f"| {solver['solver']}", *in_q, ratio, f"{solver['right_percent']:.1f}",
-                          f"{solver['near_percent']:.1f}", str(solver["failed"]), str(solver["hung"]),
-                          f"{solver['allocations']:.0f} |"])
+        yield dict(zip(COLUMNS, [
+            family["family"], str(family["problems"]), f"{family['active_rows']:.1f}", solver["solver"], *in_q, ratio,
+            f"{solver['right_percent']:.1f}", f"{solver['near_percent']:.1f}", str(solver["failed"]), str(solver["hung"]),
+            f"{solver['allocations']:.0f}"], strict=True))
+
+
+def table(kept):
+    """A line a family; warm starts where there are sequences. The rest is in the file that keeps the rows."""
+    families = {}
+    for row in kept:
+        families.setdefault(row["family"], {})[row["solver"]] = row
+    names = list(dict.fromkeys(name.removesuffix(", warm") for solvers in families.values() for name in solvers))
+    others = [name for name in names if name != "ours"]
+
+    def short(text):
+        return text.removesuffix(".0")
+
+    def cell(solvers, name):
+        row = solvers.get(f"{name}, warm") or solvers.get(name)
+        if row is None:
+            return "–"
+        ratio = row["times_ours"] if row["times_ours"] == "–" else f"{float(row['times_ours']):.1f}"
+        return f"{ratio}, {short(row['right_percent'])}"
+
+    yield "\n| family | ours | " + " | ".join(others) + " |"
+    yield "|---" * (len(others) + 2) + "|"
+    for family, solvers in families.items():
+        ours = solvers.get(WARM) or solvers["ours"]
+        first = f"{ours['median_q']} Q, {ours['p99_q']} Q, {short(ours['right_percent'])}"
+        yield " | ".join([f"| {family.replace('terrain_adaptation', 'Table I')}", first, *(cell(solvers, name) for name in others)]) + " |"
+    yield ""
+
+
+def keep(kept, file):
+    with open(file, "w", encoding="utf-8", newline="") as out:
+        writer = csv.DictWriter(out, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(kept)
 
 
 class Measured:
@@ -136,15 +172,16 @@ def write(text, mark, lines, document):
     return re.sub(pattern, lambda _: "\n".join([begin, *lines, end]), text, flags=re.DOTALL)
 
 
-def main(results, growth, document):
+def main(results, growth, document, kept_file):
     with open(results, encoding="utf-8") as file:
         families = json.load(file)
     with open(growth, encoding="utf-8") as file:
         points = json.load(file)
     with open(document, encoding="utf-8") as file:
         text = file.read()
-    tables = [line for family in families for line in rows(family)]
-    text = write(text, "measured", [*circumstances(families), *tables], document)
+    kept = [row for family in families for row in rows(family)]
+    keep(kept, kept_file)
+    text = write(text, "measured", [*circumstances(families), *table(kept)], document)
     if {*STRICT, WALK, *HARD} <= {family["family"] for family in families}:
         text = write(text, "goals", goals(families, points), document)
         print("docs/results.md:\n" + results_line(families))
@@ -153,6 +190,6 @@ def main(results, growth, document):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) != 5:
         sys.exit(__doc__)
     main(*sys.argv[1:])
