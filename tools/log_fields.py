@@ -8,11 +8,12 @@ from mcap.reader import make_reader
 
 HEAD = """# The fields of the log
 
-Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a test holds it against the program. What
-holds for all fields, and what the topics are for, stands in [log.md](log.md). `<leg>` is LF, RF, LH or RH; `[]` are the
-elements of a list.
+Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a test holds it against the program.
+[log.md](log.md) says what the topics are for and what holds for all fields.
+
+`<leg>` is LF, RF, LH or RH; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.
 """
-EVENTS = """What `event` says; the names stand in `header.json`, too, as `event_names`:
+EVENTS = """What `event` says (`event_names` in `header.json`):
 """
 LEGS = {"LF", "RF", "LH", "RH"}
 UNIT = re.compile(r"\s*\[([^\]]*)\]")
@@ -22,17 +23,25 @@ def kinds(schema):
     return schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
 
 
-def type_of(schema):
+def type_of(schema, unit=""):
     if "enum" in schema:
         return ", ".join(schema["enum"])
     if "array" in kinds(schema):
-        count = schema.get("maxItems")
-        return f"{'list' if count is None else count} of {type_of(schema['items'])}"
-    return next(kind for kind in kinds(schema) if kind != "null")
+        count, items = schema.get("maxItems", "list of"), type_of(schema["items"], unit)
+        return f"{count}{'×' if items[0].isdigit() else ' '}{'numbers' if items == 'number' else items}"
+    kind = next(kind for kind in kinds(schema) if kind != "null")
+    return f"[{unit}]" if unit else kind
+
+
+def field(path, schema, about=None):
+    """Path, type with unit, and description."""
+    text = schema.get("description", "") if about is None else about
+    unit = UNIT.search(text)
+    return path, type_of(schema, unit.group(1) if unit else ""), UNIT.sub("", text, count=1).strip("; ")
 
 
 def fields(schema, path=""):
-    """Path, type and description of each field, members of members behind their own."""
+    """Each field, members of members behind their own."""
     for name, part in schema["properties"].items():
         if name in LEGS:
             if name != "LF":
@@ -44,28 +53,39 @@ def fields(schema, path=""):
             if part.get("description") and set(part["properties"]) != LEGS:
                 yield full, "", part["description"]
             if set(part["properties"]) == LEGS and "object" not in kinds(part["properties"]["LF"]):
-                yield f"{full}.<leg>", type_of(part["properties"]["LF"]), part.get("description", "")
+                yield field(f"{full}.<leg>", part["properties"]["LF"], part.get("description", ""))
             else:
                 yield from fields(part, full)
         elif "properties" in items:
             yield f"{full}[]", "list", part.get("description", "")
             yield from fields(items, f"{full}[]")
         else:
-            yield full, type_of(part), part.get("description", "")
+            yield field(full, part)
 
 
-def table(schema):
-    lines = ["| field | type | unit | |", "|---|---|---|---|"]
-    for path, kind, about in fields(schema):
-        unit = UNIT.search(about)
-        text = UNIT.sub("", about, count=1).strip("; ")
-        lines.append(f"| `{path}` | {kind} | {unit.group(1) if unit else ''} | {text} |")
+def merged(rows):
+    """Rows that differ in their path alone, but for its last name, are one."""
+    paths = {}
+    for path, kind, about in rows:
+        paths.setdefault((path.rpartition(".")[2] if kind else path, kind, about), []).append(path)
+    return [(", ".join(f"`{path}`" for path in same), kind, about) for (_, kind, about), same in paths.items()]
+
+
+def table(topic, schema, seen):
+    """`seen` has the topic of each row so far: what an earlier topic has too is only named."""
+    rows = list(fields(schema))
+    repeated = {}
+    for row in rows:
+        if seen.setdefault(row, topic) != topic:
+            repeated.setdefault(seen[row], []).append(f"`{row[0]}`")
+    lines = [f"As in `{earlier}`: {', '.join(names)}.\n" for earlier, names in repeated.items()]
+    lines += ["| field | type | |", "|---|---|---|"]
+    lines += [f"| {paths} | {kind} | {about} |" for paths, kind, about in merged(row for row in rows if seen[row] == topic)]
     return "\n".join(lines)
 
 
 def events(names):
-    lines = ["| `event` | |", "|---|---|"]
-    return "\n".join(lines + [f"| {code} | {name} |" for code, name in enumerate(names)])
+    return "\n".join(f"{code}. {name}" for code, name in enumerate(names))
 
 
 def document(path):
@@ -74,9 +94,10 @@ def document(path):
         summary = reader.get_summary()
         header = next(json.loads(item.data) for item in reader.iter_attachments() if item.name == "header.json")
     parts = [HEAD.format(version=header["log_version"])]
+    seen = {}
     for channel in summary.channels.values():
         schema = summary.schemas[channel.schema_id]
-        parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{table(json.loads(schema.data))}\n")
+        parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{table(channel.topic, json.loads(schema.data), seen)}\n")
         if channel.topic == "/plan":
             parts.append(f"{EVENTS}\n{events(header['event_names'])}\n")
     return "\n".join(parts)
