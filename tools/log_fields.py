@@ -25,7 +25,7 @@ def kinds(schema):
 
 def type_of(schema, unit=""):
     if "enum" in schema:
-        return ", ".join(schema["enum"])
+        return "(" + ", ".join(schema["enum"]) + ")"
     if "array" in kinds(schema):
         count, items = schema.get("maxItems", "list of"), type_of(schema["items"], unit)
         return f"{count}{'×' if items[0].isdigit() else ' '}{'numbers' if items == 'number' else items}"
@@ -50,8 +50,6 @@ def fields(schema, path=""):
         full = f"{path}.{name}" if path else name
         items = part.get("items", {})
         if "object" in kinds(part):
-            if part.get("description") and set(part["properties"]) != LEGS:
-                yield full, "", part["description"]
             if set(part["properties"]) == LEGS and "object" not in kinds(part["properties"]["LF"]):
                 yield field(f"{full}.<leg>", part["properties"]["LF"], part.get("description", ""))
             else:
@@ -67,20 +65,19 @@ def merged(rows):
     """Rows that differ in their path alone, but for its last name, are one."""
     paths = {}
     for path, kind, about in rows:
-        paths.setdefault((path.rpartition(".")[2] if kind else path, kind, about), []).append(path)
+        paths.setdefault((path.rpartition(".")[2], kind, about), []).append(path)
     return [(", ".join(f"`{path}`" for path in same), kind, about) for (_, kind, about), same in paths.items()]
 
 
-def table(topic, schema, seen):
+def listed(topic, schema, seen):
     """`seen` has the topic of each row so far: what an earlier topic has too is only named."""
     rows = list(fields(schema))
     repeated = {}
     for row in rows:
         if seen.setdefault(row, topic) != topic:
             repeated.setdefault(seen[row], []).append(f"`{row[0]}`")
-    lines = [f"As in `{earlier}`: {', '.join(names)}.\n" for earlier, names in repeated.items()]
-    lines += ["| field | type | |", "|---|---|---|"]
-    lines += [f"| {paths} | {kind} | {about} |" for paths, kind, about in merged(row for row in rows if seen[row] == topic)]
+    lines = [f"- {paths} {kind}: {about}" for paths, kind, about in merged(row for row in rows if seen[row] == topic)]
+    lines += [f"- as in `{earlier}`: {', '.join(names)}" for earlier, names in repeated.items()]
     return "\n".join(lines)
 
 
@@ -97,7 +94,7 @@ def document(path):
     seen = {}
     for channel in summary.channels.values():
         schema = summary.schemas[channel.schema_id]
-        parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{table(channel.topic, json.loads(schema.data), seen)}\n")
+        parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{listed(channel.topic, json.loads(schema.data), seen)}\n")
         if channel.topic == "/plan":
             parts.append(f"{EVENTS}\n{events(header['event_names'])}\n")
     return "\n".join(parts)

@@ -146,7 +146,7 @@ def test_the_list_of_fields_is_that_of_the_program(log):
     """To write it anew: .venv/bin/python tools/log_fields.py RUN.mcap > docs/log_fields.md"""
     made = subprocess.run([sys.executable, ROOT / "tools/log_fields.py", log], capture_output=True, text=True, check=True)
     assert made.stdout == (ROOT / "docs/log_fields.md").read_text()
-    assert not [line for line in made.stdout.splitlines() if line.startswith("| `") and line.endswith("|  |")], "fields without a description"
+    assert not [line for line in made.stdout.splitlines() if line.startswith("- `") and line.endswith(": ")], "fields without a description"
 
 
 def test_the_document_names_every_topic_and_every_attachment_once_in_its_table(log):
