@@ -12,8 +12,7 @@ Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a te
 [log.md](log.md) says what the topics are for and what holds for all fields.
 
 `<leg>` is LF, RF, LH or RH; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.
-"""
-EVENTS = """What `event` says (`event_names` in `header.json`):
+`event_names` of `header.json` says what the numbers of `event` mean.
 """
 LEGS = {"LF", "RF", "LH", "RH"}
 UNIT = re.compile(r"\s*\[([^\]]*)\]")
@@ -81,10 +80,6 @@ def listed(topic, schema, seen):
     return "\n".join(lines)
 
 
-def events(names):
-    return "\n".join(f"{code}. {name}" for code, name in enumerate(names))
-
-
 def document(path):
     with open(path, "rb") as file:
         reader = make_reader(file)
@@ -95,8 +90,6 @@ def document(path):
     for channel in summary.channels.values():
         schema = summary.schemas[channel.schema_id]
         parts.append(f"## `{channel.topic}`\n{schema.name}\n\n{listed(channel.topic, json.loads(schema.data), seen)}\n")
-        if channel.topic == "/plan":
-            parts.append(f"{EVENTS}\n{events(header['event_names'])}\n")
     return "\n".join(parts)
 
 
