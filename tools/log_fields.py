@@ -8,7 +8,7 @@ from mcap.reader import make_reader
 
 HEAD = """# The fields of the log
 
-Version {version}. Made by `tools/log_fields.py` from the schemas in a log; a test holds it against the program.
+Version {version}. Made by `tools/log_fields.py` from the schemas in a log.
 [log.md](log.md) says what the topics are for and what holds for all fields.
 
 `<leg>` is LF, RF, LH or RH; `[]` are the elements of a list. A unit alone is a number, `12 [rad]` are 12 of them.
