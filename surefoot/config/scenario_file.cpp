@@ -308,11 +308,11 @@ void check_strength(RobotModel& model, const JointVector& stance) {
   if (share <= 1.0) return;
   const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
   const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
-  throw Error(formatted("%s: the robot can't stand: it is of %g kg, and in the stance joint \"%s\" "
-                        "would need %.4g N·m, where its limit is %g N·m; are masses in kg and "
-                        "lengths in m?",
-                        robot.urdf_path.c_str(), model.mass(),
-                        robot.legs[leg].joints[joint].c_str(), torque[i], robot.torque_limit[i]));
+  throw Error(robot.urdf_path +
+              formatted(": the robot can't stand: it is of %g kg, and in the stance joint \"%s\" "
+                        "would need %.4g N·m, where its limit is %g N·m; are masses in kg?",
+                        model.mass(), robot.legs[leg].joints[joint].c_str(), torque[i],
+                        robot.torque_limit[i]));
 }
 
 /// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
