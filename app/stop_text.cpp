@@ -65,6 +65,8 @@ std::string text_of_stop(StopCause cause, SampleFault fault, int joint) {
       return "IMU " + verb(fault);
     case StopCause::cannot_stand:
       return "it could not stand up";
+    case StopCause::fallen:
+      return "it fell";
   }
   return "";
 }

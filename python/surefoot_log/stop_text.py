@@ -2,7 +2,7 @@
 
 JOINTS = [f"{leg}_{joint}" for leg in ("LF", "RF", "LH", "RH") for joint in ("HAA", "HFE", "KFE")]
 CAUSES = {"none": "", "tilt": "the torso tilted too far", "failures": "too many ticks without a solution",
-          "cannot_stand": "it could not stand up"}
+          "cannot_stand": "it could not stand up", "fallen": "it fell"}
 GROUPS = {"encoders": ("encoder", "encoders"), "joint_torques": ("joint torque", "joint torques"), "imu": ("IMU", "IMU")}
 VERBS = {"none": "failed", "silent": "stopped", "late": "came late", "not_a_number": "gave no numbers", "out_of_range": "left the range",
          "jump": "changed too fast", "repeats": "repeated", "contradicts": "did not fit the rest"}  # fmt: skip

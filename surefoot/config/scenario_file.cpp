@@ -19,6 +19,7 @@
 #include "surefoot/config/switch_section.hpp"
 #include "surefoot/config/user_section.hpp"
 #include "surefoot/control/stack_reach.hpp"
+#include "surefoot/control/standing_torque.hpp"
 #include "surefoot/math/random_bits.hpp"
 #include "surefoot/model/urdf.hpp"
 #include "surefoot/simulation/check_options.hpp"
@@ -298,6 +299,22 @@ void complete_posture(const ConfigNode& tree, const RobotModel& model, Scenario&
   }
 }
 
+/// Nothing walks that can't stand, and masses may be in another unit.
+void check_strength(RobotModel& model, const JointVector& stance) {
+  const JointVector torque = standing_torque(model, stance).cwiseAbs();
+  const RobotDescription& robot = model.description();
+  Eigen::Index i = 0;
+  const double share = torque.cwiseQuotient(robot.torque_limit).maxCoeff(&i);
+  if (share <= 1.0) return;
+  const auto leg = static_cast<std::size_t>(i / kJointsPerLeg);
+  const auto joint = static_cast<std::size_t>(i % kJointsPerLeg);
+  throw Error(robot.urdf_path +
+              formatted(": the robot can't stand: it is of %g kg, and in the stance joint \"%s\" "
+                        "would need %.4g N·m, where its limit is %g N·m; are masses in kg?",
+                        model.mass(), robot.legs[leg].joints[joint].c_str(), torque[i],
+                        robot.torque_limit[i]));
+}
+
 /// The scenario where every range of `randomise:` is at its lower end, or every one at its upper.
 /// Reading both holds the ranges against the keys' limits, whatever the seed; no run is of it.
 class EndOfRanges {
@@ -377,9 +394,10 @@ Scenario load_scenario(const ScenarioRequest& request) {
   scenario.plant.seed = request.seed;
   check_pushes(tree, scenario);
   scenario.notes = scenario_notes(tree, scenario);
-  const RobotModel model(scenario.robot);
+  RobotModel model(scenario.robot);
   check_reach(tree, model, scenario.controller.stack);
   complete_posture(tree, model, scenario);
+  check_strength(model, stance_posture(model, scenario.controller.planner.stance));
   for (EndOfRanges& end : ends) end.check(model, scenario.controller.stack);
   return scenario;
 }

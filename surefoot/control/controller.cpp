@@ -242,6 +242,7 @@ const Solution* Controller::Implementation::act(const UserCommand& user) noexcep
   const Dynamics& dynamics = feel();
   const bool stood = footing.stands();
   const PlanEvent event = footing.update(model, record.state, lift);
+  if (footing.has_fallen()) safety.give_up(StopCause::fallen);
   if (stood && footing.stands()) return optimise(dynamics, user);
   get_on_feet();
   record.plan.event = static_cast<int>(event);
@@ -273,7 +274,7 @@ void Controller::Implementation::get_on_feet() noexcept {
   consistency.forget();
   kinematics.forget();
   keep_posture();
-  if (footing.has_failed()) safety.give_up_standing();
+  if (footing.has_failed()) safety.give_up(StopCause::cannot_stand);
 }
 
 /// Also where the state of this tick is not believed.

@@ -19,7 +19,7 @@ constexpr double kToBear = 0.5;    // in which the feet take over the weight [s]
 constexpr double kToHarden = 0.5;  // … and its joints become hard once they have [s]
 constexpr double kSettle = 0.5;    // after the way [s]
 constexpr double kPatience = 3.0;  // … until a robot that does not stand is given up [s]
-constexpr double kTips = 0.5;      // a torso that leans so far on the way up [rad]
+constexpr double kTips = 0.5;      // a torso that leans so far falls [rad]
 constexpr double kThere = 0.2;     // a joint that is where it should be [rad]
 constexpr double kAtRest = 0.3;    // [rad/s]
 
@@ -44,7 +44,9 @@ PlanEvent Footing::update(const RobotModel& model, const RobotState& state,
   time_ += period_;
   switch (state_) {
     case State::stands:
-      return lift.is_lifted() ? hang(model, q) : PlanEvent::none;
+      if (!lift.is_lifted()) return PlanEvent::none;
+      has_fallen_ = lies(model, state);
+      return has_fallen_ ? PlanEvent::none : hang(model, q);
     case State::hangs:
       if (!lift.is_down()) return PlanEvent::none;
       rise(model, q, 1.0);
@@ -75,6 +77,16 @@ PlanEvent Footing::update_rise(const RobotModel& model, const RobotState& state,
     has_failed_ = has_failed_ || time_ > duration_ + kPatience;
   }
   return PlanEvent::none;
+}
+
+bool Footing::lies(const RobotModel& model, const RobotState& state) const {
+  const Mat3 R_WB = state.R_WB();
+  double lowest = 0.0;
+  for (const Leg leg : kLegs) {
+    const Vec3 p_BF = model.foot_in_base(leg, state.q.segment<3>(first_joint(leg)));
+    lowest = std::min(lowest, R_WB.row(2).dot(p_BF));
+  }
+  return R_WB(2, 2) < std::cos(kTips) || -lowest < kLow * stance_.height;
 }
 
 PlanEvent Footing::hang(const RobotModel& model, const JointVector& q) {

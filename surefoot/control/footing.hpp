@@ -18,6 +18,7 @@ namespace surefoot {
 ///
 /// and from there it stands, with estimate and plan begun anew. Knees stay on the side where they
 /// were at the start. A robot that does not come to stand, or tips on the way, can't: `has_failed`.
+/// A robot whose torso leans, or whose feet are not below it, was not lifted but fell: `has_fallen`.
 /// Does not allocate.
 class Footing {
  public:
@@ -37,6 +38,8 @@ class Footing {
   /// It came to stand at the last update: estimate and plan begin anew.
   [[nodiscard]] bool restarts() const { return restarts_; }
   [[nodiscard]] bool has_failed() const { return has_failed_; }
+  /// It walked, and the torso lies on the ground.
+  [[nodiscard]] bool has_fallen() const { return has_fallen_; }
   /// While it does not stand.
   [[nodiscard]] LegPosture posture(const LiftDetector& lift) const;
 
@@ -48,6 +51,8 @@ class Footing {
   void rise(const RobotModel& model, const JointVector& q, double borne);
   PlanEvent update_rise(const RobotModel& model, const RobotState& state, const LiftDetector& lift);
   PlanEvent hang(const RobotModel& model, const JointVector& q);
+  /// Of a robot that something else than its feet holds: is that the ground?
+  [[nodiscard]] bool lies(const RobotModel& model, const RobotState& state) const;
   /// Feet at their places of the stance but for the height of the base over them [m].
   [[nodiscard]] JointVector posture_at(const RobotModel& model, double height) const;
 
@@ -59,7 +64,7 @@ class Footing {
   double time_ = 0.0, duration_ = 1.0;  // of the way [s]
   double borne_ = 0.0;                  // share of the weight on the feet when it began to rise
   double stood_for_ = 0.0;              // since then [s]
-  bool restarts_ = false, has_failed_ = false;
+  bool restarts_ = false, has_failed_ = false, has_fallen_ = false;
 };
 
 }  // namespace surefoot

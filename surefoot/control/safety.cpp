@@ -23,6 +23,7 @@ constexpr double kSoftSpring = 0.4, kSoftDamping = 0.175;
 constexpr double kToStand = 2.0;      // for which a robot that has not begun is held [s]
 constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s]
 constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
+constexpr double kTipTime = 0.2;      // for which a robot that tips goes on turning [s]
 constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
 constexpr double kRounding = 1e-9;  // of times [s]
 
@@ -123,6 +124,12 @@ bool Safety::is_tilted(const RobotState& state) const {
   return uprightness(state) < std::cos(options_.max_tilt);
 }
 
+bool Safety::tips(const RobotState& state) const {
+  if (!is_rotation(state.q_WB) || !state.w_WB_B.allFinite()) return false;
+  const Quat soon = state.q_WB * exp_rotation(kTipTime * state.w_WB_B);
+  return soon.toRotationMatrix()(2, 2) < std::cos(options_.max_tilt);
+}
+
 bool Safety::is_good(const RobotState& state, const Solution* solution) const {
   if (solution == nullptr || is_tilted(state)) return false;
   const bool usable =
@@ -148,10 +155,11 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
                     (!has_begun_ && health.imu.fault == SampleFault::contradicts);
   const bool is_sure =
       !lies && posed_ != CommandMode::lifted && (has_begun_ || failures_ * period_ > kUnsureTilt);
-  if (is_tilted(state) && is_sure) {
+  const bool is_joints = lost == StopCause::encoders || lost == StopCause::joint_torques;
+  if (is_sure && (is_tilted(state) || (is_joints && tips(state)))) {
     stop(CommandMode::damping, StopCause::tilt, health);
-  } else if (cannot_stand_) {
-    stop(CommandMode::damping, StopCause::cannot_stand, health);
+  } else if (given_up_ != StopCause::none) {
+    stop(CommandMode::damping, given_up_, health);
   } else if ((lost == StopCause::encoders || sitting_) && !can_sit(state)) {
     stop(CommandMode::damping, StopCause::encoders, health);
   } else if (lost != StopCause::none && !sitting_) {

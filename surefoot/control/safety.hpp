@@ -35,7 +35,8 @@ namespace surefoot {
 ///     damping    τ = −k_d q̇, latched, where k_d falls to that of a soft leg within 1 s: after
 ///                repeated failures, non-finite readings that last, or a torso tilted too far
 ///                (before the first good tick only when 30 ms have gone by, as the first readings
-///                may be wrong); lying; or at once where encoders of several legs are lost, on top
+///                may be wrong); where joint sensors fail as it tips over, since joints of a
+///                falling robot do what their sensors can't follow; lying; or at once where encoders of several legs are lost, on top
 ///                of the last good torques, or those of the way down, which fade out within 0.5 s
 ///
 /// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
@@ -78,8 +79,8 @@ class Safety {
     posture_ = posture;
     posed_ = mode;
   }
-  /// It can't come to stand: it stops at the next tick.
-  void give_up_standing() { cannot_stand_ = true; }
+  /// It can't stand, or fell: it stops at the next tick.
+  void give_up(StopCause cause) { given_up_ = cause; }
 
   /// What was good so far is worth nothing; the torques go on from where they are, and how long it
   /// has not been good counts on. Not for a robot that has stopped.
@@ -98,6 +99,8 @@ class Safety {
 
  private:
   [[nodiscard]] bool is_tilted(const RobotState& state) const;
+  /// Will it be tilted soon, as it turns now?
+  [[nodiscard]] bool tips(const RobotState& state) const;
   [[nodiscard]] bool is_good(const RobotState& state, const Solution* solution) const;
   void note_lame_joints(const RobotState& state, const SensorHealth& health);
   /// Can the robot sit down with the joints whose angles are known?
@@ -132,7 +135,7 @@ class Safety {
   bool is_careful_ = false;  // at this tick
   LegPosture posture_;
   std::optional<CommandMode> posed_;  // at this tick, to `posture_`
-  bool cannot_stand_ = false;
+  StopCause given_up_ = StopCause::none;
   bool catching_up_ = false;             // torques that were limited in their change
   std::array<bool, kNumJoints> lame_{};  // joints whose encoders are lost
   double stopped_at_ = kNaN;             // [s]

@@ -98,9 +98,12 @@ bool ImuCheck::is_thrown(const SensorReading& reading, const RobotState& state,
   Vec3 by_feet = kGravityVector;
   for (std::size_t k = 0; k < kNumLegs; ++k)
     if (stands[k]) by_feet += state.foot_force[k] / dynamics.mass;
+  return tumbles(reading) || by_feet.norm() > options_.max_acceleration;
+}
+
+bool ImuCheck::tumbles(const SensorReading& reading) const {
   const double shaken = std::abs(reading.accelerometer.norm() - kGravity);
-  const bool tumbles = reading.gyro.norm() > options_.tumbling && shaken > options_.shaking;
-  return tumbles || by_feet.norm() > options_.max_acceleration;
+  return reading.gyro.norm() > options_.tumbling && shaken > options_.shaking;
 }
 
 void ImuCheck::count_firm_feet(const RobotState& state, const PerLeg<bool>& stands,

@@ -53,6 +53,8 @@ class ImuCheck {
   /// The legs are known to be other than they were believed to be.
   void forget() noexcept;
 
+  /// Does the robot turn fast and feel more or less than g?
+  [[nodiscard]] bool tumbles(const SensorReading& reading) const;
   /// How long the IMU has been wrong for [s]; 0: it is not.
   [[nodiscard]] double wrong_for() const { return wrong_for_; }
   /// Of each span, shortest first, as shares of what is allowed: of displacement and turn the

@@ -57,7 +57,8 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
     imu_.forget();
   }
   // By what the IMU says joints are asked to move.
-  const bool is_thrown = std::abs(reading.accelerometer.norm() - kGravity) > kThrown;
+  const bool is_thrown =
+      imu_.tumbles(reading) || std::abs(reading.accelerometer.norm() - kGravity) > kThrown;
   if (moves_well && turns_well && !is_thrown) {
     frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   } else {

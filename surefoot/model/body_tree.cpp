@@ -119,7 +119,7 @@ class Builder {
   void check_inertia(const UrdfLink& link, const Inertia& inertia) const {
     const Vec3 moments = principal_moments(inertia);
     if (inertia.mass <= 0.0) fail(link, "has no mass; it must be above 0");
-    if (moments[0] <= 0.0) fail(link, "has no inertia; it must be above 0");
+    if (moments[0] <= 0.0) fail(link, "has no inertia about some axis; all must be above 0");
     if (obeys_triangle_inequality(moments)) return;
     std::ostringstream numbers;
     numbers << "has principal moments of inertia of " << moments.transpose()

@@ -24,6 +24,7 @@ enum class StopCause : int {
   joint_torques = 4,
   imu = 5,
   cannot_stand = 6,  ///< it did not come to stand on its feet
+  fallen = 7,        ///< its torso lies on the ground
 };
 
 /// Neither stands nor has stopped: nobody follows the plan.

@@ -1,11 +1,14 @@
 #include "surefoot/config/scenario_file.hpp"
 
+#include "surefoot/config/data_directory.hpp"
 #include "surefoot/config/data_file.hpp"
 #include "surefoot/planning/com_planner.hpp"
 #include "tests/config/trial_scenario.hpp"
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace surefoot {
 namespace {
@@ -154,6 +157,17 @@ TEST_F(ScenarioFile, with_an_unknown_stack_or_robot_lists_those_that_exist) {
             "trial.yaml:2: stack: unknown stack \"wallk\"; did you mean \"walk\"? valid are:"));
   EXPECT_TRUE(
       holds(complaint("robot: hexapod\n"), "trial.yaml:2: robot: unknown robot \"hexapod\""));
+}
+
+TEST_F(ScenarioFile, of_a_robot_that_its_joints_can_not_bear_says_so) {
+  std::ifstream file(data_directory() / "robots/anymal_b.yaml");
+  std::string robot(std::istreambuf_iterator<char>(file), {});
+  const std::string given = "torque: 40.0 ";
+  robot.replace(robot.find(given), given.size(), "torque: 4.0 ");
+  test::write_file(folder_ / "weak.yaml", robot);
+  const std::string said = complaint("robot: weak.yaml\n");
+  EXPECT_TRUE(holds(said, "the robot can't stand")) << said;
+  EXPECT_TRUE(holds(said, "limit is 4 N·m")) << said;
 }
 
 TEST_F(ScenarioFile, that_is_not_yaml_says_so) {

@@ -140,6 +140,21 @@ TEST(Footing, OneThatIsLiftedAsItRisesRelaxesAgain) {
   EXPECT_TRUE(robot.footing.hangs());
 }
 
+// Its feet bear little, and yet it feels its weight: hands would hold it so, or the ground does.
+TEST(Footing, OneThatLiesOnItsTorsoHasFallen) {
+  for (const bool askew : {false, true}) {
+    Robot robot(stance());
+    robot.bear(1.0);
+    robot.run(1.0, false);
+    if (askew) robot.roll = 0.6;
+    if (!askew) robot.q = lying();
+    robot.bear(0.0);
+    robot.run(0.2, false);
+    EXPECT_TRUE(robot.footing.has_fallen());
+    EXPECT_TRUE(robot.events.empty());
+  }
+}
+
 // In the air its legs come to the stance, and nobody bears it.
 TEST(Footing, OneThatIsHeldWithFoldedLegsHangs) {
   Robot robot(lying());

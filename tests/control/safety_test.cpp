@@ -106,10 +106,28 @@ TEST(Safety, OneThatRisesAskewIsStopped) {
 TEST(Safety, OneThatCanNotStandIsDampedAndSaysSo) {
   Safety safety = make_safety();
   safety.pose({}, CommandMode::rise);
-  safety.give_up_standing();
+  safety.give_up(StopCause::cannot_stand);
   const JointCommand command = safety.command(standing(), nullptr);
   EXPECT_EQ(command.mode, CommandMode::damping);
   EXPECT_EQ(command.cause, StopCause::cannot_stand);
+}
+
+// Its joints do what encoders can't follow; what matters is that it falls.
+TEST(Safety, EncodersThatFailAsItTipsOverAreNotTheCause) {
+  for (const double rate : {3.0, 0.0, -3.0}) {
+    SCOPED_TRACE(rate);
+    Safety safety = make_safety();
+    const Solution solution = solved(torques());
+    (void)safety.command(standing(), &solution);
+    RobotState state = tilted(0.6);
+    state.w_WB_B = Vec3(rate, 0.0, 0.0);
+    SensorHealth health;
+    health.encoders = {.fault = SampleFault::jump, .age = 0.1, .joint = 2};
+    const JointCommand command = safety.command(state, nullptr, health);
+    const bool tips = rate > 0.0;
+    EXPECT_EQ(command.cause, tips ? StopCause::tilt : StopCause::encoders);
+    EXPECT_EQ(command.mode, tips ? CommandMode::damping : CommandMode::sit);
+  }
 }
 
 TEST(Safety, PassesTheOptimumOn) {

@@ -12,6 +12,7 @@ const GROUPS: Record<string, [one: string, all: string]> = {
 const OF_ALL = ["silent", "late"];
 const CAUSES: Record<string, string> = {
   tilt: "the torso tilted too far", failures: "too many ticks without a solution", cannot_stand: "it could not stand up",
+  fallen: "it fell",
 };
 
 /** Why the controller has stopped for safety; "": it has not. */
