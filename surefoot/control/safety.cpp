@@ -1,6 +1,7 @@
 #include "surefoot/control/safety.hpp"
 
 #include "surefoot/control/ease.hpp"
+#include "surefoot/control/lost_sensor.hpp"
 #include "surefoot/math/rotation.hpp"
 
 #include <algorithm>
@@ -25,7 +26,6 @@ constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then
 constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
 constexpr double kTipTime = 0.2;      // for which a robot that tips goes on turning [s]
 constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
-constexpr double kRounding = 1e-9;  // of times [s]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -138,17 +138,9 @@ bool Safety::is_good(const RobotState& state, const Solution* solution) const {
   return usable && solution->x.allFinite() && solution->x.size() == kNumUnknowns;
 }
 
-StopCause Safety::lost_sensor(const SensorHealth& health) const noexcept {
-  if (is_lost(health.encoders.age)) return StopCause::encoders;
-  if (is_lost(health.imu.age)) return StopCause::imu;
-  return is_lost(health.joint_torques.age) ? StopCause::joint_torques : StopCause::none;
-}
-
-bool Safety::is_lost(double age) const noexcept { return age > options_.bridge_time + kRounding; }
-
 void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health) {
   if (damping_) return;
-  const StopCause lost = lost_sensor(health);
+  const StopCause lost = lost_sensor(health, options_.bridge_time);
   if (lost == StopCause::encoders) note_lame_joints(state, health);
   // An IMU that made the robot sit down is not believed, nor one that the standing legs contradict.
   const bool lies = (sitting_ && command_.cause == StopCause::imu) ||
@@ -177,7 +169,7 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
 double Safety::patience(const RobotState& state, const SensorHealth& health) const {
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
   const auto is_there = [&](const GroupHealth& group) {
-    return is_well(group) || (std::isfinite(group.age) && !is_lost(group.age));
+    return is_well(group) || (std::isfinite(group.age) && !is_lost(group.age, options_.bridge_time));
   };
   const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
   const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&

@@ -89,10 +89,6 @@ class Safety {
   /// Torques change slowly at the next tick: what it is given may not be true.
   void be_careful() { is_careful_ = true; }
 
-  /// The sensor that the robot can't be without for longer; `none` while all are well enough.
-  [[nodiscard]] StopCause lost_sensor(const SensorHealth& health) const noexcept;
-  /// Has what was good for the last time `age` ago [s] been gone for longer than may be bridged?
-  [[nodiscard]] bool is_lost(double age) const noexcept;
   /// For good: no solution is asked for any more.
   [[nodiscard]] bool has_stopped() const { return sitting_ || damping_; }
   [[nodiscard]] bool is_sitting_down() const { return sitting_ && !damping_; }

@@ -1,0 +1,27 @@
+#include "surefoot/control/calibration.hpp"
+
+#include "surefoot/planning/calibration_motion.hpp"
+
+namespace surefoot {
+
+static_assert(KinematicCalibration::kFadeIn <= CalibrationMotion::kTakeOver);
+
+Calibration::Calibration(const LinkMassOptions& options, const RobotDescription& robot,
+                         double base_mass, double period)
+    : kinematics_(robot, period), link_masses_(options, period), com_(period, base_mass) {}
+
+void Calibration::update(const RobotState& state, const Dynamics& dynamics, const Vec3& gyro_B,
+                         const LastTick& last, bool is_quiet) noexcept {
+  const CalibrationStage stage = last.plan.calibration;
+  const bool turning = stage == CalibrationStage::turning;
+  if (turning && !is_quiet) {
+    kinematics_.forget();
+  } else {
+    kinematics_.update(state.time, dynamics, gyro_B, last.terrain_normal_W, turning);
+  }
+  link_masses_.update(state.time, dynamics, last.plan.standing(), state.torque);
+  com_.correct(link_masses_.shares());
+  com_.update(dynamics, state.foot_force, stage, is_quiet);
+}
+
+}  // namespace surefoot

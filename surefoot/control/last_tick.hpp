@@ -1,0 +1,29 @@
+#pragma once
+
+#include "surefoot/estimation/imu_step_check.hpp"
+#include "surefoot/signals/base_load.hpp"
+#include "surefoot/signals/hierarchy_outcome.hpp"
+#include "surefoot/signals/kinematic_errors.hpp"
+#include "surefoot/signals/motion_plan.hpp"
+
+#include <optional>
+
+namespace surefoot {
+
+/// All that a tick knows of the tick before.
+struct LastTick {
+  MotionPlan plan;
+  Vec3 terrain_normal_W = Vec3::UnitZ();  ///< unit
+  PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
+                          Vec3::Constant(kNaN)};  ///< estimated, in W [N]
+  PerLeg<bool> slips{};                           ///< the foot slides
+  JointVector joint_velocity = JointVector::Zero();  ///< observed [rad/s]
+  JointVector torque = JointVector::Zero();          ///< commanded [N·m]
+  KinematicErrors kinematics;                        ///< calibrated
+  BaseLoad load;                                     ///< of the model's base, calibrated
+  HierarchyOutcome outcome;
+  std::optional<ImuStep> imu_step;  ///< what the legs say of a step of the IMU
+  bool restarts = false;            ///< the estimate is to begin again, all feet standing
+};
+
+}  // namespace surefoot

@@ -1,0 +1,154 @@
+#include "surefoot/control/state_estimation.hpp"
+
+#include "surefoot/control/lost_sensor.hpp"
+#include "surefoot/control/standing_torque.hpp"
+#include "surefoot/math/rotation.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+// No robot comes near these; a single such number would stay in the filters for long.
+constexpr double kMaxDistance = 1e6;  // [m]
+constexpr double kMaxSpeed = 1e3;     // [m/s] and [rad/s]
+constexpr double kMaxAngle = 1e3;     // [rad]
+constexpr double kMaxTorque = 1e4;    // [N·m]
+
+/// After a longer time without a state the plan's time leaps [s].
+constexpr double kMaxGap = 1.0;
+
+/// Can the robot be so? Not where a number is NaN.
+bool is_plausible(const RobotState& state) {
+  const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
+  return std::isfinite(state.time) && within(state.p_WB, kMaxDistance) &&
+         is_rotation(state.q_WB) && within(state.u(), kMaxSpeed) && within(state.q, kMaxAngle) &&
+         within(state.torque, kMaxTorque);
+}
+
+TickContext context(const ReadingGuard& seen, const LastTick& last, const RobotMode& mode,
+                    const JointVector& joint_velocity) {
+  TickContext result{.joint_velocity = joint_velocity,
+                     .joint_lag = seen.joint_lag(),
+                     .imu_lag = seen.imu_lag(),
+                     .kinematics = last.kinematics,
+                     .restarts = last.restarts,
+                     .off_its_feet = !mode.stands};
+  for (const Leg leg : kLegs) {
+    const std::size_t k = index(leg);
+    result.contacts[k] = {.carries = last.plan.contact(leg),
+                          .normal_force = last.terrain_normal_W.dot(last.foot_force[k]),
+                          .slips = last.slips[k]};
+  }
+  return result;
+}
+
+}  // namespace
+
+StateEstimation::StateEstimation(const ControllerOptions& options, StateEstimator& estimator,
+                                 RobotModel& model)
+    : estimator_(&estimator),
+      model_(&model),
+      bridge_time_(options.safety.bridge_time),
+      rest_check_(options.period),
+      contact_force_(options.contact_force, options.period),
+      slip_(options.slip, options.period),
+      external_force_(options.external_force),
+      consistency_(options.consistency, options.period),
+      lift_(options.period) {}
+
+bool StateEstimation::has_begun() const { return std::isfinite(time_); }
+
+bool StateEstimation::follow(const ReadingGuard& seen, const LastTick& last,
+                             const RobotMode& mode, SensorHealth& health) noexcept {
+  imu_step_.reset();
+  observe_joints(seen);
+  if (!seen.clock_is_right()) {
+    state_.time = kNaN;
+    state_.q = seen.measured().q;  // for the safe commands: what the joints do now
+    state_.qd = joint_velocity_;
+    return false;
+  }
+  state_ = estimator_->update(seen.repaired(), context(seen, last, mode, joint_velocity_));
+  const bool is_at_rest = mode.stands && !mode.has_begun && !mode.has_stopped;
+  const bool fits = !is_at_rest || fits_at_rest(seen, health);
+  forget_lost_joints(seen, health);
+  const bool can_be = is_plausible(state_) && !(std::abs(state_.time - time_) > kMaxGap);
+  if (can_be) time_ = state_.time;
+  return can_be && fits && !mode.has_stopped &&
+         lost_sensor(health, bridge_time_) == StopCause::none;
+}
+
+void StateEstimation::observe_joints(const ReadingGuard& seen) noexcept {
+  joint_velocity_ = contact_force_.observe(
+      seen.measured(), {.encoders = seen.encoder_delay(), .torques = seen.torque_delay()});
+}
+
+// An IMU that is upside down or has another unit would else be known by its tilt, or never begin.
+bool StateEstimation::fits_at_rest(const ReadingGuard& seen, SensorHealth& health) noexcept {
+  const SensorReading& reading = seen.repaired();
+  const Vec3 force = borne_force(*model_, reading.q, reading.torque);
+  rest_check_.update(reading, joint_velocity_, force, model_->dynamics().mass);
+  if (!(rest_check_.wrong_for() > 0.0)) return true;
+  GroupHealth& wrong = rest_check_.torques_pull() ? health.joint_torques : health.imu;
+  if (wrong.fault == SampleFault::none)
+    wrong = {.fault = SampleFault::contradicts, .age = rest_check_.wrong_for()};
+  return false;
+}
+
+// What was filled in for an encoder is good for a short time only.
+void StateEstimation::forget_lost_joints(const ReadingGuard& seen,
+                                         const SensorHealth& health) noexcept {
+  if (lost_sensor(health, bridge_time_) != StopCause::encoders) return;
+  const JointVector age = seen.encoder_age();
+  for (Eigen::Index i = 0; i < kNumJoints; ++i) {
+    if (!is_lost(age[i], bridge_time_)) continue;
+    state_.q[i] = kNaN;
+    state_.qd[i] = kNaN;
+  }
+}
+
+void StateEstimation::feel(const ReadingGuard& seen, const Dynamics& dynamics,
+                           const LastTick& last, const RobotMode& mode,
+                           SensorHealth& health) noexcept {
+  const PerLeg<bool> stands = last.plan.standing();
+  contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
+  lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);
+  if (!mode.stands) return;
+  slip_.update(dynamics, stands, last.terrain_normal_W, state_);
+  external_force_.update(dynamics, stands, state_);
+  compare_sensors(seen, dynamics, last, health);
+}
+
+// Legs that are found to be other than they were believed to be have not moved; feet that bear
+// nothing do not stand.
+void StateEstimation::compare_sensors(const ReadingGuard& seen, const Dynamics& dynamics,
+                                      const LastTick& last, SensorHealth& health) noexcept {
+  if (last.kinematics != kinematics_before_) consistency_.legs_have_changed();
+  kinematics_before_ = last.kinematics;
+  if (lift_.seems_lifted()) {
+    consistency_.forget();
+    return;
+  }
+  const PerLeg<bool> stands = last.plan.standing();
+  PerLeg<Vec3> v_WF;
+  for (std::size_t k = 0; k < kNumLegs; ++k) v_WF[k] = last.plan.feet[k].v_WF;
+  consistency_.update(seen.repaired(), seen.offered(),
+                      {.state = state_,
+                       .dynamics = dynamics,
+                       .stands = stands,
+                       .v_WF = v_WF,
+                       .normal_W = last.terrain_normal_W,
+                       .command = last.torque},
+                      health);
+  imu_step_ = consistency_.imu_step();
+}
+
+void StateEstimation::stand_anew(const StateEstimation& at_start) noexcept {
+  contact_force_ = at_start.contact_force_;
+  slip_ = at_start.slip_;
+  external_force_ = at_start.external_force_;
+  rest_check_ = at_start.rest_check_;
+}
+
+}  // namespace surefoot
