@@ -1,11 +1,9 @@
 #include "app/contents_text.hpp"
 
 #include "app/clock_text.hpp"
+#include "app/outcome.hpp"
 #include "app/results_table.hpp"
 #include "surefoot/base/formatted.hpp"
-#include "surefoot/view/outcome.hpp"
-
-#include <algorithm>
 
 namespace surefoot {
 namespace {
@@ -21,13 +19,11 @@ std::string size(std::uint64_t bytes) {
 }
 
 std::string result(const LogContents& contents) {
-  const report::Outcome outcome = report::read_outcome(contents.summary, contents.header.options);
+  const Outcome outcome = read_outcome(contents.summary);
   if (!outcome.known) return "not known: the log has no summary";
   if (outcome.interrupted) return "the run was " + outcome.reason + "; not judged";
-  const auto held = std::ranges::count_if(
-      outcome.criteria, [](const report::Requirement& one) { return one.passed.value_or(false); });
   return std::string(outcome.succeeded ? "succeeded: " : "did not succeed: ") +
-         std::to_string(held) + " of " + std::to_string(outcome.criteria.size()) +
+         std::to_string(outcome.held) + " of " + std::to_string(outcome.num_criteria) +
          " criteria hold; ended: " + outcome.reason;
 }
 

@@ -6,6 +6,7 @@
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
 #include "app/progress.hpp"
+#include "app/python_tools.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
 #include "app/run_command.hpp"
@@ -205,6 +206,7 @@ int demo_command(const DemoArguments& arguments) {
   check(arguments.view);
   check_watched(arguments);
   if (arguments.view.view) return run_command(watched(arguments));
+  check_has_python("demo");
   watch_for_interrupt();
   const fs::path out = arguments.out.empty() ? default_folder() : fs::path(arguments.out);
   const bool is_new = !fs::exists(out);

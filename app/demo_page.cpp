@@ -1,7 +1,5 @@
 #include "app/demo_page.hpp"
 
-#include "surefoot/view/svg.hpp"
-
 namespace surefoot {
 namespace {
 
@@ -24,30 +22,40 @@ td small { color: #666; }
 <h1>The paper's experiments</h1>
 )";
 
+/// Text with <, >, & and quotes made harmless.
+std::string escape(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const char* entity = c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : nullptr;
+    if (c == '"') entity = "&quot;";
+    entity == nullptr ? out += c : out += entity;
+  }
+  return out;
+}
+
 std::string cell(const std::string& content) { return "<td>" + content + "</td>"; }
 
 std::string linked(const DemoRow& row) {
-  if (row.report.empty()) return plot::escape(row.name);
-  return "<a href=\"" + plot::escape(row.report) + "\">" + plot::escape(row.name) + "</a>";
+  if (row.report.empty()) return escape(row.name);
+  return "<a href=\"" + escape(row.report) + "\">" + escape(row.name) + "</a>";
 }
 
 std::string verdict(const DemoRow& row) {
   const std::string style = row.verdict == "✓" ? "ok" : row.verdict == "✗" ? "bad" : "";
-  return "<span class=\"" + style + "\">" + plot::escape(row.verdict) + "</span>";
+  return "<span class=\"" + style + "\">" + escape(row.verdict) + "</span>";
 }
 
 }  // namespace
 
 std::string demo_page(const std::vector<DemoRow>& rows, const std::string& summary) {
   std::string page = kHead;
-  page += "<p>" + plot::escape(summary) +
+  page += "<p>" + escape(summary) +
           "</p>\n<table>\n<tr><th>experiment</th><th>measured</th>"
           "<th>random seeds</th><th></th><th>paper</th></tr>\n";
   for (const DemoRow& row : rows) {
-    page += "<tr>" +
-            cell(linked(row) + "<br><small>" + plot::escape(row.description) + "</small>") +
-            cell(plot::escape(row.measured)) + cell(plot::escape(row.seeds)) + cell(verdict(row)) +
-            cell(plot::escape(row.paper)) + "</tr>\n";
+    page += "<tr>" + cell(linked(row) + "<br><small>" + escape(row.description) + "</small>") +
+            cell(escape(row.measured)) + cell(escape(row.seeds)) + cell(verdict(row)) +
+            cell(escape(row.paper)) + "</tr>\n";
   }
   return page + "</table>\n</body>\n</html>\n";
 }

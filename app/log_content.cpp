@@ -1,13 +1,13 @@
 #include "app/log_content.hpp"
 
 #include "app/log_replay.hpp"
+#include "app/outcome.hpp"
 #include "app/stack_text.hpp"
 #include "app/view_tasks.hpp"
 #include "surefoot/base/error.hpp"
 #include "surefoot/config/data_directory.hpp"
 #include "surefoot/logging/applied_force.hpp"
 #include "surefoot/logging/log_reader.hpp"
-#include "surefoot/view/outcome.hpp"
 #include "surefoot/view/web_answer.hpp"
 #include "surefoot/view/web_guard.hpp"
 
@@ -31,7 +31,7 @@ std::string block(const std::string& bytes, std::uint32_t frames) {
 }
 
 /// Of a log that is whole as a file.
-std::string cut_of(const report::Outcome& outcome) {
+std::string cut_of(const Outcome& outcome) {
   if (!outcome.known)
     return "how the run ended is not known: the log's file is whole, but has no summary";
   if (!outcome.interrupted) return "";
@@ -64,7 +64,7 @@ void LogContent::describe(const std::string& path, const LogHeader& header) {
     session_.cut = std::string(kNeverClosed) + " (at byte " + std::to_string(frames_.end_byte()) +
                    "): what is left of it is shown";
   } else {
-    const report::Outcome outcome = report::read_outcome(frames_.outcome(), header.options);
+    const Outcome outcome = read_outcome(frames_.outcome());
     session_.cut = cut_of(outcome);
     session_.ended = outcome.known ? outcome.reason : "";
   }

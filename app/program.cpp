@@ -6,7 +6,6 @@
 #include "app/experiments.hpp"
 #include "app/list_command.hpp"
 #include "app/log_commands.hpp"
-#include "app/pictures.hpp"
 #include "app/program_log.hpp"
 #include "app/program_view.hpp"
 #include "app/run_command.hpp"
@@ -133,13 +132,6 @@ Examples:
   surefoot list randomisations                           what randomise.include=NAME draws
 )";
 
-constexpr const char* kReportFooter = R"(
-Exit codes: 0 the report is written, 2 the log can't be read or the folder not be written.
-
-Example:
-  surefoot run walk_flat --record run.mcap && surefoot report run.mcap --out out
-)";
-
 std::string demo_footer() {
   std::string text = "\nExperiments, each with a report:\n";
   for (const Experiment& experiment : experiments()) {
@@ -212,22 +204,6 @@ void add_list(CLI::App& app, Command& chosen) {
       ->required()
       ->check(CLI::IsMember(listable()));
   list->callback([&chosen, what] { chosen = [what] { return list_command(*what); }; });
-}
-
-void add_report(CLI::App& app, Command& chosen) {
-  CLI::App* report = app.add_subcommand("report", "Write the HTML report of a log");
-  report->footer(kReportFooter);
-  const auto log = std::make_shared<std::string>();
-  const auto folder = std::make_shared<std::string>();
-  report->add_option("log", *log, "Log of a run (MCAP)")->required();
-  report->add_option("--out", *folder, "Folder to write into")->required()->check(some_name());
-  report->callback([&chosen, log, folder] {
-    chosen = [log, folder] {
-      tell_partial_beside(*log);
-      std::cout << write_illustrated_report(*log, *folder, tell_pictures_come) << "\n";
-      return static_cast<int>(kPassed);
-    };
-  });
 }
 
 void add_solve(CLI::App& app, Command& chosen) {
@@ -362,11 +338,11 @@ int run_program(int argc, char** argv) {
   Command chosen;
   add_run(app, chosen);
   add_list(app, chosen);
-  add_report(app, chosen);
   add_solve(app, chosen);
   add_dump(app, chosen);
   add_log_commands(app, chosen);
   add_demo(app, chosen);
+  add_python_command(app, chosen, "report", "Write the HTML report of a log, with its figures");
   add_python_command(app, chosen, "export",
                      "Write a log as CSV or Parquet, or its scene for Foxglove");
   add_python_command(app, chosen, "video", "Film a log, without a screen");

@@ -4,9 +4,9 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_files.hpp"
-#include "app/pictures.hpp"
 #include "app/program_view.hpp"
 #include "app/progress.hpp"
+#include "app/python_tools.hpp"
 #include "app/results_json.hpp"
 #include "app/results_table.hpp"
 #include "app/run_cost.hpp"
@@ -56,6 +56,7 @@ class LogPlace {
 /// What can't be written is told before the run, not after it; what is wrong with the scenario
 /// before any file is touched.
 void check_outputs(const RunArguments& arguments) {
+  if (!arguments.report.empty()) check_has_python("--report");
   if (!arguments.record.empty()) check_writable_file(arguments.record);
   if (arguments.video.empty()) return;
   check_can_film(arguments.video);
@@ -178,14 +179,17 @@ int run_one(const RunArguments& arguments) {
                                         .interrupted = interrupted});
   }
   if (result.ending == Ending::interrupted) report_interrupt(place.is_kept() ? log : "");
-  if (!arguments.report.empty()) {
-    const std::string page = write_illustrated_report(log, arguments.report, tell_pictures_come);
-    std::fprintf(stderr, "report: %s\n", page.c_str());
-  }
+  const bool has_report = arguments.report.empty() || write_report(log, arguments.report);
+  if (!arguments.report.empty() && has_report)
+    std::fprintf(stderr, "report: %s/index.html\n", arguments.report.c_str());
   if (!arguments.video.empty())
     tell_film(film(log, arguments.video), arguments.video, place.is_kept() ? log : "");
   const Json json = run_json(scenario, result);
   print(arguments, json, run_table(scenario, json));
+  if (!has_report) {
+    throw Error("the report was not written; surefoot report " + log + " --out " +
+                arguments.report + " tries again");
+  }
   return exit_code(scenario, {json});
 }
 

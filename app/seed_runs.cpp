@@ -2,9 +2,10 @@
 
 #include "app/closed_loop.hpp"
 #include "app/interrupt.hpp"
-#include "app/pictures.hpp"
 #include "app/process_pool.hpp"
+#include "app/python_tools.hpp"
 #include "app/results_json.hpp"
+#include "surefoot/base/error.hpp"
 
 namespace surefoot {
 namespace {
@@ -19,15 +20,18 @@ std::string run_here(const PlannedRun& run) {
   options.record_path = run.log.string();
   options.interrupted = interrupted;
   const RunResult result = run_closed_loop(scenario, options);
-  if (!run.report.empty() && result.ending != Ending::interrupted) {
-    run.pictures ? write_illustrated_report(run.log.string(), run.report.string())
-                 : write_report(run.log.string(), run.report.string());
+  const bool is_cut = result.ending == Ending::interrupted;
+  const bool has_report =
+      is_cut || run.report.empty() ||
+      write_report(run.log.string(), run.report.string(), {run.pictures, /*quiet=*/true});
+  if (!has_report && !interrupted()) {
+    throw Error("the report of " + run.log.string() + " was not written");
   }
-  if (!run.video.empty() && result.ending != Ending::interrupted) {
+  if (!run.video.empty() && !is_cut) {
     (void)film(run.log.string(), run.video.string());  // says itself what went wrong
   }
   Json json = run_json(scenario, result);
-  if (result.ending == Ending::interrupted) json[kInterrupted] = true;
+  if (is_cut || !has_report) json[kInterrupted] = true;
   return json.dump();
 }
 

@@ -1,6 +1,7 @@
 #include "app/tick_explanation.hpp"
 
 #include "app/operator_text.hpp"
+#include "app/outcome.hpp"
 #include "app/scenario_forces.hpp"
 #include "app/stop_text.hpp"
 #include "surefoot/base/error.hpp"
@@ -12,7 +13,6 @@
 #include "surefoot/logging/mcap_chunks.hpp"
 #include "surefoot/logging/message_decoder.hpp"
 #include "surefoot/math/rotation.hpp"
-#include "surefoot/view/outcome.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,8 +135,8 @@ std::string mode_text(CommandMode before, const TickRecord& tick) {
 }
 
 /// How a run ended, by the summary of its log; empty: not known.
-std::string end_text(const std::string& summary, const std::string& options) {
-  const report::Outcome outcome = report::read_outcome(summary, options);
+std::string end_text(const std::string& summary) {
+  const Outcome outcome = read_outcome(summary);
   if (!outcome.known) return "";
   return (outcome.interrupted ? "the run was " : "the run ended: ") + outcome.reason;
 }
@@ -233,7 +233,7 @@ class Search {
 
   /// Behind the last tick.
   void add_end() {
-    const std::string text = end_text(log_.summary(), found_.header.options);
+    const std::string text = end_text(log_.summary());
     if (!text.empty() && is_near(last_)) insert({last_, text, "", "run"});
   }
 

@@ -2,6 +2,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import sys
 
 import pytest
 
@@ -14,6 +15,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+# As the launcher does.
+os.environ.setdefault("SUREFOOT_PYTHON", sys.executable)
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(SOURCE / "python"), os.environ.get("PYTHONPATH")]))
 
 
 def pytest_collection_modifyitems(items):
@@ -62,6 +66,12 @@ def browser():
 def log(tmp_path_factory):
     """A recorded run."""
     return record(tmp_path_factory.mktemp("log") / "walk.mcap")
+
+
+@pytest.fixture(scope="session")
+def steps_down(tmp_path_factory):
+    """A recorded run on sensors that calibrates, walks, and searches for the ground below a step."""
+    return record(tmp_path_factory.mktemp("log") / "step.mcap", scenario="step_down", duration=15)
 
 
 @pytest.fixture(scope="session")

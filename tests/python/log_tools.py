@@ -9,15 +9,15 @@ TICKS = 800  # of the log that tests share
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def log_command(*arguments):
+def log_command(*arguments, package="surefoot_log"):
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "python"), os.environ.get("PYTHONPATH", "")])}
-    command = [sys.executable, "-m", "surefoot_log", *map(str, arguments)]
+    command = [sys.executable, "-m", package, *map(str, arguments)]
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600)
 
 
-def complaint_of(*arguments):
+def complaint_of(*arguments, package="surefoot_log"):
     """The one line on stderr of a call whose input is wrong."""
-    result = log_command(*arguments)
+    result = log_command(*arguments, package=package)
     assert (result.returncode, result.stdout) == (2, ""), result
     (line,) = result.stderr.strip().splitlines()
     assert line.startswith("surefoot: ")

@@ -61,14 +61,14 @@ def test_help_version_and_lists_are_on_stdout():
 
 
 def test_the_help_of_a_command_is_its_own():
-    helps = {command: surefoot(command, "--help").stdout for command in ["run", "list", "report", "demo"]}
+    helps = {command: surefoot(command, "--help").stdout for command in ["run", "list", "demo"]}
     for command, text in helps.items():
-        others = [other for other in ["run", "list", "solve", "demo"] if other != command and command != "report"]
+        others = [other for other in ["run", "list", "solve", "demo"] if other != command]
         examples = text[text.index("Example") :]
         assert f"surefoot {command} " in examples
         assert not any(f"surefoot {other} " in examples for other in others), command
     assert "controller stopped for safety" in helps["run"]
-    assert "controller stopped" not in helps["demo"] + helps["list"] + helps["report"]
+    assert "controller stopped" not in helps["demo"] + helps["list"]
     for part in ["step_down_regular_stack", "minutes", "1 one did not"]:
         assert part in helps["demo"]
 
@@ -157,11 +157,12 @@ def test_the_same_seed_gives_the_same_results_alone_and_among_others():
     assert [alone[name] for name in measured] == [among[name] for name in measured]
 
 
-def test_report_and_log_are_written_and_the_log_gives_the_report_again(tmp_path):
+def test_report_and_log_are_written(tmp_path):
     result = surefoot("run", "walk_flat", "--report", tmp_path / "out", "--record", tmp_path / "run.mcap", *SHORT)
-    assert (tmp_path / "out/index.html").stat().st_size > 1000, result
-    assert surefoot("report", tmp_path / "run.mcap", "--out", tmp_path / "again").returncode == 0
-    assert (tmp_path / "again/index.html").exists()
+    page = tmp_path / "out/index.html"
+    assert page.stat().st_size > 1000 and (tmp_path / "run.mcap").exists(), result
+    assert result.stderr.splitlines() == [f"report: {page} can be opened; its pictures are being made", f"report: {page}"]
+    assert sorted(file.name for file in page.parent.iterdir()) == ["figures", "index.html"]
 
 
 def test_progress_is_not_on_stdout_and_without_a_terminal_draws_no_bar():
@@ -271,13 +272,11 @@ def test_what_would_throw_the_robot_over_at_once_is_told_before_the_run(robot, c
         ["run", "walk_flat", "--record", ""],
         ["run", "walk_flat", "--report", ""],
         ["run", "walk_flat", "--video", ""],
-        ["report", "run.mcap", "--out", ""],
         ["dump", "walk_flat", "--out", ""],
         ["demo", "--out", ""],
         ["list", "planets"],
         ["dance"],
         [],
-        ["report", "nowhere.mcap", "--out", "out"],
         ["solve", "nowhere.jsonl"],
     ],
 )
@@ -364,7 +363,7 @@ def test_commands_on_a_log_point_to_one_that_was_cut_off_beside_it(tmp_path):
     log, partial = tmp_path / "run.mcap", tmp_path / "run.mcap.partial"
     answer_of_run = surefoot("run", "walk_flat", *SHORT, "--record", log)
     assert answer_of_run.returncode in (0, 1) and log.exists()
-    calls = [["info", log], ["explain", log, "--at", 0.05], ["replay", log, "--verify"], ["dump", log, "--to", 0.005], ["report", log, "--out", tmp_path / "out"]]
+    calls = [["info", log], ["explain", log, "--at", 0.05], ["replay", log, "--verify"], ["dump", log, "--to", 0.005]]
     partial.write_bytes(log.read_bytes())
     for call in calls:
         assert f"note: {partial} is of a later run, which goes on or was cut off" in surefoot(*call).stderr

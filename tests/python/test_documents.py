@@ -95,7 +95,7 @@ def test_legs_have_the_same_colours_in_the_picture_the_page_and_the_report():
     variables = r"--c0: #\w{6}; --c1: #\w{6}; --c2: #\w{6}; --c3: #\w{6}"
     picture = colours((ROOT / "viewer/src/scene/palette.ts").read_text(), r"legs: \[0x[^\]]*\]")
     assert len(picture) == 2, "light and dark"
-    for file in ("viewer/src/style/page.css", "surefoot/view/report_style.cpp"):
+    for file in ("viewer/src/style/page.css", "python/surefoot_report/page.css"):
         assert colours((ROOT / file).read_text(), variables) == picture, file
 
 

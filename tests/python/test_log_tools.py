@@ -292,7 +292,7 @@ def test_no_damage_ends_a_command_otherwise_than_with_an_answer_or_one_line(log,
     assert result.returncode != 2 or len(result.stderr.strip().splitlines()) == 1
 
 
-@pytest.mark.parametrize("command", [("info",), ("explain", "--at", 0), ("replay", "--verify"), ("report", "--out", "page")])
+@pytest.mark.parametrize("command", [("info",), ("explain", "--at", 0), ("replay", "--verify")])
 def test_a_damaged_header_is_told_in_words_with_what_can_still_be_done(log, tmp_path, command):
     """The header as a whole, which has a checksum, and one that was made without."""
     other = written(tmp_path / "other.mcap", {"header.json": attachment(log, "header.json")[:-50]})
@@ -305,7 +305,7 @@ def test_a_damaged_header_is_told_in_words_with_what_can_still_be_done(log, tmp_
         assert "exception" not in line and "parse" not in line
 
 
-@pytest.mark.parametrize("command", [("explain", "--at", 0), ("replay",), ("replay", "--verify"), ("report", "--out", "page")])
+@pytest.mark.parametrize("command", [("explain", "--at", 0), ("replay",), ("replay", "--verify")])
 def test_of_a_log_that_is_cut_off_before_its_first_tick_that_is_said(log, tmp_path, command):
     file = cut(log, tmp_path, 0.01)
     line = complaint(command[0], file, *command[1:], cwd=tmp_path)
@@ -318,15 +318,6 @@ def test_a_log_without_ticks_has_nothing_to_explain_or_to_run_again(log, tmp_pat
     line = complaint("replay", file, "--verify")
     assert str(file) in line and "the log has no attachment resolved_stack.yaml" in line
     assert "no tick" in answer("info", file)
-
-
-def test_a_report_of_a_log_that_lacks_its_index_shows_all_of_the_run_and_says_what_is_lost(log, tmp_path):
-    file = cut_at(log, tmp_path, log.stat().st_size - 1)
-    assert surefoot("report", file, "--out", tmp_path / "page").returncode == 0
-    (page,) = (tmp_path / "page").glob("*.html")
-    text = page.read_text()
-    assert "only the index of the file is lost. This shows what could be read of it, to 2 s." in text
-    assert str(tmp_path) not in text
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -1,0 +1,253 @@
+"""What the report shows of a log, as arrays over its ticks."""
+
+from functools import reduce
+from math import prod
+from types import SimpleNamespace
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.json
+
+from surefoot_campaign.errors import InputError
+from surefoot_log.frames import ITERATION_CAP, LEGS
+from surefoot_log.log_file import SUMMARY
+from surefoot_report.outside_forces import count_changes, outside_forces
+
+STANCE, UNLOADING, SWING, SEARCH = range(4)
+PHASES = ["stance", "unloading", "swing", "search"]
+ROUNDING = 1e-6  # a residual or cost up to it is none
+PART = 1 << 20  # bytes that are decoded at once
+
+NUMBER, WHOLE, TEXT, TRUE = pa.float64(), pa.int64(), pa.string(), pa.bool_()
+VECTOR, MATRIX = pa.list_(NUMBER), pa.list_(pa.list_(NUMBER))
+
+
+def of_legs(kind):
+    return pa.struct([(leg, kind) for leg in LEGS])
+
+
+FOOT = pa.struct([("phase", TEXT), ("force_min", NUMBER), ("force_max", NUMBER)])
+SCHEMAS = {
+    "/state": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR)],
+    "/plan": [("feet", of_legs(FOOT)), ("torso", pa.struct([("q_WB", VECTOR), ("height", NUMBER)])), ("com", pa.struct([("p", VECTOR)])),
+              ("R_WC", MATRIX), ("calibration", TEXT), ("event", WHOLE)],
+    "/model": [("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)), ("p_WH", of_legs(VECTOR)), ("force", of_legs(VECTOR))],
+    "/hierarchy": [("status", WHOLE), ("failed_level", WHOLE), ("levels", pa.list_(pa.struct([("name", TEXT), ("residual", NUMBER)]))),
+                   ("active", pa.list_(pa.struct([("level", TEXT), ("row", TEXT), ("id", WHOLE), ("state", WHOLE)]))),
+                   ("blocking_is_known", TRUE),
+                   ("blocked_by", pa.list_(pa.struct([("level", TEXT), ("by", TEXT), ("row", TEXT), ("id", WHOLE), ("cost", NUMBER)])))],
+    "/command": [("torque", VECTOR), ("mode", TEXT)],
+    "/truth": [("p_WB", VECTOR), ("q_WB", VECTOR), ("v_WB", VECTOR), ("p_WCom", VECTOR), ("p_WF", of_legs(VECTOR)),
+               ("feet", of_legs(pa.struct([("force", VECTOR), ("normal", VECTOR)]))), ("torque", VECTOR), ("xfrc_applied", VECTOR)],
+    "/timings": [("total", NUMBER)],
+}  # fmt: skip
+APART = {"/truth", "/timings"}  # a tick is whole without them
+
+
+class Topic:
+    """The messages on a topic, decoded part by part."""
+
+    def __init__(self, name, path):
+        self._name, self._path, self._schema = name, path, pa.schema(SCHEMAS[name])
+        self._times, self._waiting, self._size, self._parts = [], [], 0, []
+
+    def add(self, message):
+        self._times.append(message.time)
+        self._waiting.append(bytes(message.data))
+        self._size += len(message.data) + 1
+        if self._size > PART:
+            self._decode()
+
+    def _decode(self):
+        options = pyarrow.json.ParseOptions(explicit_schema=self._schema, unexpected_field_behavior="ignore")
+        reading = pyarrow.json.ReadOptions(block_size=self._size)
+        try:
+            part = pyarrow.json.read_json(pa.BufferReader(b"\n".join(self._waiting)), reading, options)
+        except pa.ArrowInvalid as error:
+            raise InputError(f"{self._path}: a message on {self._name} is not what it should be: {error}") from None
+        if part.num_rows != len(self._waiting):
+            raise InputError(f"{self._path}: a message on {self._name} is not what it should be: one JSON object")
+        self._parts.append(part)
+        self._waiting, self._size = [], 0
+
+    def finish(self):
+        """The times [ns] and the table."""
+        if self._waiting:
+            self._decode()
+        table = pa.concat_tables(self._parts) if self._parts else self._schema.empty_table()
+        return np.array(self._times, np.int64), table.combine_chunks()
+
+
+def part_of(table, path):
+    """A column, or a member of one: "com.p"."""
+    name, *members = path.split(".")
+    column = table[name].combine_chunks()
+    return pc.struct_field(column, members) if members else column
+
+
+def numbers(table, path, *shape):
+    """An array of numbers, or of vectors and matrices of that shape; what is not known is NaN."""
+    values = part_of(table, path)
+    for _ in shape:
+        values = values.flatten()
+    if len(values) != table.num_rows * prod(shape):  # older logs lack it
+        return np.full((table.num_rows, *shape), np.nan)
+    return values.to_numpy(zero_copy_only=False).astype(float).reshape(table.num_rows, *shape)
+
+
+def by_leg(table, path, *shape, member=""):
+    return np.stack([numbers(table, f"{path}.{leg}{member}", *shape) for leg in LEGS], axis=1)
+
+
+def flags(table, path):
+    return pc.fill_null(part_of(table, path), False).to_numpy(zero_copy_only=False)
+
+
+def codes(column, names, other=-1):
+    """Of each text its place among the names."""
+    return pc.fill_null(pc.index_in(column, value_set=pa.array(names, TEXT)), other).to_numpy(zero_copy_only=False).astype(int)
+
+
+def matrices(q):
+    """Of quaternions w, x, y, z."""
+    w, x, y, z = np.moveaxis(q, -1, 0)
+    rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]  # fmt: skip
+    return np.moveaxis(np.array([[np.broadcast_to(cell, w.shape) for cell in row] for row in rows]), (0, 1), (-2, -1))
+
+
+def turns(yaw):
+    """Rotation matrices about z."""
+    half = 0.5 * np.asarray(yaw)
+    return matrices(np.stack([np.cos(half), 0 * half, 0 * half, np.sin(half)], axis=-1))
+
+
+def chosen(rows, which):
+    """Some of the rows that `lists_of` gives."""
+    return {name: column[which] for name, column in rows.items()}
+
+
+def stretches(inside, time, period):
+    """From and to of each time without a break in which something is so."""
+    edges = np.diff(np.concatenate([[0], np.asarray(inside, int), [0]]))
+    begins, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+    return [(float(time[begin]), float(time[end - 1] + period)) for begin, end in zip(begins, ends)]
+
+
+def lists_of(table, path, levels, named):
+    """The rows of a list of each tick, a column for each member; `named`: members that are levels, which become numbers."""
+    column = part_of(table, path)
+    rows = {"tick": pc.list_parent_indices(column).to_numpy(zero_copy_only=False)}
+    for member in (field.name for field in column.type.value_type):
+        values = pc.struct_field(column.flatten(), [member])
+        rows[member] = codes(values, levels) if member in named else values.to_numpy(zero_copy_only=False)
+    return rows
+
+
+def residuals(table, levels):
+    """Of each tick and level; of a solve that was cut off the level that it ended in, and those behind it, have none."""
+    rows, failed = lists_of(table, "levels", levels, {"name"}), numbers(table, "failed_level")
+    failed[(numbers(table, "status") != ITERATION_CAP) | ~(failed >= 0)] = np.inf
+    place = np.arange(len(rows["tick"])) - np.searchsorted(rows["tick"], rows["tick"])
+    found = np.full((table.num_rows, len(levels)), np.nan)
+    found[rows["tick"], rows["name"]] = np.where(place < failed[rows["tick"]], rows["residual"].astype(float), np.nan)
+    return found
+
+
+def level_names(header, table):
+    """Those of the header, then others that came while it ran."""
+    others = pc.unique(pc.struct_field(part_of(table, "levels").flatten(), ["name"])).to_pylist()
+    return header["level_names"] + [name for name in others if name not in header["level_names"]]
+
+
+def laid_by_feet(contact, believed, true):
+    """How the controller's W lies in the true one by the feet that stand, as model/belief_frame.hpp: rotations and positions; as at the tick
+    before where fewer than two stand, or their places are not known."""
+    count = contact.sum(axis=1)
+    known = (count >= 2) & np.isfinite(believed).all(axis=(1, 2)) & np.isfinite(true).all(axis=(1, 2))
+    R, p = np.broadcast_to(np.eye(3), (len(known) + 1, 3, 3)).copy(), np.zeros((len(known) + 1, 3))  # the last: of ticks before all that are known
+    weights = (contact / np.maximum(count, 1)[:, None])[known, :, None]
+    here, there = ((weights * points[known]).sum(axis=1) for points in (believed, true))
+    a, b = believed[known] - here[:, None], true[known] - there[:, None]
+    sine, cosine = ((weights[..., 0] * part).sum(axis=1) for part in (a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0],
+                                                                      a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1]))  # fmt: skip
+    R[:-1][known] = turns(np.arctan2(sine, cosine))
+    p[:-1][known] = there - np.einsum("nij,nj->ni", R[:-1][known], here)
+    latest = np.maximum.accumulate(np.where(known, np.arange(len(known)), -1))
+    return R[latest], p[latest]
+
+
+def read_run(log):
+    """Throws InputError as LogFile does, and if the log holds no tick."""
+    topics = {name: Topic(name, log.path) for name in SCHEMAS}
+    changes = []
+    for message in log.messages({*SCHEMAS, "/changes"}):
+        changes.append(bytes(message.data)) if message.topic == "/changes" else topics[message.topic].add(message)
+    return made_run(log, {name: topic.finish() for name, topic in topics.items()}, count_changes(changes))
+
+
+def of_ticks(log, tables):
+    """The times [ns] of the ticks that are whole, and their tables."""
+    times = reduce(np.intersect1d, [tables[name][0] for name in SCHEMAS.keys() - APART])
+    if not len(times):
+        raise InputError(f"{log.path}: the log holds no tick, so there is nothing to report{'; ' + log.problem if log.problem else ''}")
+    return times, {name: rows_at(*tables[name], times) for name in SCHEMAS.keys() - {"/timings"}}
+
+
+def rows_at(have, table, times):
+    """The rows of these times; nulls where there is none."""
+    if np.array_equal(have, times):
+        return table
+    places = np.searchsorted(have, times)
+    return table.take(pa.array(places, mask=~np.isin(times, have))) if len(have) else pa.Table.from_pylist([{}] * len(times), schema=table.schema)
+
+
+def pose_of(table, p_WCom, p_WF):
+    """Base and its velocity, COM and feet."""
+    return SimpleNamespace(p_WB=numbers(table, "p_WB", 3), q_WB=numbers(table, "q_WB", 4), v_WB=numbers(table, "v_WB", 3),
+                           p_WCom=numbers(p_WCom, "p_WCom", 3), p_WF=by_leg(p_WF, "p_WF", 3))  # fmt: skip
+
+
+def seen(belief, truth):
+    """The truth where the log has it, else what the controller believed."""
+    known = np.isfinite(truth.p_WB[:, 0])
+    return SimpleNamespace(**{name: np.where(known.reshape(-1, *[1] * (values.ndim - 1)), values, getattr(belief, name))
+                              for name, values in vars(truth).items()})  # fmt: skip
+
+
+def made_run(log, tables, num_changes):
+    """Arrays over the ticks; NaN is not known."""
+    times, tick = of_ticks(log, tables)
+    plan, model, hierarchy, command, truth = (tick[name] for name in ("/plan", "/model", "/hierarchy", "/command", "/truth"))
+    run = SimpleNamespace(header=log.header, time=1e-9 * times, period=log.header["control_period"], num_changes=num_changes, problem=log.problem)
+    run.span = run.time[0], run.time[-1] + run.period
+    run.summary, run.has_truth = log.attachments.get(SUMMARY, b"").decode(errors="replace"), len(tables["/truth"][0]) > 0
+    run.applied = outside_forces(tables["/truth"], numbers, log.attachments.get("model.xml", b"").decode())
+    run.totals = numbers(tables["/timings"][1], "total")  # wall clock of each tick [µs]
+
+    run.belief, run.truth = pose_of(tick["/state"], model, model), pose_of(truth, truth, truth)
+    run.seen = seen(run.belief, run.truth)
+    run.p_WH, run.force = by_leg(model, "p_WH", 3), by_leg(model, "force", 3)  # hips, and forces of the solution
+    force, normal = (by_leg(truth, "feet", 3, member=f".{name}") for name in ("force", "normal"))
+    run.normal_force = (normal * force).sum(axis=2)  # the true one [N]
+    run.torque, run.mode = numbers(command, "torque", 12), part_of(command, "mode").to_numpy(zero_copy_only=False).astype(str)
+
+    run.phase = np.stack([codes(part_of(plan, f"feet.{leg}.phase"), PHASES, STANCE) for leg in LEGS], axis=1)
+    run.contact = run.phase <= UNLOADING
+    run.force_limits = np.stack([by_leg(plan, "feet", member=f".{name}") for name in ("force_min", "force_max")], axis=2)
+    run.torso_q, run.R_WC, run.event = numbers(plan, "torso.q_WB", 4), numbers(plan, "R_WC", 3, 3), np.nan_to_num(numbers(plan, "event")).astype(int)
+    run.calibrates = codes(part_of(plan, "calibration"), ["none", None], 2) == 2
+    run.R_belief, p = laid_by_feet(run.contact, run.belief.p_WF, run.truth.p_WF)  # takes the controller's W to the true one
+    desired = np.einsum("nij,nj->ni", run.R_belief, np.column_stack([numbers(plan, "com.p", 2), numbers(plan, "torso.height")])) + p
+    run.desired_com, run.desired_height = desired[:, :2], desired[:, 2]  # in the true W, or in the controller's where there is no truth
+
+    run.levels, run.explained = level_names(log.header, hierarchy), flags(hierarchy, "blocking_is_known")
+    run.residual = residuals(hierarchy, run.levels)
+    solved = np.isfinite(run.residual)
+    active, blocked = lists_of(hierarchy, "active", run.levels, {"level"}), lists_of(hierarchy, "blocked_by", run.levels, {"level", "by"})
+    run.active = chosen(active, solved[active["tick"], active["level"]])  # at a bound or beyond it
+    is_told = run.explained[blocked["tick"]] & (blocked["cost"].astype(float) > ROUNDING) & solved[blocked["tick"], blocked["level"]]
+    run.blocked = chosen(blocked, is_told)  # rows that held a level back
+    return run

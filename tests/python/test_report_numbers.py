@@ -1,0 +1,66 @@
+"""The report's numbers: what is asked, what came out, and what each is measured on."""
+
+import json
+import re
+
+import pytest
+from log_file import attachment
+
+from surefoot_report import numbers, words  # isort: skip
+from surefoot_report.outcome import read_outcome  # isort: skip
+
+
+def cells(table):
+    """By quantity the other cells of its row."""
+    rows = re.findall(r"<tr[^>]*>((?:<td.*?</td>)+)</tr>", table.split("</table>")[0])
+    return {row[0]: row[1:] for row in (re.findall(r"<td[^>]*>(.*?)</td>", row) for row in rows)}
+
+
+def test_every_criterion_and_every_figure_of_the_paper_is_in_the_table():
+    summary = {"metrics": {"goal_reached": False, "fell": False, "tick_us": {"p99": 12.0}, "odd_m": 2.5, "path_deviation_max_m": 0.007},
+               "criteria": [{"metric": "goal_reached", "equals": True, "passed": False}, {"metric": "fell", "equals": False, "passed": True},
+                            {"metric": "tick_us.p99", "max": 10.0, "passed": False}, {"metric": "odd_m", "min": 1.0, "passed": True},
+                            {"metric": "path_deviation_max_m", "max": 0.1, "passed": True}]}  # fmt: skip
+    outcome = read_outcome(json.dumps(summary), {"paper": {"goal_reached": "14 cm", "torso_contacts": "none", "speed_mps": 12, "fell": None}})
+    found = cells(numbers.numbers(outcome))
+    assert found["goal reached"] == ["no", "truth", "yes  ✗ missed", "14 cm"] and found["fell"] == ["no", "truth", "no  ✓ holds", ""]
+    assert found["time per tick, 99 %"] == ["12 µs", "wall clock", "≤ 10 µs  ✗ missed", ""]
+    assert found["odd_m"] == ["2.5", "", "≥ 1  ✓ holds", ""] and found["torso contacts"] == ["–", "truth", "", "none"]
+    assert found["distance from the path, largest"][::2] == ["7 mm", "≤ 100 mm  ✓ holds"] and found["speed"][-1] == "12"
+
+
+def test_every_metric_has_words_and_says_what_it_is_measured_on(log):
+    outcome = read_outcome(attachment(log, "summary.json").decode(), {})
+    assert len(outcome.metrics) > 40
+    assert {name for name in outcome.metrics if numbers.name_of(name) == name} == {"succeeded", "reason", "seed", "version", "fell"}
+    assert all(quantity.basis for quantity in numbers.QUANTITIES)
+
+
+def test_what_only_a_run_that_calibrates_has_is_told_of_no_other():
+    metrics = {"max_tilt_rad": 0.1, "max_tilt_calibrating_rad": None, "com_error_max_m": 0.001, "com_error_calibrating_max_m": None}
+
+    def found():
+        return cells(numbers.numbers(read_outcome(json.dumps({"metrics": metrics, "criteria": []}), {})))
+
+    assert found()["largest tilt"][1] == "truth" and "largest tilt while calibrating" not in found()
+    metrics |= {"max_tilt_calibrating_rad": 0.2, "com_error_calibrating_max_m": 0.002}
+    assert found()["largest tilt"][:2] == ["5.7°", "truth, without calibration"] and found()["largest tilt while calibrating"][0] == "11.5°"
+
+
+@pytest.mark.parametrize("summary", ["", "{}", "no", "[]", '{"metrics":{},"criteria":{"fell":true}}', '{"metrics":{"reason":null},"criteria":[]}',
+                                     '{"metrics":[],"criteria":[]}', '{"metrics":{"reason":"fell"},"criteria":[{"metric":"fell","passed":"no"}]}'])  # fmt: skip
+def test_a_summary_of_another_shape_is_none(summary):
+    outcome = read_outcome(summary, {"criteria": {"fell": False}, "goal": {"feet_beyond_x": 1}})
+    assert not outcome.known and not outcome.metrics and not outcome.reason and len(outcome.criteria) == 1 and outcome.goal
+
+
+def test_options_of_another_shape_are_none():
+    assert read_outcome('{"metrics":{},"criteria":[]}', {"goal": []}).known
+    for options in (None, [], {"goal": {"feet_beyond_x": "far"}, "criteria": [], "paper": 3}):
+        outcome = read_outcome("", options)
+        assert (outcome.goal, outcome.criteria, outcome.paper) == ("", [], {})
+
+
+def test_numbers_are_written_for_people():
+    assert [words.decimal(value, 2) for value in (0.5, -1.0, -0.001, 100, None, float("nan"))] == ["0.5", "−1", "0", "100", "–", "–"]
+    assert [words.two_digits(value) for value in (42.4, 0.421, 0.00013, 0, 268)] == ["42", "0.42", "1.3·10⁻⁴", "0", "268"]
