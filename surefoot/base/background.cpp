@@ -8,17 +8,17 @@
 namespace surefoot {
 namespace {
 
-constexpr int kLess = 5;  // niceness more than the process has
+constexpr int kAddedNiceness = 5;  // above that of the process
 
 }  // namespace
 
-// What the system refuses is no harm: the thread runs as it would without.
+// A refused request is no harm: the thread runs as before.
 void become_background(const char* name) {
   pthread_setname_np(pthread_self(), name);
   const sched_param plain{};
   pthread_setschedparam(pthread_self(), SCHED_BATCH, &plain);
   const auto thread = static_cast<id_t>(gettid());
-  setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + kLess);
+  setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + kAddedNiceness);
 }
 
 }  // namespace surefoot

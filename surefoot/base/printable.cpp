@@ -11,7 +11,7 @@ unsigned byte(std::string_view text, std::size_t i) {
 
 bool is_ascii_control(unsigned code) { return code < 0x20U || code == 0x7fU; }
 
-/// U+0080 to U+009F are two bytes in UTF-8, of which the second is the code.
+/// U+0080 to U+009F are two bytes in UTF-8; the second one is the code.
 bool is_later_control(std::string_view text, std::size_t i) {
   return byte(text, i) == 0xc2U && byte(text, i + 1) >= 0x80U && byte(text, i + 1) < 0xa0U;
 }

@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-/// A straight line through samples that come one a tick, by least squares.
+/// Least-squares line through one sample a tick.
 class LineFit {
  public:
   void add(const Vec3& y) {
@@ -14,9 +14,9 @@ class LineFit {
   }
 
   [[nodiscard]] int size() const { return n_; }
-  /// Of the samples, and of the line in their middle; of one sample at least.
+  /// Of the samples, and of the line in their middle; needs one sample.
   [[nodiscard]] Vec3 mean() const { return sum_ / n_; }
-  /// Per tick: Σ (k − (n−1)/2) y_k / Σ (k − (n−1)/2)²; zero of a single sample.
+  /// Per tick: Σ (k − (n−1)/2) y_k / Σ (k − (n−1)/2)²; zero with one sample.
   [[nodiscard]] Vec3 slope() const {
     if (n_ < 2) return Vec3::Zero();
     const double n = n_;

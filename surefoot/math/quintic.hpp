@@ -22,8 +22,7 @@ using HermiteWeights = Eigen::Matrix<double, 1, 6>;
 /// Weights of p̈(t).
 [[nodiscard]] HermiteWeights hermite_acceleration(double t, double T);
 
-/// Quintic Hermite spline through two boundary states over T > 0, evaluated at t, held outside [0,
-/// T].
+/// Quintic Hermite spline through two boundary states over T > 0, at t clamped to [0, T].
 template <typename T>
 [[nodiscard]] Motion<T> hermite(const Motion<T>& begin, const Motion<T>& end, double t,
                                 double duration) {

@@ -6,7 +6,7 @@ namespace surefoot {
 
 Quat exp_rotation(const Vec3& v) {
   const double angle = v.norm();
-  // sin(a/2)/a by its series where the quotient would lose digits.
+  // sin(a/2)/a; near zero by its series, where the quotient loses digits.
   const double scale = angle > 1e-4 ? std::sin(0.5 * angle) / angle : 0.5 - angle * angle / 48.0;
   Quat result(std::cos(0.5 * angle), scale * v.x(), scale * v.y(), scale * v.z());
   result.normalize();
@@ -14,7 +14,7 @@ Quat exp_rotation(const Vec3& v) {
 }
 
 Vec3 log_rotation(const Quat& q) {
-  const double sign = q.w() < 0.0 ? -1.0 : 1.0;  // q and −q are one rotation: take the short way
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;  // q and −q are one rotation: take the shorter way
   const double w = sign * q.w();
   const Vec3 v = sign * q.vec();
   const double sine = v.norm();

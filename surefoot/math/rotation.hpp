@@ -13,18 +13,17 @@ namespace surefoot {
   return result;
 }
 
-/// Is it of unit length, to within rounding and filters? Not if it is NaN.
+/// Is q of unit length, up to rounding and filters? False for NaN.
 [[nodiscard]] inline bool is_rotation(const Quat& q) { return std::abs(q.norm() - 1.0) < 0.01; }
 
 /// Rotation of |v| radians about v.
 [[nodiscard]] Quat exp_rotation(const Vec3& v);
 
-/// Rotation vector of R, |result| ≤ π; the inverse of exp_rotation. Exact to rounding at small
-/// angles.
+/// Rotation vector of q, |result| ≤ π; the inverse of exp_rotation, exact to rounding.
 [[nodiscard]] Vec3 log_rotation(const Quat& q);
 
-/// Orientation error q_a ⊟ q_b = log(q_a q_b⁻¹), in the frame that q_a and q_b lead to: for q_WB it
-/// is the rotation vector in W that takes b to a, and its rate is w_a − w_b for small errors.
+/// Orientation error q_a ⊟ q_b = log(q_a q_b⁻¹), in the target frame of q_a and q_b. For q_WB: the
+/// rotation vector in W that takes b to a; its rate is w_a − w_b for small errors.
 [[nodiscard]] inline Vec3 box_minus(const Quat& q_a, const Quat& q_b) {
   return log_rotation(q_a * q_b.conjugate());
 }
@@ -41,7 +40,7 @@ namespace surefoot {
 /// R = R_z(yaw) R_y(pitch) R_x(roll) as a quaternion.
 [[nodiscard]] Quat from_roll_pitch_yaw(const Vec3& angles);
 
-/// Shortens v to at most `limit` in length and keeps its direction.
+/// Shortens v to at most `limit`, in the same direction.
 template <int N>
 [[nodiscard]] Eigen::Matrix<double, N, 1> clip_norm(const Eigen::Matrix<double, N, 1>& v,
                                                     double limit) {

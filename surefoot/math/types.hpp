@@ -18,7 +18,7 @@ using MatX = Eigen::MatrixXd;
 inline constexpr double kPi = std::numbers::pi;
 /// Standard gravity [m/s²], along −z of the world frame W.
 inline constexpr double kGravity = 9.81;
-/// In W [m/s²].
+/// Gravity in W [m/s²].
 inline const Vec3 kGravityVector(0.0, 0.0, -kGravity);
 
 }  // namespace surefoot

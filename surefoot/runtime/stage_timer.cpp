@@ -44,7 +44,7 @@ void StageTimer::stage_ends(Stage stage) noexcept {
       timing_.solve = duration;
       break;
     case Stage::command:
-      break;  // a share of the total
+      break;  // counts in the total only
   }
   timing_.total = microseconds(now - begin_);
   last_ = now;

@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// What a controller's `level_times` [s] are in a TickTiming: 0 is NaN.
+/// The controller's `level_times` [s] for a TickTiming [µs]; 0 becomes NaN.
 [[nodiscard]] LevelTimes in_microseconds(const std::array<double, kMaxLevels>& seconds) noexcept;
 
 /// Measures the stages of the controller's tick with a steady clock. Allocates nothing.
@@ -17,7 +17,7 @@ class StageTimer final : public StageObserver {
   void tick_begins() noexcept override;
   void stage_ends(Stage stage) noexcept override;
 
-  /// Of the last tick [µs]; `total` spans all its stages. A stage that was left out took 0.
+  /// Of the last tick [µs]; `total` covers all stages. A skipped stage took 0.
   [[nodiscard]] const TickTiming& timing() const { return timing_; }
 
  private:

@@ -2,7 +2,7 @@
 
 namespace surefoot {
 
-/// The machine's steady clock [s], for solvers, which have none of their own.
+/// The machine's steady clock [s], handed to solvers, which read no clock themselves.
 [[nodiscard]] double steady_seconds() noexcept;
 
 }  // namespace surefoot

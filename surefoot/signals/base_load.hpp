@@ -4,11 +4,11 @@
 
 namespace surefoot {
 
-/// What the base carries beyond its model, as masses at points: by its mass and its first moment of
-/// mass about B's origin, in B. The base's inertia about its own centre of mass stays as it is.
+/// Payload of the base as point masses: total mass and first moment about B's origin, in B. The
+/// base's inertia about its own centre of mass stays unchanged.
 struct BaseLoad {
-  double mass = 0.0;                 ///< m [kg]; below 0 where the robot is lighter than modelled
-  Vec3 first_moment = Vec3::Zero();  ///< m p_BL, or Σ of them [kg·m]
+  double mass = 0.0;                 ///< m [kg]; negative if the robot is lighter than modelled
+  Vec3 first_moment = Vec3::Zero();  ///< Σ m p_BL [kg·m]
 };
 
 }  // namespace surefoot

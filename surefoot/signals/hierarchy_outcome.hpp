@@ -5,12 +5,11 @@
 
 namespace surefoot {
 
-/// What the planner is told of the hierarchy's last tick.
+/// The planner's view of the hierarchy's last tick.
 struct HierarchyOutcome {
-  /// Left undone of the torso's roll and pitch [rad/s²]; NaN: not known.
+  /// Unmet share of the torso's roll and pitch acceleration [rad/s²]; NaN: not known.
   double tilt_shortfall = kNaN;
-  /// Unit, in W: of the friction pyramid that the force of each foot was asked to stay in, had it
-  /// one; NaN: there is none.
+  /// Unit normal in W of the friction pyramid that bounds each foot's force; NaN: none.
   PerLeg<Vec3> pyramid_normal{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                               Vec3::Constant(kNaN)};
 };

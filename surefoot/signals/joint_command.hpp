@@ -4,30 +4,30 @@
 
 namespace surefoot {
 
-/// Which rung of the safety ladder made the command, best first.
+/// The rung of the safety ladder that made the command, best first.
 enum class CommandMode : int {
   optimal = 0,   ///< the hierarchy's solution
-  degraded = 1,  ///< a lower level was left out; higher levels hold
+  degraded = 1,  ///< lower levels are skipped; higher levels hold
   hold = 2,      ///< no usable solution: joint hold around the last good posture
-  sit = 3,       ///< a sensor is lost: slowly down to a lying posture, latched
+  sit = 3,       ///< a sensor is lost: lowers itself slowly to a lying posture, latched
   damping = 4,   ///< bad input, fallen, or lying: τ = −k_d q̇, latched
-  lifted = 5,    ///< something else than its feet holds the robot: its legs are held softly
-  rise = 6,      ///< it lies or was put down: it gets up, joint by joint
+  lifted = 5,    ///< something other than its feet holds the robot: legs are held softly
+  rise = 6,      ///< lies or was put down: gets up, joint by joint
 };
 
-/// What took the controller off its optimum for good.
+/// Why the controller left `optimal` for good.
 enum class StopCause : int {
   none = 0,
   tilt = 1,      ///< the torso leans too far
   failures = 2,  ///< too many ticks without a state or a solution
-  encoders = 3,  ///< … or a sensor was lost
+  encoders = 3,  ///< a sensor was lost: encoders, joint torques or IMU
   joint_torques = 4,
   imu = 5,
-  cannot_stand = 6,  ///< it did not come to stand on its feet
-  fallen = 7,        ///< its torso lies on the ground
+  cannot_stand = 6,  ///< did not come to stand on its feet
+  fallen = 7,        ///< the torso lies on the ground
 };
 
-/// Neither stands nor has stopped: nobody follows the plan.
+/// Neither stands nor has stopped: nothing follows the plan.
 [[nodiscard]] constexpr bool is_off_its_feet(CommandMode mode) {
   return mode == CommandMode::lifted || mode == CommandMode::rise;
 }
@@ -38,7 +38,7 @@ enum class StopCause : int {
          cause == StopCause::imu;
 }
 
-/// The sensors that a stop is because of; null: it is because of something else.
+/// The sensors that caused a stop; null if something else did.
 [[nodiscard]] constexpr const GroupHealth* group_of(const SensorHealth& health, StopCause cause) {
   switch (cause) {
     case StopCause::encoders:
@@ -58,10 +58,9 @@ struct JointCommand {
   JointVector torque = JointVector::Zero();  ///< [N·m]
   CommandMode mode = CommandMode::hold;
   StopCause cause = StopCause::none;  ///< of `sit` and `damping`
-  /// Where a sensor is the cause: what was wrong with it when it was lost, whatever is since.
+  /// If a sensor is the cause: its fault when it was lost, whatever came later.
   SampleFault fault = SampleFault::none;
-  int joint =
-      -1;  ///< the only one that was at fault then, as in a JointVector; −1: none, or several
+  int joint = -1;  ///< the only faulty one then, as in a JointVector; −1: none, or several
 };
 
 }  // namespace surefoot

@@ -4,12 +4,12 @@
 
 namespace surefoot {
 
-/// How legs and IMU differ from their description, as far as the robot has found out.
+/// Estimated errors of the description of legs and IMU.
 struct KinematicErrors {
-  PerLeg<double> thigh{};                  ///< longer than described by [m]
+  PerLeg<double> thigh{};                  ///< true minus described length [m]
   PerLeg<double> shank{};                  ///< [m]
-  JointVector zero = JointVector::Zero();  ///< what the encoders show at a joint's zero [rad]
-  /// How the IMU is mounted askew: what it measures, turned by this vector, is in B [rad].
+  JointVector zero = JointVector::Zero();  ///< encoder reading at a joint's zero [rad]
+  /// Mounting error of the IMU: its readings, turned by this vector, are in B [rad].
   Vec3 imu = Vec3::Zero();
 
   [[nodiscard]] bool operator==(const KinematicErrors&) const = default;

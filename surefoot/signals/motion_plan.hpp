@@ -4,12 +4,12 @@
 
 namespace surefoot {
 
-/// What the robot does about itself before it walks.
+/// Stages of the calibration before a walk.
 enum class CalibrationStage : int {
   none = 0,
-  settling = 1,  ///< it stands still, or takes over what it has found
-  turning = 2,   ///< the torso turns on the spot
-  weighing = 3,  ///< it stands still, and feels what it weighs, over which point
+  settling = 1,  ///< stands still, or takes over its results
+  turning = 2,   ///< turns the torso on the spot
+  weighing = 3,  ///< stands still to measure its weight and centre of mass
 };
 
 /// What a leg is doing. `stance` and `unloading` carry force, the others do not.
@@ -17,7 +17,7 @@ enum class LegPhase : int {
   stance = 0,     ///< in contact, f_max ramps up from 0 after a touchdown and stays
   unloading = 1,  ///< in contact, f_max ramps down to 0 before lift-off
   swing = 2,      ///< follows its swing curve
-  search = 3,     ///< goes on down along the terrain normal until it meets ground
+  search = 3,     ///< late contact: moves down along the terrain normal until touchdown
 };
 
 [[nodiscard]] constexpr bool in_contact(LegPhase phase) {
@@ -50,7 +50,7 @@ struct ComPlan {
   Vec2 p{0.0, 0.0};    ///< [m]
   Vec2 v{0.0, 0.0};    ///< [m/s]
   Vec2 a{0.0, 0.0};    ///< [m/s²]
-  Vec2 zmp{0.0, 0.0};  ///< the zero-moment point that goes with it [m]
+  Vec2 zmp{0.0, 0.0};  ///< its zero-moment point [m]
 };
 
 /// Everything that the tasks follow at one tick, made by the planner.
@@ -61,14 +61,14 @@ struct MotionPlan {
   ComPlan com{};
   /// Control frame C: z along the filtered terrain normal, x the heading.
   Mat3 R_WC = Mat3::Identity();
-  /// A point of the terrain plane as it is fitted, at sphere-centre height, in W [m].
+  /// A point of the fitted terrain plane, at sphere-centre height, in W [m].
   Vec3 terrain_point = Vec3::Zero();
-  double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
+  double com_zmp_slack = 0.0;  ///< distance of the plan's ZMP outside the support polygon [m]
   CalibrationStage calibration = CalibrationStage::none;
   int event = 0;  ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }
-  /// The feet that may carry.
+  /// The feet that may carry load.
   [[nodiscard]] PerLeg<bool> standing() const {
     PerLeg<bool> result{};
     for (const Leg leg : kLegs) result[index(leg)] = contact(leg);

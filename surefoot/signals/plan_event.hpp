@@ -9,32 +9,31 @@ enum class PlanEvent : int {
   none = 0,
   lift_off = 1,
   touchdown = 2,
-  probe_same_ground = 3,   ///< the first touch found the ground where the last foothold was
-  probe_edge = 4,          ///< … found it lower or higher: the foot goes on beyond the edge
+  probe_same_ground = 3,   ///< the first touch is at the height of the last foothold
+  probe_edge = 4,          ///< the first touch is lower or higher: the foot moves beyond the edge
   late = 5,                ///< no ground at the expected time: the gait waits, the foot searches
-  no_ground = 6,           ///< none within reach: the foot is taken back
+  no_ground = 6,           ///< no ground within reach: the foot returns
   lost_contact = 7,        ///< a stance foot lost its ground
-  lift_off_aborted = 8,    ///< the leg did not unload, or the others could not carry
+  lift_off_aborted = 8,    ///< the leg did not unload, or the others could not carry the load
   collision = 9,           ///< a hind leg met something above the ground that it steps onto
-  slowed = 10,             ///< the commanded velocity asks for longer strides than the legs have
+  slowed = 10,             ///< commanded velocity needs longer strides than the legs have
   slip = 11,               ///< a standing foot began to slide
-  push_foot_down = 12,     ///< pushed in a swing: the foot comes down at once, where it helps
-  push_reloaded = 13,      ///< pushed before a lift-off: the leg carries again
+  push_foot_down = 12,     ///< pushed in a swing: the foot comes down where it helps
+  push_reloaded = 13,      ///< pushed before a lift-off: the leg takes load again
   push_step = 14,          ///< pushed with all feet down: a step to recover
-  caught = 15,             ///< a rising foot met something on its way: back, higher, over
-  calibration = 16,        ///< the estimate begins anew and calibrates on the spot
-  calibration_waits = 17,  ///< it is to begin, but the robot does not come to rest on all feet
+  caught = 15,             ///< a rising foot hit something: back, higher, over
+  calibration = 16,        ///< the estimate restarts and calibrates on the spot
+  calibration_waits = 17,  ///< it is due, but the robot does not rest on all feet
   support_widened = 18,    ///< the other feet's triangle is too thin: another leg steps first
-  lowered = 19,            ///< the commanded height asks for longer legs, with strides as commanded
-  /// A calibration was disturbed by a push or a foot that slid, and does not know legs or load: it
-  /// is done once more.
+  lowered = 19,            ///< commanded height needs longer legs at the commanded stride
+  /// A push or a sliding foot disturbed the calibration, which misses legs or payload: it repeats.
   calibration_disturbed = 20,
-  /// That one was, too, or can't begin: the robot goes on with what it has found.
+  /// The repetition was disturbed too, or can't begin: the robot goes on with what it has.
   calibration_given_up = 21,
-  raised = 22,      ///< the commanded height leaves legs no room to step: walking higher
-  begun_anew = 23,  ///< the first readings are contradicted by the next: nothing of them is kept
-  lifted = 24,      ///< the feet bear little and the robot does not fall: the legs relax
-  stands_up = 25,   ///< its feet bear it again, or it began lying: it gets up
+  raised = 22,      ///< commanded height leaves legs no room to step: walking higher
+  begun_anew = 23,  ///< the next readings contradict the first ones, which are discarded
+  lifted = 24,      ///< the feet carry little and the robot does not fall: legs relax
+  stands_up = 25,   ///< back on its feet, or began lying: gets up
 };
 
 [[nodiscard]] constexpr std::string_view name(PlanEvent event) {

@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-/// The state that the controller believes, made by a state estimator.
+/// The estimated state.
 struct RobotState {
   double time = kNaN;                                ///< [s]
   Vec3 p_WB = Vec3::Constant(kNaN);                  ///< base position in W [m]
@@ -16,12 +16,11 @@ struct RobotState {
   JointVector torque = JointVector::Constant(kNaN);  ///< measured joint torques [N·m]
   PerLeg<Vec3> foot_force{Vec3::Constant(kNaN), Vec3::Constant(kNaN), Vec3::Constant(kNaN),
                           Vec3::Constant(kNaN)};  ///< estimated ground force on each foot, in W [N]
-  /// Of each foot's contact point along the ground, against the other standing feet, in W [m/s].
+  /// Contact point's velocity along the ground relative to the other stance feet, in W [m/s].
   PerLeg<Vec3> slip_velocity{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   PerLeg<bool> slips{};  ///< the foot is believed to slide
-  /// Estimated, of whatever isn't the ground or what the model's base carries (BaseLoad), at the
-  /// centre of mass, in W; zero within the error of
-  /// the estimate [N], [N·m].
+  /// Estimated wrench at the centre of mass, in W, besides ground and modelled payload (BaseLoad);
+  /// zero within the estimate's error [N], [N·m].
   Vec3 external_force = Vec3::Zero();
   Vec3 external_moment = Vec3::Zero();
 

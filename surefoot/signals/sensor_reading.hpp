@@ -8,11 +8,10 @@ namespace surefoot {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Between two readings; behind a longer gap nothing is known of what was before [s].
+/// Longest gap between readings [s]; after a longer one the past counts as unknown.
 inline constexpr double kLongestReadingGap = 0.1;
 
-/// What the robot's sensors give at one control tick. Members that a robot does not measure stay
-/// NaN.
+/// Sensor readings of one control tick. Members that a robot does not measure stay NaN.
 struct SensorReading {
   double time = kNaN;                                ///< [s] since the start of the run
   JointVector q = JointVector::Constant(kNaN);       ///< joint positions, encoders [rad]
@@ -21,7 +20,7 @@ struct SensorReading {
   Vec3 accelerometer = Vec3::Constant(kNaN);  ///< specific force of the base frame in B [m/s²]
   /// Normal force of a foot sensor [N]; NaN on robots without one (ANYmal B has none).
   PerLeg<double> foot_force{kNaN, kNaN, kNaN, kNaN};
-  /// When the samples above were taken [s]: before `time` where a sensor is slow, late or silent.
+  /// Sample times [s]: before `time` if a sensor is slow, late or silent.
   double encoder_time = kNaN;  ///< of q
   double torque_time = kNaN;
   double imu_time = kNaN;  ///< of gyro and accelerometer

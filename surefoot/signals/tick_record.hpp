@@ -14,8 +14,7 @@
 
 namespace surefoot {
 
-/// What the controller's model says of the robot at one tick, in W; of the believed state, not the
-/// true one. NaN where nothing was solved.
+/// The controller's model at one tick, at the estimated state, in W. NaN if nothing was solved.
 struct ModelRecord {
   Vec3 p_WCom = Vec3::Zero();  ///< centre of mass [m]
   Vec3 v_WCom = Vec3::Zero();
@@ -24,11 +23,11 @@ struct ModelRecord {
   PerLeg<Vec3> p_WH{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< hips
   PerLeg<Vec3> force{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                      Vec3::Zero()};  ///< λ of the solution [N]
-  BaseLoad load;                     ///< that its base carries
+  BaseLoad load;                     ///< payload of the base
 };
 
-/// One tick of the control loop, complete: a controller that gets readings and commands from the
-/// start, and the base state that the estimator gave it, computes the same ticks again.
+/// One complete tick of the control loop. A controller that gets the same readings, commands and
+/// estimated base states from the start computes the same ticks again.
 struct TickRecord {
   SensorReading reading;  ///< as it came
   SensorHealth health;    ///< of the reading
@@ -48,8 +47,7 @@ inline constexpr LevelTimes kNoLevelTimes = [] {
   return times;
 }();
 
-/// Wall-clock time of the stages of one tick [µs]; stands apart from TickRecord, which is
-/// deterministic.
+/// Wall-clock time of the stages of one tick [µs]; apart from TickRecord, which is deterministic.
 struct TickTiming {
   double time = 0.0;  ///< of the tick [s]
   double estimate = 0.0;
@@ -58,7 +56,7 @@ struct TickTiming {
   double stack = 0.0;
   double solve = 0.0;
   double total = 0.0;
-  /// Of `solve`, in the order of the tick's hierarchy. What no level has alone is in none.
+  /// Of `solve`, in the order of the tick's hierarchy; work shared by levels counts in none.
   LevelTimes levels = kNoLevelTimes;
 };
 

@@ -19,7 +19,7 @@ TEST(Printable, AllControlCharactersAreWrittenOut) {
 }
 
 TEST(Printable, WhatMovesNothingStays) {
-  // The second byte of other characters may be that of a control character.
+  // Second bytes of other characters may equal a control character's.
   for (const char* text : {"", " ~", "\xc2\xa0", "°µ", "ä€", "\xc3\x9b", "\xe2\x80\x93", "𝄞"})
     EXPECT_EQ(printable(text), text);
 }
