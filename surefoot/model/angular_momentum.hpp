@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Of the whole body about its centre of mass, in W [N·m·s]: the rows of M u that turn the base,
-/// moved from B's origin to the COM,
+/// Angular momentum of the robot about its centre of mass, in W [N·m·s]: the base's rotational rows
+/// of M u, moved from B's origin to the COM,
 ///
 ///     L = R_WB (M u)_4..6 − (c − p_WB) × m ċ
 [[nodiscard]] inline Vec3 angular_momentum(const Dynamics& dynamics) noexcept {

@@ -12,7 +12,7 @@ namespace {
 constexpr int kBaseBody = 0;
 int body_of(Leg leg, int joint) { return 1 + first_joint(leg) + joint; }
 
-/// Where a link is welded to: its body and its frame in the body's.
+/// The body that a link belongs to, and the link's frame in it.
 struct Placement {
   int body = kBaseBody;
   Mat3 R = Mat3::Identity();
@@ -115,7 +115,7 @@ class Builder {
     check_inertia(*urdf_.find_link(joint.child), inertia_of(body));
   }
 
-  /// `inertia`: of the link with all that is fixed to it.
+  /// `inertia`: of the link and all that is fixed to it.
   void check_inertia(const UrdfLink& link, const Inertia& inertia) const {
     const Vec3 moments = principal_moments(inertia);
     if (inertia.mass <= 0.0) fail(link, "has no mass; it must be above 0");
@@ -147,7 +147,7 @@ class Builder {
   BodyTree tree_;
 };
 
-/// The placement of a link that has to lie behind a certain joint.
+/// The placement of a link, which must lie between two joints of a leg.
 const Placement& require(const Builder& builder, const std::string& link, Leg leg, int first,
                          int last) {
   const Placement& placement = builder.placement(link);
@@ -174,7 +174,7 @@ void add_points(const RobotDescription& description, Leg leg, Builder& builder) 
 
 BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf) {
   Builder builder(description, urdf);
-  (void)builder.placement(description.base_link);  // an unknown name first, then a wrong one
+  (void)builder.placement(description.base_link);  // report an unknown name before a wrong one
   if (description.base_link != urdf.root) {
     throw Error("the base \"" + description.base_link + "\" must be the root of the URDF, \"" +
                 urdf.root + "\"");

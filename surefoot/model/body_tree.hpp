@@ -19,10 +19,10 @@ struct BodyTree {
   PerLeg<LegTree> legs;
 };
 
-/// Finds the description's parts in a URDF. Throws UnknownNameError if a name is not in it (the
-/// message lists what is), Error if the parts are not connected as base – HAA – HFE – KFE – shank –
-/// foot, FileError, with the URDF's line, if a joint that the description does not name can move, a
-/// leg's joint mimics another, or the base or what a joint moves has not the inertia of a body.
+/// Finds the description's parts in a URDF. Throws UnknownNameError (listing the valid names) for
+/// an unknown name; Error unless the parts connect as base – HAA – HFE – KFE – shank – foot;
+/// FileError with the URDF's line if a joint missing in the description can move, a leg's joint
+/// mimics another, or a moving body has an impossible inertia.
 [[nodiscard]] BodyTree make_body_tree(const RobotDescription& description, const Urdf& urdf);
 
 }  // namespace surefoot

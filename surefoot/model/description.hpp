@@ -10,17 +10,17 @@ namespace surefoot {
 /// Names of one leg's parts in the URDF.
 struct LegDescription {
   std::array<std::string, kJointsPerLeg> joints;  ///< HAA, HFE, KFE
-  std::string hip_frame;                          ///< frame at the HFE axis: the hip H of Eq. (35)
+  std::string hip_frame;                          ///< on the HFE axis: the hip H of Eq. (35)
   std::string thigh_link;
   std::string shank_link;  ///< link that carries the foot sphere
-  std::string foot_frame;  ///< frame that the sphere's centre is given in
+  std::string foot_frame;  ///< frame of the sphere's centre
 };
 
-/// All that is specific to a robot, by name; read from robots/*.yaml.
+/// Everything specific to a robot; read from robots/*.yaml.
 struct RobotDescription {
   std::string name;
   std::string urdf_path;
-  std::vector<std::string> package_folders;  ///< in which package:// names are looked for
+  std::vector<std::string> package_folders;  ///< searched for package:// names
   std::string base_link;
   PerLeg<LegDescription> legs;
   double foot_radius = 0.0;         ///< [m]

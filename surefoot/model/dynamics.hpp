@@ -24,19 +24,19 @@ struct RotationKinematics {
   Vec3 Jdot_u = Vec3::Zero();
 };
 
-/// What each link l of a leg (columns: hip, thigh, shank) has to do with each joint j (rows): with
+/// Coupling of each link l of a leg (columns: hip, thigh, shank) with each joint j (rows). With
 /// S_j the joint's axis, h_l the link's momentum and g_l its weight, spatial vectors in W,
 ///
 ///     momentum_jl = S_jᵀ h_l,   free_rate_jl = Ṡ_jᵀ h_l + S_jᵀ g_l
 ///
-/// for l beyond j, else 0. Of a leg in the air τ_j = Σ_l d/dt momentum_jl − free_rate_jl, whatever
-/// the base does. Both are proportional to the link's mass, if its inertia is.
+/// for l beyond j, else 0. In the air τ_j = Σ_l d/dt momentum_jl − free_rate_jl for any base
+/// motion. Both scale with the link's mass if its inertia does.
 struct LegLinks {
   Mat3 momentum = Mat3::Zero();   ///< [N·m·s]
   Mat3 free_rate = Mat3::Zero();  ///< [N·m]
 };
 
-/// Everything that the tasks need of the model at one state, with u = (v_WB in W, w_WB_B in B, q̇)
+/// All model quantities at one state, with u = (v_WB in W, w_WB_B in B, q̇)
 /// and M u̇ + h = Sᵀτ + Σ J_Cᵀ λ (Eq. 2).
 struct Dynamics {
   MassMatrix M = MassMatrix::Zero();
@@ -50,9 +50,9 @@ struct Dynamics {
   PerLeg<PointKinematics> hip;       ///< hip H, on the HFE axis
   PerLeg<PointKinematics> foot;      ///< centre of the foot sphere F
   PerLeg<RotationKinematics> shank;  ///< the body that carries the foot sphere
-  /// Lowest point of the foot sphere along the terrain normal n: p_F − r n. With rolling without
-  /// slip its material velocity is zero and J u̇ + Jdot_u = 0 where Jdot_u leaves out the
-  /// centripetal part ω × (ω × (−r n)) (the centre of a rolling sphere does not fall).
+  /// Lowest point of the foot sphere along the terrain normal n: p_F − r n. When rolling without
+  /// slip its material velocity is zero and J u̇ + Jdot_u = 0, with Jdot_u lacking the centripetal
+  /// part ω × (ω × (−r n)), as the centre of a rolling sphere does not fall.
   PerLeg<PointKinematics> contact;
   PerLeg<LegLinks> links;
 };

@@ -12,27 +12,27 @@ struct Inertia {
   Vec3 com = Vec3::Zero();        ///< [m]
   Mat3 about_com = Mat3::Zero();  ///< [kg·m²]
 
-  /// The inertia of this body in a frame that it is placed in by x ↦ R x + p.
+  /// This inertia in a frame where the body is placed by x ↦ R x + p.
   [[nodiscard]] Inertia placed(const Mat3& R, const Vec3& p) const;
-  /// Both bodies, welded together. Massless bodies are legal.
+  /// Both bodies welded together; either may be massless.
   [[nodiscard]] Inertia operator+(const Inertia& other) const;
 };
 
-/// What is left to rounding where moments of inertia are compared, as a share of the largest.
+/// Rounding tolerance of comparisons of moments of inertia, as a share of the largest.
 inline constexpr double kInertiaRounding = 1e-9;
 
 /// Principal moments of inertia, the smallest first [kg·m²].
 [[nodiscard]] Vec3 principal_moments(const Inertia& inertia);
 
-/// Can a body have it whose parts have mass? No moment may exceed the sum of the two others by more
-/// than rounding.
+/// Does a physical body have these moments? None may exceed the sum of the two others by more than
+/// rounding.
 [[nodiscard]] bool obeys_triangle_inequality(const Vec3& principal_moments);
 
-/// Is the inertia of a root link none of a body, but there for a tool that wants one? At most 1 g,
-/// and massless or not positive definite. Controller and plant leave out the same.
+/// Is a root link's inertia only a placeholder for other tools? At most 1 g, and massless or not
+/// positive definite. Controller and plant both ignore it.
 [[nodiscard]] bool is_placeholder(const Inertia& inertia);
 
-/// The note on a root link's inertia that was left out.
+/// The note on an ignored root link's inertia.
 [[nodiscard]] std::string placeholder_note(const std::string& link, double mass);
 
 }  // namespace surefoot

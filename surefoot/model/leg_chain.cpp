@@ -78,7 +78,7 @@ LegChain LegChain::lengthened(double thigh, double shank) const noexcept {
 bool LegChain::inverse_kinematics(const Vec3& p_BF, const Vec3& guess, Vec3& q) const noexcept {
   constexpr double kTolerance = 1e-7;  // [m]
   constexpr int kMaxIterations = 200;
-  constexpr double kMaxStep = 0.3;  // [rad], short enough to stay on the guess's side of the knee
+  constexpr double kMaxStep = 0.3;  // [rad]; keeps the knee on the guess's side
   q = guess;
   Mat3 J;
   Vec3 error = p_BF - foot_in_base(q, &J);

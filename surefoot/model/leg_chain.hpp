@@ -11,27 +11,26 @@ struct Hinge {
   Vec3 axis = Vec3::UnitX();  ///< in the child's frame
 };
 
-/// Kinematics of one leg in the base frame B: three hinges and the points that they move.
+/// Kinematics of one leg in the base frame B: three hinges and the points on them.
 struct LegChain {
   std::array<Hinge, kJointsPerLeg> hinges;  ///< HAA, HFE, KFE
   Vec3 foot = Vec3::Zero();                 ///< centre of the foot sphere, in the KFE child's frame
-  Vec3 hip = Vec3::Zero();                  ///< hip H, in the frame of hinge `hip_hinge`'s child
+  Vec3 hip = Vec3::Zero();                  ///< hip H, in the child frame of hinge `hip_hinge`
   int hip_hinge = 1;
 
-  /// Position of the foot in B [m] and, if asked for, its Jacobian J with v = J q̇.
+  /// Position of the foot in B [m] and, optionally, its Jacobian J with v = J q̇.
   [[nodiscard]] Vec3 foot_in_base(const Vec3& q, Mat3* jacobian = nullptr) const noexcept;
   /// Orientation in B of the body that carries the foot.
   [[nodiscard]] Mat3 shank_in_base(const Vec3& q) const noexcept;
   [[nodiscard]] Vec3 hip_in_base(const Vec3& q) const noexcept;
-  /// Directions in B in which the foot moves when the thigh and when the shank become longer.
+  /// Directions in B in which a longer thigh and a longer shank move the foot.
   [[nodiscard]] Eigen::Matrix<double, 3, 2> lengthening_in_base(const Vec3& q) const noexcept;
-  /// The same leg with a longer thigh and shank [m]: KFE further from the axis of HFE, the foot
-  /// further from that of KFE.
+  /// The same leg with longer thigh and shank [m]: KFE moves away from the HFE axis, the foot from
+  /// the KFE axis.
   [[nodiscard]] LegChain lengthened(double thigh, double shank) const noexcept;
 
-  /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns
-  /// false, with the angles of the closest foot position found, if p_BF can't be reached within 0.1
-  /// µm.
+  /// Damped Newton (Levenberg–Marquardt) from `guess`, which chooses the knee's side. Returns false
+  /// and the closest angles found if p_BF can't be reached within 0.1 µm.
   [[nodiscard]] bool inverse_kinematics(const Vec3& p_BF, const Vec3& guess,
                                         Vec3& q) const noexcept;
 };

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 2> kPackages{"package://", "model://"};
 constexpr std::string_view kFile = "file://";
 constexpr std::array<std::string_view, 5> kMeshes{".dae", ".stl", ".obj", ".glb", ".gltf"};
 
-/// NAME/… of package://NAME/…, or nothing where it would lead out of a package.
+/// NAME/… of package://NAME/…; empty if it leads out of the package.
 std::optional<fs::path> inside_package(const std::string& uri) {
   for (const std::string_view scheme : kPackages) {
     if (!uri.starts_with(scheme)) continue;

@@ -8,35 +8,34 @@
 
 namespace surefoot {
 
-/// Where the meshes of a URDF are looked for.
+/// Search folders for a URDF's meshes.
 struct MeshFolders {
-  std::vector<std::filesystem::path> packages;  ///< folders that hold packages, or are one
-  std::filesystem::path urdf;  ///< the URDF's own folder; empty: it came from elsewhere, in a log
+  std::vector<std::filesystem::path> packages;  ///< folders that hold packages, or are packages
+  std::filesystem::path urdf;  ///< the URDF's own folder; empty if it came from a log
 };
 
 [[nodiscard]] MeshFolders mesh_folders(const RobotDescription& description);
 
-/// Where a mesh may lie, the likeliest first. `package://NAME/…` and `model://NAME/…`: in a package
-/// of that name in, or as, a folder of packages, or in a folder of that name above the URDF's. Any
-/// other name is a path, from the URDF's folder if it is relative, and means nothing where that
-/// folder is not known.
+/// Possible places of a mesh, the likeliest first. `package://NAME/…` and `model://NAME/…`: in a
+/// package NAME in (or being) a folder of packages, or in a folder NAME above the URDF's. Any other
+/// name is a path, relative to the URDF's folder; without that folder it has no place.
 [[nodiscard]] std::vector<std::filesystem::path> mesh_places(const std::string& uri,
                                                              const MeshFolders& folders);
 
-/// The first of these places that has a file; empty if none has.
+/// The first of these places with a file; empty if there is none.
 [[nodiscard]] std::filesystem::path find_mesh(const std::string& uri, const MeshFolders& folders);
 
-/// For a message: that there is no such file, and where it was looked for.
+/// Error text: the missing file and where it was searched.
 [[nodiscard]] std::string missing_text(const std::string& uri, const MeshFolders& folders);
 
-/// A mesh that a URDF names.
+/// A mesh named in a URDF.
 struct MeshFile {
-  std::string uri;             ///< as it stands there
-  std::filesystem::path path;  ///< of the file; empty where there is none, or none that may be read
+  std::string uri;             ///< as written in the URDF
+  std::filesystem::path path;  ///< empty if there is no file, or it may not be read
 };
 
-/// The meshes of a URDF, each once, in its order. Only files that are meshes by their name are
-/// found: a URDF may come from anywhere. Throws FileError where the text is no XML.
+/// The meshes of a URDF, each once, in its order. Only files with a mesh's extension are found, as
+/// a URDF may come from anywhere. Throws FileError if the text is not XML.
 [[nodiscard]] std::vector<MeshFile> mesh_files(const std::string& urdf, const MeshFolders& folders);
 
 }  // namespace surefoot

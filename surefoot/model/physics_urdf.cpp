@@ -14,7 +14,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// A collision shape and the attributes that are its sizes, all above 0.
+/// A collision shape and its size attributes, all above 0.
 struct Shape {
   const char* tag;
   std::array<const char*, 2> numbers;
@@ -38,7 +38,7 @@ void copy_child(const XMLElement& from, XMLElement& to, const char* tag,
 
 std::string exact(double value) { return formatted("%.17g", value); }
 
-/// Can the physics take it as it is? An inertia of nothing, or one of a body beyond rounding.
+/// Does MuJoCo accept it? Either zero, or a physical body's beyond rounding.
 bool is_sound(const Inertia& inertia) {
   if (inertia.about_com.isZero(0.0)) return true;
   const Vec3 moment = principal_moments(inertia);
@@ -64,7 +64,7 @@ void write_inertia(Inertia inertia, XMLElement& link) {
   }
 }
 
-/// Bodies that have a link whose inertia alone is impossible, with that of the whole.
+/// Bodies with a link whose own inertia is impossible, and the inertia of each whole body.
 class UnsoundBodies {
  public:
   UnsoundBodies(const Urdf& urdf, const std::map<std::string, Weld>& welds) {
@@ -79,12 +79,12 @@ class UnsoundBodies {
       if (body != whole_.end()) body->second = body->second + link.inertia.placed(weld.R, weld.p);
     }
   }
-  /// nullptr: the body has none.
+  /// nullptr: all links of the body are sound.
   [[nodiscard]] const Inertia* find(const std::string& body) const {
     const auto found = whole_.find(body);
     return found == whole_.end() ? nullptr : &found->second;
   }
-  /// Those links, a space before each.
+  /// The unsound links, a space before each.
   [[nodiscard]] const std::string& names() const { return names_; }
 
  private:
@@ -119,7 +119,7 @@ class Writer {
     tinyxml2::XMLPrinter printer;
     document_.Print(&printer);
     result_.xml = printer.CStr();
-    tell_what_is_left_out();
+    note_what_is_ignored();
     return std::move(result_);
   }
 
@@ -195,7 +195,7 @@ class Writer {
                                          formatted("%g", size) + " m; it must be above 0");
   }
 
-  /// Empty of a mesh that can't be read, which is left out.
+  /// Empty for a mesh format that MuJoCo can't read, which is ignored.
   std::string mesh_file(const XMLElement& shape, const std::string& link) {
     const char* uri = shape.Attribute("filename");
     if (uri == nullptr) reader_.fail(shape.GetLineNum(), "<mesh> has no filename");
@@ -210,7 +210,7 @@ class Writer {
     return file.string();
   }
 
-  /// MuJoCo reads three formats.
+  /// MuJoCo reads these three formats.
   static bool can_be_read(const std::string& uri) {
     std::string extension = std::filesystem::path(uri).extension().string();
     std::ranges::transform(extension, extension.begin(),
@@ -233,7 +233,7 @@ class Writer {
     count_dynamics(from);
   }
 
-  /// What the drives can do is in the robot's file; the effort counts for nothing here.
+  /// Position limits only: drive limits come from the robot's file.
   void write_stops(const XMLElement& limit, const std::string& joint, XMLElement& to) const {
     const auto stop = [&](const char* name) {
       return limit.Attribute(name) == nullptr ? 0.0 : reader_.number(limit, name);
@@ -253,7 +253,7 @@ class Writer {
     if (is_set("damping") || is_set("friction")) ++num_dynamics_;
   }
 
-  void tell_what_is_left_out() {
+  void note_what_is_ignored() {
     std::vector<std::string>& notes = result_.notes;
     if (!unsound_.names().empty()) {
       notes.push_back("alone, no body can have the inertia of:" + unsound_.names() +
@@ -279,7 +279,7 @@ class Writer {
   tinyxml2::XMLDocument document_;
   XMLElement& to_;  // the new <robot>
   PhysicsUrdf result_;
-  std::string unread_;  // links, a space before each
+  std::string unread_;  // links with unreadable meshes, a space before each
   int num_dynamics_ = 0;
 };
 

@@ -8,17 +8,17 @@
 
 namespace surefoot {
 
-/// What physics needs of a URDF, and nothing else, so that nothing else can be wrong in it.
+/// The parts of a URDF that physics needs; faults elsewhere in it don't matter.
 struct PhysicsUrdf {
-  /// The URDF again, as MuJoCo reads one: links with inertias and collision shapes, meshes by the
-  /// files that were found, joints with their axes and stops. Numbers stand as they were written.
-  /// The inertia of a body one of whose links has an impossible one is that of its first link.
+  /// The URDF as MuJoCo reads it: links with inertias and collision shapes, meshes by the files
+  /// found, joints with axes and stops. Numbers are copied as text. If a link's inertia is
+  /// impossible alone, the first link of its body carries the inertia of the whole body.
   std::string xml;
-  std::vector<std::string> notes;  ///< what was left out, a line each
+  std::vector<std::string> notes;  ///< what was ignored, a line each
 };
 
 /// Reads the file of `urdf` again. Throws FileError, with file and line, if a collision shape is
-/// none, has no size or its mesh is not found, or if a joint's stops make no sense.
+/// unknown, has no size or lacks its mesh, or if a joint's stops are inconsistent.
 [[nodiscard]] PhysicsUrdf physics_urdf(const Urdf& urdf, const MeshFolders& folders);
 
 }  // namespace surefoot

@@ -13,13 +13,12 @@
 namespace surefoot {
 namespace {
 
-/// The only argument type that Pinocchio's precompiled algorithms match; any other is compiled
-/// here, which takes a minute.
+/// Pinocchio's precompiled algorithms match only this argument type; any other costs a minute of
+/// compilation.
 using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
 
-// A translation (rate: v_WB in W) and then a ball joint (rate: w_WB_B in B) at the root make
-// Pinocchio's velocity our u of Eq. (1), and the legs are added in our order: nothing is
-// transformed.
+// The root is a translation (rate: v_WB in W), then a ball joint (rate: w_WB_B in B), and the legs
+// follow in our order. So Pinocchio's velocity is our u of Eq. (1), without any transformation.
 constexpr pinocchio::JointIndex kTranslationJoint = 1;
 constexpr pinocchio::JointIndex kBaseJoint = 2;
 
@@ -72,7 +71,7 @@ struct RobotModel::Implementation {
         q(Eigen::VectorXd::Zero(model.nq)),
         u(Eigen::VectorXd::Zero(model.nv)),
         zero(Eigen::VectorXd::Zero(model.nv)) {
-    // The blocks that never change; update() writes the others.
+    // These blocks stay constant; update() writes the others.
     dynamics.base.J.leftCols<3>().setIdentity();
     for (const Leg leg : kLegs) {
       for (PointKinematics* point : {&dynamics.hip[index(leg)], &dynamics.foot[index(leg)]}) {
@@ -81,7 +80,7 @@ struct RobotModel::Implementation {
     }
     set_leg_lengths(KinematicErrors{});
     bare_base = model.inertias[kBaseJoint];
-    // crba of the rest posture gives the mass.
+    // The rest posture's crba gives the mass.
     q[6] = 1.0;
     update_dynamics();
   }
@@ -152,7 +151,7 @@ struct RobotModel::Implementation {
     const Vec3 v = data.v[body].linear() + data.v[body].angular().cross(offset);
     point.p = data.oMi[body].translation() + R * offset;
     point.v = R * v;
-    // Classical acceleration: the spatial one, moved to the point, plus ω × v.
+    // Classical acceleration: spatial acceleration at the point, plus ω × v.
     point.Jdot_u = R * (data.a[body].linear() + data.a[body].angular().cross(offset) +
                         data.v[body].angular().cross(v));
     point.J.middleCols<3>(3) = -skew(point.p - dynamics.base.p) * data.oMi[kBaseJoint].rotation();
@@ -173,8 +172,8 @@ struct RobotModel::Implementation {
     shank.J.middleCols<3>(6 + first_joint(leg)) = data.J.block<3, 3>(3, 6 + first_joint(leg));
   }
 
-  /// Moves from the sphere's centre to its lowest point, a lever −r n that stays along n: without
-  /// the centripetal part, because the point of contact wanders over the sphere as it rolls.
+  /// Moves from the sphere's centre to its lowest point by the lever −r n, constant along n. The
+  /// centripetal part is missing, because the contact point wanders over the rolling sphere.
   void update_contact(Leg leg, const Vec3& normal) {
     const PointKinematics& foot = dynamics.foot[index(leg)];
     const RotationKinematics& shank = dynamics.shank[index(leg)];
@@ -221,8 +220,8 @@ struct RobotModel::Implementation {
   const BodyTree tree;
   pinocchio::Model model;
   pinocchio::Data data;
-  PerLeg<LegChain> chains;       // with the lengths that are believed
-  pinocchio::Inertia bare_base;  // without a load
+  PerLeg<LegChain> chains;       // with the estimated lengths
+  pinocchio::Inertia bare_base;  // without payload
   Eigen::VectorXd q;             // p_WB, q_WB (x y z w), joints
   Eigen::VectorXd u;
   const Eigen::VectorXd zero;
@@ -273,12 +272,6 @@ Vec3 RobotModel::foot_in_base(Leg leg, const Vec3& q_leg) const noexcept {
 
 Vec3 RobotModel::hip_in_base(Leg leg, const Vec3& q_leg) const noexcept {
   return implementation_->tree.legs[index(leg)].chain.hip_in_base(q_leg);
-}
-
-Mat3 RobotModel::foot_jacobian_in_base(Leg leg, const Vec3& q_leg) const noexcept {
-  Mat3 jacobian;
-  (void)implementation_->tree.legs[index(leg)].chain.foot_in_base(q_leg, &jacobian);
-  return jacobian;
 }
 
 bool RobotModel::inverse_kinematics(Leg leg, const Vec3& p_BF, const Vec3& guess,

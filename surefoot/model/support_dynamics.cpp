@@ -54,8 +54,8 @@ void SupportDynamics::stack_jacobians(const Dynamics& dynamics, const MotionPlan
   }
 }
 
-/// With full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r rows of R that are left are wide: R_rᵀ = Z
-/// L gives the solution of least norm, Π Z L⁻ᵀ Q_cᵀ.
+/// At full rank (J_sᵀ)⁺ = Π R⁻¹ Q_cᵀ. Otherwise the r remaining rows of R are wide, and R_rᵀ = Z L
+/// gives the least-norm solution Π Z L⁻ᵀ Q_cᵀ.
 void SupportDynamics::invert() {
   const int n = 3 * num_contacts_;
   Inverse solution = Inverse::Zero(n, kNumVelocities);

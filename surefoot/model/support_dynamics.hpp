@@ -7,16 +7,16 @@
 
 namespace surefoot {
 
-/// The equations of motion, split by the feet that carry the robot (Bellicoso 2016, Eqs. 4–7).
+/// The equations of motion, split by the stance feet (Bellicoso 2016, Eqs. 4–7).
 ///
 ///     J_sᵀ Π = [Q_c Q_u] [R; 0]
 ///     without λ:   Q_uᵀ (M u̇ + h − Sᵀτ) = 0
 ///     λ itself:    λ = (J_sᵀ)⁺ (M u̇ + h − Sᵀτ) = Λ x + λ₀,   x = (u̇, τ)
 ///
 /// J_s stacks the contact Jacobians of the legs in contact, in the order of `kLegs`; λ are their
-/// forces on the robot in W [N]. J_sᵀ loses rank where legs are straight or feet coincide: pivots
-/// below `kRankTolerance` times the largest count as zero, Q_u keeps all directions that no contact
-/// force reaches, and λ is the one of least norm. Computed once a tick; does not allocate.
+/// forces on the robot in W [N]. J_sᵀ loses rank when legs are straight or feet coincide: pivots
+/// below `kRankTolerance` times the largest count as zero, Q_u keeps all directions without contact
+/// force, and λ has least norm. Computed once a tick; does not allocate.
 class SupportDynamics {
  public:
   static constexpr int kMaxForces = 3 * kNumLegs;
@@ -27,28 +27,28 @@ class SupportDynamics {
 
   SupportDynamics() = default;
 
-  /// The legs in contact are those of the plan.
+  /// The plan says which legs are in contact.
   void update(const Dynamics& dynamics, const MotionPlan& plan) noexcept;
 
   [[nodiscard]] int num_contacts() const { return num_contacts_; }
-  [[nodiscard]] int rank() const { return rank_; }  ///< of J_s; 3 n_c where it is full
+  [[nodiscard]] int rank() const { return rank_; }  ///< of J_s; 3 n_c at full rank
   [[nodiscard]] bool in_contact(Leg leg) const { return first_force_[index(leg)] >= 0; }
-  /// Row of the leg's force in Λ and λ₀, −1 if it is not in contact.
+  /// Row of the leg's force in Λ and λ₀; −1 without contact.
   [[nodiscard]] int first_force(Leg leg) const { return first_force_[index(leg)]; }
 
-  /// Basis of the motions that no contact force acts on: 18 × (18 − rank), orthonormal.
+  /// Basis of the motions without contact force: 18 × (18 − rank), orthonormal.
   [[nodiscard]] auto Q_u() const { return Q_.rightCols(kNumVelocities - rank_); }
-  /// M Q_u: the forces that those motions take. 18 × (18 − rank).
+  /// M Q_u: the generalized forces of those motions. 18 × (18 − rank).
   [[nodiscard]] auto M_Q_u() const { return M_Q_u_.leftCols(kNumVelocities - rank_); }
-  /// Basis of the generalized forces that contact forces reach: 18 × rank, orthonormal.
+  /// Basis of the generalized forces that contacts exert: 18 × rank, orthonormal.
   [[nodiscard]] auto Q_c() const { return Q_.leftCols(rank_); }
-  /// The shortest u̇ with J_s u̇ = a, for `a` in the order of λ. Only where the rank is full.
+  /// The shortest u̇ with J_s u̇ = a, with `a` in the order of λ. Needs full rank.
   [[nodiscard]] GeneralizedVector shortest_motion(
       const Eigen::Ref<const Eigen::VectorXd>& a) const noexcept;
   [[nodiscard]] auto Lambda() const { return Lambda_.topRows(3 * num_contacts_); }
   [[nodiscard]] auto lambda_0() const { return lambda_0_.head(3 * num_contacts_); }
 
-  /// Contact force of a leg at x in W [N], zero if it is not in contact.
+  /// Contact force of a leg at x in W [N]; zero without contact.
   [[nodiscard]] Vec3 force(Leg leg, const Eigen::Ref<const Eigen::VectorXd>& x) const noexcept;
 
  private:

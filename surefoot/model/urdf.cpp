@@ -126,7 +126,7 @@ std::string find_root(const Reader& reader, const Urdf& urdf) {
   return *roots.begin();
 }
 
-/// Joints that lead round in a circle are reached from no root.
+/// Joints that form a circle are not reachable from the root.
 void check_connected(const Reader& reader, const Urdf& urdf) {
   const std::map<std::string, Weld> reached = welds(urdf);
   for (const UrdfLink& link : urdf.links) {
@@ -147,7 +147,7 @@ void weld(const Urdf& urdf, const std::string& link, const Weld& at,
   }
 }
 
-/// Drops the root's inertia if it is a placeholder, refuses any other that can't be one of a body.
+/// Ignores a placeholder inertia of the root, refuses any other impossible one.
 void check_inertias(const Reader& reader, Urdf& urdf) {
   for (UrdfLink& link : urdf.links) {
     if (link.name == urdf.root && is_placeholder(link.inertia)) {

@@ -16,7 +16,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The first element that xacro would have replaced; nullptr if there is none.
+/// The first element that xacro should have replaced; nullptr if there is none.
 const XMLElement* of_xacro(const XMLElement& element) {
   if (std::string_view(element.Name()).starts_with("xacro:")) return &element;
   for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
@@ -28,7 +28,7 @@ const XMLElement* of_xacro(const XMLElement& element) {
 
 constexpr const char* kRunXacro = "run xacro first: xacro FILE > robot.urdf";
 
-/// What to do about a text that xacro would have replaced.
+/// Advice on a text that xacro should have replaced.
 std::string advice_for(const std::string& text) {
   return text.find("${") == std::string::npos ? "" : std::string("; ") + kRunXacro;
 }

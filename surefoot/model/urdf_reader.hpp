@@ -11,11 +11,10 @@ class XMLElement;
 
 namespace surefoot {
 
-/// Reads the elements of one URDF and words its errors. Whatever it throws is a FileError that
-/// begins with file and line.
+/// Reads the elements of one URDF. Throws only FileErrors, which begin with file and line.
 class UrdfReader {
  public:
-  /// `path`: of the file, must outlive the reader.
+  /// `path` of the file must outlive the reader.
   explicit UrdfReader(const std::string& path) : path_(path) {}
 
   /// Fills the document from the file and returns its <robot>.
@@ -24,10 +23,10 @@ class UrdfReader {
   [[noreturn]] void fail(int line, const std::string& what) const;
 
   [[nodiscard]] std::string name(const tinyxml2::XMLElement& element) const;
-  /// A finite number, or three, of an attribute that must be there.
+  /// A finite number, or three, of a required attribute.
   [[nodiscard]] double number(const tinyxml2::XMLElement& element, const char* attribute) const;
   [[nodiscard]] Vec3 vector(const tinyxml2::XMLElement& element, const char* attribute) const;
-  /// The <origin> of an element, or what it leaves as it is: rotation and position [m].
+  /// The <origin> of an element: rotation and position [m]; unchanged if absent.
   void read_origin(const tinyxml2::XMLElement& parent, Mat3& R, Vec3& p) const;
 
  private:

@@ -5,6 +5,8 @@
 #include "surefoot/config/scenario_file.hpp"
 #include "surefoot/logging/log_reader.hpp"
 #include "surefoot/logging/recorder.hpp"
+#include "surefoot/model/body_tree.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "tests/config/messages.hpp"
 #include "tests/logging/temporary_folder.hpp"
 
@@ -25,14 +27,16 @@ Scenario short_walk(const std::vector<std::string>& assignments = {}) {
 /// by trying all.
 double best_height(const Scenario& scenario) {
   const RobotModel model(scenario.robot);
+  const BodyTree tree = make_body_tree(scenario.robot, read_urdf(scenario.robot.urdf_path));
   StanceOptions stance = scenario.controller.planner.stance;
   double best = 0.0, best_height = 0.0;
   for (stance.height = 0.30; stance.height < 0.51; stance.height += 1e-4) {
     const JointVector q = stance_posture(model, stance);
     double sum = 0.0;
     for (const Leg leg : kLegs) {
-      sum +=
-          std::abs(model.foot_jacobian_in_base(leg, q.segment<3>(first_joint(leg))).determinant());
+      Mat3 J;
+      (void)tree.legs[index(leg)].chain.foot_in_base(q.segment<3>(first_joint(leg)), &J);
+      sum += std::abs(J.determinant());
     }
     if (sum > best) best_height = stance.height;
     best = std::max(best, sum);

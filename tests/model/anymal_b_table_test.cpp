@@ -1,4 +1,4 @@
-// ANYmal B against the figures that its makers publish, typed in here and not read from the URDF.
+// ANYmal B against its makers' published figures, typed in here, not read from the URDF.
 #include "surefoot/model/body_tree.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "tests/support/anymal_b.hpp"

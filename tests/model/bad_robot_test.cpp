@@ -1,4 +1,4 @@
-// Robot files that are wrong: each gives one message that says where and what would be valid.
+// Wrong robot files: each gives one message with the place and what would be valid.
 #include "surefoot/base/error.hpp"
 #include "surefoot/model/robot_model.hpp"
 #include "surefoot/model/urdf.hpp"
@@ -148,8 +148,8 @@ TEST(BadRobot, refuses_only_an_axis_that_something_turns_about) {
                        "joint \"LF_HAA\": its axis has no direction"));
 }
 
-/// An inertia of a body whose mass is all on a line: of rank one but for rounding, which leaves an
-/// eigenvalue a little below 0.
+/// Inertia of a body with all mass on a line: rank one up to rounding, which leaves an eigenvalue
+/// slightly below 0.
 TEST(BadRobot, takes_an_inertia_that_is_below_zero_by_rounding_alone) {
   const std::string placeholder =
       "<inertia ixx=\"1e-6\" ixy=\"1e-6\" ixz=\"1e-6\" "

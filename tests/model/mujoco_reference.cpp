@@ -25,7 +25,7 @@ std::string urdf_for_mujoco(const std::string& path) {
   return text;
 }
 
-/// The root link's dummy inertia is no inertia of a body, and MuJoCo refuses it.
+/// MuJoCo refuses the root link's dummy inertia.
 void free_root_without_dummy_inertia(mjSpec* spec, const std::string& root) {
   mjsBody* body = mjs_findBody(spec, root.c_str());
   body->explicitinertial = 0;

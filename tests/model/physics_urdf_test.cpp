@@ -1,4 +1,4 @@
-// What physics is given of a URDF: all that it needs, and nothing that it does not.
+// The parts of a URDF that physics gets: all that it needs, and nothing else.
 #include "surefoot/model/physics_urdf.hpp"
 
 #include "surefoot/base/error.hpp"

@@ -1,5 +1,7 @@
 #include "surefoot/tasks/manipulability.hpp"
 
+#include "surefoot/model/body_tree.hpp"
+#include "surefoot/model/urdf.hpp"
 #include "tests/tasks/scene.hpp"
 
 #include <Eigen/LU>
@@ -17,7 +19,10 @@ using Form = Manipulability::Form;
 
 /// m of a leg at joint angles, from the definition.
 double measure(const RobotModel& model, Leg leg, const Vec3& q) {
-  const Mat3 J = model.foot_jacobian_in_base(leg, q);
+  const RobotDescription& robot = model.description();
+  static const BodyTree tree = make_body_tree(robot, read_urdf(robot.urdf_path));
+  Mat3 J;
+  (void)tree.legs[index(leg)].chain.foot_in_base(q, &J);
   return std::sqrt((J * J.transpose()).determinant());
 }
 
