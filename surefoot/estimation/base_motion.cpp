@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-// About the points' mean, where v and ω do not mix.
+// About the points' mean v and ω decouple.
 BaseMotion base_motion(const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) {
   Vec3 p = Vec3::Zero(), v = Vec3::Zero();
   for (std::size_t k = 0; k < kNumLegs; ++k) {

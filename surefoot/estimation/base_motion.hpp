@@ -10,9 +10,9 @@ struct BaseMotion {
   Vec3 w = Vec3::Zero();
 };
 
-/// How a base moves if the points of its feet that touch the ground stand still, where they are at
-/// p_BC and move by v_BC as seen from it, in B [m], [m/s]: the v and ω that leave least of
-/// Σ |v + ω × p_BC + v_BC|². Zero where all points lie in a line, about which it might turn.
+/// Base motion for contact points that stand still, at p_BC and with velocity v_BC relative to the
+/// base, in B [m], [m/s]: the v and ω that minimize Σ |v + ω × p_BC + v_BC|². Zero if the points
+/// are collinear, as the turn about their line is unknown.
 [[nodiscard]] BaseMotion base_motion(const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC);
 
 }  // namespace surefoot

@@ -10,17 +10,17 @@
 namespace surefoot {
 namespace {
 
-constexpr double kFadeIn = 0.5;    // of a weighing [s]
-constexpr double kFollow = 0.5;    // of what links are found to weigh, a time constant [s]
-constexpr double kLargest = 0.10;  // that the COM is believed to be off, in B level and upright [m]
-constexpr double kLightest = -0.5;  // of a load that is believed, in masses of the base …
-constexpr double kHeaviest = 1.0;   // …
-// What the weighing is not sure of: a robot as modelled is felt to be half of both off.
-constexpr double kLeastLoad = 0.01;    // in masses of the robot
-constexpr double kLeastHeight = 0.01;  // of the COM above or below the bare model's [m]
-constexpr double kLeastShare = 0.5;    // of the weight that the feet must feel
-constexpr double kLeast = 0.5;         // of a weighing that counts [s]
-constexpr double kMemory = 1.0;        // the vertical is known only at the end of the motion [s]
+constexpr double kFadeInTime = 0.5;     // of a weighing [s]
+constexpr double kFollowTime = 0.5;     // time constant for new link masses [s]
+constexpr double kMaxComOffset = 0.10;  // of the COM, in B horizontal and vertical [m]
+constexpr double kMinLoadShare = -0.5;  // of a load, in masses of the base
+constexpr double kMaxLoadShare = 1.0;   // of a load, in masses of the base
+// Smaller loads are uncertain: a robot as modelled can measure half of both.
+constexpr double kMinCertainLoad = 0.01;    // in masses of the robot
+constexpr double kMinCertainHeight = 0.01;  // of the COM against the bare model's [m]
+constexpr double kMinForceShare = 0.5;      // of the weight, on the feet
+constexpr double kMinWeighingTime = 0.5;    // [s]
+constexpr double kMemory = 1.0;             // the vertical settles only after the motion [s]
 
 Vec3 com_in_base(const Dynamics& dynamics) {
   return dynamics.base_rotation.R.transpose() * (dynamics.com.p - dynamics.base.p);
@@ -28,7 +28,8 @@ Vec3 com_in_base(const Dynamics& dynamics) {
 
 Vec3 believable(const Vec3& offset) {
   Vec3 result;
-  result << clip_norm<2>(offset.head<2>(), kLargest), std::clamp(offset.z(), -kLargest, kLargest);
+  result << clip_norm<2>(offset.head<2>(), kMaxComOffset),
+      std::clamp(offset.z(), -kMaxComOffset, kMaxComOffset);
   return result;
 }
 
@@ -40,15 +41,15 @@ void ComCalibration::update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_f
   if (turns && (!turning_ || !is_quiet)) height_.forget();
   turning_ = turns;
   const GroundReaction reaction = ground_reaction(dynamics, foot_force);
-  const bool is_felt = is_quiet && reaction.force.z() > kLeastShare * dynamics.mass * kGravity;
+  const bool is_felt = is_quiet && reaction.force.z() > kMinForceShare * dynamics.mass * kGravity;
   if (stage == CalibrationStage::weighing) {
     weighing_ = true;
     if (is_felt) weigh(dynamics, reaction);
     return;
   }
   if (weighing_) end_weighing(dynamics);
-  share_ = std::min(1.0, share_ + period_ / kFadeIn);
-  heavier_in_use_ += period_ / kFollow * (heavier_ - heavier_in_use_);
+  share_ = std::min(1.0, share_ + period_ / kFadeInTime);
+  heavier_in_use_ += period_ / kFollowTime * (heavier_ - heavier_in_use_);
   if (turns && is_felt) height_.add(dynamics, reaction);
 }
 
@@ -64,10 +65,10 @@ void ComCalibration::weigh(const Dynamics& dynamics, const GroundReaction& react
   centre_ << dynamics.com.p.head<2>() + error.head<2>(), reaction.ground;
 }
 
-// The weighing knows nothing of heavier links, the load that was in use while it lasted does.
+// The weighing ignores heavier links; the load in use during it includes them.
 void ComCalibration::end_weighing(const Dynamics& dynamics) {
   const std::optional<double> higher = height_.found();
-  const bool is_long_enough = samples_ >= std::lround(kLeast / period_);
+  const bool is_long_enough = samples_ >= std::lround(kMinWeighingTime / period_);
   knows_load_ = is_long_enough && higher.has_value();
   if (is_long_enough) {
     const BaseLoad now = load();
@@ -79,10 +80,10 @@ void ComCalibration::end_weighing(const Dynamics& dynamics) {
     const Vec3 found = mean_offset_ + (higher.value_or(0.0) - mean_offset_.z()) / up.z() * up;
     Vec3 offset = believable(com - bare_com + found);
     const bool carries =
-        std::abs(felt) > kLeastLoad * bare_mass || std::abs(offset.z()) > kLeastHeight;
+        std::abs(felt) > kMinCertainLoad * bare_mass || std::abs(offset.z()) > kMinCertainHeight;
     double mass = now.mass;
     if (higher && carries) {
-      mass = std::clamp(felt, kLightest * base_mass_, kHeaviest * base_mass_);
+      mass = std::clamp(felt, kMinLoadShare * base_mass_, kMaxLoadShare * base_mass_);
     } else if (higher) {
       mass = offset.z() = 0.0;
     }

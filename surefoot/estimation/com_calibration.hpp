@@ -8,45 +8,43 @@
 
 namespace surefoot {
 
-/// What the robot carries beyond its model and where, as standing feet feel it: payload, wrong
-/// masses, and a vertical that is believed askew.
+/// Estimates the payload of a standing robot, mass and place, from its foot forces; also covers
+/// wrong link masses and an inclined vertical.
 ///
-/// At rest the COM stands over the centre of pressure of the ground forces (GroundReaction), whose
-/// F_z is m g. The means of m − m_model and of the way from the model's COM to that line,
-/// forgetting what is older than a second, and how high on it the COM lies, found before, while the
-/// torso turned (ComHeight), make a load of the base that fades in:
+/// At rest the COM is above the centre of pressure of the ground forces (GroundReaction), and F_z
+/// is m g. The weighing averages m − m_model and the offset from the model's COM to that line, with
+/// a memory of a second. The turn before it gives the COM's height on the line (ComHeight). The
+/// result fades in as a load of the base:
 ///
 ///     m_load = m − m_bare,   first moment in B = m c − m_bare c_bare
 ///
-/// so that legs which move under a payload move the COM by less than they would without. Where no
-/// height is known there is no mass either, and the COM moves along B's x and y alone; so it does
-/// where the load is less than a hundredth of the robot and moves the COM by less than 1 cm up or
-/// down, of which the weighing is not sure.
+/// so that moving legs move the COM of a loaded robot by less. Without a height the mass is unknown
+/// too, and the COM moves along B's x and y alone. The same holds for a load that is too small to
+/// be certain: under a hundredth of the robot, moving the COM by less than 1 cm up or down.
 ///
-/// The forces are those that the joint torques leave when they have carried the legs, so links that
-/// are heavier than modelled by shares s_l, as is found later, in the air, have moved them:
-/// ∂f_k / ∂s_l = (J_kᵀ)⁻¹ g_l, with g_l the torques that carry link l as modelled. The COM moves
-/// by ∂c / ∂s_l s_l, little by little; the mass stays: what follows is felt by the same feet. Does
-/// not allocate.
+/// The forces are what the joint torques leave after carrying the legs. Links that are heavier than
+/// modelled by shares s_l, known only after swings, have biased them: ∂f_k / ∂s_l = (J_kᵀ)⁻¹ g_l,
+/// with g_l the torques that carry link l as modelled. So the COM follows slowly by ∂c / ∂s_l s_l;
+/// the mass stays, because the same feet feel what follows. Does not allocate.
 class ComCalibration {
  public:
-  /// `base_mass` without a load [kg] bounds what is believed.
+  /// `base_mass` without a load [kg] bounds the result.
   ComCalibration(double period, double base_mass)
       : period_(period), base_mass_(base_mass), height_(period) {}
 
-  /// One tick: turns or weighs, as the stage says; forces in W [N]. `is_quiet`: the robot stands on
-  /// all feet and nothing else moves it; ticks without are not weighed, and the turn begins anew.
-  /// `dynamics` are of a model that has the load.
+  /// One tick: turns or weighs, by stage; forces in W [N]. `is_quiet`: the robot stands on all
+  /// feet, undisturbed. Other ticks are not weighed and restart the turn. `dynamics` include the
+  /// load.
   void update(const Dynamics& dynamics, const PerLeg<Vec3>& foot_force, CalibrationStage stage,
               bool is_quiet) noexcept;
 
-  /// What the links are found to weigh, from now on (LinkMassEstimator).
+  /// Sets the links' estimated extra masses from now on (LinkMassEstimator).
   void correct(const LinkMassEstimator::Shares& heavier) noexcept { heavier_ = heavier; }
 
-  /// What the model's base carries.
+  /// Load of the model's base.
   [[nodiscard]] BaseLoad load() const noexcept;
-  /// Was the last weighing long enough, and had the turn before it told a height? Not before one
-  /// has ended.
+  /// Was the last weighing long enough, with a height from the turn before? False until one has
+  /// ended.
   [[nodiscard]] bool knows_load() const noexcept { return knows_load_; }
 
  private:
@@ -60,13 +58,13 @@ class ComCalibration {
   double period_, base_mass_;
   bool turning_ = false, weighing_ = false, knows_load_ = false;
   ComHeight height_;
-  // The weighing that goes on: by how much the model's mass and COM are off in the mean, the latter
-  // from it to the line, level, in B; and the last tick in W.
+  // The current weighing: mean errors of the model's mass and COM (horizontal, in B); the last tick
+  // in W.
   int samples_ = 0;
   double mean_mass_ = 0.0;
   Vec3 mean_offset_ = Vec3::Zero();
   Vec3 F_ = Vec3::Zero(), centre_ = Vec3::Zero();
-  // What is in use, without what links weigh.
+  // The result in use, without the links' masses.
   BaseLoad before_, weighed_;
   double share_ = 1.0;           // of `weighed_`
   Slope slope_ = Slope::Zero();  // of the first moment over the links' shares [kg·m]

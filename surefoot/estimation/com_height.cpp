@@ -5,8 +5,8 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLeast =
-    0.01;  // ∫ of the tilts' squares about their means [rad² s]: a third of a turn
+// ∫ of the tilts' squared deviations [rad² s]: a third of a turn.
+constexpr double kMinTiltIntegral = 0.01;
 
 /// Onto B's x and y, along `up` in B.
 Vec2 projected(const Vec3& v, const Vec3& up) {
@@ -39,7 +39,7 @@ void ComHeight::add(const Dynamics& dynamics, const GroundReaction& reaction) no
 std::optional<double> ComHeight::found() const noexcept {
   const double n = sums_.ticks;
   const Vec2 spread = sums_.tilt_tilt - sums_.tilt.cwiseAbs2() / n;
-  if (!(period_ * spread.sum() > kLeast)) return std::nullopt;
+  if (!(period_ * spread.sum() > kMinTiltIntegral)) return std::nullopt;
   const Vec2 together =
       sums_.tilt_error - sums_.tilt.cwiseProduct(sums_.error) / n - sums_.rate_momentum;
   return together.sum() / spread.sum();

@@ -11,7 +11,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kBaseCutoffHz = 40.0;  // of the base's acceleration
-constexpr double kMostPeriods = 1e6;
+constexpr double kMaxPeriods = 1e6;
 
 int leg_rows(Leg leg) { return 6 + first_joint(leg); }
 
@@ -26,10 +26,10 @@ ContactForceEstimator::ContactForceEstimator(const ContactForceOptions& options,
       foot_sensors_{FootSensorTrust(period), FootSensorTrust(period), FootSensorTrust(period),
                     FootSensorTrust(period)} {}
 
-// Whole periods, so that a clock that rounds changes nothing; 1 also where a time is NaN.
+// Whole periods, so that a rounded clock changes nothing; 1 if a time is NaN.
 int ContactForceEstimator::periods_until(double time) const {
   const double periods = std::round((time - time_) / period_);
-  return periods > 1.0 ? static_cast<int>(std::min(periods, kMostPeriods)) : 1;
+  return periods > 1.0 ? static_cast<int>(std::min(periods, kMaxPeriods)) : 1;
 }
 
 void ContactForceEstimator::Recent::add(const JointVector& value) {
@@ -38,12 +38,12 @@ void ContactForceEstimator::Recent::add(const JointVector& value) {
 }
 
 const JointVector& ContactForceEstimator::Recent::ago(int ticks) const {
-  return values[static_cast<std::size_t>(std::clamp(ticks, 0, static_cast<int>(kKept) - 1))];
+  return values[static_cast<std::size_t>(std::clamp(ticks, 0, static_cast<int>(kNumRecent) - 1))];
 }
 
 int ContactForceEstimator::ticks_in(double delay) const {
   const double ticks = std::round(delay / period_);
-  return std::abs(ticks) < kKept ? static_cast<int>(ticks) : 0;  // 0 if NaN, too
+  return std::abs(ticks) < kNumRecent ? static_cast<int>(ticks) : 0;  // 0 if NaN, too
 }
 
 void ContactForceEstimator::follow(const JointDelays& delays) {

@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Where the controller's state comes from: what a scenario's `estimation:` chooses.
+/// Source of the controller's state, chosen by a scenario's `estimation:`.
 enum class Estimation : int {
   truth = 0,  ///< base state and joint velocities from the simulator's truth, the rest from sensors
   sensors = 1,  ///< base state from IMU, encoders and contacts
@@ -13,7 +13,7 @@ enum class Estimation : int {
 
 inline constexpr std::array kEstimations{Estimation::truth, Estimation::sensors};
 
-/// As scenarios, logs and results have it.
+/// The name in scenarios, logs and results.
 [[nodiscard]] constexpr std::string_view name(Estimation estimation) {
   switch (estimation) {
     case Estimation::truth:

@@ -8,10 +8,10 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLongestGap = 0.05;  // between two updates; after a longer one it starts anew [s]
+constexpr double kLongestGap = 0.05;  // between two updates; a longer one restarts the observer [s]
 
-/// What is left of v beyond a ball of radius `band`, at most `most` long: v (1 − (band / |v|)²), so
-/// that nearly all of what is clearly beyond is left.
+/// v (1 − (band / |v|)²) outside a ball of radius `band`, 0 inside, at most `most` long; keeps
+/// nearly all of a clear excess.
 template <int N>
 Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double band, double most) {
   const double length = v.norm();
@@ -21,7 +21,7 @@ Eigen::Matrix<double, N, 1> beyond(const Eigen::Matrix<double, N, 1>& v, double 
 
 }  // namespace
 
-// What the model carries from now on was part of the load before.
+// Mass that enters the model leaves the unknown load.
 void ExternalForceEstimator::take_over(const Dynamics& dynamics) {
   const double more = dynamics.mass - mass_;
   mass_ = dynamics.mass;

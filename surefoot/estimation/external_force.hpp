@@ -9,32 +9,31 @@ struct ExternalForceOptions {
   bool enabled = true;
   double time_constant = 0.05;      ///< of the horizontal force [s]
   double load_time_constant = 0.5;  ///< of the vertical force and the moments [s]
-  double dead_band = 12.0;          ///< of the horizontal force: what model errors look like [N]
+  double dead_band = 12.0;          ///< of the horizontal force: size of model errors [N]
   double load_dead_band = 8.0;      ///< of the vertical force [N]
   double moment_dead_band = 4.0;    ///< [N·m]
   double max_force = 150.0;         ///< [N]
   double max_moment = 20.0;         ///< [N·m]
 };
 
-/// What pushes, pulls or loads the robot beside the ground and what its model carries: a momentum
-/// observer on the whole body. Mass that the model takes over (BaseLoad) leaves the residual at
-/// once.
+/// Estimates pushes, pulls and unmodelled payload: a momentum observer on the whole body. Mass that
+/// moves into the model (BaseLoad) leaves the residual at once.
 ///
 ///     d/dt (m v_com) = m g + Σ f_k + F,    d/dt L_com = Σ (p_k − c) × f_k + τ
 ///
-/// with the ground forces f_k of the feet that stand, in W. The residual r follows F as a first
-/// order low-pass without differentiating the velocity:
+/// with the ground forces f_k of the stance feet, in W. The residual r follows F as a first-order
+/// low-pass, without differentiating the velocity:
 ///
 ///     r = (P − ∫ (m g + Σ f_k + r) dt) / T
 ///
-/// Wrong masses, angles and torques look like a force, too: what lies within a dead band is taken
-/// for that, r (1 − (band / |r|)²) of what is beyond is handed on. Does not allocate.
+/// Model errors look like a force, too. So a residual within the dead band counts as zero, and
+/// beyond it r (1 − (band / |r|)²) is the estimate. Does not allocate.
 class ExternalForceEstimator {
  public:
   explicit ExternalForceEstimator(const ExternalForceOptions& options) : options_(options) {}
 
   /// One tick: fills `external_force` and `external_moment` of the state, whose `foot_force` must
-  /// be that of this tick. `stands` says which feet the plan lets carry.
+  /// be of this tick. `stands`: the feet planned to carry load.
   void update(const Dynamics& dynamics, const PerLeg<bool>& stands, RobotState& state) noexcept;
 
   /// The residuals in W, before dead band and saturation [N], [N·m].
@@ -47,9 +46,9 @@ class ExternalForceEstimator {
 
   ExternalForceOptions options_;
   double time_ = kNaN;  // of the last update [s]
-  double mass_ = kNaN;  // of the model then [kg]
+  double mass_ = kNaN;  // of the model at that time [kg]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
-  Vec3 explained_ = Vec3::Zero();          // momentum by the forces known so far [N·s]
+  Vec3 explained_ = Vec3::Zero();          // momentum from known forces [N·s]
   Vec3 angular_explained_ = Vec3::Zero();  // [N·m·s]
 };
 

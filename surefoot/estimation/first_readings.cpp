@@ -8,12 +8,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kWindow = 0.1;                                   // of an estimate [s]
-constexpr double kLongest = 1.0;                                  // since the first tick [s]
-constexpr double kYoung = ReadingGuardOptions::kLongestPatience;  // as long as one may be bridged
-constexpr int kUnconfirmed = 3;     // jumps in a row: the second would confirm the first
-constexpr int kMostAtOnce = 3;      // beginnings by a single jump, where velocities are not known
-constexpr double kSameTurn = 0.15;  // [rad/s]
-constexpr double kSameVertical = 3.0;  // [m/s²]
+constexpr double kMaxWindow = 1.0;                                // since the first tick [s]
+constexpr double kYoung = ReadingGuardOptions::kLongestPatience;  // the longest bridged gap [s]
+constexpr int kUnconfirmedJumps = 3;   // in a row: the second would confirm the first
+constexpr int kMaxRestartsByJump = 3;  // by one jump, without known velocities
+constexpr double kMaxTurnStep = 0.15;  // of a standing robot [rad/s]
+constexpr double kMaxForceStep = 3.0;  // of a standing robot [m/s²]
 
 int ticks_in(double time, double period) { return static_cast<int>(std::lround(time / period)); }
 
@@ -23,11 +23,11 @@ FirstReadings::FirstReadings(double period)
     : window_(ticks_in(kWindow, period)),
       young_(ticks_in(kYoung, period)),
       ticks_left_(window_),
-      ticks_left_in_all_(ticks_in(kLongest, period)) {}
+      ticks_left_in_all_(ticks_in(kMaxWindow, period)) {}
 
 bool FirstReadings::are_contradicted(const SensorReading& reading, bool clock_is_right,
                                      const SensorHealth& health, bool estimates) noexcept {
-  // The same time again is a driver that is dead, and none is no other one.
+  // A repeated time means a dead driver, and a missing one is no other clock.
   const bool is_other_clock =
       !clock_is_right && std::isfinite(reading.time) && reading.time != time_;
   time_ = reading.time;
@@ -40,11 +40,11 @@ bool FirstReadings::are_contradicted(const SensorReading& reading, bool clock_is
   const bool is_other_imu = imu_differs(reading, estimates);
   ++age_;
   const bool contradicted = is_other_clock || encoders_jump || imu_jumps || is_other_imu;
-  if (contradicted) begin_anew();
+  if (contradicted) restart();
   return contradicted;
 }
 
-// A sample that is held says nothing; times that are NaN are those of new ones.
+// A held sample is no evidence; a NaN time counts as new.
 bool FirstReadings::jumps(Sensor& sensor, double sample_time, SampleFault fault, bool estimates) {
   const bool is_new = sample_time != sensor.time;
   const bool behind_gap = sensor.was_missed;
@@ -54,21 +54,21 @@ bool FirstReadings::jumps(Sensor& sensor, double sample_time, SampleFault fault,
   sensor.jumps = fault == SampleFault::jump ? sensor.jumps + 1 : 0;
   if (sensor.jumps == 0) return false;
   if (estimates) return age_ <= young_ || behind_gap;
-  return sensor.jumps >= kUnconfirmed || (age_ == 1 && times_begun_anew_ < kMostAtOnce);
+  return sensor.jumps >= kUnconfirmedJumps || (age_ == 1 && num_restarts_ < kMaxRestartsByJump);
 }
 
 bool FirstReadings::imu_differs(const SensorReading& reading, bool estimates) {
   const bool is_complete = reading.gyro.allFinite() && reading.accelerometer.allFinite();
   if (!is_complete) return false;
-  const bool differs = (reading.gyro - gyro_).norm() > kSameTurn ||
-                       (reading.accelerometer - accelerometer_).norm() > kSameVertical;
+  const bool differs = (reading.gyro - gyro_).norm() > kMaxTurnStep ||
+                       (reading.accelerometer - accelerometer_).norm() > kMaxForceStep;
   gyro_ = reading.gyro;
   accelerometer_ = reading.accelerometer;
   return estimates && differs && age_ <= young_;
 }
 
-void FirstReadings::begin_anew() {
-  ++times_begun_anew_;
+void FirstReadings::restart() {
+  ++num_restarts_;
   ticks_left_ = window_;
   age_ = 1;
   encoders_.jumps = imu_.jumps = 0;

@@ -7,12 +7,12 @@
 namespace surefoot {
 namespace {
 
-/// A base velocity that is believed of a robot at rest adds up to a motion, too; so what was asked
-/// longer ago than this says less [s].
-constexpr double kForget = 2.0;
-constexpr double kBesideAnother = 0.25;  // of the motion, where another joint is found frozen
+/// A base velocity estimated at rest adds up to a motion, too; so older motion fades [s].
+constexpr double kMotionMemory = 2.0;
+constexpr double kSecondJointShare = 0.25;  // of the motion, next to another frozen joint
 
-/// Of a leg's joints, that its foot stands or goes where it should [rad/s].
+/// Velocities of a leg's joints that hold its stance foot or move its swing foot as planned
+/// [rad/s].
 Vec3 asked_velocity(const Dynamics& dynamics, bool stands, const Vec3& v_WF, Leg leg) {
   const std::size_t k = index(leg);
   const PointKinematics& point = stands ? dynamics.contact[k] : dynamics.foot[k];
@@ -39,7 +39,7 @@ void FrozenJoints::update(const SensorReading& reading, const Dynamics& dynamics
 void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVector& motion) {
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
-  const double kept = 1.0 - period_ / kForget;
+  const double kept = 1.0 - period_ / kMotionMemory;
   for (int i = 0; i < kNumJoints; ++i) {
     int& same = same_angle_[static_cast<std::size_t>(i)];
     const bool moves = reading.q[i] != q_[i] || !std::isfinite(motion[i]);
@@ -51,7 +51,7 @@ void FrozenJoints::look_at_angles(const SensorReading& reading, const JointVecto
   const bool finds = is_new && unseen_.cwiseAbs().maxCoeff() > options_.motion;
   for (int i = 0; i < kNumJoints && finds; ++i) {
     const int same = same_angle_[static_cast<std::size_t>(i)];
-    if (same > 1 && std::abs(unseen_[i]) > kBesideAnother * options_.motion)
+    if (same > 1 && std::abs(unseen_[i]) > kSecondJointShare * options_.motion)
       add(encoders_, i, same);
   }
 }

@@ -4,23 +4,22 @@
 
 namespace surefoot {
 
-/// What the ground does to the feet all together, in W.
+/// Total force and moment of the ground on the feet, in W.
 struct GroundReaction {
   Vec3 force = Vec3::Zero();   ///< F = Σ f_k [N]
   Vec3 moment = Vec3::Zero();  ///< M = Σ p_k × f_k about W's origin [N·m]
-  double ground = 0.0;         ///< z of the feet in the mean [m]
+  double ground = 0.0;         ///< mean z of the contact points [m]
 
-  /// Where its line of action passes the height z in W, with F_z ≠ 0
+  /// Intersection of its line of action with height z in W, for F_z ≠ 0; on the ground the centre
+  /// of pressure [m]:
   ///
   ///     x = (z F_x − M_y) / F_z,   y = (z F_y + M_x) / F_z
-  ///
-  /// on the ground the centre of pressure [m].
   [[nodiscard]] Vec2 line_of_action(double z) const {
     return Vec2(z * force.x() - moment.y(), z * force.y() + moment.x()) / force.z();
   }
 };
 
-/// Of forces on the four contact points.
+/// Sum of the forces on the four contact points.
 [[nodiscard]] inline GroundReaction ground_reaction(const Dynamics& dynamics,
                                                     const PerLeg<Vec3>& foot_force) noexcept {
   GroundReaction result;

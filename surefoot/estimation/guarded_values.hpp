@@ -11,12 +11,12 @@ namespace surefoot {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Whether a step is believed that is larger than usual: if the one to the next sample is large,
-/// too, and from then on until it was calm for `patience`; never while only what is usual is.
+/// Decides whether to accept an unusually large step: if the next sample's step is large, too, and
+/// then until `patience` passes without one; never while `sure_only` holds.
 class Doubt {
  public:
-  /// Of a new sample; `waited`: those before it were doubted with others; `sure_only`: no large
-  /// step is believed. True: not believed.
+  /// A new sample; `waited`: the samples before it were doubted together; `sure_only`: accept no
+  /// large step. True: refused.
   [[nodiscard]] bool of(bool is_large, bool waited, bool sure_only, double sample_time,
                         double patience) noexcept {
     const bool is_confirmed = doubts_ || waited || sample_time - shaken_ <= patience;
@@ -26,14 +26,14 @@ class Doubt {
     doubts_ = !is_believed;
     return doubts_;
   }
-  /// Of a sample that is at fault for another reason.
+  /// A sample that is faulty for another reason.
   void skip(bool is_large, double sample_time) noexcept {
     if (is_large) large_ = sample_time;
     doubts_ = false;
   }
-  /// The last sample was not believed.
+  /// Was the last sample refused?
   [[nodiscard]] bool doubts() const { return doubts_; }
-  /// A step was large since then.
+  /// Was a step large since then?
   [[nodiscard]] bool is_shaken_since(double time) const { return large_ >= time; }
 
  private:
@@ -42,28 +42,28 @@ class Doubt {
   bool doubts_ = false;
 };
 
-/// n values that are sampled together: the last good samples, and what this tick's are worth. Each
-/// value is judged by itself, and all together.
+/// n values that are sampled together: their last good samples and this tick's faults. Judges each
+/// value alone, and all together.
 template <int n>
 class GuardedValues {
  public:
   using Vector = Eigen::Matrix<double, n, 1>;
 
-  /// What a value can be, and how far its next sample can be from what is expected: beyond
-  /// `tolerance` it is not believed, beyond `sure` only as `Doubt` says, nor is any where half of
-  /// them are beyond `together`, and none at all where half are beyond `never`; these three for
-  /// each period between the samples. `sure_only`: what is beyond `sure` is not believed either.
+  /// Range of a value, and limits on its distance from the expected one. Beyond `tolerance` it is
+  /// refused; beyond `sure` accepted only as `Doubt` allows, and with `sure_only` never. If half of
+  /// the values are beyond `together`, `Doubt` decides on all; if half are beyond `never`, all are
+  /// refused. The last three are per period between the samples.
   struct Limits {
     Vector range, tolerance = Vector::Constant(kUnlimited), sure = Vector::Constant(kUnlimited);
     double together = kUnlimited, never = kUnlimited;
     bool sure_only = false;
   };
 
-  /// Moves what is expected of the next samples; without it, they are expected to stay.
+  /// Moves the expected next samples; otherwise they are expected to stay.
   void move(const Vector& change) noexcept { expected_ += change; }
 
-  /// One tick. `common` is a fault of all. A value that got no good sample for `patience` is
-  /// believed at any place in its range.
+  /// One tick. `common` is a fault of all. After `patience` without a good sample any value in
+  /// range is accepted.
   void take(const Vector& raw, SampleFault common, const SampleWatch& watch, const Limits& limits,
             double patience) noexcept {
     const bool all_waited = all_.doubts();
@@ -86,7 +86,7 @@ class GuardedValues {
     }
   }
 
-  /// The values that can be by these limits, NaN in the place of others; they are no samples.
+  /// The values possible by these limits, NaN for others; does not count as a sample.
   [[nodiscard]] Vector plausible(const Vector& raw, const Limits& limits) const noexcept {
     Vector result = raw;
     for (int i = 0; i < n; ++i) {
@@ -96,15 +96,15 @@ class GuardedValues {
     return result;
   }
 
-  /// They were no samples since then.
+  /// Discards samples since then.
   void forget_since(double time) noexcept { seen_ = seen_.cwiseMin(time); }
 
-  /// Have there been steps larger than usual?
+  /// Was any step unusually large?
   [[nodiscard]] bool is_shaken_since(double time) const noexcept {
     return std::ranges::any_of(doubts_, [&](const Doubt& d) { return d.is_shaken_since(time); });
   }
 
-  /// Of all together?
+  /// Was a step of all together?
   [[nodiscard]] bool all_are_shaken_since(double time) const noexcept {
     return all_.is_shaken_since(time);
   }
@@ -123,9 +123,9 @@ class GuardedValues {
     return result;
   }
 
-  /// The samples, with what is expected in the place of faulty ones.
+  /// The samples, with expected values for faulty ones.
   [[nodiscard]] const Vector& repaired() const { return repaired_; }
-  /// The samples, NaN in the place of faulty ones.
+  /// The samples, with NaN for faulty ones.
   [[nodiscard]] const Vector& measured() const { return measured_; }
   /// Times of the last good samples [s].
   [[nodiscard]] const Vector& seen() const { return seen_; }
@@ -136,12 +136,12 @@ class GuardedValues {
     seen_[i] = time;
   }
 
-  /// Since the sample before.
+  /// Periods since the sample before.
   [[nodiscard]] double periods(int i, const SampleWatch& watch) const noexcept {
     return std::max(1.0, (watch.sample_time() - sampled_[i]) / watch.period());  // not NaN
   }
 
-  /// Of what waited for this sample nothing is known of two periods.
+  /// After a sample that waited for confirmation, two periods are unknown.
   [[nodiscard]] SampleFault judge(int i, double raw, const SampleWatch& watch, const Limits& limits,
                                   bool all_waited, double patience) noexcept {
     const bool is_lost = !(watch.sample_time() - seen_[i] <= patience);
@@ -160,13 +160,13 @@ class GuardedValues {
     return is_doubted ? SampleFault::jump : SampleFault::none;
   }
 
-  /// Of the values that are not lost.
+  /// Considers values that are not lost.
   [[nodiscard]] bool doubts_all(const Vector& raw, const SampleWatch& watch, const Limits& limits,
                                 double patience) noexcept {
     if (!watch.is_new()) return all_.doubts();
     int num_off = 0, num_far = 0;
     for (int i = 0; i < n; ++i) {
-      if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // not known, as where NaN
+      if (!(watch.sample_time() - seen_[i] <= patience)) continue;  // lost, or NaN
       const double off = std::abs(raw[i] - expected_[i]) / periods(i, watch);
       num_off += off > limits.together ? 1 : 0;
       num_far += off > limits.never ? 1 : 0;
@@ -183,7 +183,7 @@ class GuardedValues {
   }
 
   Vector expected_ = Vector::Constant(kNaN), seen_ = Vector::Constant(kNaN);
-  Vector sampled_ = Vector::Constant(kNaN);  // when the samples before were taken [s]
+  Vector sampled_ = Vector::Constant(kNaN);  // times of the samples before [s]
   Vector repaired_ = Vector::Constant(kNaN), measured_ = Vector::Constant(kNaN);
   std::array<SampleFault, n> faults_{};
   std::array<Doubt, n> doubts_{};

@@ -12,11 +12,11 @@ namespace surefoot {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr int kLeastFeet = 2, kLeastFeetForTurn = 3;
-/// Parts of the window: a gross error shows in a short one already.
+constexpr int kMinFeet = 2, kMinFeetForTurn = 3;
+/// Spans, as parts of the window: short ones show gross errors sooner.
 constexpr std::array<double, ImuCheck::kNumSpans> kParts{0.1, 0.25, 0.5, 1.0};
 constexpr double kJitter = 0.5;     // of a period
-constexpr double kOneSample = 1.5;  // periods: a sample that is off is seen for one at a time
+constexpr double kOneSample = 1.5;  // periods: one bad sample shows for one period
 
 int even_ticks(double duration, double period) {
   return 2 * std::max(1, static_cast<int>(std::lround(0.5 * duration / period)));
@@ -35,8 +35,6 @@ ImuCheck::ImuCheck(const ImuCheckOptions& options, double period)
   arm_.fill(Vec3::Zero());
   rolled_.fill(Vec3::Zero());
 }
-
-double ImuCheck::span(int span) const { return period_ * ticks_[static_cast<std::size_t>(span)]; }
 
 void ImuCheck::forget() noexcept {
   firm_ticks_.fill(0);
@@ -62,7 +60,7 @@ void ImuCheck::update(const SensorReading& reading, const RobotState& state,
   if (is_finite) {
     move(reading, state, dynamics);
     count_firm_feet(state, stands, normal_W);
-    if (is_thrown(reading, state, dynamics, stands)) firm_ticks_.fill(0);
+    if (is_shaken(reading, state, dynamics, stands)) firm_ticks_.fill(0);
   }
   judge();
 }
@@ -92,8 +90,8 @@ void ImuCheck::move(const SensorReading& reading, const RobotState& state,
   }
 }
 
-// What both instruments feel is no fault of one, and feet come off before their forces tell it.
-bool ImuCheck::is_thrown(const SensorReading& reading, const RobotState& state,
+// A shock that both sense is no fault, and feet lift off before their forces show it.
+bool ImuCheck::is_shaken(const SensorReading& reading, const RobotState& state,
                          const Dynamics& dynamics, const PerLeg<bool>& stands) const {
   Vec3 by_feet = kGravityVector;
   for (std::size_t k = 0; k < kNumLegs; ++k)
@@ -132,8 +130,7 @@ double ImuCheck::unseen_way(int ticks) const {
   return jump * period_ * (0.5 * period_ * ticks);
 }
 
-// Feet that slide or fly off differ from an IMU that is right, but one that is wrong differs from
-// all of them.
+// A foot that slides or lifts off differs from a correct IMU; a faulty IMU differs from all feet.
 double ImuCheck::least_displacement(const Vec3& second_way, const PerLeg<bool>& firm,
                                     int ticks) const {
   double least = kUnlimited;
@@ -158,8 +155,8 @@ double ImuCheck::swing(const PerLeg<bool>& firm, int from, int to) const {
   return result;
 }
 
-ImuDisagreement ImuCheck::compare(int ticks) const {
-  ImuDisagreement result;
+ImuCheck::Disagreement ImuCheck::compare(int ticks) const {
+  Disagreement result;
   const int settled = static_cast<int>(std::lround(options_.settle / period_));
   const int half = ticks / 2;
   PerLeg<bool> firm{};
@@ -169,19 +166,18 @@ ImuDisagreement ImuCheck::compare(int ticks) const {
     firm[k] = firm_ticks_[k] > ticks + settled;
     result.feet += firm[k] ? 1 : 0;
   }
-  if (result.feet < kLeastFeet) return result;
+  if (result.feet < kMinFeet) return result;
   result.displacement = least_displacement(second_way, firm, ticks);
   result.unseen = unseen_way(ticks);
   const Turn first = turn(firm, ticks, half), second = turn(firm, half, 0);
   result.spread = first.spread + second.spread;
-  if (result.feet < kLeastFeetForTurn) return result;
+  if (result.feet < kMinFeetForTurn) return result;
   const auto sure = [&](const Turn& half_turn) {
     return half_turn.angle.norm() - options_.doubt * half_turn.misfit / half_turn.lever;
   };
   const bool goes_on = first.angle.dot(second.angle) > 0.0;
   result.turn = goes_on ? 2.0 * std::max(0.0, std::min(sure(first), sure(second))) : 0.0;
-  // A foot that slides off an edge looks like a turn about the others: these must have seen it,
-  // too.
+  // A foot that slides off an edge looks like a turn about the others: they must show it, too.
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     if (!firm[k]) continue;
     PerLeg<bool> others = firm;
@@ -227,16 +223,15 @@ ImuCheck::Turn ImuCheck::turn(const PerLeg<bool>& firm, int from, int to) const 
 void ImuCheck::judge() {
   double longest = 0.0;
   for (std::size_t i = 0; i < ticks_.size(); ++i) {
-    ImuDisagreement& found = disagreements_[i];
-    found = compare(ticks_[i]);
+    const Disagreement found = compare(ticks_[i]);
     shares_[i] = 0.0;
-    if (found.feet < kLeastFeet) continue;
+    if (found.feet < kMinFeet) continue;
     const double span = period_ * ticks_[i];
     const double way = options_.position_margin + options_.velocity_margin * span;
     const double angle = options_.turn_margin + options_.rate_margin * span;
     const double doubtful = options_.doubt * (found.spread + found.unseen);
     shares_[i] = std::max(0.0, (found.displacement - doubtful) / way);
-    if (found.feet >= kLeastFeetForTurn) {
+    if (found.feet >= kMinFeetForTurn) {
       shares_[i] = std::max(shares_[i], found.turn / angle);
     }
     if (shares_[i] > 1.0) longest = std::max(longest, span);

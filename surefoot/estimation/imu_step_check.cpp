@@ -7,12 +7,12 @@
 namespace surefoot {
 namespace {
 
-constexpr double kCarries = 20.0;  // a foot that stands [N]
-constexpr int kLeastWitnesses = 2;
-constexpr int kShort = 2;         // samples held that leave the velocity as it was
-constexpr double kUnsure = 0.05;  // for which the feet correct the velocity [s]
-/// What encoders, rolling feet and samples out of step make of a foot within 20 ms [m].
-constexpr double kSure = 1e-3;
+constexpr double kMinForce = 20.0;  // of a stance foot [N]
+constexpr int kMinWitnesses = 2;
+constexpr int kShortHold = 2;           // held samples that leave the velocity as it was
+constexpr double kRecoveryTime = 0.05;  // in which the feet correct the velocity [s]
+/// Error of a foot within 20 ms from encoders, rolling and samples out of step [m].
+constexpr double kMinDifference = 1e-3;
 
 }  // namespace
 
@@ -26,8 +26,9 @@ void ImuStepCheck::update(const SensorReading& offered, const SensorReading& hel
                           const RobotState& state, const Dynamics& dynamics,
                           const PerLeg<bool>& stands, const Vec3& normal_W) noexcept {
   if (!is_doubted) {
-    const bool was_blow = doubted_ticks_ > kShort && verdict_ != ImuStep::contradicted;
-    unsure_ticks_ = was_blow ? static_cast<int>(kUnsure / period_) : std::max(0, unsure_ticks_ - 1);
+    const bool was_blow = doubted_ticks_ > kShortHold && verdict_ != ImuStep::contradicted;
+    unsure_ticks_ =
+        was_blow ? static_cast<int>(kRecoveryTime / period_) : std::max(0, unsure_ticks_ - 1);
     forget();
     begin(held, state, dynamics, stands, normal_W);
     return;
@@ -47,7 +48,7 @@ void ImuStepCheck::begin(const SensorReading& reading, const RobotState& state,
   held_ = offered_;
   for (std::size_t k = 0; k < kNumLegs; ++k) {
     p_WF_[k] = dynamics.foot[k].p;
-    is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= kCarries;  // not if NaN
+    is_witness_[k] = stands[k] && normal_W.dot(state.foot_force[k]) >= kMinForce;  // not if NaN
   }
 }
 
@@ -71,11 +72,11 @@ void ImuStepCheck::judge(const Dynamics& dynamics, const PerLeg<bool>& stands) {
     const auto moved = [&](const Way& way) { return (way.p + way.R * h_B - p_WF_[k]).norm(); };
     const double more = moved(offered_) - moved(held_);
     ++witnesses;
-    against += more > kSure ? 1 : 0;
-    in_favour += more < -kSure ? 1 : 0;
+    against += more > kMinDifference ? 1 : 0;
+    in_favour += more < -kMinDifference ? 1 : 0;
   }
   verdict_ = ImuStep::undecided;
-  if (witnesses < kLeastWitnesses)
+  if (witnesses < kMinWitnesses)
     verdict_ = ImuStep::no_witness;
   else if (against == witnesses)
     verdict_ = ImuStep::contradicted;

@@ -36,7 +36,7 @@ void InvariantFilter::start(const Vec3& specific_force, const Vec3& gyro_bias, d
   gyro_bias_ = gyro_bias;
   accelerometer_bias_.setZero();
   P_.setZero();
-  // About the vertical and in position W is chosen, not estimated: no variance.
+  // Heading and position of W are chosen, not estimated: no variance.
   P_.diagonal().segment<2>(kTheta).setConstant(square(doubt * options_.initial_tilt));
   P_.diagonal().segment<3>(kVelocity).setConstant(square(doubt * options_.initial_velocity));
   P_.diagonal().segment<3>(kGyroBias).setConstant(square(doubt * options_.initial_gyro_bias));
@@ -63,7 +63,7 @@ InvariantFilter::Covariance InvariantFilter::advanced(const Covariance& P, doubl
   return result;
 }
 
-// White noise of the gyroscope enters as the bias does: through Ad_X (R, S(v) R, S(p) R, S(d) R).
+// Gyroscope noise enters like the bias: through Ad_X (R, S(v) R, S(p) R, S(d) R).
 void InvariantFilter::add_process_noise(double dt) {
   Eigen::Matrix<double, kSize, 3> turn = Eigen::Matrix<double, kSize, 3>::Zero();
   turn.middleRows<3>(kTheta).setIdentity();
@@ -98,8 +98,8 @@ Mat3 InvariantFilter::measurement_noise(const Mat3& J) const {
          square(options_.foot_position_noise) * Mat3::Identity();
 }
 
-// a_B = T a, so R ← R Tᵀ and b ← T b; θ is in W and stays. What an IMU says of the vertical is what
-// turns: the heading of B was counted from that of the start, with the same axes of B.
+// a_B = T a, so R ← R Tᵀ and b ← T b; θ is in W and stays. Only the IMU's vertical turns: the
+// heading of B counts from the start, with the same axes of B.
 void InvariantFilter::turn_imu(const Mat3& T) noexcept {
   const Mat3 turned = R_ * T.transpose();
   R_ = rotation_about_z(yaw(R_) - yaw(turned)) * turned;
@@ -151,7 +151,7 @@ void InvariantFilter::correct(Leg leg, const Vec3& h, const Mat3& J) noexcept {
   Eigen::Matrix<double, kSize, 3> PHt = HP.transpose();
   Mat3 S_used = S;
   if (distance > options_.gate) {
-    // What it moved by beyond belief becomes variance of the foot, as a slip of that size.
+    // The implausible part of the motion becomes variance of the foot, as a slip of that size.
     const double slip = (distance / options_.gate - 1.0) * S.trace() / 3.0;
     P_.diagonal().segment<3>(k).array() += slip;
     PHt.middleRows<3>(k).diagonal().array() -= slip;

@@ -4,19 +4,19 @@
 
 namespace surefoot {
 
-/// Standard deviations of what an InvariantFilter is told.
+/// Standard deviations for an InvariantFilter.
 struct InvariantFilterOptions {
   double gyro_noise = 2e-4;           ///< [rad/s/√Hz]
   double accelerometer_noise = 2e-3;  ///< [m/s²/√Hz]
-  /// A bias that wanders by σ within a time T walks by σ √(2/T) at most. These are of a gyroscope's
-  /// 5e-4 rad/s in 1000 s and an accelerometer's 0.025 m/s² in 300 s, such as MEMS have. Taken too
-  /// small, the filter ends by believing its own tilt: what the accelerometer says then, it puts
-  /// down to a bias that it is sure of, and the tilt goes astray within a minute.
+  /// A bias that wanders by σ within a time T walks by at most σ √(2/T). These fit MEMS sensors: a
+  /// gyroscope with 5e-4 rad/s in 1000 s and an accelerometer with 0.025 m/s² in 300 s. If they are
+  /// too small, the filter trusts its tilt too much, takes the accelerometer's contradiction for a
+  /// bias, and its tilt drifts off within a minute.
   double gyro_bias_walk = 2e-5;           ///< [rad/s²/√Hz]
   double accelerometer_bias_walk = 2e-3;  ///< [m/s³/√Hz]
   double encoder_noise = 2.5e-4;          ///< [rad]
-  /// Of the leg's kinematics, each axis: what wrong joint zeros, wrong lengths and an IMU out of
-  /// step with the encoders let a foot wander by [m].
+  /// Of a foot's position, each axis: error from joint zeros, lengths and an IMU out of step with
+  /// the encoders [m].
   double foot_position_noise = 2e-3;
   /// A foot position whose squared Mahalanobis distance exceeds this is an outlier (χ², 3 degrees
   /// of freedom: 99.9 % lie below 16.3).
@@ -28,15 +28,15 @@ struct InvariantFilterOptions {
 };
 
 /// Contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle 2020, with
-/// the right-invariant error): orientation R, velocity v and position p of the IMU, the positions
-/// d_k of the feet that stand, and the IMU's biases b_g, b_a.
+/// the right-invariant error): orientation R, velocity v and position p of the IMU, positions d_k
+/// of the stance feet, and the IMU's biases b_g, b_a.
 ///
 ///     Ṙ = R S(ω − b_g),   v̇ = R (a − b_a) + g,   ṗ = v,   ḋ_k = 0       (each with white noise)
 ///     measured:  R h_k(q) = d_k − p                                      (a foot k that stands)
 ///
 /// The error ξ = (θ, ξ_v, ξ_p, ξ_d1 … ξ_d4, ξ_g, ξ_a) is defined by X̂ = exp(ξ) X and b̂ = b + ξ, so
-/// the measurement is linear in it: R̂ h − (d̂ − p̂) = ξ_p − ξ_d. Position and heading of W are those
-/// of the start and drift: they can't be observed. Does not allocate.
+/// the measurement is linear in it: R̂ h − (d̂ − p̂) = ξ_p − ξ_d. Position and heading of W start with
+/// the robot's and drift, as they are not observable. Does not allocate.
 class InvariantFilter {
  public:
   static constexpr int kTheta = 0, kVelocity = 3, kPosition = 6, kFeet = 9;
@@ -46,36 +46,36 @@ class InvariantFilter {
 
   explicit InvariantFilter(const InvariantFilterOptions& options = {}) : options_(options) {}
 
-  /// At the origin with a heading [rad], level as the mean specific force in B at rest says [m/s²],
-  /// moving at v_WB_B, in B [m/s]. Tilt, velocity and the gyroscope's bias, not the
-  /// accelerometer's, are `doubt` times less known than the options say. No foot stands yet.
+  /// Starts at the origin with a heading [rad] and a velocity in B [m/s], level by the mean
+  /// specific force in B at rest [m/s²]. Multiplies the initial deviations of tilt, velocity and
+  /// gyroscope bias, not of the accelerometer bias, by `doubt`. No foot stands yet.
   void start(const Vec3& specific_force, const Vec3& gyro_bias, double heading = 0.0,
              const Vec3& v_WB_B = Vec3::Zero(), double doubt = 1.0) noexcept;
 
-  /// Says where the base is, right after the start.
+  /// Sets the base's position, right after the start.
   void place(const Vec3& p_WB) noexcept { p_ = p_WB; }
 
-  /// The IMU's axes are found to be turned: what it measured as a in B is T a. The heading stays.
+  /// Turns the IMU's axes: its measurement a in B becomes T a. The heading stays.
   void turn_imu(const Mat3& T) noexcept;
 
-  /// `dt` [s] ahead with the gyroscope's and the accelerometer's mean readings over that time, in
-  /// B.
+  /// Integrates `dt` [s] with the mean readings of gyroscope and accelerometer over it,
+  /// in B.
   void propagate(const Vec3& gyro, const Vec3& accelerometer, double dt) noexcept;
 
   /// Foot k begins to stand at h, its position in B [m]; J = ∂h/∂q of its leg.
   void plant(Leg leg, const Vec3& h, const Mat3& J) noexcept;
   /// Foot k leaves the ground.
   void release(Leg leg) noexcept;
-  /// A standing foot has moved by `step` in W [m], as a sphere that rolls does, and may have
+  /// A stance foot moved by `step` in W [m], as a rolling sphere does, and may have
   /// slipped by `walk` (standard deviation of each axis, [m]).
   void move(Leg leg, const Vec3& step, double walk) noexcept;
 
-  /// The standing feet may have turned together about the vertical through the base (standard
-  /// deviation, [rad]).
+  /// The stance feet may have turned together about the vertical through the base
+  /// (standard deviation, [rad]).
   void turn_feet(double turn) noexcept;
 
-  /// Takes in where a standing foot is seen from B. An outlier is taken as a slip: it moves the
-  /// foot, hardly the base.
+  /// Corrects by a stance foot's position in B. An outlier counts as a slip: it moves
+  /// the foot, hardly the base.
   void correct(Leg leg, const Vec3& h, const Mat3& J) noexcept;
 
   [[nodiscard]] const Mat3& R_WB() const { return R_; }

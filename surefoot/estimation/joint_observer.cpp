@@ -6,7 +6,7 @@
 namespace surefoot {
 namespace {
 
-constexpr int kLongestBridge = 40;  // periods over which a prediction says something of a joint
+constexpr int kLongestBridge = 40;  // periods for which a prediction is useful
 
 }  // namespace
 

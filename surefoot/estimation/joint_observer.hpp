@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-/// Joint velocities, and the accelerations that a model can't explain, from encoder readings alone:
-/// a steady-state Kalman filter of each joint's (q, q̇, d) around the model's acceleration a.
+/// Joint velocities and unmodelled accelerations from encoder readings alone: a steady-state Kalman
+/// filter of each joint's (q, q̇, d) around the model's acceleration a.
 ///
 ///     q̈ = a + d,   ḋ = white noise
 ///     predict   q̂ ← q̂ + Δt q̇̂ + ½Δt² (a + d̂),   q̇̂ ← q̇̂ + Δt (a + d̂)
@@ -16,7 +16,7 @@ namespace surefoot {
 /// with Δt since the joint's last reading and the gains that put all three poles at θ = exp(−ω Δt):
 /// α = 1 − θ³, β = 3/2 (1 − θ)² (1 + θ), γ = ½ (1 − θ)³ (fading memory; Brookner 1998, Sec. 1.3).
 /// With M d as the torque, this is the generalized-momentum observer (De Luca 2003) in its Kalman
-/// form (Wahrburg 2018): velocities don't lag, since the model's acceleration feeds them. Does not
+/// form (Wahrburg 2018). The model's acceleration keeps velocities free of lag. Does not
 /// allocate.
 class JointObserver {
  public:
@@ -25,14 +25,14 @@ class JointObserver {
 
   /// At rest at q.
   void start(const JointVector& q) noexcept;
-  /// `periods` ticks on, and this tick's reading; a joint whose reading is NaN is predicted only,
-  /// and one that had none, or none for more than 40 periods, begins at rest with the next.
+  /// Advances by `periods` ticks and takes this tick's reading. A joint with a NaN reading is only
+  /// predicted; after 40 periods without any it restarts at rest with the next one.
   void update(const JointVector& q, int periods) noexcept;
-  /// Readings are older from now on, by so many ticks: so is what it knows.
+  /// Shifts the state back by so many ticks, as readings are older from now on.
   void go_back(int ticks) noexcept;
-  /// Accelerations until the next reading, as the model has them without unknown forces [rad/s²].
+  /// Sets the model's accelerations until the next reading, without unknown forces [rad/s²].
   void expect(const JointVector& acceleration) noexcept { expected_ = acceleration; }
-  /// Holds what is unknown to be such that the joints don't accelerate now.
+  /// Sets the disturbance so that the joints don't accelerate now.
   void balance() noexcept { disturbance_ = -expected_; }
 
   [[nodiscard]] const JointVector& q() const { return q_; }

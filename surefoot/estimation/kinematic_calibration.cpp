@@ -15,17 +15,17 @@ namespace surefoot {
 namespace {
 
 constexpr double kSampleInterval = 0.025;  // [s]
-constexpr int kLeastSamples = 80;
-constexpr double kLongestGap = 4.5;      // between two ticks, in periods
-constexpr double kCreep = 7e-4;          // of soft feet along the ground [m] …
-constexpr double kSinking = 4e-4;        // … and into it [m]
-constexpr double kTurnError = 3e-4;      // σ_φ of the gyroscope's turn [rad]
-constexpr double kBiasPrior = 0.03;      // of the gyroscope [rad/s]
-constexpr double kLengthPrior = 6e-3;    // standard deviation of a length [m] …
-constexpr double kZeroPrior = 5e-3;      // … of an encoder's zero, of the IMU's mounting [rad] …
-constexpr double kLatePrior = 5e-3;      // … and of the gyroscope's delay behind the encoders [s]
-constexpr double kLongestLength = 0.02;  // no more is believed [m]
-constexpr double kLargestAngle = 0.02;   // [rad]
+constexpr int kMinSamples = 80;
+constexpr double kLongestGap = 4.5;    // between two ticks, in periods
+constexpr double kCreep = 7e-4;        // of soft feet along the ground [m]
+constexpr double kSinking = 4e-4;      // of soft feet into the ground [m]
+constexpr double kTurnError = 3e-4;    // σ_φ of the gyroscope's turn [rad]
+constexpr double kBiasPrior = 0.03;    // standard deviation of the gyroscope's bias [rad/s]
+constexpr double kLengthPrior = 6e-3;  // … of a length [m]
+constexpr double kZeroPrior = 5e-3;    // … of an encoder's zero and the IMU's mounting [rad]
+constexpr double kDelayPrior = 5e-3;   // … of the gyroscope's delay behind the encoders [s]
+constexpr double kMaxLength = 0.02;    // limit of a length error [m]
+constexpr double kMaxAngle = 0.02;     // limit of an angle error [rad]
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void KinematicCalibration::forget() noexcept {
   time_ = kNaN;
 }
 
-// 1 also where a time is NaN.
+// 1 also for NaN.
 double KinematicCalibration::periods_until(double time) const {
   return std::fmax(1.0, std::round((time - time_) / period_));
 }
@@ -54,7 +54,7 @@ void KinematicCalibration::update(double time, const Dynamics& dynamics, const V
   const double periods = periods_until(time);
   time_ = time;
   if (!listening) {
-    if (samples_ >= kLeastSamples) finish();
+    if (samples_ >= kMinSamples) finish();
     samples_ = ticks_ = 0;
     fade();
     return;
@@ -101,7 +101,7 @@ void KinematicCalibration::add_sample(const Dynamics& dynamics) noexcept {
     const Vec3 f = R_.transpose() * lever;
     H.block<3, 3>(k, kImu) = R_ * skew(f) - skew(lever) * R_start_;
     H.block<3, 3>(k, kBias) = skew(lever) * turned_;
-    H.block<3, 1>(k, kLate) = R_ * gyro_.cross(f);
+    H.block<3, 1>(k, kDelay) = R_ * gyro_.cross(f);
   }
   Vec3 mean = Vec3::Zero();
   Eigen::Matrix<double, 3, kNumErrors> mean_H = Eigen::Matrix<double, 3, kNumErrors>::Zero();
@@ -133,7 +133,7 @@ KinematicCalibration::Weights KinematicCalibration::weights(const Coordinates& y
 }
 
 double KinematicCalibration::prior(int error) {
-  if (error == kLate) return kLatePrior;
+  if (error == kDelay) return kDelayPrior;
   if (error >= kBias) return kBiasPrior;
   return is_length(error) ? kLengthPrior : kZeroPrior;
 }
@@ -147,7 +147,7 @@ void KinematicCalibration::finish() noexcept {
   before_ = after_;
   share_ = 0.0;
   for (int i = 0; i < kBias; ++i) {
-    const double most = is_length(i) ? kLongestLength : kLargestAngle;
+    const double most = is_length(i) ? kMaxLength : kMaxAngle;
     after_[i] = std::clamp(before_[i] + found[i], -most, most);
   }
 }

@@ -8,22 +8,21 @@
 
 namespace surefoot {
 
-/// Lengths of thighs and shanks, zeros of encoders and the IMU's mounting, from feet that stand
+/// Calibrates lengths of thighs and shanks, encoder zeros and the IMU's mounting, from stance feet
 /// while the torso turns.
 ///
-/// With R the base's orientation as the gyroscope tells its changes, f_k the leg's forward
-/// kinematics and ρ_k the way that foot k has rolled, the vectors R f_k(q_k; θ_k) − ρ_k between the
-/// standing feet stay what they are. With y these twelve numbers, less their mean over the feet,
-/// and H = ∂y/∂θ, both less their mean over time, the errors θ (two lengths and three zeros a leg,
-/// the rotation m of B against the IMU's axes, and beside these the gyroscope's bias and the time τ
-/// by which it is late) are those of
+/// With R the base's orientation by the gyroscope, f_k the leg's forward kinematics and ρ_k the
+/// rolled way of foot k, the vectors R f_k(q_k; θ_k) − ρ_k between the stance feet are constant.
+/// Let y be these twelve numbers minus their mean over the feet, and H = ∂y/∂θ, both minus their
+/// mean over time. The errors θ are two lengths and three zeros a leg, the rotation m of B against
+/// the IMU's axes, the gyroscope's bias and its delay τ. They minimize
 ///
 ///     min Σ_t ‖y + H θ‖²_W + ‖θ‖²_Π
 ///
 /// W⁻¹ = Σ + σ_φ² B Bᵀ: Σ is the error of a foot's position, which creeps along the ground but does
-/// not sink, and σ_φ that of the orientation, which turns all feet by B. Π is what is known
-/// beforehand: where the motion says nothing, θ stays 0. An IMU that is askew turns about other
-/// axes than the legs do: with R₀ the orientation at the beginning, f and the gyroscope's ω in B
+/// not sink, and σ_φ that of the orientation, which turns all feet by B. The prior Π keeps θ at 0
+/// where the motion gives no information. An IMU mounted askew turns about other axes than the
+/// legs: with R₀ the orientation at the beginning, f and the gyroscope's ω in B
 ///
 ///     ∂y/∂m = R S(f) − S(R f) R₀,   ∂y/∂τ = R S(ω) f
 ///
@@ -35,26 +34,26 @@ class KinematicCalibration {
   /// `period` of the control loop [s].
   KinematicCalibration(const RobotDescription& robot, double period);
 
-  /// One tick at its time [s]; `listening` while the torso turns with all feet down. `dynamics`
-  /// with the errors that errors() gave. Over a few missed ticks it turns on as it does at this
-  /// one; a motion with a longer gap begins anew.
+  /// One tick at its time [s]; `listening` while the torso turns on four feet. `dynamics` contain
+  /// errors(). A few missed ticks are bridged with this tick's rate; a longer gap restarts the
+  /// motion.
   void update(double time, const Dynamics& dynamics, const Vec3& gyro_B,
               const Vec3& terrain_normal_W, bool listening) noexcept;
 
-  /// What was heard in this motion is worth nothing: a foot did not stay, or somebody pushed.
+  /// Discards this motion: a foot moved, or a push disturbed it.
   void forget() noexcept;
 
-  /// Was the last motion heard for long enough?
+  /// Was the last motion long enough?
   [[nodiscard]] bool knows_legs() const { return knows_legs_; }
-  /// What is known so far. A new result fades in within kFadeIn.
+  /// The current result; a new one fades in within kFadeIn.
   [[nodiscard]] const KinematicErrors& errors() const { return in_use_; }
 
  private:
   static constexpr int kNumCoordinates = 3 * kNumLegs;
   static constexpr int kErrorsPerLeg = 2 + kJointsPerLeg;  // thigh, shank, the encoders' zeros
   static constexpr int kNumLegErrors = kErrorsPerLeg * kNumLegs;
-  static constexpr int kImu = kNumLegErrors, kBias = kImu + 3, kLate = kBias + 3;
-  static constexpr int kNumErrors = kLate + 1;
+  static constexpr int kImu = kNumLegErrors, kBias = kImu + 3, kDelay = kBias + 3;
+  static constexpr int kNumErrors = kDelay + 1;
   using Coordinates = Eigen::Matrix<double, kNumCoordinates, 1>;
   using Weights = Eigen::Matrix<double, kNumCoordinates, kNumCoordinates>;
   using Sensitivity = Eigen::Matrix<double, kNumCoordinates, kNumErrors>;
@@ -63,14 +62,14 @@ class KinematicCalibration {
 
   void start(const Mat3& R_WB) noexcept;
   void turn(const Vec3& gyro_B, double dt) noexcept;
-  /// Whole ones, 1 at least.
+  /// Whole periods, at least 1.
   [[nodiscard]] double periods_until(double time) const;
   void add_sample(const Dynamics& dynamics) noexcept;
   [[nodiscard]] static Weights weights(const Coordinates& y);
   [[nodiscard]] static bool is_length(int error) {
     return error < kImu && error % kErrorsPerLeg < 2;
   }
-  /// Standard deviation of an error, known beforehand.
+  /// Prior standard deviation of an error.
   [[nodiscard]] static double prior(int error);
   void finish() noexcept;
   void fade() noexcept;
@@ -84,7 +83,7 @@ class KinematicCalibration {
   Mat3 R_start_ = Mat3::Identity();
   Mat3 R_ = Mat3::Identity();   // of the base in W, from the gyroscope
   Vec3 gyro_ = Vec3::Zero();    // the last reading [rad/s]
-  Mat3 turned_ = Mat3::Zero();  // ∫ R dt, by which a bias turns it [s]
+  Mat3 turned_ = Mat3::Zero();  // ∫ R dt, the effect of a gyroscope bias [s]
   int ticks_ = 0, samples_ = 0;
   bool knows_legs_ = false;
   Weights W_ = Weights::Zero();

@@ -9,9 +9,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLongAgo = 1e3;  // [s]
-constexpr double kMean = 0.1;     // of the readings that a restart believes [s]
-constexpr double kRecent = 0.01;  // of the acceleration that goes on [s]
+constexpr double kLongAgo = 1e3;              // [s]
+constexpr double kRestartMemory = 0.1;        // of the readings used by a restart [s]
+constexpr double kAccelerationMemory = 0.01;  // of the predicted acceleration [s]
 
 Vec3 angles(const JointVector& q, Leg leg) { return q.segment<kJointsPerLeg>(first_joint(leg)); }
 
@@ -70,7 +70,7 @@ void LegInertialEstimator::begin_anew() noexcept {
   state_ = {};
 }
 
-// By the lowest points of the spheres, where the shanks touch the ground as they roll.
+// Uses the lowest points of the spheres, where the shanks roll on the ground.
 bool LegInertialEstimator::stands(const SensorReading& reading,
                                   const JointVector& joint_velocity) noexcept {
   PerLeg<Vec3> p_BC, v_BC;
@@ -85,7 +85,7 @@ bool LegInertialEstimator::stands(const SensorReading& reading,
   return standing_start_.stands(reading, joint_velocity, p_BC, v_BC);
 }
 
-// Nothing says how fast it goes; where it is, it is taken to stay.
+// Its velocity is unknown, so its position stays.
 void LegInertialEstimator::hang(const SensorReading& reading, double dt) {
   if (!started_) {
     start(reading, {.specific_force = reading.accelerometer}, 0.0);
@@ -131,8 +131,8 @@ void LegInertialEstimator::start_way() {
   way_ = 0.0;
 }
 
-// Legs that are not quite as believed see their feet turn as the base goes over them. What they see
-// depends on where the base is: of a way back nothing is left.
+// Feet of legs with errors seem to turn as the base passes over them. The effect depends on the
+// base's position: it cancels on a way back.
 void LegInertialEstimator::doubt_turn() {
   const double way = (filter_.p_WB() - p_WB_planted_).head<2>().norm();
   if (!(way > way_)) return;
@@ -145,16 +145,16 @@ void LegInertialEstimator::advance(const SensorReading& reading, double dt, bool
   filter_.propagate(0.5 * (gyro_before_ + reading.gyro), reading.accelerometer, dt);
   gyro_before_ = reading.gyro;
   if (is_finite) {
-    const double share = std::min(1.0, dt / kMean);
+    const double share = std::min(1.0, dt / kRestartMemory);
     mean_gyro_ += share * (reading.gyro - mean_gyro_);
     mean_force_ += share * (reading.accelerometer - mean_force_);
-    recent_force_ += std::min(1.0, dt / kRecent) * (reading.accelerometer - recent_force_);
+    recent_force_ +=
+        std::min(1.0, dt / kAccelerationMemory) * (reading.accelerometer - recent_force_);
   }
   see_feet(reading);
 }
 
-// A leg that is found to be longer does not move the robot, nor does an IMU that is found to be
-// askew, though that turns it: its feet are elsewhere.
+// Corrected leg lengths or IMU mounting must not move the robot: its feet shift instead.
 void LegInertialEstimator::take_over(const KinematicErrors& errors, const JointVector& q) {
   for (Foot& foot : feet_) foot.shift.setZero();
   if (errors == errors_) return;
@@ -208,7 +208,7 @@ void LegInertialEstimator::update_foot(Leg leg, const FootContact& contact, doub
 }
 
 double LegInertialEstimator::walk(const Foot& foot, const FootContact& contact) const {
-  const bool is_felt = std::isfinite(contact.normal_force);  // not at the tick after a refused one
+  const bool is_felt = std::isfinite(contact.normal_force);  // false after a refused tick
   if (contact.slips || !is_felt) return options_.loose_foot_walk;
   const double trust = std::min(1.0, foot.stands_for / options_.trust_time) *
                        std::clamp(contact.normal_force / options_.trust_force, 0.0, 1.0);

@@ -10,43 +10,39 @@ namespace surefoot {
 
 struct LegInertialOptions {
   InvariantFilterOptions filter;
-  /// Of a foot that stands firmly: soft ground creeps by some 0.2 mm/s under a walking robot
-  /// [m/√s].
+  /// Creep of a firm stance foot; soft ground gives some 0.2 mm/s under a walking robot [m/√s].
   double foot_walk = 4e-4;
-  double loose_foot_walk = 0.3;  ///< … of one that hardly touches, or slides [m/√s]
-  /// By how much the standing feet may seem to turn together about the vertical where the base goes
-  /// over them, between one foothold and the next [rad/m]. Legs of which millimetres and
-  /// milliradians are not known turn a robot by 3 mrad a metre, each stride by the same; taken as
-  /// chance between footholds, a hundred of them (a minute, in which a gyroscope's bias wanders as
-  /// far) must say as little as one: ten times as much. Taken too small, a walk's legs move the
-  /// bias that the gyroscope was found to have while the robot stood.
+  double loose_foot_walk = 0.3;  ///< of a foot that hardly touches, or slides [m/√s]
+  /// Apparent common turn of the stance feet about the vertical per way of the base between two
+  /// footholds [rad/m]. Leg errors of millimetres and milliradians turn a robot by 3 mrad a metre,
+  /// by the same each stride. As independent noise, a hundred footholds (a minute, in which a
+  /// gyroscope's bias wanders as far) must count as one: so ten times as much. If it is too small,
+  /// a walk's legs disturb the gyroscope bias found while standing.
   double stance_turn = 0.03;
-  double trust_time = 0.08;   ///< after a touchdown until a foot is trusted fully [s]
-  double trust_force = 30.0;  ///< normal force from which on it is [N]
-  bool predict = true;        ///< the state is of now; otherwise of when the samples were taken
+  double trust_time = 0.08;   ///< after a touchdown until full trust in a foot [s]
+  double trust_force = 30.0;  ///< normal force for full trust [N]
+  bool predict = true;        ///< predict the state to now, from the sample times
 };
 
-/// Base state from the IMU, the encoders and the feet that stand: an InvariantFilter, fed.
+/// Base state from IMU, encoders and stance feet, by an InvariantFilter.
 ///
-/// Feet enter and leave softly: a foot that has just come down, or that carries little, may walk.
-/// A foot's sphere that turns rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank
-/// since the last tick, r the radius and n the vertical. The filter takes no joint
-/// velocities, but for the start (StandingStart): at the first reading of a robot at rest, or in
-/// the sway of one that has stood for 0.1 s. Position and heading begin at 0, with the feet's
-/// lowest points at z = 0 in the mean; a restart (TickContext) keeps them and forgets the rest.
-/// Off its feet the base is taken to rest where it was, level as the last tenth of a second of the
-/// accelerometer says, and to turn as the gyroscope says about the vertical alone; its height is
-/// such that its feet would stand on the ground that they left.
-/// Samples come late, by times that readings tell; with `predict` the state goes on from them to
-/// now as it moves,
+/// Feet enter and leave softly: shortly after touchdown, or with little load, a foot may walk. A
+/// turning foot sphere rolls: its centre moves by Δφ × r n, with Δφ the turn of the shank since the
+/// last tick, r the radius and n the vertical. The filter uses joint velocities only for the start
+/// (StandingStart): at the first reading of a robot at rest, or while swaying after standing for
+/// 0.1 s. Position and heading begin at 0, with the feet's mean lowest point at z = 0; a restart
+/// (TickContext) keeps them and discards the rest. Off its feet the base counts as at rest, level
+/// by the accelerometer's last tenth of a second, and turns by the gyroscope about the vertical
+/// alone; its height puts its feet on the ground that they left. Samples come late, by known times;
+/// with `predict` the state continues from them to now,
 ///
 ///     q += q̇ τ_q,   R ← R exp(S(ω) τ),   p += v τ,   v += a τ
 ///
 /// with τ_q the joints' and τ the IMU's delay, and a the mean acceleration of the last hundredth of
-/// a second, as the spikes of a touchdown do not last. Does not allocate after construction.
+/// a second, which smooths touchdowns. Does not allocate after construction.
 class LegInertialEstimator final : public StateEstimator {
  public:
-  /// Throws Error where the URDF can't be read. `period` of the control loop [s].
+  /// Throws Error if the URDF can't be read. `period` of the control loop [s].
   LegInertialEstimator(const RobotDescription& robot, const LegInertialOptions& options,
                        double period);
 
@@ -62,18 +58,18 @@ class LegInertialEstimator final : public StateEstimator {
     Mat3 J = Mat3::Zero();         // ∂p_BF/∂q of its leg [m]
     Mat3 R_BS = Mat3::Identity();  // shank
     Vec3 roll = Vec3::Zero();      // of the sphere since the last tick, in W [m]
-    Vec3 shift = Vec3::Zero();     // of where it is believed, by a leg found longer, in W [m]
+    Vec3 shift = Vec3::Zero();     // of its estimate, from a corrected leg length, in W [m]
     double stands_for = 0.0;       // [s]
   };
 
   /// One tick before the start.
   [[nodiscard]] bool stands(const SensorReading& reading,
                             const JointVector& joint_velocity) noexcept;
-  /// One tick of a robot that is not on its feet.
+  /// One tick of a robot off its feet.
   void hang(const SensorReading& reading, double dt);
   void start(const SensorReading& reading, const StandingStart::State& standing, double heading);
   void stand_at(const Vec3& p_WB);
-  /// Of the base over the ground under the feet, in their mean [m].
+  /// Mean height of the base above the ground at the feet [m].
   [[nodiscard]] double height_over_feet() const;
   void advance(const SensorReading& reading, double dt, bool is_finite);
   void start_way();
@@ -89,16 +85,16 @@ class LegInertialEstimator final : public StateEstimator {
   LegInertialOptions options_;
   double period_;
   double foot_radius_;
-  PerLeg<LegChain> described_, chains_;  // of the URDF, and as they are believed to be
+  PerLeg<LegChain> described_, chains_;  // of the URDF, and as estimated
   KinematicErrors errors_;
   InvariantFilter filter_;
   PerLeg<Foot> feet_{};
   Vec3 gyro_before_ = Vec3::Zero();  // at the last tick, in B [rad/s]
-  // Of the last tenth of a second, in B [rad/s], [m/s²]; of the last hundredth.
+  // Means of the last tenth of a second, in B [rad/s], [m/s²]; of the last hundredth.
   Vec3 mean_gyro_ = Vec3::Zero(), mean_force_ = Vec3::Zero(), recent_force_ = Vec3::Zero();
   Mat3 R_WB_before_ = Mat3::Identity();
-  Vec3 p_WB_planted_ = Vec3::Zero();  // as the last foot was planted [m]
-  double way_ = 0.0;                  // the furthest that the base has been from there [m]
+  Vec3 p_WB_planted_ = Vec3::Zero();  // at the last touchdown [m]
+  double way_ = 0.0;                  // the base's largest distance from there [m]
   RobotState state_;
   bool started_ = false;
   StandingStart standing_start_;

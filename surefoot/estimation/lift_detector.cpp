@@ -5,14 +5,14 @@
 namespace surefoot {
 namespace {
 
-constexpr double kMemory = 0.02;  // of forces and acceleration [s]
-constexpr double kLittle = 0.5;   // of the weight, on the feet of a robot that is lifted, at most
-constexpr double kHeld = 0.5;     // of the weight, on whatever holds it, at least
-constexpr double kLiftedFor = 0.05;  // [s]
-constexpr double kBears = 0.04;      // of the weight, on a foot that stands, at least …
-constexpr double kBorne = 0.7;       // … and on all feet together
-constexpr int kFeet = 3;             // that carry a robot
-constexpr double kDownFor = 0.3;     // [s]
+constexpr double kMemory = 0.02;          // of forces and acceleration [s]
+constexpr double kMaxLiftedLoad = 0.5;    // share of the weight on a lifted robot's feet
+constexpr double kMinOtherSupport = 0.5;  // share of the weight on other support
+constexpr double kLiftedTime = 0.05;      // [s]
+constexpr double kMinFootLoad = 0.04;     // share of the weight on one stance foot
+constexpr double kMinStandingLoad = 0.7;  // share of the weight on all feet
+constexpr int kMinStanceFeet = 3;
+constexpr double kDownTime = 0.3;  // [s]
 
 }  // namespace
 
@@ -33,23 +33,23 @@ void LiftDetector::update(double weight, const PerLeg<Vec3>& foot_force,
   down_for_ = feet_bear() ? down_for_ + period_ : 0.0;
 }
 
-bool LiftDetector::is_lifted() const { return lifted_for_ > kLiftedFor; }
+bool LiftDetector::is_lifted() const { return lifted_for_ > kLiftedTime; }
 
-bool LiftDetector::is_down() const { return down_for_ > kDownFor; }
+bool LiftDetector::is_down() const { return down_for_ > kDownTime; }
 
 bool LiftDetector::is_held() const {
   double borne = 0.0;
   for (const Vec3& share : share_) borne += share.norm();
-  return borne < kLittle && felt_.norm() > borne + kHeld;
+  return borne < kMaxLiftedLoad && felt_.norm() > borne + kMinOtherSupport;
 }
 
-bool LiftDetector::bears(Leg leg) const { return share_[index(leg)].z() > kBears; }
+bool LiftDetector::bears(Leg leg) const { return share_[index(leg)].z() > kMinFootLoad; }
 
 bool LiftDetector::feet_bear() const {
   double borne = 0.0;
   for (const Vec3& share : share_) borne += share.z();
   const auto bearing = std::ranges::count_if(kLegs, [this](Leg leg) { return bears(leg); });
-  return bearing >= kFeet && borne > kBorne;
+  return bearing >= kMinStanceFeet && borne > kMinStandingLoad;
 }
 
 }  // namespace surefoot

@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kMostShare = 0.5;  // that is believed
+constexpr double kMaxShare = 0.5;  // of a link's modelled mass
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void LinkMassEstimator::update(double time, const Dynamics& dynamics, const PerL
 }
 
 LinkMassEstimator::Shares LinkMassEstimator::shares() const {
-  return state_.head<kNumLinks>().cwiseMax(-kMostShare).cwiseMin(kMostShare);
+  return state_.head<kNumLinks>().cwiseMax(-kMaxShare).cwiseMin(kMaxShare);
 }
 
 void LinkMassEstimator::add(Swing& swing, const LegLinks& links, const Vec3& torque) const {
@@ -67,7 +67,7 @@ void LinkMassEstimator::add(Swing& swing, const LegLinks& links, const Vec3& tor
   }
 }
 
-// What doesn't fit says nothing of masses: a foot that caught on something, a number that is none.
+// A bad fit gives no masses: the foot caught on something, or a number is not finite.
 void LinkMassEstimator::learn(Leg leg, const Swing& swing) {
   Eigen::Matrix<double, kNumRows, kNumUnknowns> A;
   A.setZero();

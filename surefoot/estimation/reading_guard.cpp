@@ -7,10 +7,10 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLostFactor = 5.0;   // of the patience, until any value is believed again
-constexpr double kStill = 0.2;        // all angles at once, of a robot that lives [s]
-constexpr double kSurePeriods = 4.5;  // that the clock may go on by at once
-constexpr double kOther = 0.5;        // share of a step, for it to vouch for the other instrument's
+constexpr double kLostFactor = 5.0;   // times patience, until any value is accepted
+constexpr double kStillTime = 0.2;    // of all angles at once, in a live robot [s]
+constexpr double kSurePeriods = 4.5;  // largest unquestioned step of the clock
+constexpr double kOtherStep = 0.5;    // share of a step that confirms the other instrument's
 constexpr double kRounding = 1e-9;    // of times [s]
 
 JointVector limited(const JointVector& velocity, const JointVector& limit) {
@@ -22,16 +22,16 @@ JointVector limited(const JointVector& velocity, const JointVector& limit) {
   return result;
 }
 
-/// Samples that are good, but later than the robot bears.
-void tell_delay(const SampleWatch& watch, GroupHealth& health) {
+/// Reports samples that are good, but too late.
+void report_delay(const SampleWatch& watch, GroupHealth& health) {
   if (watch.delayed_for() == 0.0 || health.fault != SampleFault::none) return;
   health = {.fault = SampleFault::late, .age = std::fmax(health.age, watch.delayed_for())};
 }
 
-/// Not if it is NaN.
+/// False for NaN.
 bool can_be(const Vec3& value, double range) { return (value.cwiseAbs().array() <= range).all(); }
 
-/// NaN is the same as NaN.
+/// NaN equals NaN.
 bool are_same(const JointVector& a, const JointVector& b) {
   return (a.array() == b.array() || (a.array().isNaN() && b.array().isNaN())).all();
 }
@@ -63,15 +63,14 @@ void ReadingGuard::update(const SensorReading& reading, const JointVector& joint
   encoder_watch_.update(time_, reading.encoder_time);
   torque_watch_.update(time_, reading.torque_time);
   imu_watch_.update(time_, reading.imu_time);
-  // Behind a gap nobody knows what was meanwhile.
+  // After a gap the past is unknown.
   lost_ = dt > options_.patience ? 0.0 : kLostFactor * options_.patience;
   take_joints(reading, joint_velocity, dt);
   take_imu(reading, given);
   describe(reading);
 }
 
-// A driver that is dead gives its last reading again; one wrong time is no reason to believe no
-// other after it.
+// A dead driver repeats its last reading. One wrong time must not discredit all later ones.
 bool ReadingGuard::goes_on(double time) noexcept {
   if (!std::isfinite(time)) return false;
   if (std::isnan(time_)) return true;
@@ -84,12 +83,12 @@ bool ReadingGuard::goes_on(double time) noexcept {
   return is_right;
 }
 
-// While the last good angles will do nothing is measured; then, if they have changed lately, it is
-// better than nothing.
+// While the last good angles suffice nothing counts as measured; after that, angles that changed
+// lately are better than none.
 void ReadingGuard::miss(const SensorReading& reading, const JointVector& given_q) noexcept {
   const bool stays = are_same(given_q, given_q_);
   still_ = stays && missed_ > 0 ? still_ + 1 : 0;
-  moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < kStill);
+  moves_ = !stays || (missed_ > 0 && moves_ && still_ * period_ < kStillTime);
   given_q_ = given_q;
   ++missed_;
   measured_ = repaired_;
@@ -122,7 +121,7 @@ bool ReadingGuard::is_hit() const {
   return gyro_.stepped >= lately && accelerometer_.stepped >= lately;
 }
 
-// Joints of a robot that is hit may well turn about, several at once.
+// An impact can reverse several joints at once.
 GuardedValues<kNumJoints>::Limits ReadingGuard::angle_limits(const JointVector& unseen) const {
   const double share = imu_is_shaken() ? kUnlimited : 1.0;
   return {
@@ -146,7 +145,7 @@ void ReadingGuard::take_joints(const SensorReading& reading, const JointVector& 
                 lost_);
 }
 
-// What is wrong by so much shows in the legs before a decision is due.
+// A step of this size shows in the legs before the decision is due.
 bool ReadingGuard::believes_imu_step() {
   const ImuStep step = std::exchange(imu_step_, ImuStep::not_judged);
   const bool is_due = health_.imu.age + period_ >= options_.patience - kRounding;
@@ -154,13 +153,13 @@ bool ReadingGuard::believes_imu_step() {
          (step == ImuStep::undecided && is_due);
 }
 
-// A blow is felt by both instruments, or the legs confirm it.
+// Both instruments sense an impact, or the legs confirm it.
 void ReadingGuard::take_imu(const SensorReading& reading, const SensorReading& given) {
   const Vec3 turn = Vec3::Constant(options_.sure_gyro_step);
   const Vec3 force = Vec3::Constant(options_.sure_acceleration_step);
   if (imu_watch_.is_new()) {
-    note_step(gyro_, reading.gyro, kOther * turn, options_.max_gyro);
-    note_step(accelerometer_, reading.accelerometer, kOther * force, options_.max_acceleration);
+    note_step(gyro_, reading.gyro, kOtherStep * turn, options_.max_gyro);
+    note_step(accelerometer_, reading.accelerometer, kOtherStep * force, options_.max_acceleration);
   }
   const double lately = imu_watch_.sample_time() - options_.patience;
   const bool believes = believes_imu_step();
@@ -227,9 +226,9 @@ void ReadingGuard::describe(const SensorReading& reading) {
   const bool both_came = std::isfinite(gyro.age) && std::isfinite(health_.imu.age);
   health_.imu.age = both_came ? std::max(health_.imu.age, gyro.age) : kNaN;
   health_.imu.joint = -1;
-  tell_delay(encoder_watch_, health_.encoders);
-  tell_delay(torque_watch_, health_.joint_torques);
-  tell_delay(imu_watch_, health_.imu);
+  report_delay(encoder_watch_, health_.encoders);
+  report_delay(torque_watch_, health_.joint_torques);
+  report_delay(imu_watch_, health_.imu);
 }
 
 JointVector ReadingGuard::encoder_age() const {

@@ -4,35 +4,33 @@
 
 namespace surefoot {
 
-/// What a sensor of a legged robot can truly give.
+/// Limits of plausible sensor values of a legged robot.
 struct ReadingGuardOptions {
   static constexpr double kLongestPatience = 0.02;  // [s]
 
-  /// A sample older than this is of no use any more, and is made up for no longer; at most
-  /// kLongestPatience [s].
+  /// Largest age of a useful sample, and longest time it is replaced; at most kLongestPatience [s].
   double patience = kLongestPatience;
-  /// How late samples may come: a robot that walks by later ones falls [s].
+  /// Largest tolerated delays; with later samples a walking robot falls [s].
   double max_encoder_delay = 0.006, max_torque_delay = 0.011, max_imu_delay = 0.011;
 
   double max_angle = 2.0 * kPi;  ///< no joint turns further [rad]
-  /// How far an encoder may be from where the joint's velocity led: as its velocity limit leads in
-  /// a period, or, when the next sample says so, too, as twice the limit does, which an impact can
-  /// turn about; and …
-  double angle_margin = 0.01;    ///< [rad] …
-  double velocity_margin = 2.0;  ///< of a joint that was not seen for a time [rad/s]
-  /// Half of the joints this far from where their velocities led at once is believed when the next
-  /// sample says so, too: on boxes, stairs and when pushed 8e-4 was the most [rad].
+  /// Allowed distance of an encoder from its predicted value: what the velocity limit gives in a
+  /// period (twice that if the next sample confirms it, as an impact can reverse a joint) plus
+  double angle_margin = 0.01;    ///< [rad]
+  double velocity_margin = 2.0;  ///< per time without a good sample [rad/s]
+  /// A common jump of half of the joints beyond this needs confirmation by the next sample; boxes,
+  /// stairs and pushes showed at most 8e-4 [rad].
   double sure_angles = 0.004;
-  /// Half of them this far at once is believed of no robot that is not hit: at 8 rad/s more than
-  /// they had [rad].
+  /// A common jump of half of the joints beyond this needs an impact: 8 rad/s more than they had
+  /// [rad].
   double max_angles = 0.02;
 
-  /// As shares of the joint's torque limit. An impact loads the spring of a drive beyond what the
-  /// motor gives, and at once.
+  /// Shares of the joint's torque limit. An impact loads a drive's spring beyond the motor's torque
+  /// at once.
   double max_torque = 3.0;
   double max_torque_step = 2.0;
-  /// A larger step is believed when the next sample says so, too: single samples that are wrong
-  /// come to nothing, and what is hit hard is noticed a sample later.
+  /// A larger step needs confirmation by the next sample: single bad samples have no effect, and an
+  /// impact is noticed one sample later.
   double sure_torque_step = 1.0;
 
   double max_gyro = 35.0;           ///< range of common gyroscopes, 2000 °/s [rad/s]
@@ -40,12 +38,12 @@ struct ReadingGuardOptions {
   /// In a tick of 2.5 ms: a hard kick gives a torso 1000 rad/s².
   double max_gyro_step = 3.0;            ///< [rad/s]
   double max_acceleration_step = 150.0;  ///< [m/s²]
-  /// A larger step is believed when the next sample says so, too, and the other instrument of the
-  /// IMU made a step of half its size here within `patience`: a blow is felt by both. On boxes,
-  /// stairs and when pushed 0.25 rad/s and 11 m/s² were the most.
+  /// A larger step needs confirmation by the next sample and a step of half its limit in the IMU's
+  /// other instrument within `patience`, as both sense an impact. Boxes, stairs and pushes showed
+  /// at most 0.25 rad/s and 11 m/s².
   double sure_gyro_step = 0.6;           ///< [rad/s]
   double sure_acceleration_step = 25.0;  ///< [m/s²]
-  int repeats = 3;                       ///< of a sample, bit by bit, until it is no measurement
+  int repeats = 3;                       ///< of a bit-identical sample that make it faulty
 };
 
 }  // namespace surefoot

@@ -4,29 +4,29 @@
 
 namespace surefoot {
 
-/// Whether the IMU fits a robot that stands still, before anything is estimated with it.
+/// Checks the IMU of a robot that stands still, before any estimate uses it.
 ///
-/// Of legs that bear the robot and don't move the torques say which way is up, and how hard the
-/// ground pushes. An accelerometer feels the same:
+/// The torques of stance legs at rest give the direction and size of the ground force. The
+/// accelerometer must feel the same:
 ///
 ///     m f = Σ f_k,    ω = 0
 ///
-/// in B. An IMU that is mounted upside down, gives another unit or has a wrong sign is off by as
-/// much as there is; wrong masses, payloads and torques explain less than half of it. Legs that
-/// bear less than half of the robot, or move, say nothing: what was found before stands.
+/// in B. An IMU mounted upside down, with another unit or a wrong sign differs by the full value;
+/// wrong masses, payloads and torques explain less than half of it. Legs that move, or carry less
+/// than half of the robot, give no information: the last result stays.
 class RestCheck {
  public:
   /// `period` of the control loop [s].
   explicit RestCheck(double period) : period_(period) {}
 
-  /// One tick. `force`: of the ground on the feet all together, by the joint torques, in B [N];
-  /// `mass` [kg]. What is not finite says nothing.
+  /// One tick. `force`: of the ground on all feet, by the joint torques, in B [N]; `mass` [kg].
+  /// Ignores values that are not finite.
   void update(const SensorReading& reading, const JointVector& joint_velocity, const Vec3& force,
               double mass) noexcept;
 
-  /// How long the IMU has been wrong for [s]; 0: it is not, or nothing is known.
+  /// Duration of the IMU's fault [s]; 0: none, or unknown.
   [[nodiscard]] double wrong_for() const { return wrong_for_; }
-  /// By the joint torques the ground pulls, so it is they that are wrong.
+  /// The joint torques claim that the ground pulls, so they are the faulty ones.
   [[nodiscard]] bool torques_pull() const { return torques_pull_; }
 
  private:

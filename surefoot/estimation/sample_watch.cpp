@@ -6,9 +6,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLearning = 0.1;  // share of the news in what is usual
-constexpr double kMargin = 0.75;   // periods beyond the usual age
-constexpr int kLasting = 4;        // samples with another delay in a row, until it is the usual one
+constexpr double kLearningRate = 0.1;  // weight of a new value in the usual age
+constexpr double kMargin = 0.75;       // periods beyond the usual age
+constexpr int kNewDelaySamples = 4;    // in a row with another delay make it the usual one
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -20,7 +20,7 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   is_new_ = is_first || given > sample_time_;
   if (is_new_ && !is_first) {
     const double replaced_at = std::min(time_before_ - sample_time_, patience_);
-    usual_age_ += kLearning * (replaced_at - usual_age_);
+    usual_age_ += kLearningRate * (replaced_at - usual_age_);
   }
   if (is_new_) sample_time_ = given;
   const double age = time - sample_time_;
@@ -41,13 +41,13 @@ void SampleWatch::update(double time, double sample_time) noexcept {
   time_before_ = time;
 }
 
-// One sample that is later than usual says nothing of those that follow.
+// One late sample says nothing of the following ones.
 void SampleWatch::follow_delay() noexcept {
   const bool is_as_before = std::abs(lag_ - other_delay_) < kMargin * period_;
   is_punctual_ = std::abs(lag_ - delay_) < kMargin * period_;
   others_ = is_punctual_ ? 0 : is_as_before ? others_ + 1 : 1;
   other_delay_ = lag_;
-  if (others_ < kLasting) return;
+  if (others_ < kNewDelaySamples) return;
   delay_ = lag_;
   is_punctual_ = true;
   others_ = 0;

@@ -5,9 +5,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kSameForce = 12.0;  // [m/s²]
-constexpr double kSameTurn = 0.3;    // [rad/s]
-constexpr double kThrown = 25.0;     // no base of a robot that walks feels so much beside g [m/s²]
+constexpr double kSameForce = 12.0;        // of the IMU before and after an impact [m/s²]
+constexpr double kSameTurn = 0.3;          // of the IMU before and after an impact [rad/s]
+constexpr double kMaxWalkingForce = 25.0;  // sensed beyond g by a walking robot's base [m/s²]
 
 void blame(GroupHealth& group, SampleFault fault, double age, int joint = -1) {
   group = {.fault = fault, .age = std::fmax(group.age, age), .joint = joint};
@@ -32,7 +32,7 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   if (!enabled_) return;
   const bool is_new = reading.encoder_time > encoder_time_;
   encoder_time_ = reading.encoder_time;
-  // What is filled in says nothing, but for the one sample that waits for the next to confirm it.
+  // Replaced values are no evidence, except for one sample that waits for confirmation.
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
   const bool moves_well = is_well(health.encoders), loads_well = is_well(health.joint_torques),
              jumps = health.imu.fault == SampleFault::jump,
@@ -43,7 +43,7 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   } else {
     imu_step_.forget();
   }
-  // A blow that was over with one sample: what was held in its place is no motion.
+  // An impact of a single sample: its replacement was no motion.
   const bool is_over = jumped_ && is_well(health.imu) &&
                        (reading.accelerometer - held_force_).norm() < kSameForce &&
                        (reading.gyro - held_turn_).norm() < kSameTurn;
@@ -56,10 +56,10 @@ void SensorConsistency::update(const SensorReading& reading, const SensorReading
   } else {
     imu_.forget();
   }
-  // By what the IMU says joints are asked to move.
-  const bool is_thrown =
-      imu_.tumbles(reading) || std::abs(reading.accelerometer.norm() - kGravity) > kThrown;
-  if (moves_well && turns_well && !is_thrown) {
+  // The IMU determines the requested joint motion.
+  const bool is_shaken =
+      imu_.tumbles(reading) || std::abs(reading.accelerometer.norm() - kGravity) > kMaxWalkingForce;
+  if (moves_well && turns_well && !is_shaken) {
     frozen_.update(reading, known.dynamics, known.stands, known.v_WF, known.command);
   } else {
     frozen_.forget();

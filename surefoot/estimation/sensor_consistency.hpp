@@ -8,20 +8,20 @@
 
 namespace surefoot {
 
-/// What a tick knows beside the reading, for the sensors to be held against.
+/// Inputs of a tick for cross-checks of the sensors.
 struct ConsistencyInputs {
   const RobotState& state;
   const Dynamics& dynamics;
-  const PerLeg<bool>& stands;  ///< which feet the plan of the tick before lets carry
-  const PerLeg<Vec3>& v_WF;    ///< how fast it wants the feet in the air [m/s]
+  const PerLeg<bool>& stands;  ///< the feet planned to carry load, of the tick before
+  const PerLeg<Vec3>& v_WF;    ///< planned velocities of the swing feet [m/s]
   const Vec3& normal_W;        ///< of the terrain
   const JointVector& command;  ///< torques of the tick before [N·m]
 };
 
-/// Holds the sensors against each other: IMU against the feet that stand (`ImuCheck`,
-/// `ImuStepCheck`), joints
-/// against what is asked of them (`FrozenJoints`), joint torques against what was commanded and
-/// what can push or load the robot (`TorqueCheck`). Does not allocate after construction.
+/// Checks the sensors against each other: the IMU against the stance feet (`ImuCheck`,
+/// `ImuStepCheck`), joints against the requested motion (`FrozenJoints`), joint torques against the
+/// command and against plausible pushes and loads (`TorqueCheck`). Does not allocate after
+/// construction.
 class SensorConsistency {
  public:
   SensorConsistency(const SensorConsistencyOptions& options, double period)
@@ -31,16 +31,15 @@ class SensorConsistency {
         frozen_(options.frozen, period),
         torques_(options.torques, period) {}
 
-  /// One tick, with the reading as `ReadingGuard` repairs it, and with the IMU's samples as they
-  /// were `offered`. What contradicts the others is written into `health`, where nothing worse is
-  /// known of it.
+  /// One tick, with the reading as repaired by `ReadingGuard`, and with the `offered` raw samples
+  /// of the IMU. Writes contradictions into `health`, unless a worse fault is known.
   void update(const SensorReading& reading, const SensorReading& offered,
               const ConsistencyInputs& known, SensorHealth& health) noexcept;
-  /// What the legs say of a step of the IMU that is doubted at this tick.
+  /// The legs' verdict on a step of the IMU that is doubted at this tick.
   [[nodiscard]] ImuStep imu_step() const { return imu_step_.verdict(); }
-  /// The legs are found to be other than was believed: what was held against them says nothing.
+  /// The leg geometry has changed: discards comparisons with it.
   void legs_have_changed() noexcept;
-  /// The robot is not on its feet: nothing that was before says anything.
+  /// The robot is off its feet: discards the past.
   void forget() noexcept;
 
  private:
@@ -50,7 +49,7 @@ class SensorConsistency {
   FrozenJoints frozen_;
   TorqueCheck torques_;
   double encoder_time_ = kNaN;  // [s]
-  bool jumped_ = false;         // the IMU, in the tick before, when it gave these:
+  bool jumped_ = false;         // did the IMU jump in the tick before, and its values then:
   Vec3 held_force_ = Vec3::Constant(kNaN), held_turn_ = Vec3::Constant(kNaN);
 };
 

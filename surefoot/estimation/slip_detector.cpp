@@ -10,9 +10,9 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [s]
-constexpr int kLeastWitnesses = 2;  // feet that stand still
+constexpr int kMinWitnesses = 2;    // feet that stand still
 
-/// The median of the other standing feet's contact points and of 0, axis by axis of the heading.
+/// Median over the other stance feet's contact points and 0, along each axis of the heading.
 Vec3 velocity_of_others(const Dynamics& dynamics, const PerLeg<bool>& stands, Leg leg) {
   const Mat3 R = rotation_about_z(yaw(dynamics.base_rotation.R));
   Vec3 result;
@@ -58,11 +58,11 @@ void SlipDetector::update(const Dynamics& dynamics, const PerLeg<bool>& stands,
   }
 }
 
-// Where hardly a foot is left to judge the others by, it is the believed velocity that is wrong; a
-// filter that let all feet go would never find back.
+// With hardly a firm foot left, the estimated velocity is wrong instead. A filter without feet
+// would never recover.
 void SlipDetector::doubt_the_belief(const PerLeg<bool>& stands) {
   const auto stays = [&](Leg leg) { return stands[index(leg)] && !feet_[index(leg)].slips; };
-  if (std::ranges::count_if(kLegs, stays) >= kLeastWitnesses) return;
+  if (std::ranges::count_if(kLegs, stays) >= kMinWitnesses) return;
   for (Foot& foot : feet_) {
     foot.slips = false;
     foot.fast_for = 0.0;

@@ -5,34 +5,33 @@
 
 namespace surefoot {
 
-/// When a standing foot counts as sliding.
+/// When a stance foot counts as sliding.
 struct SlipOptions {
   bool enabled = true;
   double begin_speed = 0.06;  ///< of the contact point along the ground, against the others [m/s]
-  double begin_duration = 0.01;  ///< … for so long [s]
-  double end_speed = 0.04;       ///< below this … [m/s]
-  double end_duration = 0.03;    ///< … for so long it stands again [s]
-  double force = 20.0;           ///< feet that carry less are not judged [N]
-  double settle = 0.05;          ///< nor those that came down more recently [s]
+  double begin_duration = 0.01;  ///< of that speed [s]
+  double end_speed = 0.04;       ///< below it the foot stands again [m/s]
+  double end_duration = 0.03;    ///< after so long [s]
+  double force = 20.0;           ///< smallest load of a foot that is judged [N]
+  double settle = 0.05;          ///< time after touchdown until it is judged [s]
   double cutoff_hz = 60.0;       ///< of the velocity's low pass
 };
 
-/// Tells which standing feet slide, and how fast.
+/// Finds sliding stance feet and their speed.
 ///
 ///     s_k = (1 − n nᵀ) (v_k − v_others)
 ///
-/// v_k is the velocity of foot k's contact point, zero where it stands or rolls. v_others is what
-/// the base is believed to move too fast: along each axis the median of the other standing feet's
-/// contact points, and of 0, the believed base velocity's own vote. So neither a base velocity that
-/// is wrong nor one other foot that slides makes a foot slide. A foot slides from `begin_speed` for
-/// `begin_duration` until it has been below `end_speed` for `end_duration`. Two feet must be left
-/// that stand still, or none slides. Ours. Does not allocate.
+/// v_k is the velocity of foot k's contact point, zero if it stands or rolls. v_others is the error
+/// of the base velocity: along each axis the median over the other stance feet's contact points and
+/// 0, the estimate's own vote. So neither a wrong base velocity nor one other sliding foot makes a
+/// foot slide. A foot slides from `begin_speed` for `begin_duration` until it is below `end_speed`
+/// for `end_duration`. Unless two feet stand still, none slides. Ours. Does not allocate.
 class SlipDetector {
  public:
   SlipDetector(const SlipOptions& options, double period);
 
-  /// One tick, after foot forces are known: fills state.slip_velocity and state.slips. `stands`
-  /// says which feet the plan lets carry; `normal_W` is the terrain's as believed.
+  /// One tick, after foot forces are known: fills state.slip_velocity and state.slips. `stands`:
+  /// the feet planned to carry load; `normal_W`: the terrain's estimate.
   void update(const Dynamics& dynamics, const PerLeg<bool>& stands, const Vec3& normal_W,
               RobotState& state) noexcept;
 

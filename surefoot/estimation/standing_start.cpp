@@ -8,12 +8,12 @@ namespace surefoot {
 namespace {
 
 // A robot that stands:
-constexpr double kSlowBase = 0.2;       // turns slower than this, the bias among it [rad/s]
-constexpr double kSlowJoints = 0.5;     // and its joints than this [rad/s]
-constexpr double kUnaccelerated = 1.0;  // feels g to within this [m/s²]
-// Where it has not done so from the first reading on:
-constexpr double kLasting = 0.1;       // for so long [s]
-constexpr double kLargestBias = 0.06;  // of a gyroscope; otherwise it is the legs that move [rad/s]
+constexpr double kMaxTurn = 0.2;          // of the base, including the gyroscope's bias [rad/s]
+constexpr double kMaxJointSpeed = 0.5;    // [rad/s]
+constexpr double kMaxAcceleration = 1.0;  // difference of the specific force from g [m/s²]
+// A robot that did not stand at the first reading:
+constexpr double kStandingTime = 0.1;  // [s]
+constexpr double kMaxBias = 0.06;      // of a gyroscope; a larger one means moving legs [rad/s]
 constexpr double kDoubt = 3.0;
 
 }  // namespace
@@ -22,9 +22,9 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
                            const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept {
   const bool is_complete =
       reading.q.allFinite() && reading.gyro.allFinite() && reading.accelerometer.allFinite();
-  const bool is_slow = is_complete && reading.gyro.norm() < kSlowBase &&
-                       joint_velocity.cwiseAbs().maxCoeff() < kSlowJoints &&
-                       std::abs(reading.accelerometer.norm() - kGravity) < kUnaccelerated;
+  const bool is_slow = is_complete && reading.gyro.norm() < kMaxTurn &&
+                       joint_velocity.cwiseAbs().maxCoeff() < kMaxJointSpeed &&
+                       std::abs(reading.accelerometer.norm() - kGravity) < kMaxAcceleration;
   const bool has_gap = reading.time - time_ > 1.5 * period_;
   time_ = reading.time;
   has_waited_ = has_waited_ || !is_slow || has_gap;
@@ -36,8 +36,8 @@ bool StandingStart::stands(const SensorReading& reading, const JointVector& join
   window_.v.add(motion.v);
   window_.w.add(motion.w);
   if (!has_waited_) return true;
-  if (window_.gyro.size() * period_ <= kLasting) return false;
-  const bool agrees = state().gyro_bias.norm() < kLargestBias;
+  if (window_.gyro.size() * period_ <= kStandingTime) return false;
+  const bool agrees = state().gyro_bias.norm() < kMaxBias;
   if (!agrees) window_ = {};
   return agrees;
 }
@@ -47,7 +47,7 @@ void StandingStart::begin_anew() noexcept {
   has_waited_ = true;
 }
 
-// The means are of the window's middle: since then the base has turned on.
+// The means belong to the window's middle; the base has turned since.
 StandingStart::State StandingStart::state() const noexcept {
   const Vec3 w = window_.w.mean();
   const Vec3 acceleration = window_.v.slope() / period_ + w.cross(window_.v.mean());

@@ -6,39 +6,38 @@
 
 namespace surefoot {
 
-/// Waits until a robot stands, and says how it moves then.
+/// Waits until a robot stands, and gives its motion at that time.
 ///
-/// A robot that its driver starts as it stands is believed to be at rest with its first reading.
-/// One whose sensors begin late falls until its drives have torques, hits the ground, and then
-/// sways on its legs for seconds. It is begun in the sway, when it has stood for 0.1 s, by what its
-/// legs say of that (`base_motion`): their mean turn is taken off the gyroscope's to find its bias,
-/// their mean acceleration off the accelerometer's to find the vertical.
+/// A robot whose driver starts while it stands counts as at rest at its first reading. One whose
+/// sensors begin late falls until its drives have torques, hits the ground, and sways for seconds.
+/// The estimate then begins in the sway, after standing for 0.1 s, with the legs' motion
+/// (`base_motion`): their mean turn subtracted from the gyroscope gives its bias, their mean
+/// acceleration subtracted from the accelerometer gives the vertical.
 class StandingStart {
  public:
   struct State {
     Vec3 gyro_bias = Vec3::Zero();       ///< in B [rad/s]
     Vec3 specific_force = Vec3::Zero();  ///< in B, as if it were at rest [m/s²]
     Vec3 v_WB_B = Vec3::Zero();          ///< [m/s]
-    double doubt = 1.0;                  ///< how many times less is known than of one at rest
+    double doubt = 1.0;                  ///< factor of the uncertainty against a robot at rest
   };
 
   /// `period` of the control loop [s].
   explicit StandingStart(double period) : period_(period) {}
 
-  /// One tick before the start: does the robot stand? `p_BC` and `v_BC` as `base_motion` wants
-  /// them. Not while numbers are missing, nor where legs and gyroscope disagree, as they do where a
-  /// foot is in the air.
+  /// One tick before the start: does the robot stand? `p_BC` and `v_BC` as in `base_motion`. False
+  /// while numbers are missing, or legs and gyroscope disagree, as with a foot in the air.
   [[nodiscard]] bool stands(const SensorReading& reading, const JointVector& joint_velocity,
                             const PerLeg<Vec3>& p_BC, const PerLeg<Vec3>& v_BC) noexcept;
 
-  /// The readings so far are worth nothing: it has to be seen to stand for 0.1 s.
+  /// Discards the readings so far: the robot must stand for 0.1 s.
   void begin_anew() noexcept;
 
-  /// Now that it does.
+  /// Its state, once it stands.
   [[nodiscard]] State state() const noexcept;
 
  private:
-  /// Since it stands, each a tick.
+  /// One sample a tick since it stands.
   struct Window {
     LineFit gyro, force, v, w;
   };

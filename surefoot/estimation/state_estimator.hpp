@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Makes the state that the controller believes from sensor readings.
+/// Estimates the state from sensor readings.
 class StateEstimator {
  public:
   StateEstimator() = default;
@@ -14,12 +14,12 @@ class StateEstimator {
   StateEstimator& operator=(const StateEstimator&) = delete;
   virtual ~StateEstimator() = default;
 
-  /// One tick. `context` is what the tick before left. `foot_force` of the result is filled later,
-  /// by the ContactForceEstimator.
+  /// One tick. `context` is from the tick before. The ContactForceEstimator fills `foot_force` of
+  /// the result later.
   [[nodiscard]] virtual const RobotState& update(const SensorReading& reading,
                                                  const TickContext& context) noexcept = 0;
 
-  /// Before an update: all readings so far are worth nothing (FirstReadings).
+  /// Before an update: discards all readings so far (FirstReadings).
   virtual void begin_anew() noexcept = 0;
 };
 

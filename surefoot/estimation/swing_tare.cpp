@@ -10,7 +10,7 @@
 namespace surefoot {
 namespace {
 
-/// How far θ is from 0 on robots: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
+/// Usual size of θ: [N·m], 1, [N·m·s/rad], [N·m·s²/rad].
 const Eigen::Vector4d kUsual(0.5, 0.1, 0.2, 0.02);
 
 }  // namespace
@@ -20,8 +20,7 @@ SwingTare::SwingTare(const SwingTareOptions& options, double bandwidth, double p
       period_(period),
       forgetting_(std::exp(-period / options.memory)),
       follows_(1.0 - std::exp(-bandwidth * period)),
-      wait_(
-          std::min(kMostWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {
+      wait_(std::min(kMaxWaiting - 1, static_cast<std::size_t>(std::ceil(options.wait / period)))) {
   stages_.fill(Signals::Constant(kNaN));
 }
 
@@ -37,7 +36,7 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
     LegTare& leg = legs_[index(k)];
     const int first = first_joint(k);
     if (stands[index(k)]) {
-      // Not before: from part of a swing nothing follows for the rest of it.
+      // Only now: part of a swing does not predict the rest of it.
       if (leg.num_seen > 0)
         for (Joint& joint : leg.joints) fit(joint);
       leg.num_seen = 0;
@@ -59,7 +58,7 @@ void SwingTare::update(const PerLeg<bool>& stands, const JointVector& missing,
   }
 }
 
-// A low-pass that has seen a NaN never says anything else: it begins anew.
+// A low-pass never recovers from a NaN: restart it.
 const SwingTare::Signals& SwingTare::lagged(const Signals& now) noexcept {
   if (!stages_.back().allFinite()) stages_.fill(now);
   const Signals* input = &now;
@@ -76,10 +75,10 @@ void SwingTare::fit(Joint& joint) const {
   joint.theta = pulled.llt().solve(joint.products);
 }
 
-// What was seen `wait` ago was in the air: no touchdown was believed since.
+// A sample from `wait` ago was in the air, as no touchdown followed.
 void SwingTare::weigh(LegTare& leg, const Sample& sample) {
-  leg.waiting[leg.num_seen % kMostWaiting] = sample;
-  if (leg.num_seen >= wait_) learn(leg, leg.waiting[(leg.num_seen - wait_) % kMostWaiting]);
+  leg.waiting[leg.num_seen % kMaxWaiting] = sample;
+  if (leg.num_seen >= wait_) learn(leg, leg.waiting[(leg.num_seen - wait_) % kMaxWaiting]);
   ++leg.num_seen;
 }
 

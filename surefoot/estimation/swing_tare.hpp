@@ -8,44 +8,44 @@
 
 namespace surefoot {
 
-/// When a leg in the air is weighed.
+/// When a swing leg is measured.
 struct SwingTareOptions {
   bool enabled = true;
-  double begin = 0.04;  ///< after lift-off; before, the foot may still touch [s]
-  double end = 0.35;    ///< after lift-off; later, the ground is near [s]
-  double wait = 0.06;   ///< what was seen counts if no touchdown is believed for so long [s]
-  double most = 6.0;    ///< more than this is no error of a model, something holds the leg [N·m]
+  double begin = 0.04;  ///< after lift-off; the foot may touch before [s]
+  double end = 0.35;    ///< after lift-off; the ground may be near later [s]
+  double wait = 0.06;   ///< a sample counts after so long without a touchdown [s]
+  double most = 6.0;    ///< a larger torque is no model error, but a disturbed leg [N·m]
   double memory = 3.0;  ///< of the time in the air [s]
-  /// Of a sample, beside what is learnt [N·m]. What the features don't explain, 0.5 N·m, is alike
-  /// over a swing: its 125 samples say no more than one would, so each is √125 times as noisy.
+  /// Of a sample [N·m]. The unexplained 0.5 N·m is constant over a swing: its 125 samples count as
+  /// one, so each is √125 times as noisy.
   double noise = 5.6;
 };
 
-/// What the joint torques of a leg that swings freely lack to explain its motion: links heavier
-/// than modelled, drives stronger, friction. Of joint j
+/// Learns the torque error of a free swing leg, from link masses, drive gains and friction. Of
+/// joint
+/// j
 ///
 ///     r_j ≈ θ_jᵀ (1, τ_j, q̇_j, q̈_j)
 ///
-/// with θ_j from least squares over the last swings, older samples weighted e^(−age / memory), and
-/// pulled to 0 until it is known better; fitted anew at each touchdown. r comes from an observer
-/// with three poles at ω: τ, q̇ and q̈ are lagged like it, by three low-passes.
-/// Ours (decision 0016). Does not allocate.
+/// with θ_j from least squares over the last swings, older samples weighted e^(−age / memory), with
+/// a prior at 0; refitted at each touchdown. r comes from an observer with three poles at ω: three
+/// low-passes delay τ, q̇ and q̈ alike. Ours (decision 0016). Does not allocate.
 class SwingTare {
  public:
   /// `bandwidth` ω of the observer [rad/s]; `period` of the control loop [s].
   SwingTare(const SwingTareOptions& options, double bandwidth, double period);
 
-  /// A tick: the joint torques r [N·m] that the model lacks, with the measured torques [N·m], the
-  /// velocities [rad/s] and accelerations [rad/s²]. `stands` says which feet are believed to carry.
+  /// A tick: the model's torque error r [N·m], with the measured torques [N·m], velocities [rad/s]
+  /// and accelerations [rad/s²]. `stands`: the feet in contact.
   void update(const PerLeg<bool>& stands, const JointVector& missing, const JointVector& torque,
               const JointVector& velocity, const JointVector& acceleration) noexcept;
 
-  /// θ_jᵀ (1, τ_j, q̇_j, q̈_j) of legs in the air, 0 of legs that stand [N·m].
+  /// θ_jᵀ (1, τ_j, q̇_j, q̈_j) of swing legs, 0 of stance legs [N·m].
   [[nodiscard]] const JointVector& tare() const { return tare_; }
 
  private:
   static constexpr int kNumFeatures = 4;
-  static constexpr std::size_t kMostWaiting = 64;
+  static constexpr std::size_t kMaxWaiting = 64;
   using Features = Eigen::Matrix<double, kNumFeatures, 1>;
   using Moments = Eigen::Matrix<double, kNumFeatures, kNumFeatures>;
 
@@ -59,7 +59,7 @@ class SwingTare {
     Features theta = Features::Zero();
   };
   struct LegTare {
-    std::array<Sample, kMostWaiting> waiting;
+    std::array<Sample, kMaxWaiting> waiting;
     std::size_t num_seen = 0;  // in this swing
     double in_the_air = 0.0;   // [s]
     std::array<Joint, kJointsPerLeg> joints;

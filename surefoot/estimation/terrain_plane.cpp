@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kSmallestSpread = 0.02;  // [m]
+constexpr double kMinSpread = 0.02;  // [m]
 
 }  // namespace
 
@@ -25,7 +25,7 @@ TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt) {
   axes.computeDirect(moment);
   Vec2 slope = Vec2::Zero();
   for (int i = 0; i < 2; ++i) {
-    if (axes.eigenvalues()[i] < kSmallestSpread * kSmallestSpread) continue;
+    if (axes.eigenvalues()[i] < kMinSpread * kMinSpread) continue;
     const Vec2 axis = axes.eigenvectors().col(i);
     slope += axis * (axis.dot(product) / axes.eigenvalues()[i]);
   }

@@ -18,9 +18,8 @@ struct TerrainPlane {
   }
 };
 
-/// Fits the plane. A direction in which the feet nearly coincide (second moment below (2 cm)²) is
-/// taken as level, and the tilt is limited to `max_tilt` [rad], so that the normal is always
-/// defined.
+/// Fits the plane. A direction in which the feet nearly coincide (second moment below (2 cm)²)
+/// counts as level, and `max_tilt` [rad] limits the tilt, so that the normal always exists.
 [[nodiscard]] TerrainPlane fit_terrain_plane(const PerLeg<Vec3>& footholds, double max_tilt);
 
 /// Rotation R_WC of the control frame: z along the normal, x the heading projected onto the plane.

@@ -7,9 +7,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kSmoothing = 0.02;  // of a joint's error [s]
-constexpr double kSure = 0.01;       // an IMU that lies lets torques claim much for a moment [s]
-constexpr double kExplained = 0.5;   // share of a claim, of which errors of torques leave less
+constexpr double kSmoothing = 0.02;      // of a joint's error [s]
+constexpr double kMinClaimTime = 0.01;   // a faulty IMU causes short claims [s]
+constexpr double kMaxUnexplained = 0.5;  // share of a claim that torque errors must leave at most
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
     off_for_[i] = is_off ? off_for_[i] + period_ : 0.0;
   }
   exact_for_ = moves_exactly ? exact_for_ + period_ : 0.0;
-  RobotState claimed;  // no more of the state than the claim is made from
+  RobotState claimed;  // only what the claim needs
   claimed.time = state.time;
   claimed.foot_force = state.foot_force;
   claim_.update(dynamics, stands, claimed);
@@ -50,7 +50,7 @@ void TorqueCheck::update(const RobotState& state, const Dynamics& dynamics,
       claims_too_much() && exact_for_ >= options_.time_constant ? claims_for_ + period_ : 0.0;
 }
 
-// A torque that is told e too high lets its leg push J⁺ᵀ e less on the ground.
+// A torque reading that is e too high makes its leg push J⁺ᵀ e less on the ground.
 TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const Dynamics& dynamics,
                                                    const PerLeg<bool>& stands) const {
   Wrench result;
@@ -67,7 +67,7 @@ TorqueCheck::Wrench TorqueCheck::claimed_by_errors(const Dynamics& dynamics,
 
 bool TorqueCheck::claims_too_much() const {
   const auto explains = [](const Vec3& claim, const Vec3& errors, double most) {
-    return claim.norm() > most && (claim - errors).norm() < kExplained * claim.norm();
+    return claim.norm() > most && (claim - errors).norm() < kMaxUnexplained * claim.norm();
   };
   return explains(claim_.force(), by_errors_.force, options_.max_force) ||
          explains(claim_.moment(), by_errors_.moment, options_.max_moment);
@@ -76,7 +76,7 @@ bool TorqueCheck::claims_too_much() const {
 double TorqueCheck::wrong_for() const {
   const double longest = off_for_.maxCoeff();
   if (longest > options_.duration) return longest;
-  return claims_for_ > kSure ? options_.time_constant + claims_for_ : 0.0;
+  return claims_for_ > kMinClaimTime ? options_.time_constant + claims_for_ : 0.0;
 }
 
 int TorqueCheck::joint() const {

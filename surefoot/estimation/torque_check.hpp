@@ -5,26 +5,25 @@
 
 namespace surefoot {
 
-/// Holds the joint torques against what was commanded, which drives follow but for delay, lag and
-/// gain, and against what can push or load the robot: a momentum observer on the whole body
-/// (`ExternalForceEstimator`) tells what they claim. What claims as much with the commanded torques
-/// in the place of the measured ones is no fault of sensors, but a blow, or a robot that has come
-/// down on its belly. Does not allocate.
+/// Checks the joint torques against the command, which drives follow with delay, lag and gain, and
+/// against plausible pushes and loads: a momentum observer on the whole body
+/// (`ExternalForceEstimator`) gives the force that they claim. If the commanded torques claim as
+/// much, it is no sensor fault, but an impact, or a robot lying on its belly. Does not allocate.
 class TorqueCheck {
  public:
   TorqueCheck(const TorqueCheckOptions& options, double period);
 
   /// One tick. `command` is of the tick before; `state` has the torques and foot forces of this
-  /// one. `moves_exactly`: from encoders with a new sample; coarser ones claim what they like.
+  /// one. `moves_exactly`: encoders have a new sample; coarser ones make claims meaningless.
   void update(const RobotState& state, const Dynamics& dynamics, const PerLeg<bool>& stands,
               const JointVector& command, bool moves_exactly) noexcept;
-  /// Nothing is known of this tick.
+  /// This tick gives no information.
   void forget() noexcept;
 
-  /// For how long torques have been wrong: those of joints that were not what was commanded, or
-  /// all, which claim too much [s]; 0: they are not.
+  /// Duration of a fault: of joints that contradict their command, or of all, which
+  /// claim too much [s]; 0: none.
   [[nodiscard]] double wrong_for() const;
-  /// The only joint whose torque was not what was commanded; −1: none, or several.
+  /// The only joint that contradicts its command; −1: none, or several.
   [[nodiscard]] int joint() const;
 
  private:
@@ -40,9 +39,10 @@ class TorqueCheck {
 
   TorqueCheckOptions options_;
   double period_, gain_, claim_gain_;
-  JointVector error_ = JointVector::Zero(), off_for_ = JointVector::Zero();  // [N·m], [s]
+  JointVector error_ = JointVector::Zero(),
+              off_for_ = JointVector::Zero();  // [N·m], [s]
   ExternalForceEstimator claim_;
-  Wrench by_errors_;                           // of it
+  Wrench by_errors_;                           // share of the claim from torque errors
   double exact_for_ = 0.0, claims_for_ = 0.0;  // [s]
 };
 

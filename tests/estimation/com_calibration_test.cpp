@@ -13,11 +13,10 @@ using test::LadenRobot;
 using test::Lump;
 using test::shifted_by;
 
-/// A payload has an inertia of its own, which is taken for height: a seventh of 42 mm for 6.9 kg
-/// that lie 0.2 m high.
+/// A payload's own inertia looks like height: a seventh of 42 mm for 6.9 kg at 0.2 m.
 constexpr double kTooHigh = 0.2 * 0.042;
 
-/// A calibration and the robot that it is about; every tick the model has the load in use.
+/// A calibration and its robot; at every tick the model has the load in use.
 struct Weighing {
   explicit Weighing(const std::vector<Lump>& truth) : robot(truth) {}
 
@@ -33,7 +32,7 @@ struct Weighing {
     calibration.update(robot.believed(), forces, stage, is_quiet);
   }
 
-  /// `disturbed`: from when to when something moves the robot [s].
+  /// `disturbed`: begin and end of a disturbance [s].
   void turn(double disturbed_from = 0.0, double disturbed_to = 0.0) {
     const CalibrationOptions options{.duration = 6.0};
     const CalibrationMotion motion(options);
@@ -52,7 +51,7 @@ struct Weighing {
     run(1.0, CalibrationStage::settling);
   }
 
-  /// What the forces become of which the model takes links to be lighter than they are.
+  /// The forces when the model has too light links.
   void misread_by(const LinkMassEstimator::Shares& heavier) {
     for (const Leg leg : kLegs) {
       const std::size_t k = index(leg);
@@ -198,7 +197,7 @@ TEST(ComCalibration, BelievesNoOffsetBeyondTenCentimetresNoMonsterAndNoNumberTha
   EXPECT_NEAR(feather.mass(), -0.5 * base, 1e-6);
 }
 
-// Forces are half a hundredth wrong by themselves.
+// Forces have an error of half a percent.
 TEST(ComCalibration, OfARobotThatIsHardlyHeavierMovesTheCenterOfMassAlongTheGroundAlone) {
   Weighing slightly(shifted_by({0.011, -0.007, 0.005}));
   slightly.felt = 0.995;
@@ -214,7 +213,7 @@ TEST(ComCalibration, OfARobotThatIsHardlyHeavierMovesTheCenterOfMassAlongTheGrou
   EXPECT_NEAR(heavier.mass(), 0.02 * kModelMass, 1e-6) << "but of one that is";
 }
 
-// What it carried has been taken off.
+// The payload was removed.
 TEST(ComCalibration, WeighedAgainWithoutItsLoadItCarriesNone) {
   Weighing weighing({{5.0, {0.05, 0.0, 0.2}}});
   weighing.turn();

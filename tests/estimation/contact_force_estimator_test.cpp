@@ -137,7 +137,7 @@ TEST(ContactForceEstimator, FindsTheForcesOfAStandingRobotFromItsJointTorques) {
   }
 }
 
-// The state of the first tick was not believed; the torques are a tick before the angles.
+// The state of the first tick was refused; the torques are a tick ahead of the angles.
 TEST(ContactForceEstimator, ATickWithoutAStateAtTheBeginningChangesNothing) {
   Standing robot(1);
   Bench bench;
@@ -206,7 +206,7 @@ TEST(ContactForceEstimator, CountsTheTicksThatWereLeftOut) {
   }
 }
 
-// Nor are ticks without a state taken for a hard stop of the base.
+// Ticks without a state don't count as a hard stop of the base.
 TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
   RobotModel model(anymal_b());
   Random random(7);
@@ -228,7 +228,7 @@ TEST(ContactForceEstimator, CountsTheTicksThatHadNoState) {
 }
 
 /// The largest force found on feet in the air, where torques that swing are `lag` ticks behind the
-/// joint angles, and it is told or not [N].
+/// joint angles, and it is known or not [N].
 double force_in_the_air(int lag, bool is_told) {
   RobotModel model(anymal_b());
   Random random(9);

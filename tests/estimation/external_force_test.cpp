@@ -15,7 +15,7 @@ namespace {
 constexpr double kPeriod = 0.0025;
 constexpr double kMass = 30.0;
 
-/// A lump of the robot's mass that four feet carry, and that something pushes.
+/// A lump of the robot's mass on four feet, pushed by something.
 struct Lump {
   Lump() {
     dynamics.mass = kMass;
@@ -50,7 +50,7 @@ TEST(ExternalForce, APushIsFoundBeyondTheDeadBand) {
   EXPECT_NEAR(lump.state.external_force.x(), 0.0, 1e-6);
 }
 
-// As the load that was weighed fades in, which moves at the time.
+// A weighed load fades in while it moves.
 TEST(ExternalForce, WhatTheModelTakesOverIsNoLongerALoad) {
   const ExternalForceOptions options;
   ExternalForceEstimator estimator(options);

@@ -33,7 +33,7 @@ SensorHealth imu(SampleFault fault) {
   return health;
 }
 
-/// What a robot begins with, tick by tick.
+/// The first readings of a robot, tick by tick.
 struct Beginning {
   FirstReadings readings{kPeriod};
   double time = 0.0;
@@ -102,7 +102,7 @@ TEST(FirstReadings, AreContradictedByAnotherClock) {
   }
 }
 
-// Of 320 honest robots that begin 0.085 rad/s and 2.1 m/s² were the most.
+// Among 320 correct starts 0.085 rad/s and 2.1 m/s² were the largest steps.
 TEST(FirstReadings, AreNotContradictedByAnImuThatSaysNearlyTheSame) {
   for (const double share : {0.95, 1.05}) {
     SensorReading turned = at(0.0), lifted = at(0.0);
@@ -156,7 +156,7 @@ TEST(FirstReadings, AreNotContradictedByARobotThatGetsToMove) {
   }
 }
 
-// Nobody knows yet how fast the joints turn: angles that are right may jump.
+// Joint velocities are unknown yet, so correct angles may jump.
 TEST(FirstReadings, BeforeTheEstimateSaysTheSecondReadingSoOrWhatIsNotBelieved) {
   Beginning beginning;
   beginning.run(1, false);

@@ -49,7 +49,7 @@ struct Stepping {
     check.update(offered, held, is_doubted, state, dynamics, stands, kUp);
   }
 
-  /// Of the base the estimate knows nothing new while the step is doubted: the legs alone count.
+  /// The estimate of the base gets nothing new while the step is doubted: only the legs count.
   void describe(bool is_doubted) {
     if (!is_doubted) {
       state.q_WB = Quat(R);
@@ -135,7 +135,7 @@ TEST(ImuStepCheck, WithoutTwoFeetThatStoodBeforeThereIsNoWitness) {
   EXPECT_EQ(robot.after(1), ImuStep::no_witness) << "nothing is known of before";
 }
 
-// The velocity that is believed then lacks what was held.
+// The estimated velocity then lacks the held samples.
 TEST(ImuStepCheck, BehindABlowThatWasHeldThereIsNoWitnessForAMoment) {
   for (const double size : {30.0, 0.0}) {
     Stepping robot;

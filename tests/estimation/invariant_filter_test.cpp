@@ -79,7 +79,7 @@ struct Bench {
   void run_until(double end) {
     while (time < end) tick();
   }
-  /// Angle between the believed vertical and the true one [rad].
+  /// Angle between the estimated and the true vertical [rad].
   [[nodiscard]] double tilt_error() const {
     const Vec3 up = filter.R_WB().row(2), true_up = body.R(time).row(2);
     return std::atan2(up.cross(true_up).norm(), up.dot(true_up));
@@ -171,8 +171,8 @@ TEST(InvariantFilter, AFootThatSlipsMovesTheFootAndHardlyTheBase) {
   EXPECT_LT(bench.velocity_error(), 0.005);
 }
 
-/// Heading that is believed after the feet turned by 10 mrad in 5 s, and the filter was told of a
-/// turn with this standard deviation [rad/√s].
+/// Estimated heading after the feet turned by 10 mrad in 5 s, for a filter that expects a turn with
+/// this standard deviation [rad/√s].
 double heading_over_turning_feet(double told) {
   Bench bench(9, 0.0);
   bench.start();

@@ -33,7 +33,7 @@ KinematicErrors some_errors(unsigned seed, double length, double zero) {
   return errors;
 }
 
-/// A robot, and the calibration that listens to it.
+/// A robot and its calibration.
 struct Bench {
   explicit Bench(const KinematicErrors& errors, const CalibrationOptions& motion = kMotion)
       : robot(errors, motion), model(robot.description()) {

@@ -17,7 +17,7 @@ namespace {
 
 using test::TurningRobot;
 
-/// Slow enough to start in: a robot that turns by 0.2 rad/s does not stand.
+/// Slow enough for a start: a robot that turns by 0.2 rad/s does not stand.
 constexpr CalibrationOptions kMotion{
     .duration = 6.0, .settle = 0.5, .roll = 0.12, .pitch = 0.10, .yaw = 0.15};
 
@@ -54,8 +54,8 @@ TEST(LegInertialEstimator, FollowsATorsoThatTurnsOverRollingFeet) {
   }
 }
 
-/// How fast the base of a robot that stands is believed to go at most, while a foot of it that has
-/// only just come down slides 2 cm before it bears its share [m/s].
+/// Largest estimated base speed of a standing robot while a foot slides 2 cm between touchdown and
+/// full load [m/s].
 double speed_at_touchdown(const LegInertialOptions& options) {
   constexpr double kLifted = 0.3, kDown = 0.4, kLoaded = 0.5, kWay = 0.04;  // [s], of the hip [rad]
   TurningRobot robot(KinematicErrors{}, {.duration = 6.0, .settle = 10.0});
@@ -137,7 +137,7 @@ TEST(LegInertialEstimator, FindsTheAccelerometersBiasByTurning) {
   EXPECT_LT(tilt_error(state, robot), 0.3 * before);
 }
 
-/// A leg that is found to be longer does not move the robot.
+/// A corrected leg length does not move the robot.
 TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
   KinematicErrors found;
   found.thigh = {0.01, -0.008, 0.0, 0.006};
@@ -170,7 +170,7 @@ TEST(LegInertialEstimator, TakesOverWhatIsFoundOfTheLegsWithoutMoving) {
   EXPECT_LT(box_minus(state.q_WB, before.q_WB).norm(), 5e-4);
 }
 
-/// An IMU that is found to be askew turns what is believed of the robot, but does not move it.
+/// A corrected IMU mounting turns the estimated robot, but does not move it.
 TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
   const Vec3 imu = 0.0087 * Vec3(1.0, -0.8, 0.6);
   TurningRobot robot(KinematicErrors{}, kMotion);
@@ -199,8 +199,8 @@ TEST(LegInertialEstimator, TakesOverHowTheImuIsMounted) {
       << "what is counted from the start does not depend on the mounting";
 }
 
-/// Heading that is believed after the base went forward by 0.1 m in a second, over legs that are
-/// longer on the left than is known and shorter on the right [rad].
+/// Estimated heading after the base moved forward by 0.1 m in a second, over legs that are longer
+/// than modelled on the left and shorter on the right [rad].
 double heading_after_a_way(const LegInertialOptions& options) {
   KinematicErrors wrong;
   wrong.thigh = wrong.shank = {0.008, -0.008, 0.008, -0.008};
@@ -232,7 +232,7 @@ TEST(LegInertialEstimator, OfTheHeadingOnAWayTheGyroscopeKnowsMoreThanTheLegs) {
   EXPECT_LT(std::abs(heading_after_a_way({})), 0.1 * of_the_legs);
 }
 
-// Whose drives began late: it falls, hits the ground, and stands.
+// Its drives begin late: it falls, hits the ground, and stands.
 TEST(LegInertialEstimator, StartsWhenTheRobotStands) {
   CalibrationOptions still = kMotion;
   still.roll = still.pitch = still.yaw = 0.0;
@@ -413,7 +413,7 @@ TEST(LegInertialEstimator, AllocatesNothing) {
   EXPECT_EQ(counter.count(), 0U);
 }
 
-// Turned, tilted and shaken by somebody who carries it, or from its first reading on.
+// Turned, tilted and shaken while carried, or from its first reading on.
 TEST(LegInertialEstimator, OffItsFeetItRestsWhereItWasAndTurns) {
   for (const bool has_stood : {true, false}) {
     SCOPED_TRACE(has_stood);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPeriod = 0.0025;  // [s]
 constexpr double kWeight = 300.0;   // [N]
 
-/// What a robot feels that stands for a second before something happens.
+/// Readings of a robot that stands for a second before the test begins.
 struct Felt {
   Felt() { feel(1.0, {75.0, 75.0, 75.0, 75.0}, kGravity); }
 
@@ -78,7 +78,7 @@ TEST(LiftDetector, OneIsHeldThatHasLessThanHalfOfItsWeightOnItsFeet) {
   EXPECT_TRUE(robot.was_lifted);
 }
 
-// Torques that are all wrong by the same make forces that are no less wrong.
+// Torques with a common error give forces with an error.
 TEST(LiftDetector, ForcesThatCancelAreForces) {
   Felt robot;
   robot.feel(1.0, {60.0, -60.0, 60.0, -60.0}, kGravity);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPeriod = 0.0025;
 constexpr int kSwing = 180;  // ticks
 constexpr PerLeg<bool> kStanding{true, true, true, true};
-/// Of links and torques of which nothing else is wrong.
+/// For links and torques without other errors.
 constexpr LinkMassOptions kClear{.noise = 1e-3};
 using Shares = LinkMassEstimator::Shares;
 
@@ -103,7 +103,7 @@ TEST(LinkMassEstimator, TellsAnglesThatComeLateFromMasses) {
       << bench.estimator.shares().transpose();
 }
 
-// A mean torque that says little against what masses usually are moves them little.
+// A mean torque that is small against usual mass errors has little effect.
 TEST(LinkMassEstimator, BelievesASingleNoisySwingLittle) {
   Bench bench({.noise = 10.0, .most_sigmas = 100.0});
   bench.heavier.head<3>() << 0.1, 0.1, 0.1;

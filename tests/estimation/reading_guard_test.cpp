@@ -157,7 +157,7 @@ TEST(ReadingGuard, AnImuThatIsHitIsBelievedASampleLater) {
   }
 }
 
-// A blow is felt by both.
+// Both sense an impact.
 TEST(ReadingGuard, AStepOfOneInstrumentOfTheImuIsBelievedWhereTheOtherMadeOneToo) {
   constexpr int kBridged = 8;  // samples in 20 ms
   for (const bool turns : {true, false}) {
@@ -312,7 +312,7 @@ TEST(ReadingGuard, WhatCanNotBeVouchesForNothing) {
   }
 }
 
-// By the period, as what is sure is.
+// Per period, like the sure limits.
 TEST(ReadingGuard, BehindAGapAnImuMayHaveGoneFurther) {
   Swinging robot;
   robot.run(100);
@@ -437,7 +437,7 @@ TEST(ReadingGuard, TheSameNumbersAgainAndAgainAreNoMeasurement) {
   EXPECT_NEAR(robot.guard.health().imu.age, 9 * kPeriod, 1e-12) << "since the first of them";
 }
 
-// As the driver gave them: what corrects them changes from tick to tick while it fades in.
+// The raw readings: corrections change from tick to tick while they fade in.
 TEST(ReadingGuard, NumbersThatStayTheSameAreFoundUnderACorrectionThatChanges) {
   Swinging robot;
   robot.run(100);
@@ -558,7 +558,7 @@ TEST(ReadingGuard, ATickOrTwoThatWereMissedAreNoLeap) {
   }
 }
 
-// And so is everything behind it: the joints may have gone anywhere.
+// So is everything after it: the joints may be anywhere.
 TEST(ReadingGuard, APauseIsBelievedWhenTheClockGoesOnFromIt) {
   const auto elsewhere = [](SensorReading& reading) { reading.q.array() += 0.5; };
   for (const auto& [pause, is_believed] : {std::pair(0.05, true), std::pair(0.3, false)}) {

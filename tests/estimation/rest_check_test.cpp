@@ -13,7 +13,7 @@ using test::Random;
 constexpr double kPeriod = 0.0025;
 constexpr double kMass = 30.0;
 
-/// How long the IMU is wrong for after 0.05 s with these numbers.
+/// Duration of the IMU's fault after 0.05 s with these numbers.
 double wrong_for(const Vec3& accelerometer, const Vec3& force, const Vec3& gyro = Vec3::Zero(),
                  const JointVector& qd = JointVector::Zero()) {
   RestCheck check(kPeriod);

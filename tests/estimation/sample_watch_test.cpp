@@ -70,7 +70,7 @@ TEST(SampleWatch, ASampleThatWasThereBeforeIsHeldAndChangesNoDelay) {
   }
 }
 
-// Its first sample is all there is until the second has come.
+// Only the first sample exists until the second arrives.
 TEST(SampleWatch, OfASensorThatIsLateTheFirstSampleIsNotHeld) {
   Sensor sensor;
   sensor.delay = 1;

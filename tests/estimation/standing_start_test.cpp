@@ -48,7 +48,7 @@ struct Base {
   [[nodiscard]] Vec3 specific_force() const { return -R.transpose() * kGravityVector; }
 };
 
-/// Ticks until the base is believed to stand, at most a hundred.
+/// Ticks until the base counts as standing, at most a hundred.
 int ticks_until_it_stands(Base& base, StandingStart& start) {
   int ticks = 1;
   for (; !base.seen_by(start) && ticks < 100; ++ticks) base.tick();
@@ -126,7 +126,7 @@ TEST(StandingStart, WhatStoodByReadingsThatAreWorthNothingIsWaitedFor) {
   EXPECT_EQ(ticks_until_it_stands(base, start), kLasting);
 }
 
-// The legs say that the base turns, the gyroscope that it does not.
+// By the legs the base turns, by the gyroscope it does not.
 TEST(StandingStart, LegsThatMoveUnderABaseThatDoesNotAreNoStance) {
   Base base;
   StandingStart start(kPeriod);

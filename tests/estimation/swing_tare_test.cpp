@@ -15,7 +15,7 @@ constexpr double kNoLag = 1e9;  // [rad/s]
 constexpr PerLeg<bool> kStanding{true, true, true, true};
 constexpr PerLeg<bool> kSwingLF{false, true, true, true};
 constexpr int kSwing = 160;  // ticks
-/// What the bench's leg lacks is explained without a rest.
+/// The model explains the bench's leg completely.
 constexpr SwingTareOptions kClear{.noise = 0.5};  // [N·m]
 
 /// A robot whose swinging leg LF lacks bias + gain τ + friction q̇ + inertia q̈ in its joints.
@@ -68,7 +68,7 @@ TEST(SwingTare, LearnsWhatASwingingLegLacks) {
   EXPECT_LT(bench.left(), 0.1 * before);
 }
 
-// What lacks comes from an observer that lags; so must the signals that it is explained by.
+// The torque error comes from an observer with a lag; its signals need the same lag.
 TEST(SwingTare, LearnsFromWhatAnObserverSays) {
   constexpr double kBandwidth = 250.0;  // [rad/s]
   const auto left_by = [&](double bandwidth_of_tare) {
@@ -81,7 +81,7 @@ TEST(SwingTare, LearnsFromWhatAnObserverSays) {
   EXPECT_LT(left_by(kBandwidth), 0.4 * left_by(kNoLag));
 }
 
-// As it is used: a few swings say little, or what is no error of a model would be learnt.
+// A few swings must have little effect, otherwise it would learn more than model errors.
 TEST(SwingTare, BelievesMoreSwingsMore) {
   Bench bench;
   const double before = bench.left();

@@ -71,7 +71,7 @@ TEST(TerrainPlane, OfFeetInOnePlaceIsLevel) {
   const Vec3 p(3.0, -2.0, 0.5);
   PerLeg<Vec3> feet{p, p, p, p};
   EXPECT_EQ(fit_terrain_plane(feet, kMaxTilt).normal, Vec3::UnitZ());
-  feet[0].z() += 0.1;  // one above the other: no slope can be told
+  feet[0].z() += 0.1;  // one above the other: the slope is unknown
   EXPECT_EQ(fit_terrain_plane(feet, kMaxTilt).normal, Vec3::UnitZ());
 }
 

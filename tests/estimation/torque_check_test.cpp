@@ -15,7 +15,7 @@ constexpr double kLever = 0.05;  // so short that no torque is off by what drive
 const Vec3 kUp = Vec3::UnitZ();
 const TorqueCheckOptions kOptions;
 
-/// A lump of the robot's mass that stands still on four feet; a test makes its torques wrong.
+/// A lump of the robot's mass at rest on four feet; tests make its torques wrong.
 struct Lump {
   Lump() {
     dynamics.mass = kMass;
@@ -36,7 +36,7 @@ struct Lump {
   void run(double duration) {
     for (int i = 0; i < std::lround(duration / kPeriod); ++i) tick();
   }
-  /// A force on a foot, be it real, or only told by torques that were not commanded.
+  /// A force on a foot, real or only claimed by torques that were not commanded.
   void push(Leg leg, const Vec3& force, bool is_real) {
     state.foot_force[index(leg)] += force;
     if (!is_real) error.segment<kJointsPerLeg>(first_joint(leg)) -= kLever * force;
@@ -87,7 +87,7 @@ TEST(TorqueCheck, JointsMayBeOffForAsLongAsADriveIsAtItsLimit) {
   }
 }
 
-/// So far off that from one tick to the next it is never within what is allowed.
+/// An error that is beyond the limit at every tick.
 TEST(TorqueCheck, WhatIsOffToEitherSideInTurnIsNotOffToOneSide) {
   Lump robot;
   for (int i = 0; i < 10; ++i) {
@@ -121,7 +121,7 @@ TEST(TorqueCheck, MomentsThatNothingLoadsARobotWithAreFoundWhereTorquesWereNotCo
   }
 }
 
-// A robot that is thrown down, or lies on its belly.
+// A robot that falls, or lies on its belly.
 TEST(TorqueCheck, WhatTheCommandedTorquesClaimAsWellIsNoFault) {
   for (const double share : {1.1, 5.0}) {
     Lump pushed, turned;
