@@ -52,8 +52,8 @@ struct OptionsOf<T, std::void_t<typename T::Options>> {
   using type = typename T::Options;
 };
 
-/// One task's entry: binds the names of a stack file to the members of its Options, whose defaults
-/// are the only place where defaults are written.
+/// One task's entry: binds the names of a stack file to the members of its Options, which alone
+/// hold the defaults.
 template <typename T>
 class Entry {
  public:
@@ -158,7 +158,7 @@ class Entry {
 
 constexpr std::string_view kErrorHelp = "larger tracking errors are shortened to this";
 
-/// The parameters that every bound by Eq. 27 has.
+/// The parameters of every bound by Eq. 27.
 template <typename T>
 void add_bound(Entry<T>&& entry, Catalog& catalog) {
   using Options = typename T::Options;

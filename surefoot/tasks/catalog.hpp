@@ -11,7 +11,7 @@
 
 namespace surefoot {
 
-/// A number that a task can be given.
+/// A number parameter of a task.
 struct TaskParameter {
   std::string_view name;
   double default_value = 0.0;
@@ -20,7 +20,7 @@ struct TaskParameter {
   std::string_view help;
 };
 
-/// A word that a task can be given, out of a few.
+/// A parameter of a task with a few allowed words.
 struct TaskChoice {
   std::string_view name;
   std::vector<std::string_view> values;
@@ -28,26 +28,26 @@ struct TaskChoice {
   std::string_view help;
 };
 
-/// What a stack file may say about a task, and what `list tasks` shows.
+/// What a stack file may set for a task, and what `list tasks` shows.
 struct TaskInfo {
   std::string_view name;
   std::string_view summary;
   std::string_view equation;  ///< of Bellicoso 2016
-  std::string_view unit;      ///< of its rows; "N and N·m" where they have several
+  std::string_view unit;      ///< of its rows; "N and N·m" for several
   std::vector<TaskParameter> parameters;
   std::vector<TaskChoice> choices;
 };
 
-/// Values given by name; what is not given keeps its default.
+/// Values by name; others keep their defaults.
 struct TaskParameters {
   std::map<std::string, double> numbers;       ///< e.g. kp: 500
   std::map<std::string, std::string> choices;  ///< e.g. form: radial
 };
 
-/// All tasks, in the order of Table I and then those that it does not have.
+/// All tasks, in the order of Table I, then ours.
 [[nodiscard]] std::span<const TaskInfo> task_catalog();
 
-/// The catalog's entry. Throws UnknownNameError that lists the tasks.
+/// The catalog's entry. Throws UnknownNameError, listing the tasks.
 [[nodiscard]] const TaskInfo& task_info(std::string_view name);
 
 /// Makes a task by name. Throws UnknownNameError for an unknown task, parameter or choice, and

@@ -4,21 +4,20 @@
 
 namespace surefoot {
 
-/// Makes the centre of mass follow its horizontal reference.
+/// The centre of mass follows its horizontal reference.
 ///
 ///     J_com u̇ = a_ref + kd (v_ref − v) + kp (p_ref − p) − J̇_com u
 ///
 /// (Bellicoso 2016, Eq. 17, with the Jacobian of the centre of mass instead of the base's.) Two
-/// rows along the x and y axes of the control frame C, laid into the horizontal plane that the plan
-/// is given in [m/s²]. Two point feet can't push the centre of mass off the line between them
-/// without turning the torso, so with two feet down only the row along that line is written, and
-/// none with fewer.
+/// rows along the x and y axes of the control frame C, projected into the horizontal plane [m/s²].
+/// Two point feet can't push the centre of mass off their line without turning the torso. So with
+/// two feet down there is only the row along that line, and none with fewer.
 class ComXy final : public Task {
  public:
   struct Options {
     double kp = 500.0;        ///< [1/s²]
     double kd = 45.0;         ///< [1/s]
-    double max_error = 0.02;  ///< longer position errors are shortened to this [m]
+    double max_error = 0.02;  ///< limit of the position error [m]
   };
 
   explicit ComXy(const Options& options) : options_(options) {}

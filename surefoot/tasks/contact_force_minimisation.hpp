@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-/// Asks for no contact force, so that a level low in the hierarchy takes the least internal force.
+/// Wants zero contact forces, so that a low level of the hierarchy minimizes internal forces.
 ///
 ///     W C_λ_i = 0,   λ = Λ x + λ₀     (Bellicoso 2016, Eq. 21; the weights are ours)
 ///

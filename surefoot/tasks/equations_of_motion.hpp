@@ -4,11 +4,11 @@
 
 namespace surefoot {
 
-/// Keeps accelerations and torques consistent with the robot's dynamics, contact forces eliminated.
+/// Keeps accelerations and torques consistent with the dynamics, contact forces eliminated.
 ///
 ///     Q_uᵀ [−M  Sᵀ] x = Q_uᵀ h     (Bellicoso 2016, Eq. 15)
 ///
-/// Writes 18 − rank(J_s) rows (18 − 3 n_c where no leg is singular) in mixed units of force and
+/// Writes 18 − rank(J_s) rows (18 − 3 n_c unless a leg is singular) in mixed units of force and
 /// torque [N, N·m].
 class EquationsOfMotion final : public Task {
  public:

@@ -12,9 +12,9 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kInside = 0.8;  // share of a pyramid's half angle by which it leans at most
+constexpr double kMaxLean = 0.8;  // of the normal from the vertical, share of the half angle
 
-/// B of Eq. 31 for one foot: four faces, each ≤ 0, and the normal force, for forces in W.
+/// B of Eq. 31 for one foot, for forces in W: four faces, each ≤ 0, and the normal force.
 Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const FrictionPyramid& pyramid) {
   const double mu = pyramid.mu;
   const Vec3 heading = pyramid.axes.col(0);
@@ -29,13 +29,12 @@ Eigen::Matrix<double, FrictionCone::kRowsPerLeg, 3> pyramid_rows(const FrictionP
   return B;
 }
 
-/// The axes of a pyramid that a foot can stand in: leaning from the vertical by no more than lets a
-/// vertical force lie inside.
+/// The axes, turned towards the vertical until the pyramid contains a vertical force.
 Mat3 standing_axes(const Mat3& axes, double mu) {
   const Vec3 normal = axes.col(2);
   const Vec3 level(normal.y(), -normal.x(), 0.0);  // n̂ × e_z
   const double sine = level.norm();
-  const double excess = std::atan2(sine, normal.z()) - kInside * std::atan(mu);
+  const double excess = std::atan2(sine, normal.z()) - kMaxLean * std::atan(mu);
   if (!(excess > 0.0 && sine > 0.0)) return axes;
   return Eigen::AngleAxisd(excess, level / sine) * axes;
 }

@@ -4,14 +4,14 @@
 
 namespace surefoot {
 
-/// Four faces that hold the force of a foot.
+/// Four faces that bound a foot's force.
 struct FrictionPyramid {
   Mat3 axes = Mat3::Identity();  ///< ĥ, l̂, n̂ as columns, in W
   double mu = 0.0;               ///< μ'
 
   [[nodiscard]] Vec3 normal() const { return axes.col(2); }
   /// Share of it that a force λ in W uses: max(|ĥᵀλ|, |l̂ᵀλ|) / (μ' n̂ᵀλ). 1 at a face, more beyond
-  /// it; not finite where n̂ᵀλ is 0.
+  /// it; not finite if n̂ᵀλ is 0.
   [[nodiscard]] double use(const Vec3& force) const;
 };
 
@@ -21,11 +21,11 @@ struct FrictionPyramid {
 ///     min(f_min, f_max(t)) ≤ n̂ᵀλ_i ≤ f_max(t)               (Eq. 30)
 ///     λ = Λ x + λ₀                                           (Eq. 31)
 ///
-/// ĥ, l̂, n̂ are the axes of the control frame C, μ_i is what the plan allows foot i. The pyramid
-/// with μ' = μ touches the cone from outside and exceeds it on the diagonals by √2; with μ' = μ/√2
-/// it lies inside. Where n̂ leans from the vertical by more than 0.8 atan μ', a foot could carry
-/// hardly anything in the pyramid: its axes are turned toward the vertical until it leans so far.
-/// Writes 5 rows for each leg in contact [N].
+/// ĥ, l̂, n̂ are the axes of the control frame C, μ_i the plan's friction of foot i. The pyramid with
+/// μ' = μ touches the cone from outside and exceeds it on the diagonals by √2; with μ' = μ/√2 it
+/// lies inside. If n̂ is inclined by more than 0.8 atan μ', a foot could hardly carry load inside
+/// the pyramid: its axes are turned towards the vertical to that angle. Writes 5 rows for each leg
+/// in contact [N].
 class FrictionCone final : public Task {
  public:
   enum class Pyramid { inner, outer };
@@ -40,7 +40,7 @@ class FrictionCone final : public Task {
 
   explicit FrictionCone(const Options& options) : options_(options) {}
 
-  /// That holds the force of a leg in contact.
+  /// The pyramid of a leg in contact.
   [[nodiscard]] FrictionPyramid pyramid(const MotionPlan& plan, Leg leg) const;
 
   void write(const TaskInput& input, Level& level) const noexcept override;

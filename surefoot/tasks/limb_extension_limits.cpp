@@ -27,7 +27,7 @@ Extension vertical(const PointKinematics& hip, const PointKinematics& foot) {
 }
 
 Extension radial(const PointKinematics& hip, const PointKinematics& foot) {
-  constexpr double kShortest = 1e-3;  // [m], where the direction of a leg has no meaning any more
+  constexpr double kShortest = 1e-3;  // [m]; below it a leg's direction is meaningless
   const Vec3 p = hip.p - foot.p;
   const Vec3 v = hip.v - foot.v;
   const double r = std::max(p.norm(), kShortest);

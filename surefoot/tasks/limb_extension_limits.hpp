@@ -13,9 +13,9 @@ namespace surefoot {
 ///     radial:    r = ‖p_H − p_F‖, ṙ = eᵀ(v_H − v_F), e = (p_H − p_F)/r,
 ///                r̈ = eᵀ((J_H − J_F) u̇ + (J̇_H − J̇_F) u) + (‖v_H − v_F‖² − ṙ²)/r
 ///
-/// `paper` takes the foot for still: a foot that is lowered at v violates the bound by δt·v.
-/// `relative` does not, but like `paper` it sees only the vertical distance, so a leg that reaches
-/// out sideways can become straight; `radial` bounds the leg itself. Writes 4 rows [m/s²].
+/// `paper` ignores the foot's motion: lowering a foot at v violates the bound by δt·v. `relative`
+/// includes it, but like `paper` sees only the vertical distance, so a leg that reaches sideways
+/// can become straight; `radial` bounds the leg itself. Writes 4 rows [m/s²].
 class LimbExtensionLimits final : public Task {
  public:
   enum class Form { paper, relative, radial };
@@ -23,7 +23,7 @@ class LimbExtensionLimits final : public Task {
   struct Options {
     Form form = Form::relative;
     double min = 0.15;  ///< [m]
-    double max = 0.52;  ///< [m]; 0.535 is a good bound for `radial` on ANYmal B
+    double max = 0.52;  ///< [m]; `radial` on ANYmal B: 0.535
     double dt = 0.1;    ///< δt of Eq. 27 [s]
     BoundResponse response = BoundResponse::paper;
   };

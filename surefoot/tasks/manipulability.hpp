@@ -5,26 +5,26 @@
 namespace surefoot {
 
 /// Manipulability of a leg, m = |det J| with J = [j_HAA j_HFE j_KFE] its 3×3 translational Jacobian
-/// (Bellicoso 2016, Eq. 22), and what follows from it.
+/// (Bellicoso 2016, Eq. 22), and its gradients.
 struct LegManipulability {
   double m = 0.0;                ///< [m³]
   Vec3 gradient = Vec3::Zero();  ///< ∂m/∂q for HAA, HFE, KFE [m³/rad]
-  double height_gradient = 0.0;  ///< ∂m/∂z_B with the foot held in place [m²]
+  double height_gradient = 0.0;  ///< ∂m/∂z_B with the foot fixed [m²]
 };
 
-/// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and with the foot in place
-/// ∂q/∂z_B = −J⁻¹ e_z. Close to a singular posture |det J| is taken for 1e-4 m³ in J⁻¹.
+/// Exact, from the joint axes a_i: ∂j_i/∂q_l = a_min(i,l) × j_max(i,l), and ∂q/∂z_B = −J⁻¹ e_z with
+/// the foot fixed. Near a singular posture J⁻¹ uses |det J| = 1e-4 m³.
 [[nodiscard]] LegManipulability leg_manipulability(const Dynamics& dynamics, Leg leg) noexcept;
 
-/// Moves the base in height to where the legs can move best, instead of to a given height.
+/// Moves the base to the height of best manipulability, instead of a given height.
 ///
 ///     e_zᵀ J_B u̇ = z̈_ref − e_zᵀ J̇_B u
 ///     paper:    z̈_ref = k0 Σ_k w_k ∂m_k/∂q_KFE − kd ż        (Bellicoso 2016, Eqs. 22–24)
 ///     chained:  z̈_ref = k0 Σ_k w_k ∂m_k/∂z_B − kd ż
 ///
-/// The printed form adds gradients of knee angles to an acceleration in height: where front and
-/// hind knees bend against each other (X-configuration) they cancel. `chained` takes them through
-/// the kinematics with the feet in place. Writes 1 row [m/s²].
+/// The printed form adds gradients of knee angles to an acceleration in height: front and hind
+/// knees that bend against each other (X-configuration) cancel. `chained` takes the gradients
+/// through the kinematics with fixed feet. Writes 1 row [m/s²].
 class Manipulability final : public Task {
  public:
   enum class Form { chained, paper };

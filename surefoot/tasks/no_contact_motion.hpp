@@ -4,13 +4,13 @@
 
 namespace surefoot {
 
-/// Keeps the contact points of supporting feet where they are.
+/// Keeps the contact points of stance feet in place.
 ///
 ///     J_C u̇ = −J̇_C u − kd J_C u     (Bellicoso 2016, Eq. 16; the damping is ours)
 ///
-/// C is the lowest point of the foot sphere and its drift that of rolling without slip. The damping
-/// takes away what velocity an impact or an error of integration left. Writes 3 rows for each leg
-/// in contact, in W [m/s²].
+/// C is the lowest point of the foot sphere, with the drift of rolling without slip. The damping
+/// removes velocity left by impacts and integration errors. Writes 3 rows for each leg in contact,
+/// in W [m/s²].
 class NoContactMotion final : public Task {
  public:
   struct Options {

@@ -6,9 +6,8 @@
 namespace surefoot {
 namespace {
 
-/// What a contact force of 1 N weighs against a motion that takes 1 N, where one of both is to
-/// follow from the others.
-constexpr double kForceFirst = 30.0;
+/// Preference for eliminating a contact force of 1 N over a motion that takes 1 N.
+constexpr double kForceWeight = 30.0;
 
 }  // namespace
 
@@ -36,7 +35,7 @@ const Substitution* PhysicsSubstitution::update(
   return substitution_.offset.allFinite() ? &substitution_ : nullptr;
 }
 
-/// Gauss-Jordan elimination with pivots from all rows and columns.
+/// Gauss-Jordan elimination with full pivoting.
 bool PhysicsSubstitution::solve_base_rows(int num_motions) {
   is_chosen_.fill(false);
   for (int step = 0; step < kNumBase; ++step) {
@@ -52,13 +51,13 @@ bool PhysicsSubstitution::solve_base_rows(int num_motions) {
   return true;
 }
 
-/// Moves the row with the largest element that is left to `step`, and takes its column.
+/// Moves the row with the largest remaining element to `step`, and chooses its column.
 bool PhysicsSubstitution::take_pivot(int step, int num_motions) {
   double largest = 0.0;
   int pivot_row = step, pivot_column = -1;
   for (int column = 0; column < kNumVelocities; ++column) {
     if (is_chosen_[static_cast<std::size_t>(column)]) continue;
-    const double weight = column < num_motions ? 1.0 : kForceFirst;
+    const double weight = column < num_motions ? 1.0 : kForceWeight;
     for (int row = step; row < kNumBase; ++row) {
       const double size = weight * std::abs(base_rows_(row, column));
       if (size <= largest) continue;
@@ -74,7 +73,7 @@ bool PhysicsSubstitution::take_pivot(int step, int num_motions) {
   return true;
 }
 
-/// x at y = 0: only the six chosen unknowns are not zero.
+/// x at y = 0: only the six chosen unknowns are non-zero.
 void PhysicsSubstitution::write_offset(const SupportDynamics& support,
                                        const GeneralizedVector& forces) {
   auto motion = substitution_.offset.head<kNumVelocities>();

@@ -7,26 +7,26 @@
 
 namespace surefoot {
 
-/// All x = (u̇, τ) that the equations of motion and the supporting feet allow, in closed form:
-/// x = offset + basis · y with 12 unknowns y, for any number of feet on the ground.
+/// All x = (u̇, τ) that the equations of motion and the stance feet allow, in closed form:
+/// x = offset + basis · y with 12 unknowns y, for any number of stance feet.
 ///
-/// With u̇₀ the shortest motion that the contacts ask for and g the contact forces in the basis Q_c,
+/// With u̇₀ the shortest motion that satisfies the contacts and g the contact forces in the basis
+/// Q_c,
 ///
 ///     u̇ = u̇₀ + Q_u w,     J_sᵀ λ = Q_c g,     P = [M Q_u  −Q_c],     p = (w, g),   18 unknowns
-///     Sᵀ τ = P p + M u̇₀ + h     of which the base's six rows have no torque:
-///     P_b p = −(M u̇₀ + h)_b     so six of p follow from the others, which are y (paper, Eqs. 4–7)
+///     Sᵀ τ = P p + M u̇₀ + h     whose six base rows have no torque:
+///     P_b p = −(M u̇₀ + h)_b     so six of p follow from the others, y (paper, Eqs. 4–7)
 ///
-/// and the joints' rows are the torques. P has full rank: what is orthogonal to Q_c and to M Q_u is
-/// a motion Q_u a without kinetic energy. The six are chosen by their size, contact forces before
-/// motions, so that most unknowns of y are plain motions or plain contact forces.
+/// and the joints' rows are the torques. P has full rank: a vector orthogonal to Q_c and M Q_u is a
+/// motion Q_u a without kinetic energy. The six are chosen by size, contact forces before motions,
+/// so that most unknowns of y are plain motions or plain contact forces.
 class PhysicsSubstitution {
  public:
   PhysicsSubstitution();
 
-  /// `contact_acceleration` is what J_s u̇ has to be, in the order of `support`. Null where the
-  /// contacts are singular by `SupportDynamics::kRankTolerance`: then J_s u̇ may have no solution.
-  /// Null also for numbers that are none. The result stays valid until the next call. Does not
-  /// allocate.
+  /// `contact_acceleration` is the required J_s u̇, in the order of `support`. Null if the contacts
+  /// are singular by `SupportDynamics::kRankTolerance` (J_s u̇ may have no solution) or a number is
+  /// not finite. The result stays valid until the next call. Does not allocate.
   [[nodiscard]] const Substitution* update(
       const Dynamics& dynamics, const SupportDynamics& support,
       const Eigen::Ref<const Eigen::VectorXd>& contact_acceleration) noexcept;
@@ -41,7 +41,7 @@ class PhysicsSubstitution {
   void write_basis(const SupportDynamics& support);
 
   MassMatrix P_ = MassMatrix::Zero();
-  /// [P_b  −(M u̇₀ + h)_b], then the same solved for the columns `chosen_`, one a row.
+  /// [P_b  −(M u̇₀ + h)_b], then solved for the columns `chosen_`, one a row.
   Eigen::Matrix<double, kNumBase, kNumVelocities + 1, Eigen::RowMajor> base_rows_;
   std::array<int, kNumBase> chosen_{};
   std::array<bool, kNumVelocities> is_chosen_{};

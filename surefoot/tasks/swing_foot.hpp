@@ -4,19 +4,18 @@
 
 namespace surefoot {
 
-/// Makes the feet that are not in contact follow their references like a mass on a spring and
-/// damper.
+/// Swing feet follow their references like a mass on spring and damper.
 ///
 ///     J_F u̇ = a_ref + kd (v_ref − v_F) + kp (p_ref − p_F) − J̇_F u     (Bellicoso 2016, Eq. 19)
 ///
-/// F is the centre of the foot sphere. Writes 3 rows for each leg that is not in contact, in W
-/// [m/s²]; a rotation of the three rows into C would not change what they ask for.
+/// F is the centre of the foot sphere. Writes 3 rows for each leg without contact, in W [m/s²];
+/// rotating the three rows into C would not change the task.
 class SwingFoot final : public Task {
  public:
   struct Options {
     double kp = 800.0;        ///< [1/s²]
     double kd = 56.0;         ///< [1/s]
-    double max_error = 0.02;  ///< longer position errors are shortened to this [m]
+    double max_error = 0.02;  ///< limit of the position error [m]
   };
 
   explicit SwingFoot(const Options& options) : options_(options) {}

@@ -11,7 +11,7 @@
 
 namespace surefoot {
 
-/// What the tasks see of one tick.
+/// Inputs of the tasks at one tick.
 struct TaskInput {
   const Dynamics& dynamics;
   const MotionPlan& plan;
@@ -19,26 +19,25 @@ struct TaskInput {
   const RobotDescription& robot;
 };
 
-/// One objective or limit, as rows over x = (u̇, τ) (Eq. 14). A task is immutable: the same input
-/// gives the same rows.
+/// One objective or limit, as rows over x = (u̇, τ) (Eq. 14). Immutable: the same input gives the
+/// same rows.
 class Task {
  public:
   virtual ~Task() = default;
 
-  /// Appends this tick's rows. Does not allocate; all rows fit in `max_rows()`.
+  /// Appends this tick's rows, at most `max_rows()`. Does not allocate.
   virtual void write(const TaskInput& input, Level& level) const noexcept = 0;
 
-  /// Most rows that a tick can have.
+  /// Largest number of rows in a tick.
   [[nodiscard]] virtual int max_rows() const = 0;
-  /// The name that stack files use.
+  /// The name in stack files.
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// Row ids are 0 … num_ids() − 1. They stay with their leg when others lift off or touch down.
+  /// Row ids are 0 … num_ids() − 1. They stay with their leg when other contacts change.
   [[nodiscard]] virtual int num_ids() const { return max_rows(); }
-  /// What the row of an id is: "LF normal force".
+  /// The name of a row: "LF normal force".
   [[nodiscard]] virtual std::string row_name(int id) const = 0;
 
-  /// Where several tasks share a level: added to every id that this task writes, set once at
-  /// set-up.
+  /// Offset of this task's ids in a level shared by several tasks; set once at set-up.
   void set_first_id(int id) { first_id_ = id; }
   [[nodiscard]] int first_id() const { return first_id_; }
 
@@ -51,9 +50,9 @@ class Task {
   int first_id_ = 0;
 };
 
-/// "LF x", "LF y", "LF z", "RF x", … for ids that count three rows a leg.
+/// "LF x", "LF y", "LF z", "RF x", … for three ids a leg.
 [[nodiscard]] std::string leg_axis_name(int id);
-/// "LF_HAA", "LF_HFE", … for ids that count joints.
+/// "LF_HAA", "LF_HFE", … for an id per joint.
 [[nodiscard]] std::string joint_name(int id);
 
 }  // namespace surefoot

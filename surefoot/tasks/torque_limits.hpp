@@ -4,21 +4,21 @@
 
 namespace surefoot {
 
-/// Keeps every torque within what its actuator can give.
+/// Keeps every torque within its actuator's limit.
 ///
 ///     −s(−q̇) τ_max ≤ τ ≤ s(q̇) τ_max     (Bellicoso 2016, Eq. 28; s is ours)
 ///
-/// s is the `fraction`, and with `speed_line: linear` it falls from there to 0 between the corner
-/// speed and the joint's velocity limit, in the direction of motion only: a motor that turns fast
-/// can't push on, but it can brake. Writes 12 rows [N·m].
+/// s is the `fraction`; with `speed_line: linear` it falls to 0 between the corner speed and the
+/// joint's velocity limit, in the direction of motion only: a fast motor can't push on, but can
+/// brake. Writes 12 rows [N·m].
 class TorqueLimits final : public Task {
  public:
   enum class SpeedLine { none, linear };
 
   struct Options {
-    double fraction = 1.0;  ///< of the robot's torque limit that may be used [–]
+    double fraction = 1.0;  ///< usable share of the robot's torque limit [–]
     SpeedLine speed_line = SpeedLine::none;
-    double corner_speed = 0.5;  ///< where the line begins, as a fraction of the velocity limit [–]
+    double corner_speed = 0.5;  ///< start of the line, as a share of the velocity limit [–]
   };
 
   /// Throws Error unless 0 < fraction ≤ 1 and 0 ≤ corner_speed < 1.

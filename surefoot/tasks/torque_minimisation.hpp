@@ -4,7 +4,7 @@
 
 namespace surefoot {
 
-/// Asks for no torque, so that a level low in the hierarchy takes the least.
+/// Wants zero torques, so that a low level of the hierarchy minimizes them.
 ///
 ///     w_j τ_j = 0     (Bellicoso 2016, Eq. 20; the weights are ours)
 ///

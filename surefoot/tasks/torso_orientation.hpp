@@ -4,19 +4,19 @@
 
 namespace surefoot {
 
-/// Gains of the two tasks that turn the torso.
+/// Gains of the two torso orientation tasks.
 struct TorsoOrientationOptions {
   double kp = 200.0;        ///< [1/s²]
   double kd = 28.0;         ///< [1/s]
-  double max_error = 0.05;  ///< larger orientation errors are shortened to this [rad]
+  double max_error = 0.05;  ///< limit of the orientation error [rad]
 };
 
-/// Makes the torso follow its desired orientation, one axis or two of the control frame C.
+/// The torso follows its desired orientation about one or two axes of the control frame C.
 ///
 ///     C_J_R u̇ = C_ẇ_ref + kd (C_w_ref − C_w) + kp φ − C_J̇_R u,   φ = C_log(q_ref q⁻¹)
 ///
-/// (Bellicoso 2016, Eq. 18, with the rotational Jacobian and a feed-forward.) C is latched between
-/// touchdowns, so it has no rate of its own. [rad/s²]
+/// (Bellicoso 2016, Eq. 18, with the rotational Jacobian and a feed-forward.) C is constant between
+/// touchdowns, so it has no rate. [rad/s²]
 class TorsoOrientation : public Task {
  public:
   using Options = TorsoOrientationOptions;

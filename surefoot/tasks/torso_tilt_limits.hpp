@@ -5,14 +5,13 @@
 
 namespace surefoot {
 
-/// Bounds how far the torso leans against gravity, by the rule of Bellicoso 2016, Eq. 27.
+/// Bounds the torso's lean against gravity, by the rule of Bellicoso 2016, Eq. 27.
 ///
 ///     |s_i| ≤ sin(max_i),   s_i = a_iᵀ n,   n = R_WB e_z,
 ///     ṡ_i = (n × a_i)ᵀ w,   s̈_i = (n × a_i)ᵀ ẇ + a_iᵀ (w × (w × n))
 ///
-/// a_i are the horizontal forward and left directions of the control frame C: leaning forward is
-/// pitch, leaning sideways is roll. Written in sines, so that the rows are exact. Writes 2 rows
-/// [rad/s²].
+/// a_i are the horizontal forward and left directions of the control frame C: a forward lean is
+/// pitch, a sideways lean is roll. Sines make the rows exact. Writes 2 rows [rad/s²].
 class TorsoTiltLimits final : public Task {
  public:
   struct Options {

@@ -177,7 +177,7 @@ TEST(FrictionCone, says_what_share_of_the_pyramid_that_it_writes_a_force_uses) {
   for (const auto pyramid : {FrictionCone::Pyramid::inner, FrictionCone::Pyramid::outer}) {
     for (const auto axes : {FrictionCone::Axes::control, FrictionCone::Axes::gravity}) {
       const FrictionCone task({.pyramid = pyramid, .axes = axes});
-      for (const double lean : {0.0, 0.1, 0.3, 0.6}) {  // the last more than friction bears
+      for (const double lean : {0.0, 0.1, 0.3, 0.6}) {  // the last exceeds friction
         scene.plan.R_WC = Eigen::AngleAxisd(lean, Vec3(0.6, -0.8, 0.0)) *
                           rotation_about_z(random.uniform(-3.0, 3.0));
         for (FootPlan& foot : scene.plan.feet) foot.friction = random.uniform(0.1, 0.8);
@@ -208,8 +208,8 @@ WrittenRows leaning_pyramids(Scene& scene, double lean, double mu) {
                  scene.update(random.standing_state(scene.model.description().q_nominal)));
 }
 
-// A foot that slid is believed to have less friction than the slope is steep: were nothing but the
-// slope's normal to count, no force could carry the robot, and falling would be all that is left.
+// A foot that slid has less assumed friction than the slope is steep: about the slope's normal no
+// force could carry the robot.
 TEST(FrictionCone, lets_feet_carry_on_ground_that_is_steeper_than_their_friction) {
   for (const double lean : {0.1, 0.2, 0.3, 0.4}) {
     for (const double mu : {0.1, 0.2, 0.35, 0.6}) {
