@@ -10,7 +10,7 @@
 namespace surefoot {
 namespace {
 
-/// So many rows on the wrong side are likely to be put right by changing them all at once.
+/// Up to so many wrong rows, changing them all at once is likely to succeed.
 constexpr std::size_t kFewRows = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -54,7 +54,7 @@ bool ActiveSetSearch::is_optimal(Sweep& s, const SweepKernels& kernels, int firs
 void ActiveSetSearch::judge_own_rows(const Sweep& s, int level) {
   const int begin = s.order_begin[level];
   const int num_columns = s.first_column[level + 1] - s.first_column[level];
-  // Where rows cancel each other x is small, and their rounding isn't.
+  // Where rows contradict each other x is small, but their rounding is not.
   for (int i = begin; i < s.order_begin[level + 1]; ++i) {
     const int row = s.order[i];
     const double residual = std::abs(s.residual[row]);
@@ -138,7 +138,7 @@ bool ActiveSetSearch::is_frozen(const Sweep& s, int level) const {
 
 void ActiveSetSearch::find_violated(const Sweep& s, int first) {
   for (int k = first; k < s.num_levels; ++k) {
-    if (is_frozen(s, k)) break;  // nothing moves these rows
+    if (is_frozen(s, k)) break;  // nothing can move these rows
     for (int row = s.level_begin[k]; row < s.level_begin[k + 1]; ++row) {
       if (s.side[row] != 0) continue;
       const double above = s.value[row] - s.upper[row];

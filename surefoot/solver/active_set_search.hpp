@@ -8,21 +8,21 @@
 
 namespace surefoot {
 
-/// Decides whether the active rows of a sweep are those of the lexicographic optimum, and which
-/// other ones to try if not.
+/// Decides whether the active rows of a sweep are those of the lexicographic optimum, and otherwise
+/// which ones to try next.
 ///
 /// An active row is an equality of its own level. Level k pulls at it with the multiplier λ of
 ///
 ///     Aₖᵀ vₖ + Σ λᵢ aᵢ = 0   over the rows i of the levels before, vₖ the residuals of level k,
 ///
-/// its own level pulls with its residual. The first level that pulls decides: against the bound,
-/// and the row is fixed for all levels from there on; away from it, and the row must be let go. If
-/// no row must be let go and no inactive row is violated, the sweep has found the optimum.
+/// its own level pulls with its residual. The first level that pulls decides. If it pulls against
+/// the bound, the row is fixed for all levels from there on; otherwise the row must be released. If
+/// no row must be released and no inactive row is violated, the sweep is the optimum.
 class ActiveSetSearch {
  public:
   explicit ActiveSetSearch(const Hierarchy& capacity);
 
-  /// Whether s, swept over the levels [first, num_levels), is optimal; `s.value` must be valid.
+  /// Is s, swept over the levels [first, num_levels), optimal? `s.value` must be valid.
   /// Each level is a lap of the timer.
   [[nodiscard]] bool is_optimal(Sweep& s, const SweepKernels& kernels, int first,
                                 LevelTimer& timer);
@@ -30,23 +30,23 @@ class ActiveSetSearch {
   /// ‖x‖ of the last `is_optimal`.
   [[nodiscard]] double x_size() const { return size_; }
 
-  /// Of the rows that the last `is_optimal` found to be needed the smallest force, relative to the
-  /// level that needs it; 1 where there is none.
+  /// Smallest force that keeps a row active in the last `is_optimal`, relative to the level that
+  /// needs it; 1 if there is none.
   [[nodiscard]] double weakest_force() const { return weakest_force_; }
 
-  /// Whether the last `is_optimal` asked what the length of y pulls at.
+  /// Did the last `is_optimal` check the pull of ‖y‖?
   [[nodiscard]] bool has_judged_norm() const { return has_judged_norm_; }
 
-  /// After `is_optimal` said no: whether `improve` is worth a try.
+  /// After `is_optimal` said no: is `improve` promising?
   [[nodiscard]] bool is_nearly_optimal() const;
 
-  /// Lets all rows go that must be let go, and holds those of the first level that are violated.
+  /// Releases all wrong rows, and activates the violated ones of the first level that has some.
   void improve(Sweep& s) const;
 
-  /// Active rows that no level pulls at are let go; true if there were any.
+  /// Releases active rows that no level pulls at; true if there were any.
   bool release_idle(Sweep& s);
 
-  /// Index of the level from which on a row that takes part is fixed; num_levels if it isn't.
+  /// First level for which an active row is fixed; num_levels if there is none.
   [[nodiscard]] int fixed_by(int row) const { return fixed_by_[static_cast<std::size_t>(row)]; }
 
  private:
@@ -71,7 +71,7 @@ class ActiveSetSearch {
   std::vector<Violated> violated_;
   std::vector<int> fixed_by_;
   double size_ = 0.0;  // ‖x‖
-  double way_ = 0.0;   // the same, or how far rows of the levels so far pull it, if that is more
+  double way_ = 0.0;  // ‖x‖, or the residuals of the rows so far relative to their length if larger
   double weakest_force_ = 1.0;
   bool has_judged_norm_ = false;
 };

@@ -8,10 +8,9 @@
 namespace surefoot {
 namespace {
 
-/// Of a residual and the level's longest row together: less is rounding,
-constexpr double kSameAnswer = 1e-10;
-/// less makes no difference.
-constexpr double kSameResidual = 1e-7;
+// Relative to a residual plus the level's longest row.
+constexpr double kSameAnswer = 1e-10;   // smaller differences are rounding
+constexpr double kSameResidual = 1e-7;  // smaller differences are negligible
 
 double longest_row(const Level& level) {
   double square = 0.0;

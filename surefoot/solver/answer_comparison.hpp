@@ -5,13 +5,13 @@
 
 namespace surefoot {
 
-/// How another answer to a hierarchy compares with one, by the residuals of its levels.
+/// Comparison of another answer to a hierarchy with one, by the residuals of its levels.
 struct AnswerComparison {
-  bool is_better = false;  ///< where the first level differs by more than rounding, it has less
-  bool differs = false;    ///< in a level, by more than makes no difference
+  bool is_better = false;  ///< smaller residual in the first level that differs beyond rounding
+  bool differs = false;    ///< in some level, by more than a negligible amount
 };
 
-/// Of two solutions of this hierarchy. Does not allocate.
+/// Compares two solutions of this hierarchy. Does not allocate.
 [[nodiscard]] AnswerComparison compare(const Hierarchy& hierarchy, const Solution& one,
                                        const Solution& other);
 

@@ -14,11 +14,11 @@ namespace {
 
 using Eigen::Index;
 
-/// Relative to Σ ‖aᵢ‖ |vᵢ|: a smaller multiplier is one of rounding.
-constexpr double kSmall = 1e-9;
-/// Relative: costs that differ by less are the same, up to rounding.
+/// Smallest multiplier beyond rounding, relative to Σ ‖aᵢ‖ |vᵢ|.
+constexpr double kMinMultiplier = 1e-9;
+/// Relative difference of equal costs.
 constexpr double kSameCost = 1e-6;
-/// Of a direction: the rest is rounding.
+/// Relative rounding of a direction.
 constexpr double kRank = 1e-8;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -33,8 +33,8 @@ double dot(const double* a, const Eigen::VectorXd& b, Index first, Index end) {
   return sum;
 }
 
-/// Were columns before this one taken all at once, by rows that then stand in no triangle? So is a
-/// level of equalities that leaves nothing free, if only inequalities come after it.
+/// Were columns before this one taken at once, by rows without a triangle? So is a level of
+/// equalities that leaves no freedom, if only inequalities follow.
 bool has_square_level(const Sweep& s, int num_columns) {
   for (int column = 0; column < num_columns; ++column) {
     if (s.pivot[column] < 0 && s.beta[column] == 0.0) return true;
@@ -46,8 +46,8 @@ struct LevelRange {
   int begin, end;
 };
 
-/// Does another row of these levels, which takes no part but is at its bound, forbid to move this
-/// one further to this side? It is the same but for its length.
+/// Does an inactive row of these levels at its bound, parallel to this one, forbid moving it
+/// further to this side?
 bool has_twin(const Sweep& s, int row, int side, LevelRange levels) {
   const Eigen::Map<const Eigen::VectorXd> a(s.a[row], s.unknowns);
   for (int i = s.level_begin[levels.begin]; i < s.level_begin[levels.end]; ++i) {
@@ -98,7 +98,7 @@ void BlockerSearch::find(Sweep& s, const SweepKernels& kernels, int first,
   }
 }
 
-// Violated rows take no part in the sweep where nothing could move them: they aren't turned yet.
+// Violated rows that nothing can move are not part of the sweep, so they are not turned yet.
 void BlockerSearch::turn_missed_rows() {
   Sweep& s = *s_;
   for (int row = s.level_begin[first_]; row < s.num_rows; ++row) {
@@ -145,7 +145,8 @@ void BlockerSearch::add_row(int row, double by) {
   violation_[static_cast<Index>(rows_.size())] = by;
   rows_.push_back(row);
   row_size_ = std::max(row_size_, size);
-  force_noise_ += kSmall * size * std::abs(by) + 5.0 * tolerance::kRounding * size * size * size_;
+  force_noise_ +=
+      kMinMultiplier * size * std::abs(by) + 5.0 * tolerance::kRounding * size * size * size_;
 }
 
 void BlockerSearch::explain(int level) {
@@ -188,8 +189,8 @@ void BlockerSearch::set_forces(int num_columns) {
   }
 }
 
-// What the level reaches by itself: by the columns that are free, and where rows that are held
-// only for levels below give way.
+// What the level reaches alone: by free columns, and by giving way of rows that are held only for
+// lower levels.
 void BlockerSearch::set_free_directions(int num_columns) {
   const Sweep& s = *s_;
   num_basis_ = 0;
@@ -254,7 +255,7 @@ void BlockerSearch::project_motion() {
   }
 }
 
-// Has the motion more than rounding?
+// Is the motion more than rounding?
 bool BlockerSearch::can_move() const {
   const auto rows = static_cast<Index>(rows_.size());
   return motion_.head(rows).norm() > kRank * row_size_ * direction_.head(s_->columns).norm();

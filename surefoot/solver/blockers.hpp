@@ -14,48 +14,48 @@
 
 namespace surefoot {
 
-/// The rows that hold a level back, as far as there is place.
+/// The rows that hold a level back, as many as fit.
 struct LevelBlockers {
   static constexpr std::size_t kCapacity = 8;
 
-  /// False where the solver can't say: see LexicographicSolver::blockers.
+  /// False if the solver can't say: see LexicographicSolver::blockers.
   bool is_known = false;
   std::size_t count = 0;
-  /// Dearest first, of those that cost the same limits before equalities, and then, as where none
-  /// has a cost, by multiplier; `count` of them.
+  /// By falling cost; at equal cost limits before equalities, then, also without costs, by
+  /// multiplier.
   std::array<Blocker, kCapacity> dearest{};
 
   [[nodiscard]] std::span<const Blocker> rows() const { return {dearest.data(), count}; }
 };
 
-/// Finds which rows of higher levels hold a level back, in the factorization of the last sweep.
-/// Solves nothing and does not allocate, so it can be asked at every tick.
+/// Finds the rows of higher levels that hold a level back, in the factorization of the last sweep.
+/// Solves nothing and does not allocate, so it can run at every tick.
 ///
 /// With v the residuals of level k, W its equality and violated rows, L the triangle of the rows
 /// that hold their bound for it, all in the turned basis, the multipliers are those of
 ///
 ///     Wᵀ v + Lᵀ λ = 0.
 ///
-/// L d = eᵢ is the direction that moves row i by 1 and no other row that holds. With u the part of
-/// W d that no direction left to level k can undo, ½ ‖v‖² falls along it by at most
+/// L d = eᵢ is the direction that moves row i by 1 and no other held row. With u the part of W d
+/// that no direction left to level k can undo, ½ ‖v‖² falls along it by at most
 ///
 ///     ½ (vᵀ u)² / ‖u‖²,   so   cost = ‖v‖ − √(‖v‖² − (vᵀ u)² / ‖u‖²),   vᵀ u = −λᵢ.
 ///
-/// This is what the residual falls by if row i gives way and everything else stays what it is. It
-/// is the cost that `explain` finds as long as that is so: less if the direction meets a row that
-/// is inactive here, more if another active row or a violated row of the level lets go on the way,
-/// or a violated limit above it comes nearer to its bound.
+/// This is the drop of the residual if row i gives way and everything else stays. It equals the
+/// cost of `explain` while that holds; `explain` gives less if the direction meets an inactive row,
+/// more if another active row or a violated row of the level is released on the way, or a violated
+/// limit above it approaches its bound.
 ///
-/// Where several rows hold the same direction none of them has a cost by itself. Rows that are held
-/// only for levels below k hold nothing for k.
+/// If several rows hold the same direction none has a cost alone. Rows that are held only for
+/// levels below k hold nothing for k.
 class BlockerSearch {
  public:
   explicit BlockerSearch(const Hierarchy& capacity);
 
-  /// Of s, swept over the levels [first, num_levels) and found optimal by `search`.
+  /// For s, swept over the levels [first, num_levels) and found optimal by `search`.
   void find(Sweep& s, const SweepKernels& kernels, int first, const ActiveSetSearch& search);
 
-  /// Nothing is known of any level.
+  /// Makes all levels unknown.
   void forget();
 
   [[nodiscard]] const std::vector<LevelBlockers>& levels() const { return levels_; }
@@ -89,17 +89,17 @@ class BlockerSearch {
   int first_ = 0;
   double size_ = 0.0;  // ‖x‖
 
-  // Of the level in question.
+  // Of the current level.
   int level_ = 0;
   std::vector<int> rows_;             // W
   Eigen::VectorXd violation_;         // v
-  bool is_missed_ = false;            // by more than rounding
+  bool is_missed_ = false;            // beyond rounding
   double row_size_ = 0.0;             // of the longest row of W
-  double force_noise_ = 0.0;          // of λ ‖a‖
+  double force_noise_ = 0.0;          // rounding of λ ‖a‖
   Eigen::VectorXd gradient_, force_;  // by column
   Eigen::VectorXd direction_;         // d, by column
   Eigen::VectorXd motion_;            // W d, then u
-  Eigen::MatrixXd basis_;             // orthonormal, of what the level can reach by itself
+  Eigen::MatrixXd basis_;             // orthonormal, of what the level can reach alone
   Eigen::Index num_basis_ = 0;
 };
 

@@ -7,21 +7,21 @@
 
 namespace surefoot {
 
-/// What a solve may cost. Without limits it ends at the optimum.
+/// Limit of a solve's cost. Without limits it ends at the optimum.
 struct SolveBudget {
-  /// Of the solver's clock; without a clock this limit does nothing.
+  /// By the solver's clock; ignored without a clock.
   double seconds = std::numeric_limits<double>::infinity();
-  /// Additions and multiplications, counted from the sizes of what is multiplied: the same problem
-  /// ends at the same place on every machine.
+  /// Additions and multiplications, counted from matrix sizes: the same problem stops at the same
+  /// place on every machine.
   double flops = std::numeric_limits<double>::infinity();
 };
 
-/// What is left of a budget while it is being spent.
+/// Remaining budget of a running solve.
 class BudgetWatch {
  public:
   using Clock = double (*)();
 
-  /// Throws Error where a limit is no number ≥ 0.
+  /// Throws Error unless the limits are numbers ≥ 0.
   BudgetWatch(const SolveBudget& budget, Clock clock)
       : budget_(budget), clock_(budget.seconds < kNone ? clock : nullptr) {
     if (!(budget.flops >= 0.0)) refuse("flops", budget.flops);

@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-/// The room that a hierarchy has, and that others need for it.
+/// Capacities of a hierarchy, and room for its solution.
 
 /// Of all its levels.
 inline Eigen::Index max_rows(const Hierarchy& hierarchy) {
@@ -25,7 +25,7 @@ inline Eigen::Index max_rows_of_a_level(const Hierarchy& hierarchy) {
   return rows;
 }
 
-/// x = 0, and room for what all rows do.
+/// x = 0, with room for the states of all rows.
 inline Solution empty_solution(const Hierarchy& capacity) {
   Solution solution;
   solution.x.setZero(capacity.unknowns());
@@ -37,7 +37,7 @@ inline Solution empty_solution(const Hierarchy& capacity) {
   return solution;
 }
 
-/// Whether the solution has room for what all rows of the hierarchy do.
+/// Has the solution room for the states of the hierarchy's rows?
 inline bool fits(const Hierarchy& hierarchy, const Solution& solution) {
   if (hierarchy.unknowns() != solution.x.size()) return false;
   if (hierarchy.num_levels() > solution.levels.size()) return false;

@@ -8,33 +8,32 @@
 namespace surefoot {
 
 struct CascadeOptions {
-  RankTolerance rank;      ///< what counts as an independent row
+  RankTolerance rank;      ///< of independent rows
   int max_iterations = 0;  ///< of the active-set method in a level; 0: 50 + 10 × rows so far
-  /// Seconds of any steady clock, with which Solution::time and that of each level are measured;
-  /// nothing else depends on it.
+  /// Any steady clock [s], for Solution::time and the times of levels; nothing else depends on it.
   double (*clock)() = nullptr;
 };
 
-/// The paper's cascade (Eqs. 8–13), exact: level k is solved in the null space of everything that
-/// the levels before it determine, subject to their inequality rows,
+/// The paper's cascade (Eqs. 8–13), exact: level k is solved in the null space of all that the
+/// levels before it determine, subject to their inequality rows,
 ///
 ///     z* = argmin_z ½ ‖violation of level k at x + Z z‖²   s.t.   lower ≤ aᵢ (x + Z z) ≤ upper
 ///     x ← x + Z z*,   Z ← Z N(rows determined by level k)
 ///
-/// starting from x = 0, Z = I. A level can't fail: z = 0 is always feasible, and contradictions
-/// end in their least violation. Where the whole hierarchy leaves x open, each level has changed
-/// it by the least norm, from 0. There is no regularisation and no normal equation.
+/// starting from x = 0, Z = I. A level can't fail: z = 0 is always feasible, and contradictions end
+/// in their least violation. If the hierarchy leaves x open, each level has changed it by the least
+/// norm, from 0. There is no regularisation and no normal equation.
 ///
-/// All memory is taken at construction; `solve` does not allocate, throw or lock, and gives the
+/// All memory is allocated at construction; `solve` does not allocate, throw or lock, and gives the
 /// same bits for the same input.
 class CascadeSolver {
  public:
-  /// Sizes come from `capacity`: unknowns, number of levels, and the levels' max_rows.
+  /// Sizes come from `capacity`: unknowns, number of levels, and their max_rows.
   explicit CascadeSolver(const Hierarchy& capacity, const CascadeOptions& options = {});
 
-  /// The reference stays valid until the next call. A hierarchy beyond the capacity, with NaN,
-  /// with lower > upper, with a bound that can't be met (lower = ∞) or with a row or a finite bound
-  /// larger than 1e150 is `invalid_input`.
+  /// The reference stays valid until the next call. `invalid_input` if the hierarchy exceeds the
+  /// capacity, or has NaN, lower > upper, an impossible bound (lower = ∞), or a row or finite bound
+  /// beyond 1e150.
   const Solution& solve(const Hierarchy& hierarchy) noexcept;
 
   [[nodiscard]] const Solution& solution() const { return solution_; }

@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double finite_or_infinity(double number) { return std::isfinite(number) ? number : kInfinity; }
 
-/// In the units that x is in; `units`: how large they are in those that were given.
+/// In the units of x; `units` relates them to the given ones.
 std::vector<LevelCertificate> certify_in_units(const Hierarchy& hierarchy, const Eigen::VectorXd& x,
                                                const CertificateOptions& options,
                                                const Eigen::VectorXd& units) {
@@ -29,7 +29,7 @@ std::vector<LevelCertificate> certify_in_units(const Hierarchy& hierarchy, const
   }
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
-  int unproven = -1;  // the first level that is
+  int unproven = -1;  // the first unproven level
   for (std::size_t k = 0; k < num_levels; ++k) {
     LevelConditions level = optimality_conditions(hierarchy, k, x, options.tight);
     const Multipliers found = multipliers(level, fixed, touching, options.rank);

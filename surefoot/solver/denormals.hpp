@@ -6,10 +6,9 @@
 
 namespace surefoot {
 
-/// While it lives, results below the range of normal doubles (2e-308) become zero, and such
-/// operands count as zero, on processors where this is a mode. Orthogonal transformations of
-/// structured rows multiply rounding errors until they get there, where arithmetic is a hundred
-/// times slower.
+/// While alive, flushes results below the range of normal doubles (2e-308) to zero, and treats such
+/// operands as zero, on processors with this mode. Orthogonal transformations of structured rows
+/// shrink rounding errors into that range, where arithmetic is a hundred times slower.
 class FlushDenormals {
  public:
   FlushDenormals() { write(saved_ | kFlushToZero | kDenormalsAreZero); }

@@ -19,7 +19,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Of the tableau: those of the hierarchy and y.
+/// Rows of the tableau: those of the hierarchy and y.
 std::size_t rows_of(const Hierarchy& capacity) {
   return static_cast<std::size_t>(max_rows(capacity) + capacity.unknowns());
 }
@@ -81,7 +81,7 @@ void Descent::begin(Sweep& s, int first) {
   has_minimised_norm_ = false;
 }
 
-// Rows beside those of the tableau share packs with them: without motion they stay out of it.
+// Idle rows share packs with the tableau's: clear them, so that they stay without motion.
 void Descent::clear_idle_rows() {
   const Sweep& s = *sweep_;
   const auto clear = [&](int begin, int end) {
@@ -137,7 +137,7 @@ bool Descent::minimise() {
   return false;
 }
 
-// What a step costs at most: the rows that count are factorized, all rows move, and one is held.
+// Upper bound of a step: factorizes the counting rows, moves all rows, and holds one.
 void Descent::spend() {
   const double free = sweep_->columns - first_column_;
   const double rows = sweep_->end_row - sweep_->first_row;
@@ -165,7 +165,7 @@ Descent::Move Descent::descend() {
   return rows_.is_stationary(row_values(), length) ? Move::stationary : Move::piece_changed;
 }
 
-// The rows that count, in the free columns.
+// Factorizes the counting rows in the free columns.
 void Descent::factorize_counting() {
   Sweep& s = *sweep_;
   s.num_taking_part = 0;
@@ -187,7 +187,7 @@ void Descent::factorize_counting() {
   has_factorized_ = true;
 }
 
-// The full step to the minimum of the rows that count, in all rows.
+// Full step to the minimum of the counting rows, in all rows.
 void Descent::set_motion() {
   Sweep& s = *sweep_;
   kernels_->turn_back(s, first_free());
@@ -200,7 +200,7 @@ void Descent::set_motion() {
   if (has_slow) stop_dependent_rows(slow);
 }
 
-// Of rows that move slowly.
+// Checks slowly moving rows.
 void Descent::stop_dependent_rows(double slow) {
   const Sweep& s = *sweep_;
   for (int row = s.first_row; row < s.end_row; ++row) {
@@ -209,7 +209,7 @@ void Descent::stop_dependent_rows(double slow) {
   }
 }
 
-// Nothing of the row is left in the free columns but rounding.
+// Is only rounding left of the row in the free columns?
 bool Descent::is_dependent(int row) const {
   const Sweep& s = *sweep_;
   const double rounding = s.keep_tolerance * s.scale[row];
@@ -227,7 +227,7 @@ bool Descent::is_negligible() const {
   return true;
 }
 
-// A constraint that has been met takes the first free column.
+// Gives a constraint at its bound the first free column.
 void Descent::hold(int row, signed char side) {
   Sweep& s = *sweep_;
   const int first = first_free();
@@ -251,7 +251,7 @@ void Descent::hold(int row, signed char side) {
   note_pivot(norm / s.scale[row]);
 }
 
-// The weaker what is held of the rows, the larger the rounding in what is left of all others.
+// A weaker pivot of a held row leaves more rounding in all others.
 void Descent::note_pivot(double relative) {
   Sweep& s = *sweep_;
   if (relative >= s.smallest_pivot) return;
@@ -269,8 +269,8 @@ void Descent::weigh_pivots() {
   }
 }
 
-// Rotations make the rows after it triangular again; its column becomes free.
-void Descent::let_go(std::size_t place) {
+// Rotations make the rows after it triangular again, and free its column.
+void Descent::release(std::size_t place) {
   Sweep& s = *sweep_;
   const int gone = held_[place];
   budget_->spend(6.0 * (s.end_row - s.first_row) * static_cast<double>(held_.size() - place));
@@ -288,7 +288,7 @@ void Descent::let_go(std::size_t place) {
   weigh_pivots();
 }
 
-// Forces of the held rows at the present point, positive where they push back.
+// Forces of the held rows at the current point, positive if they push back.
 void Descent::weigh_forces() {
   Sweep& s = *sweep_;
   force_scale_ = force_noise_ = 0.0;
@@ -308,7 +308,7 @@ void Descent::weigh_forces() {
   }
 }
 
-// Lets the worst of the held rows go that pulls the wrong way.
+// Releases the held row that pulls most in the wrong direction.
 bool Descent::drop_worst() {
   const Sweep& s = *sweep_;
   double worst =
@@ -320,12 +320,12 @@ bool Descent::drop_worst() {
     place = i;
   }
   if (place == held_.size()) return false;
-  let_go(place);
+  release(place);
   has_factorized_ = false;
   return true;
 }
 
-// Rows that all optima of the level have at the same value become fixed, with their columns.
+// Fixes rows with the same value at all optima of the level, with their columns.
 void Descent::retire() {
   Sweep& s = *sweep_;
   release_idle();
@@ -354,7 +354,7 @@ void Descent::retire() {
   }
 }
 
-// Held rows that don't push back are constraints again.
+// Held rows that don't push back become constraints again.
 void Descent::release_idle() {
   const double strict =
       tolerance::kStrict * force_scale_ + tolerance::kStrictOfNoise * force_noise_;
@@ -363,14 +363,14 @@ void Descent::release_idle() {
     if (sweep_->force[row] > strict) {
       fixed_side_[at(row)] = sweep_->side[row];
     } else {
-      let_go(i);
+      release(i);
       has_factorized_ = false;
     }
   }
 }
 
-// Lists rows of the level whose residual is the same at all of its optima. True if these are the
-// rows of the last factorization, so that it can be used.
+// Lists rows of the level with the same residual at all of its optima. True if these are the rows
+// of the last factorization, which can then be used.
 bool Descent::collect_fixed() {
   const Sweep& s = *sweep_;
   fixed_.clear();
@@ -388,7 +388,7 @@ void Descent::fix(int row, signed char side) {
   fixed_.push_back(row);
 }
 
-// Leaves the sweep as it was, with the sides that have been found.
+// Restores the sweep, with the sides found.
 void Descent::finish() {
   Sweep& s = *sweep_;
   for (int row = s.first_row; row < s.num_rows; ++row) {

@@ -10,11 +10,11 @@
 
 namespace surefoot {
 
-/// Finds the active rows of a hierarchy level by level, by the primal active-set method of the
-/// cascade: each level is minimised from the feasible point where the level before ended, and stops
-/// where satisfied rows of higher levels stop it. Small and fast, because it works in the columns
-/// that the leading equalities leave, on a tableau whose columns are turned by one reflection for
-/// each row that is held and by a few rotations for each row let go.
+/// Finds the active rows of a hierarchy level by level, by the cascade's primal active-set method:
+/// each level is minimised from the feasible point of the level before, within the satisfied rows
+/// of higher levels. Small and fast, because it works in the columns that the leading equalities
+/// leave, on a tableau whose columns are turned by one reflection for each held row and a few
+/// rotations for each released row.
 ///
 /// The columns of the tableau, from the left: fixed by the levels before | one for each held row,
 /// in which these rows are lower triangular | free.
@@ -22,15 +22,14 @@ class Descent {
  public:
   explicit Descent(const Hierarchy& capacity);
 
-  /// Sets the sides of all rows of `s` from level `first` on, which must be projected. Where the
-  /// levels leave x open, the shortest x is the last level. False where a level takes too many
-  /// steps or the budget is spent: then y, which is base_value[num_rows …), is feasible for the
-  /// levels before `level`, and optimal for them.
-  /// Each level is a lap of the timer.
+  /// Sets the sides of all rows of `s` from level `first` on, which must be projected. If the
+  /// levels leave x open, the shortest x is the last level. False if a level takes too many steps
+  /// or the budget is spent: then y, which is base_value[num_rows …), is feasible for the levels
+  /// before `level`, and optimal for them. Each level is a lap of the timer.
   [[nodiscard]] bool find_sides(Sweep& s, const SweepKernels& kernels, int first,
                                 BudgetWatch& budget, LevelTimer& timer);
 
-  /// The level at which it has ended.
+  /// The level at which it ended.
   [[nodiscard]] int level() const { return level_; }
 
   /// Columns that are free after a level.
@@ -38,7 +37,7 @@ class Descent {
     return freedom_left_[static_cast<std::size_t>(level)];
   }
 
-  /// The levels have left x open: y has been minimised, which x isn't if the basis is skew.
+  /// The levels left x open, and ‖y‖ was minimised; ‖x‖ is not minimal if the basis is skew.
   [[nodiscard]] bool has_minimised_norm() const { return has_minimised_norm_; }
 
  private:
@@ -57,7 +56,7 @@ class Descent {
   [[nodiscard]] bool is_dependent(int row) const;
   [[nodiscard]] bool is_negligible() const;
   void hold(int row, signed char side);
-  void let_go(std::size_t place);
+  void release(std::size_t place);
   void note_pivot(double relative);
   void weigh_pivots();
   void weigh_forces();
@@ -80,17 +79,17 @@ class Descent {
   const SweepKernels* kernels_ = nullptr;
   LevelRows rows_;
   std::vector<double> value_at_zero_, reflection_;
-  std::vector<signed char> fixed_side_;  // of rows that have been fixed
+  std::vector<signed char> fixed_side_;  // of fixed rows
   std::vector<int> freedom_left_;        // by level
   std::vector<int> held_, fixed_;        // held_[i] has the column first_column_ + i
-  double x_size_ = 0.0, size_ = 0.0;     // of x, of the present direction
+  double x_size_ = 0.0, size_ = 0.0;     // of x, of the current direction
   double force_scale_ = 0.0, force_noise_ = 0.0;
   struct Pivots {
     double keep = 0.0, smallest_pivot = 1.0;
   };
-  Pivots before_, factorized_;  // when the level began, with the rows that count
+  Pivots before_, factorized_;  // at the start of the level, with the counting rows
   int level_ = 0, level_begin_ = 0, level_end_ = 0, first_column_ = 0;
-  bool has_factorized_ = false;  // the rows that count now
+  bool has_factorized_ = false;  // the current counting rows
   bool has_minimised_norm_ = false;
 };
 

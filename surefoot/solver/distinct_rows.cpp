@@ -13,7 +13,7 @@ using Index = Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr CertificateOptions kTolerances;
-/// Directions that differ by less, of length 1, are the same but for rounding.
+/// Difference of equal directions of length 1, from rounding.
 constexpr double kSame = 1e-12;
 
 DistinctRows distinct(const RowSet& all, const std::function<bool(Index, Index)>& are_same) {

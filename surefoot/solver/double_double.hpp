@@ -8,13 +8,12 @@
 namespace surefoot {
 
 /// A number of about 32 digits, the sum of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2): for
-/// checks that must tell a small number from the rounding of doubles, with Eigen's decompositions.
-/// Numbers that overflow become NaN.
+/// checks beyond the rounding of doubles, with Eigen's decompositions. Overflow gives NaN.
 struct DoubleDouble {
   double high = 0.0, low = 0.0;  ///< |low| ≤ half a unit in the last place of high
 
   DoubleDouble() = default;
-  DoubleDouble(double number) : high(number) {}  // NOLINT: as numbers are
+  DoubleDouble(double number) : high(number) {}  // NOLINT: implicit, like numbers
   DoubleDouble(double h, double l) : high(h), low(l) {}
 
   explicit operator double() const { return high; }

@@ -19,26 +19,26 @@ using Wide = DoubleDouble;
 using WideMatrix = MatrixOf<Wide>;
 using WideVector = VectorOf<Wide>;
 
-/// What is left of a row, relative to its length, that may be the rounding of its elements.
+/// Independent part of a row that may be rounding of its elements, relative to its length.
 constexpr double kDependent = 1e-14;
-/// Beyond all other rounding: what no row sees has so much of a length.
+/// Relative length, beyond all other rounding, for directions that no row sees.
 constexpr double kUnseen = 1e-16;
-/// The same where a row sees something, of a length squared: one that is 1e-11 times as long as
-/// another of its level is still seen beside it.
+/// The same, squared, for directions that a row sees: a row 1e-11 times as long as another of its
+/// level still counts.
 constexpr double kSeen = 1e-22;
-/// A limit that is violated by less, relative to its `row_unit`, may be at its bound.
+/// A limit violated by less, relative to its `row_unit`, may be at its bound.
 constexpr double kAtBound = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// A power of two that a row can be divided by, so that nothing is rounded.
+/// A power of two near a row's length, to divide by without rounding.
 double size_of(const VectorXd& row) { return std::ldexp(1.0, std::ilogb(row.norm())); }
 
 VectorXd row_of(const Hierarchy& hierarchy, RowIndex at) {
   return hierarchy.level(at.level).A().row(at.row).transpose();
 }
 
-/// The rows of a set as they are given, but for powers of two; signed as in the set.
+/// The rows of a set as given, scaled by powers of two and signed as in the set.
 WideMatrix exact_rows(const Hierarchy& hierarchy, const RowSet& set) {
   WideMatrix rows(set.rows.rows(), set.rows.cols());
   for (Index i = 0; i < rows.rows(); ++i) {
@@ -49,7 +49,7 @@ WideMatrix exact_rows(const Hierarchy& hierarchy, const RowSet& set) {
   return rows;
 }
 
-/// What rows span and what they leave free.
+/// Row space and null space of some rows.
 struct Space {
   explicit Space(const WideMatrix& rows) : Q(WideMatrix::Identity(rows.cols(), rows.cols())) {
     if (rows.rows() == 0) return;
@@ -122,8 +122,8 @@ Counting counting(const Level& level, const VectorXd& x, double tight) {
   return result;
 }
 
-/// The same, with limits that may be violated by rounding alone at their bounds: they hold
-/// outwards, and where others pull inwards nothing keeps these from it.
+/// The same, with limits violated only by rounding at their bounds: they hold outwards, but nothing
+/// stops others from pulling them inwards.
 Counting at_bounds(Counting own, const Level& level, const VectorXd& x) {
   for (std::size_t k = 0; k < own.rows.size(); ++k) {
     const Index i = own.rows[k];
@@ -137,7 +137,7 @@ Counting at_bounds(Counting own, const Level& level, const VectorXd& x) {
   return own;
 }
 
-/// False where doubles tell for certain which rows are independent, and what is left to gain.
+/// False if doubles decide clearly which rows are independent, and what is left to gain.
 bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const RowSet& fixed,
                const RowSet& touching) {
   constexpr double kLargeRatio = 1e3;
@@ -151,13 +151,12 @@ bool is_needed(const Level& level, const Counting& own, const VectorXd& x, const
                              [](double size) { return size > kDependent && size < kClearRank; });
 }
 
-/// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): what a step d takes
+/// min ½ ‖M d‖² + ½ ‖max(0, S d)‖² + gᵀ d over d with T d ≤ 0, as √(−2 of it): the gain of a step d
 /// from a residual with the gradient g. By its dual, over μ, ν ≥ 0: r = g + Tᵀ μ + Sᵀ ν,
 ///
 ///     min √(rᵀ (Mᵀ M + Wᵀ W)⁻¹ r + ‖ν‖²)
 ///
-/// with W beyond all rounding, so that there is an inverse. ∞ where a square is beyond the range of
-/// doubles.
+/// with W beyond all rounding, so that the inverse exists. ∞ if a square overflows.
 double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const WideVector& g,
             const WideMatrix& W) {
   const Index n = M.cols();
@@ -177,16 +176,16 @@ double gain(const WideMatrix& M, const WideMatrix& S, const WideMatrix& T, const
   return std::isfinite(result) ? result : kInfinity;
 }
 
-/// A level's rows in what the levels above leave free, and what x makes of them.
+/// A level's rows in the null space of the levels above, at x.
 struct Question {
-  WideMatrix rows;      ///< those that count
+  WideMatrix rows;      ///< counting rows
   WideVector gradient;  ///< Σ violation · row
   WideMatrix touching;  ///< T
-  WideMatrix unseen;    ///< projects onto the directions that none of them sees
+  WideMatrix unseen;    ///< projects onto directions that none of them sees
 };
 
-/// What a step can gain; `units`: of each row, by which its length is measured; `w`: of directions
-/// that rows see, `w_unseen` of others.
+/// Gain of a step; `units` of each row, which measure its length; `w` for directions that rows see,
+/// `w_unseen` for others.
 double gain(const Question& question, const Counting& own, const VectorXd& units, double w,
             double w_unseen) {
   WideMatrix M = units.cast<Wide>().asDiagonal() * question.rows;
@@ -225,7 +224,7 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   const WideMatrix P = seen.spanned();
   Question question;
   question.rows = A.cast<Wide>() * Z * P * P.transpose();
-  for (Index i = 0; i < lengths.size(); ++i) {  // of a dependent row rounding of its numbers
+  for (Index i = 0; i < lengths.size(); ++i) {  // of a dependent row only rounding is left
     if (question.rows.row(i).norm() <= Wide(kDependent * lengths[i]))
       question.rows.row(i).setZero();
   }
@@ -251,7 +250,7 @@ Doubt what_doubles_hide(const Hierarchy& hierarchy, std::size_t k, const VectorX
   const double gained = gain(question, own, VectorXd::Ones(lengths.size()), kUnseen * scale, 0.0);
   const double squared = own.residual * own.residual - gained * gained;
   const double least = squared > 0.0 ? std::sqrt(squared) : 0.0;
-  // A row may be much longer than it is given, where the units suit a level above it.
+  // A row may be much longer than given, if the units suit a level above it.
   const MatrixXd as_given = A * units.cwiseInverse().asDiagonal();
   const double excess = lengths.maxCoeff() - as_given.rowwise().norm().maxCoeff();
   const double shorter = own.scale - std::max(excess, 0.0);

@@ -17,16 +17,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kPasses = 20;
-/// Units that differ by less need not be changed.
-constexpr double kNeeded = 12.0;
-/// Nor where that explains less of how elements differ.
-constexpr double kHelps = 0.25;
-/// Units beyond 2 to this are none: products of rows could overflow.
-constexpr double kMost = 100.0;
-/// An element that is smaller beside its row's largest may be rounding.
-constexpr int kNoElement = -50;
-/// What is left of a row and decides what is done with it: more is clearly independent, less is
-/// rounding; between them is `RankTolerance::solve`.
+/// Smallest useful change of units, as a power of two.
+constexpr double kMinChange = 12.0;
+/// Largest useful ratio of the spreads of elements after and before.
+constexpr double kMaxSpreadRatio = 0.25;
+/// Largest unit, as a power of two: products of rows must not overflow.
+constexpr double kMaxPower = 100.0;
+/// An element may be rounding below this power of two, relative to its row's largest.
+constexpr int kMinElementPower = -50;
+/// A larger independent part of a row is clear, a smaller one rounding; `RankTolerance::solve` lies
+/// between them.
 constexpr double kClear = 1e-5;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -38,7 +38,7 @@ bool is_finite(const Hierarchy& hierarchy) {
   return true;
 }
 
-/// The rows of the first levels, those without an element left out.
+/// The non-zero rows of some levels.
 MatrixXd rows_of(const Hierarchy& hierarchy, std::size_t begin, std::size_t end) {
   Index count = 0;
   for (std::size_t k = begin; k < end; ++k) count += hierarchy.level(k).num_rows();
@@ -53,15 +53,15 @@ MatrixXd rows_of(const Hierarchy& hierarchy, std::size_t begin, std::size_t end)
   return rows.topRows(count);
 }
 
-/// Groups of unknowns that are moved as one, each named by its first.
+/// Groups of unknowns that move together, each named by its first.
 std::vector<Index> each_alone(Index unknowns) {
   std::vector<Index> groups(at(unknowns));
   std::iota(groups.begin(), groups.end(), Index{0});
   return groups;
 }
 
-/// Unknowns that a row has both are in one group. An element that may be rounding counts, too: in
-/// another unit it would be none.
+/// Joins the groups of unknowns that appear in the same row. Elements that may be rounding count,
+/// too, as in other units they may not be.
 void join(std::vector<Index>& groups, const MatrixXd& rows) {
   for (Index i = 0; i < rows.rows(); ++i) {
     Index first = 0;
@@ -73,14 +73,14 @@ void join(std::vector<Index>& groups, const MatrixXd& rows) {
   }
 }
 
-/// Binary logarithms of elements, their mean in each row and group, and how many they are.
+/// Mean binary logarithm of the elements in each row and group, and their count.
 struct Elements {
   ArrayXXd mean, count;
 
   Elements(const MatrixXd& rows, const ArrayXd& powers, const std::vector<Index>& groups)
       : mean(ArrayXXd::Zero(rows.rows(), rows.cols())), count(mean) {
     for (Index i = 0; i < rows.rows(); ++i) {
-      const double least = std::ldexp(rows.row(i).cwiseAbs().maxCoeff(), kNoElement);
+      const double least = std::ldexp(rows.row(i).cwiseAbs().maxCoeff(), kMinElementPower);
       for (Index j = 0; j < rows.cols(); ++j) {
         const double size = std::abs(rows(i, j));
         if (size == 0.0 || size < least) continue;
@@ -104,7 +104,7 @@ struct Elements {
     const ArrayXXd moved = (mean.rowwise() + groups.transpose()).colwise() - rows;
     return std::sqrt((moved.square() * count).sum());
   }
-  /// The powers of two of the groups that make the spread least, if they are needed; otherwise 0.
+  /// Powers of two for the groups that minimise the spread, if useful; otherwise 0.
   [[nodiscard]] ArrayXd even() const {
     const ArrayXd zero = ArrayXd::Zero(mean.cols());
     const ArrayXd is_used = (count.colwise().sum().transpose() > 0.0).cast<double>();
@@ -112,19 +112,20 @@ struct Elements {
     for (int pass = 0; pass < kPasses; ++pass) groups = -mean_of_groups(mean_of_rows(groups));
     const double after = spread(groups), middle = (groups * is_used).sum() / is_used.sum();
     groups = ((groups - middle) * is_used).round().eval();
-    const bool are_needed = groups.maxCoeff() - groups.minCoeff() >= kNeeded &&
-                            groups.abs().maxCoeff() <= kMost && after <= kHelps * spread(zero);
+    const bool are_needed = groups.maxCoeff() - groups.minCoeff() >= kMinChange &&
+                            groups.abs().maxCoeff() <= kMaxPower &&
+                            after <= kMaxSpreadRatio * spread(zero);
     return are_needed ? groups : zero;
   }
 };
 
-/// What a rank decision makes of a row of which so much of its length is left.
+/// Class of a rank decision by the independent part of a row.
 int kind_of(double left) {
   const RankTolerance rank;
   return (left > kClear ? 1 : 0) + (left > rank.solve ? 1 : 0) + (left > rank.keep ? 1 : 0);
 }
 
-/// Of rows of length 1: what is left of each beside those before it, and of any two.
+/// For rows of length 1: classes of each against those before it, and of any two.
 std::vector<int> kinds_of_rows(const MatrixXd& rows) {
   std::vector<int> kinds;
   MatrixXd basis(rows.cols(), std::min(rows.rows(), rows.cols()));
@@ -150,22 +151,21 @@ MatrixXd in_powers(const MatrixXd& rows, const ArrayXd& powers) {
   MatrixXd result = rows;
   for (Index j = 0; j < rows.cols(); ++j)
     result.col(j) *= std::ldexp(1.0, static_cast<int>(powers[j]));
-  // By a power of two first: the square of a row may be no number.
+  // A power of two first: the square of a row may overflow.
   for (Index i = 0; i < rows.rows(); ++i) result.row(i) /= result.row(i).cwiseAbs().maxCoeff();
   result.rowwise().normalize();
   return result;
 }
 
-/// Whether no rank of these rows hangs on which of the two units there are.
+/// Are the ranks of these rows equal in both units?
 bool are_ranks_alike(const MatrixXd& rows, const ArrayXd& one, const ArrayXd& other) {
   return kinds_of_rows(in_powers(rows, one)) == kinds_of_rows(in_powers(rows, other));
 }
 
 }  // namespace
 
-// Level by level: those that are best for the rows of all levels so far, if no rank of the levels
-// before hangs on them; otherwise unknowns that these know together stay as they are beside each
-// other.
+// Level by level: the best units for the rows of all levels so far, if no rank of the levels before
+// depends on them; otherwise the relative units of unknowns that appear together there stay.
 VectorXd even_units(const Hierarchy& hierarchy) {
   const Index n = hierarchy.unknowns();
   ArrayXd powers = ArrayXd::Zero(n);
@@ -185,7 +185,7 @@ VectorXd even_units(const Hierarchy& hierarchy) {
         const ArrayXd moved = Elements(level, powers, joined).even();
         ArrayXd sum = powers;
         for (Index j = 0; j < n; ++j) sum[j] += moved[joined[at(j)]];
-        if (sum.abs().maxCoeff() <= kMost) powers = sum;
+        if (sum.abs().maxCoeff() <= kMaxPower) powers = sum;
       }
     }
     join(joined, level);

@@ -20,14 +20,13 @@ using Index = Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr CertificateOptions kTolerances;
-/// Relative to what rounding makes of a level's gradient: a smaller multiplier is none.
-constexpr double kSmall = 5e4;
-/// Of a residual: what costs less, costs nothing.
-constexpr double kCosts = 1e-9;
+/// Smallest multiplier, relative to the rounding of a level's gradient.
+constexpr double kMinMultiplier = 5e4;
+/// Smallest cost, relative to the residual.
+constexpr double kMinCost = 1e-9;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// A row with the bounds that x leaves it: of the rows' steps from x, not of x itself. A bound that
-/// is too far for the solvers is none.
+/// Copies a row with its bounds on the step from x. Drops bounds beyond the solvers' range.
 void copy(const Level& from, Index i, double lower, double upper, Level& to) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (lower < -tolerance::kLargest) lower = -kNone;
@@ -39,9 +38,9 @@ void copy(const Level& from, Index i, double lower, double upper, Level& to) {
   row.upper[0] = upper;
 }
 
-/// Copies a row as it stands at x: an equality stays as it is, a limit that is met stays met, and
-/// one that is missed may come nearer to its bound. While all rows of its level are there it can't:
-/// what contradicts it would be missed by more.
+/// Copies a row pinned at x: an equality keeps its value, a satisfied limit stays satisfied, and a
+/// violated one may approach its bound. It can't while all rows of its level are there, because the
+/// row that contradicts it would be violated more.
 void copy_pinned(const Level& from, Index i, const VectorXd& x, Level& to) {
   const double value = from.A().row(i).dot(x);
   const bool is_equality = from.lower()[i] == from.upper()[i];
@@ -50,10 +49,9 @@ void copy_pinned(const Level& from, Index i, const VectorXd& x, Level& to) {
   copy(from, i, lower, upper, to);
 }
 
-/// NaN unless the search comes to an end. Residual of `level` when the levels before it hold what
-/// they have at x, but for the rows that `is_without` names. Solved for the step from x, because no
-/// step at all keeps what they have: the search for a point that does, from 0, is most of the time
-/// otherwise.
+/// Residual of `level` when the levels before it keep their results at x, except for the rows of
+/// `is_without`; NaN if the search does not end. Solves for the step from x, because a zero step is
+/// feasible: otherwise the search for a feasible point takes most of the time.
 template <typename Predicate>
 double residual_without(const Hierarchy& hierarchy, std::size_t level, const VectorXd& x,
                         const Predicate& is_without) {
@@ -79,7 +77,7 @@ double residual_without(const Hierarchy& hierarchy, std::size_t level, const Vec
   return solution.status == SolveStatus::optimal ? solution.levels[1].residual : std::nan("");
 }
 
-/// Whether a row of E is missed for certain and would be less along its force on the level.
+/// Is a row of E clearly violated, and less so along its force on the level?
 bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hierarchy,
                 const VectorXd& x) {
   const RowIndex at = fixed.origin[static_cast<std::size_t>(i)];
@@ -90,8 +88,8 @@ bool would_gain(const RowSet& fixed, Index i, double force, const Hierarchy& hie
   return by * force < 0.0 && std::abs(by) > rounding;
 }
 
-/// What holds a level, with every row as `copy_pinned` has it: limits that are missed hold only
-/// outwards, so they are in T.
+/// The rows that hold a level, as in `copy_pinned`: violated limits hold only outwards, so they are
+/// in T.
 struct Pinned {
   explicit Pinned(Index unknowns) : fixed(unknowns), touching(unknowns) {}
 
@@ -117,9 +115,9 @@ Pinned pinned(const Hierarchy& hierarchy, const VectorXd& x, const RowSet& fixed
   return result;
 }
 
-/// What rounding of a level's gradient may make of each multiplier, element by element: of E, then
-/// of T, 0 where a row of T doesn't push. Long rows of the level have no part in directions that
-/// they don't know.
+/// Rounding of each multiplier from the rounding of a level's gradient, element by element: of E,
+/// then of T, 0 for a row of T that doesn't push. Long rows of the level have no effect in
+/// directions orthogonal to them.
 VectorXd noise(const Level& level, const VectorXd& x, const RowSet& fixed, const RowSet& touching,
                const VectorXd& mu) {
   VectorXd of_gradient = VectorXd::Zero(x.size());
@@ -151,11 +149,11 @@ bool is_of(const DistinctBlocker& blocker, RowIndex at) {
 
 struct Candidate {
   DistinctBlocker blocker;
-  bool is_certain = false;  ///< its multiplier is; of others only a cost is
+  bool is_certain = false;  ///< of its multiplier; otherwise only a cost counts
 };
 
-/// Rows above with a multiplier; those of length 1 become rows of their own length again. `all`:
-/// however small.
+/// Rows above with a multiplier, scaled back from length 1 to their own length. `all`: however
+/// small.
 std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
                                   const LevelConditions& level, const DistinctRows& fixed,
                                   const DistinctRows& touching, bool all) {
@@ -165,8 +163,8 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
   const auto add = [&](const DistinctRows& of, const VectorXd& strength, Index first,
                        bool is_fixed) {
     for (Index i = 0; i < strength.size(); ++i) {
-      const bool is_certain = std::abs(strength[i]) > kSmall * level.rounding;
-      const double enough = all ? 0.0 : kSmall * least[first + i];
+      const bool is_certain = std::abs(strength[i]) > kMinMultiplier * level.rounding;
+      const double enough = all ? 0.0 : kMinMultiplier * least[first + i];
       if (!is_certain && std::abs(strength[i]) <= enough) continue;
       const RowIndex at = of.rows.origin[static_cast<std::size_t>(i)];
       const double size = hierarchy.level(at.level).A().row(at.row).norm();
@@ -177,7 +175,7 @@ std::vector<Candidate> candidates(const Hierarchy& hierarchy, std::size_t k, con
                         is_certain});
     }
   };
-  // limits first: of equal cost they are what one can change
+  // Limits first: at equal cost they are what one can change.
   add(touching, found.touching, fixed.rows.rows.rows(), false);
   add(fixed, found.fixed, 0, true);
   return result;
@@ -193,19 +191,19 @@ RowSet without(const RowSet& rows, const Predicate& is_left_out) {
   return result;
 }
 
-/// Whether more than rounding is missing.
+/// Is there a violation beyond rounding?
 bool is_missed(const Level& level, const VectorXd& x) {
   for (Index i = 0; i < level.num_rows(); ++i) {
     const double value = level.A().row(i).dot(x);
     const double by = std::max(value - level.upper()[i], level.lower()[i] - value);
-    if (by > kCosts * level.A().row(i).norm() * x.norm()) return true;
+    if (by > kMinCost * level.A().row(i).norm() * x.norm()) return true;
   }
   return false;
 }
 
-/// The same, and those that only show where limits that are missed hold no more than outwards. Of a
-/// row without which the level gains every choice of multipliers has one then, so that whichever is
-/// found has all of these.
+/// The same, plus rows that appear only if violated limits hold merely outwards. If the level gains
+/// without a row, every choice of multipliers then has one for it, so the found one has all such
+/// rows.
 std::vector<Candidate> all_candidates(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
                                       const LevelConditions& level, const RowSet& fixed,
                                       const RowSet& touching, bool all) {
@@ -223,14 +221,14 @@ std::vector<Candidate> all_candidates(const Hierarchy& hierarchy, std::size_t k,
       return is_of(other.blocker, candidate.blocker.at);
     };
     if (std::any_of(list.begin(), list.begin() + static_cast<Index>(num_first), is_known)) continue;
-    candidate.is_certain = false;  // it is told for its cost alone
+    candidate.is_certain = false;  // listed only for its cost
     list.push_back(std::move(candidate));
   }
   return list;
 }
 
-/// Rows that hold the level where those of the list do not: without them it would gain no more than
-/// with them. Found by what has a multiplier once they are gone, again and again.
+/// Rows that hold the level in place of the listed ones, without which it would gain nothing. Found
+/// by repeatedly searching multipliers after their removal.
 std::vector<Candidate> others_that_hold(const Hierarchy& hierarchy, std::size_t k,
                                         const VectorXd& x, const LevelConditions& level,
                                         const RowSet& fixed, const RowSet& touching,
@@ -242,7 +240,7 @@ std::vector<Candidate> others_that_hold(const Hierarchy& hierarchy, std::size_t 
   };
   std::vector<Candidate> others;
   while (
-      !(level.residual - residual_without(hierarchy, k, x, is_named) > kCosts * level.residual)) {
+      !(level.residual - residual_without(hierarchy, k, x, is_named) > kMinCost * level.residual)) {
     const RowSet left_fixed = without(rows.fixed, is_named);
     const RowSet left_touching = without(rows.touching, is_named);
     const std::vector<Candidate> found =
@@ -255,13 +253,13 @@ std::vector<Candidate> others_that_hold(const Hierarchy& hierarchy, std::size_t 
   return others;
 }
 
-/// In the units that x is in.
+/// In the units of x.
 std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const VectorXd& x,
                                                const ExplainOptions& options) {
   std::vector<LevelExplanation> explanations;
   RowSet fixed(hierarchy.unknowns());
   RowSet touching(hierarchy.unknowns());
-  // The same as `certify` has them, with rows in E that push: what a level is free to move in.
+  // As in `certify`, with pushing rows in E: they leave the level its free directions.
   RowSet settled(hierarchy.unknowns());
   RowSet open(hierarchy.unknowns());
   for (std::size_t k = 0; k < std::min(hierarchy.num_levels(), options.levels); ++k) {
@@ -282,7 +280,7 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
         DistinctBlocker blocker = candidate;
         blocker.independence = own[held.place_of(blocker.at)];
         blocker.cost = cost([&](RowIndex at) { return is_of(blocker, at); });
-        if (!is_certain && !(blocker.cost > kCosts * level.residual)) continue;
+        if (!is_certain && !(blocker.cost > kMinCost * level.residual)) continue;
         double& of_level = result.cost_of_level[blocker.at.level];
         if (of_level == 0.0)
           of_level = cost([&](RowIndex at) { return at.level == blocker.at.level; });
@@ -293,11 +291,11 @@ std::vector<LevelExplanation> explain_as_given(const Hierarchy& hierarchy, const
       add(all_candidates(hierarchy, k, x, level, fixed, touching, all));
     };
     find(false);
-    // it is not said that nothing above holds it back before that is tried
+    // Try this before claiming that nothing above holds it back.
     const bool may_be_held = k > 0 && result.blocked_by.empty() && is_missed(hierarchy.level(k), x);
-    if (may_be_held && cost([](RowIndex) { return true; }) > kCosts * level.residual) find(true);
+    if (may_be_held && cost([](RowIndex) { return true; }) > kMinCost * level.residual) find(true);
     const auto costs = [&](const Blocker& row) {
-      return !(row.cost <= kCosts * level.residual);  // NaN too
+      return !(row.cost <= kMinCost * level.residual);  // NaN too
     };
     if (!result.blocked_by.empty() && std::ranges::none_of(result.blocked_by, costs))
       add(others_that_hold(hierarchy, k, x, level, fixed, touching, result.blocked_by));

@@ -10,7 +10,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Below this share of its length, what is left of a row is rounding.
+/// A smaller independent part of a row, relative to its length, is rounding.
 constexpr double kDependent = 1e-12;
 
 void check_length(const Level& level, const Eigen::Ref<const Eigen::VectorXd>& x_ref) {
@@ -20,8 +20,8 @@ void check_length(const Level& level, const Eigen::Ref<const Eigen::VectorXd>& x
               ", one for each unknown");
 }
 
-/// Makes the rows orthonormal, from the first to the last; rows that depend on those before become
-/// zero. Twice is enough for rounding.
+/// Orthonormalises the rows, from first to last; dependent rows become zero. Two passes remove
+/// rounding.
 void orthonormalise(Eigen::Map<Rows::RowMajor>& A) {
   for (Index i = 0; i < A.rows(); ++i) {
     const double length = A.row(i).norm();

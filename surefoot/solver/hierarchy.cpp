@@ -10,14 +10,14 @@
 namespace surefoot {
 namespace {
 
-/// The size of a level, or Error.
+/// Returns a valid size of a level, or throws Error.
 Eigen::Index checked(Eigen::Index size, const std::string& of, const std::string& level) {
   if (size >= 0) return size;
   throw Error("level \"" + level + "\" is made for " + std::to_string(size) + " " + of +
               "; expected 0 or more");
 }
 
-/// The number of unknowns, or Error.
+/// Returns a valid number of unknowns, or throws Error.
 Eigen::Index checked_unknowns(Eigen::Index unknowns) {
   if (unknowns >= 0) return unknowns;
   throw Error("a hierarchy is made for " + std::to_string(unknowns) +
@@ -73,7 +73,7 @@ Rows Level::add(Eigen::Index count, int first_id) {
   return added;
 }
 
-// Rows that a caller can fill as if there were room: to fill none would be beyond their end.
+// The caller can fill these rows as if there were room.
 Rows Level::overflow(Eigen::Index count) {
   has_overflowed_ = true;
   A_beyond_.setZero(count, A_.cols());

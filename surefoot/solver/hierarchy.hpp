@@ -8,9 +8,9 @@
 
 namespace surefoot {
 
-/// Rows that a task fills in place: lower ≤ A x ≤ upper, an equality where lower = upper (Eq. 8).
-/// A one-sided row has ±infinity on its open side. Rows longer than 1e150 (‖a‖) and finite bounds
-/// beyond ±1e150 are `invalid_input` to the solvers: their squares are no numbers.
+/// Rows that a task fills in place: lower ≤ A x ≤ upper, an equality if lower = upper (Eq. 8). A
+/// one-sided row has ±infinity on its open side. Rows longer than 1e150 (‖a‖) and finite bounds
+/// beyond ±1e150 are `invalid_input` to the solvers: their squares overflow.
 struct Rows {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Map<RowMajor> A;             ///< rows × unknowns
@@ -20,13 +20,13 @@ struct Rows {
   /// Makes row i the equality a x = b.
   void set_equal(Eigen::Index i, double b) { lower[i] = upper[i] = b; }
 
-  /// Makes the violation of row i, which must be filled, count `weight` times in its level,
+  /// Multiplies the violation of row i, which must be filled, by `weight` in its level,
   ///
   ///     lower ≤ a x ≤ upper   →   w lower ≤ w a x ≤ w upper,   w > 0
   ///
-  /// From here on the row is the weighted one wherever numbers of it are told: residuals, costs and
-  /// certificates. A weight changes what a level does only where it can't have all of its rows.
-  /// Throws Error for a weight that is not above 0 and finite, and for a row that there isn't.
+  /// From here on residuals, costs and certificates are of the weighted row. A weight changes the
+  /// result only if the level can't satisfy all of its rows. Throws Error for a weight that is not
+  /// above 0 and finite, and for a row beyond the last.
   void weigh(Eigen::Index i, double weight);
   /// The same for all rows.
   void weigh(double weight);
@@ -35,13 +35,13 @@ struct Rows {
 /// Throws Error unless a weight, which the message calls `what`, is above 0 and finite.
 void check_weight(double weight, std::string_view what);
 
-/// One priority: rows that are satisfied as well as possible, in the least-squares sense of their
-/// violation, without disturbing any level before.
+/// One priority: rows that are satisfied as well as possible, by least squares of their violation,
+/// without disturbing any level before.
 class Level {
  public:
   using RowMajor = Rows::RowMajor;
 
-  /// Capacity is fixed here; nothing allocates afterwards. Throws Error where a size is negative.
+  /// Capacity is fixed here; nothing allocates afterwards. Throws Error for negative sizes.
   Level(std::string name, Eigen::Index max_rows, Eigen::Index unknowns);
 
   void clear() {
@@ -49,24 +49,23 @@ class Level {
     has_overflowed_ = false;
   }
 
-  /// Appends `count` rows, zeroed in A, for the caller to fill. `first_id` identifies the row
+  /// Appends `count` rows, with A zeroed, for the caller to fill. `first_id` identifies the row
   /// across ticks (a friction row of leg 2 keeps its id when leg 1 lifts off); ids count up from
-  /// it. Where there is no room for them the rows belong to no level and the level has overflowed:
-  /// whoever solves it answers `invalid_input`. Only then memory is taken for them. Throws Error
-  /// for less than none.
+  /// it. Without room for them the rows belong to no level, memory is allocated for them, and the
+  /// level has overflowed: solvers answer `invalid_input`. Throws Error for a negative count.
   [[nodiscard]] Rows add(Eigen::Index count, int first_id);
 
   /// Appends the rows of another level over the same unknowns, with its ids plus `id_offset`.
-  /// Throws Error where it has others.
+  /// Throws Error for other unknowns.
   Rows add(const Level& other, int id_offset = 0);
 
-  /// The rows from `first` on, to be changed in place. Throws Error beyond the last.
+  /// The rows from `first` on, to change in place. Throws Error beyond the last.
   [[nodiscard]] Rows rows(Eigen::Index first = 0);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Eigen::Index unknowns() const { return A_.cols(); }
   [[nodiscard]] Eigen::Index num_rows() const { return num_rows_; }
-  /// Since the last `clear` more rows were added than there is room for.
+  /// More rows were added since the last `clear` than fit.
   [[nodiscard]] bool has_overflowed() const { return has_overflowed_; }
   [[nodiscard]] Eigen::Index max_rows() const { return A_.rows(); }
   [[nodiscard]] auto A() const { return A_.topRows(num_rows_); }
@@ -74,7 +73,7 @@ class Level {
   [[nodiscard]] auto upper() const { return upper_.head(num_rows_); }
   [[nodiscard]] int id(Eigen::Index row) const { return ids_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] const int* ids() const { return ids_.data(); }
-  /// Of the name: levels of the same name have the same.
+  /// Equal for levels of the same name.
   [[nodiscard]] std::size_t name_hash() const { return name_hash_; }
 
  private:
@@ -87,17 +86,17 @@ class Level {
   std::vector<int> ids_;
   Eigen::Index num_rows_ = 0;
   bool has_overflowed_ = false;
-  RowMajor A_beyond_;  // rows without room: to be filled, and forgotten
+  RowMajor A_beyond_;  // rows without room, to be filled and ignored
   Eigen::VectorXd lower_beyond_, upper_beyond_;
 };
 
 /// Levels in strict order of priority over the same unknowns x, highest first.
 class Hierarchy {
  public:
-  /// Throws Error for less than no unknowns.
+  /// Throws Error for a negative number of unknowns.
   explicit Hierarchy(Eigen::Index unknowns);
 
-  /// At set-up only: appends a level of fixed capacity, as Level does, and returns its index.
+  /// At set-up only: appends a level of fixed capacity and returns its index.
   std::size_t add_level(std::string name, Eigen::Index max_rows);
 
   [[nodiscard]] Eigen::Index unknowns() const { return unknowns_; }

@@ -9,10 +9,10 @@ namespace surefoot {
 /// A reflection I − β v vᵀ with v₀ = 1 that maps a vector a to (head, 0, …, 0)ᵀ.
 struct Reflection {
   double beta = 0.0;  ///< 0 is the identity
-  double head = 0.0;  ///< ±‖a‖, of the sign that avoids cancellation
+  double head = 0.0;  ///< ±‖a‖, with the sign that avoids cancellation
 };
 
-/// Turns `a` into the vector v of its reflection (v₀ = 1 is written too). Does not allocate.
+/// Turns `a` into the vector v of its reflection, with v₀ = 1. Does not allocate.
 template <typename Vector>
 [[nodiscard]] Reflection make_reflection(Vector&& a) {
   const double norm = a.norm();
@@ -35,7 +35,7 @@ void reflect(const Vector& v, double beta, Target&& a) {
   a -= along * v;
 }
 
-/// T ← T (I − β v vᵀ); `scratch` has as many elements as T has rows.
+/// T ← T (I − β v vᵀ); `scratch` needs as many elements as T has rows.
 template <typename Vector, typename Columns, typename Scratch>
 void reflect_columns(const Vector& v, double beta, Columns&& T, Scratch&& scratch) {
   scratch.noalias() = T * v;

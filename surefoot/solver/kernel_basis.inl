@@ -1,6 +1,6 @@
-// Between the space of x and that of y: x = basis · (y, 1).
+// Conversions between the spaces of x and y: x = basis · (y, 1).
 
-/// Element i: a[i] · b, of vectors that are padded.
+/// Element i: a[i] · b, for padded vectors.
 SUREFOOT_INLINE Pack products(const double* const* a, const double* b, int size) {
   Pack total[kPack] = {};
   for (int j = 0; j < size; j += kPack) {
@@ -99,7 +99,7 @@ void reduce(Sweep& s) {
     if (i < fixed) row[columns] = s.q[i];
     if (i >= fixed) row[i - fixed] = 1.0;
   }
-  int j = 0;  // a few packs of all rows stay in the cache
+  int j = 0;  // a few packs of all rows fit in the cache
   for (; j + 4 * kPack <= stride; j += 4 * kPack) reflect_basis_back<4>(s, s.basis + j, stride);
   for (; j + 2 * kPack <= stride; j += 2 * kPack) reflect_basis_back<2>(s, s.basis + j, stride);
   if (j < stride) reflect_basis_back<1>(s, s.basis + j, stride);

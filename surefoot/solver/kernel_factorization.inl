@@ -1,12 +1,12 @@
-// One level after the other: reflections give each row that takes part a column.
+// Factorizes level by level: reflections give each active row a column.
 
-/// What a difference of squares keeps at least, to be as good as a sum.
-constexpr double kWellLeft = 0.25;
+/// Smallest share that a difference of squares keeps, to be as accurate as a sum.
+constexpr double kMinDifference = 0.25;
 
-/// The row at `position` takes the next column; in all rows after it the basis turns. Returns the
-/// squared length that is left of the next row. The elimination of that row waits for it: so its
-/// products with this row come first, which need no root and no division. N packs; 0: any number.
-/// All rows so far are zero from `width` on, and only what comes before it is looked at.
+/// Gives the row at `position` the next column, and turns the basis in all rows after it. Returns
+/// the squared length left of the next row, whose elimination waits for it: its products with this
+/// row come first, without root and division. N packs; 0: any number. All rows so far are zero from
+/// `width` on, and only the part before it is processed.
 template <int N>
 static double eliminate_packs(Sweep& s, int position, int column, double square, int width) {
   const int skip = column / kPack * kPack;
@@ -50,7 +50,7 @@ static double eliminate_packs(Sweep& s, int position, int column, double square,
   const double all = sum(next_square)[0];
   const double left = all - next_head * next_head;
   reflect_packs<N>(s.rows + skip, s.stride, after + 1, count - 1, v, beta, packs);
-  if (left > kWellLeft * all) return left;
+  if (left > kMinDifference * all) return left;
   return square_from(next - skip, s.fixed, s.stride);
 }
 
@@ -78,16 +78,16 @@ static double eliminate(Sweep& s, int position, double square, bool usable, int 
   return left;
 }
 
-/// Rows that keep this share of their length are used as they come, in any order.
+/// Rows that keep this share of their length are used in any order.
 constexpr double kClearlyIndependent = 0.1;
 
-/// Gives columns to the rows of a level; those that get one come first, last among them the rows
-/// whose column is too weak to be used. Returns how many can use theirs.
+/// Gives columns to the rows of a level. Rows with a column move to the front, those with a column
+/// too weak to use last among them. Returns the number of usable columns.
 static int factorize_level(Sweep& s, int begin, int end) {
   int next = begin;
   int num_weak = 0;
   int untried = end;
-  double square = -1.0;  // of the next row; negative: not known
+  double square = -1.0;  // of the next row; negative: unknown
   while (next < untried && s.fixed < s.columns) {
     const int row = s.order[next];
     if (square < 0.0) square = square_from(s.rows + (long)row * s.stride, s.fixed, s.stride);
@@ -138,7 +138,7 @@ static void update_residuals(Sweep& s, int begin, int end) {
   }
 }
 
-/// L q = −residual by forward substitution, for the rows that have a column; all residuals follow.
+/// L q = −residual by forward substitution for rows with a column; updates all residuals.
 static void substitute(Sweep& s, int begin, int end, int first_column) {
   for (int i = begin, column = first_column; column < s.fixed; ++i, ++column) {
     const double q = -s.residual[s.order[i]] * s.inverse_pivot[column];
@@ -162,16 +162,16 @@ static bool is_met(const Sweep& s, int begin, int end) {
 
 #include "surefoot/solver/kernel_least_squares.inl"
 
-/// The weaker the columns used, the larger the rounding in what is left.
+/// Weaker pivots leave more rounding in the other rows.
 static void lower_rank_tolerance(Sweep& s) {
   s.keep_tolerance = larger(s.keep_tolerance, tolerance::rounding_after(s.smallest_pivot));
 }
 
-/// Elements of rows that are turned by each reflection as soon as it is there: the others wait
-/// until their level begins, so that what is turned stays in the nearest cache.
+/// Elements of rows that are turned as soon as a reflection exists. Other rows wait for their
+/// level, so that turned rows stay in the nearest cache.
 constexpr int kNearElements = 3072;
 
-/// The levels from `level` on that are solved next are turned by the reflections so far.
+/// Applies the reflections so far to the next levels from `level` on.
 static void turn_next_levels(Sweep& s, int level, int end_level) {
   const int begin = s.turned_end;
   if (s.order_begin[level + 1] <= begin) return;
@@ -214,7 +214,7 @@ static void run_level(Sweep& s, int level) {
   lower_rank_tolerance(s);
 }
 
-/// A row as it is, where the basis is the identity.
+/// Copies a row, for an identity basis.
 SUREFOOT_INLINE void copy_row(Sweep& s, int row) {
   const int whole = s.unknowns / kPack * kPack;
   const double* a = s.a[row];
@@ -226,12 +226,12 @@ SUREFOOT_INLINE void copy_row(Sweep& s, int row) {
     for (int j = 0; j < s.unknowns; ++j) to[j] = a[j];
     return;
   }
-  const int last = s.unknowns - kPack;  // the rest again ends where the row ends
+  const int last = s.unknowns - kPack;  // the last pack ends with the row and overlaps
   at(to + whole) = Pack{};
   loosely(to + last) = loose(a + last);
 }
 
-/// A factorization of whole rows begins.
+/// Begins a factorization of whole rows.
 static void begin_factorization(Sweep& s) {
   s.fixed = s.first_reflection = s.turned_end = 0;
   s.solved_last = -1;
@@ -272,8 +272,8 @@ void start_leading(Sweep& s, int end) {
   for (int column = 0; column < s.unknowns; ++column) s.reach[column] = s.unknowns;
 }
 
-/// order ← rows of the levels before `end`, those first whose last coefficient comes first; `list`
-/// ← where each row ends. The levels come backwards: physics has its short rows in the second.
+/// order ← rows of the levels before `end`, by the place of their last coefficient; `list` ← these
+/// places. Goes backwards over levels: physics has its short rows in the second.
 static void order_by_end(Sweep& s, int end) {
   int count = 0;
   for (int k = end - 1; k >= 0; --k) {
@@ -290,7 +290,7 @@ static void order_by_end(Sweep& s, int end) {
   }
 }
 
-/// Rows whose columns are all longer than this share of them are independent in any order.
+/// Rows whose columns all exceed this share of them are independent in any order.
 constexpr double kInAnyOrder = 1e-4;
 
 bool run_together(Sweep& s, int end) {
@@ -353,7 +353,7 @@ void factorize_last(Sweep& s) {
 static void balance_gradient(Sweep& s, int first, int last) {
   for (int j = first - 1; j >= last; --j) {
     const int row = s.pivot[j];
-    if (row < 0) continue;  // no row has this column: whatever pulls along it meets no resistance
+    if (row < 0) continue;  // no row resists along this column
     const double force = -s.gradient[j] * s.inverse_pivot[j];
     s.force[row] = force;
     if (force == 0.0) continue;

@@ -14,9 +14,9 @@ static void fill_tall(Sweep& s, int begin, int end, const int* columns, int num_
   }
 }
 
-/// Least squares of more rows than columns by column reflections. Stable for rows whose scales
-/// differ: the longest column and its largest element come first (Powell and Reid 1969). q of
-/// `columns` is set.
+/// Least squares with more rows than columns by column reflections. Stable for rows of different
+/// scales: takes the longest column and its largest element first (Powell and Reid 1969). Sets q of
+/// `columns`.
 static void solve_tall(Sweep& s, int num_rows, int* columns, int num_columns) {
   const int stride = s.tall_stride;
   double* rhs = s.tall + (long)num_columns * stride;
@@ -58,12 +58,12 @@ static void solve_tall(Sweep& s, int num_rows, int* columns, int num_columns) {
 }
 
 /// Columns of a last level are clearly independent if none is shorter than this share of the
-/// longest after projection, for rows of scales that differ by less than kSimilar.
+/// longest after projection, for rows whose scales differ by less than kSimilar.
 constexpr double kFullRank = 1e-4;
 constexpr double kSimilar = 1e3;
 
-/// A last level of equalities, with at least as many rows as free columns: takes all columns at
-/// once and needs no factorization from the right, so that no row has them. False where their rank
+/// Solves a last level of equalities with at least as many rows as free columns: takes all columns
+/// at once without a factorization from the right, so that no row owns them. False if their rank
 /// isn't clear.
 static bool solve_last(Sweep& s, int begin, int end) {
   const int free = s.columns - s.fixed;

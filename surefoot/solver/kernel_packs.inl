@@ -1,6 +1,6 @@
 // The kernels of a sweep, for packs of SUREFOOT_PACK doubles. Included once for each instruction
-// set, in a namespace of its own; everything is static, so that no code for one processor can be
-// linked into the code for another. For the same reason nothing of the standard library is used.
+// set, in its own namespace. Everything is static, and nothing of the standard library is used, so
+// that the linker can't mix code for different processors.
 
 constexpr int kPack = SUREFOOT_PACK;
 #define SUREFOOT_INLINE static inline __attribute__((always_inline))
@@ -18,7 +18,7 @@ SUREFOOT_INLINE double larger(double a, double b) { return a > b ? a : b; }
 SUREFOOT_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 SUREFOOT_INLINE int padded(int n) { return (n + kPack - 1) / kPack * kPack; }
 
-/// The sum of all elements, in all elements.
+/// The sum of all elements, as a pack.
 SUREFOOT_INLINE Pack sum(Pack p) {
 #if SUREFOOT_PACK == 8
   using Half = double __attribute__((vector_size(32)));
@@ -34,7 +34,7 @@ SUREFOOT_INLINE Pack sum(Pack p) {
 #endif
 }
 
-/// The place of each element.
+/// The index of each element.
 #if SUREFOOT_PACK == 8
 constexpr Bits kPlaces = {0, 1, 2, 3, 4, 5, 6, 7};
 #elif SUREFOOT_PACK == 4
@@ -92,7 +92,7 @@ SUREFOOT_INLINE double dot(const double* a, const double* b, int size) {
   return sum(s)[0];
 }
 
-/// Unaligned vectors of any length.
+/// Dot product of unaligned vectors of any length.
 SUREFOOT_INLINE double loose_dot(const double* a, const double* b, int size) {
   if (size < kPack) {
     double s = 0.0;
@@ -102,13 +102,13 @@ SUREFOOT_INLINE double loose_dot(const double* a, const double* b, int size) {
   Pack s = Pack{};
   int i = 0;
   for (; i + kPack <= size; i += kPack) s += loose(a + i) * loose(b + i);
-  // The rest again ends where the vectors end; what has been counted is left out.
+  // The last pack ends with the vectors; drop what was counted.
   const int last = size - kPack;
   const Pack rest = from(loose(a + last) * loose(b + last), i - last);
   return sum(s + rest)[0];
 }
 
-/// rows ← rows (I − β v vᵀ), for vectors of N packs; N = 0: of any number.
+/// rows ← rows (I − β v vᵀ), for vectors of N packs; 0: any number.
 template <int N>
 static void reflect_packs(double* rows, int stride, const int* list, int count, const double* v,
                           double beta, int packs) {
@@ -130,7 +130,7 @@ static void reflect_packs(double* rows, int stride, const int* list, int count, 
     }
   } else {
     int i = 0;
-    for (; i + 4 <= count; i += 4) {  // four rows share what is read of v
+    for (; i + 4 <= count; i += 4) {  // four rows share one reading of v
       double* row[4];
       Pack chain[4] = {};
 #pragma GCC unroll 4
@@ -150,7 +150,7 @@ static void reflect_packs(double* rows, int stride, const int* list, int count, 
     }
     for (; i < count; ++i) {
       double* row = rows + (long)list[i] * stride;
-      Pack chain[4] = {};  // four sums, so that none waits for itself
+      Pack chain[4] = {};  // four independent sums
       int k = 0;
       for (; k + 4 <= packs; k += 4) {
 #pragma GCC unroll 4

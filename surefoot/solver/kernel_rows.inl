@@ -1,4 +1,4 @@
-// What can be said of each row by itself; a pack holds several rows.
+// Judges rows one by one; a pack holds several rows.
 
 using Sides = signed char __attribute__((vector_size(kPack), aligned(1), may_alias));
 
@@ -9,7 +9,7 @@ SUREFOOT_INLINE void write_sides(signed char* p, Bits sides) {
   *reinterpret_cast<Sides*>(p) = __builtin_convertvector(sides, Sides);
 }
 
-/// All ones for the rows from `row` on that there are.
+/// All ones for existing rows, from `row` on.
 SUREFOOT_INLINE Bits are_rows(int row, int end) { return (Bits)(kPlaces < (long long)(end - row)); }
 
 SUREFOOT_INLINE bool any(Bits bits) {
@@ -25,7 +25,7 @@ bool read_sides(Sweep& s) {
   for (int i = 0; i < s.num_rows; i += kPack) {
     const Pack given_lower = at(s.lower + i), given_upper = at(s.upper + i);
     const Pack given_scale = at(s.scale + i);
-    // Equality may be asked of NaN; order raises a floating-point exception.
+    // Comparing NaN for equality is quiet; ordering raises a floating-point exception.
     const Bits is_number = (Bits)(given_lower == given_lower) & (Bits)(given_upper == given_upper) &
                            (Bits)(given_scale == given_scale);
     const Pack lower = is_number ? given_lower : Pack{};
@@ -48,7 +48,7 @@ bool read_sides(Sweep& s) {
   return !any(wrong);
 }
 
-/// What another solve left beside the last row may be infinite, or no number: zeros in its place.
+/// Loads a pack with zeros for missing rows, where an earlier solve may have left NaN or infinity.
 SUREFOOT_INLINE Pack of_rows(const double* p, Bits rows) { return rows ? at(p) : Pack{}; }
 
 bool has_violated(const Sweep& s, int first, double rounding) {
@@ -65,7 +65,7 @@ bool has_violated(const Sweep& s, int first, double rounding) {
   return any(found);
 }
 
-/// The larger one, as numbers: a bound of infinity has no violation.
+/// The larger one; NaN from infinite bounds counts as no violation.
 SUREFOOT_INLINE Pack larger_of(Pack a, Pack b) { return a > b ? a : b; }
 
 void judge_rows(Sweep& s, double tolerance) {

@@ -1,6 +1,6 @@
-// A search's tableau: columns of many rows, a pack holds several rows.
+// The descent's tableau: columns of many rows, where a pack holds several rows.
 
-/// Rows of a block of columns, from the pack that holds the first row to that with the last.
+/// First row of the pack that holds the tableau's first row.
 SUREFOOT_INLINE int first_pack(const Sweep& s) { return s.first_row / kPack * kPack; }
 
 void fill_tableau(Sweep& s) {
@@ -11,7 +11,7 @@ void fill_tableau(Sweep& s) {
   }
 }
 
-/// The rows of `N` packs from `row` on.
+/// Turns the rows of `N` packs from `row` on.
 template <int N>
 static void turn_rows(Sweep& s, int row, const double* v, double beta, int first) {
   double* columns = s.tableau + row;
@@ -73,7 +73,7 @@ bool move(Sweep& s, int first, double rounding, double doubtful) {
     }
     if (j < s.columns) even += s.y[j] * at(column);
     const Pack motion = even + odd, size = absolute(motion);
-    const Pack scale = at(s.scale + i);  // 0 of a row whose square is none
+    const Pack scale = at(s.scale + i);  // 0 if its square overflowed
     const Bits is_moving = (Bits)(size > rounding * scale) & (Bits)(scale > Pack{});
     at(s.motion + i) = is_moving ? motion : Pack{};
     doubts |= is_moving & (Bits)(size <= doubtful * scale);
@@ -100,7 +100,7 @@ double longest_step(Sweep& s, int end, int& row) {
   double best_rate = 0.0;
   for (int pack = first_pack(s); pack < end; pack += kPack) {
     if (!any((Bits)(at(s.value + pack) <= length))) continue;
-    for (int i = pack; i < pack + kPack; ++i) {  // of equal steps that of the fastest row
+    for (int i = pack; i < pack + kPack; ++i) {  // among equal steps the fastest row's
       if (s.value[i] > length) continue;
       const double relative_rate = absolute(s.motion[i]) / s.scale[i];
       if (relative_rate > best_rate) {

@@ -39,8 +39,8 @@ void LevelRows::enter(const RowValues& values) {
   changes_in_place_ = 0;
 }
 
-// At a bound, where two pieces meet, it is the one that the last search ended in: its next step
-// would lead there at once.
+// At a bound, where two pieces meet, the piece of the last search's end: its next step would lead
+// there at once.
 Side LevelRows::present_side(const RowValues& values, Index i) const {
   const Index row = values.level_begin + i;
   const Side side = side_of(values, row), last = moved_side_[at(i)];
@@ -81,7 +81,7 @@ double LevelRows::residual(const RowValues& values, Index i, Side side, double s
   return value - values.upper[row];
 }
 
-// Where row i changes its side, not before `step`.
+// Step at which row i changes its side, at least `step`.
 double LevelRows::break_point(const RowValues& values, Index i, double step) const {
   const Index row = values.level_begin + i;
   const double rate = rate_[i];
@@ -104,7 +104,7 @@ void LevelRows::cross(Index i) {
   }
 }
 
-// Minimum of the quadratic of the present piece along the line.
+// Minimum of the current piece's quadratic along the line.
 double LevelRows::newton_step(const RowValues& values, double step) const {
   double slope = 0.0;
   double curvature = 0.0;
@@ -119,7 +119,7 @@ double LevelRows::newton_step(const RowValues& values, double step) const {
 
 double LevelRows::minimum_along(const RowValues& values, double limit) {
   std::copy_n(side_.begin(), num_rows_, moved_side_.begin());
-  double target = 1.0;  // the direction is the full step of the first piece
+  double target = 1.0;  // the full step of the first piece
   if (!has_inequalities_) return std::min(target, limit);
   for (Index i = 0; i < num_rows_; ++i) rate_[i] = values.rate(values.level_begin + i);
   double step = 0.0;
@@ -150,15 +150,15 @@ void LevelRows::note_step(bool has_moved) {
   }
 }
 
-// The last search ended in another piece than it began in.
+// Did the last search end in another piece?
 bool LevelRows::has_crossed() const {
   return !std::equal(side_.begin(), side_.begin() + num_rows_, moved_side_.begin());
 }
 
-// φ is smooth: a direction of descent that does not descend has met the next piece, or rounding.
+// φ is smooth: a descent direction without descent has met the next piece, or rounding.
 bool LevelRows::is_stationary(const RowValues& values, double length) const {
   constexpr double kFullStep = 1e-12;
-  if (!has_moved_) return !has_crossed() || changes_in_place_ > kMostChangesInPlace;
+  if (!has_moved_) return !has_crossed() || changes_in_place_ > kMaxChangesInPlace;
   if (std::abs(length - 1.0) > kFullStep) return false;
   for (Index i = 0; i < num_rows_; ++i) {
     const Index row = values.level_begin + i;

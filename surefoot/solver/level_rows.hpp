@@ -10,8 +10,8 @@
 
 namespace surefoot {
 
-/// Values of rows at a point and how they move along a line, by row; those of the level being
-/// solved are [level_begin, num_rows).
+/// Values of rows at a point, and their motion along a line; the current level has the rows
+/// [level_begin, num_rows).
 struct RowValues {
   const double* value;
   const double* lower;
@@ -19,26 +19,26 @@ struct RowValues {
   const double* scale;   ///< length of the row
   const double* motion;  ///< change of the value with a step of length 1
   Eigen::Index level_begin, num_rows;
-  double x_size;  ///< largest ‖x‖ so far, or an upper bound of it: the way that x has come
+  double x_size;  ///< largest ‖x‖ so far, or an upper bound
 
-  /// Smallest change of row i's value that is not rounding.
+  /// Rounding of row i's value.
   [[nodiscard]] double noise(Eigen::Index i) const {
     return tolerance::kRounding * scale[i] * x_size;
   }
 
-  /// Motion of row i; 0 where a step of length 1 changes nothing but rounding, so that no search
-  /// follows it far away.
+  /// Motion of row i; 0 if a step of length 1 changes only rounding, so that no search follows it
+  /// far away.
   [[nodiscard]] double rate(Eigen::Index i) const {
     return std::abs(motion[i]) > noise(i) ? motion[i] : 0.0;
   }
 };
 
-/// The rows of the level being solved and their share in its objective
+/// The rows of the current level and their share in its objective
 ///
 ///     φ(z) = ½ Σ rᵢ²,   rᵢ = value − upper above it, value − lower below it, 0 between (Eq. 9
 ///                       with the slacks v, w eliminated: they are the violations themselves)
 ///
-/// φ is convex, differentiable and quadratic in pieces; a piece is a choice of sides.
+/// φ is convex, differentiable and piecewise quadratic; a piece is a choice of sides.
 class LevelRows {
  public:
   enum class Side : std::int8_t { below = -1, inside = 0, above = 1, equality = 2 };
@@ -48,25 +48,25 @@ class LevelRows {
   /// Before the first update of a level.
   void enter(const RowValues& values);
 
-  /// Reads sides and residuals off the values of them.
+  /// Updates sides and residuals from the values.
   void update(const RowValues& values);
 
-  /// Rows that count in the present piece, and their residuals.
+  /// Counting rows of the current piece, and their residuals.
   [[nodiscard]] Eigen::Index num_counting() const { return num_counting_; }
   [[nodiscard]] Eigen::Index counting(Eigen::Index i) const {
     return counting_[static_cast<std::size_t>(i)];
   }
   [[nodiscard]] auto counting_residuals() const { return counting_residual_.head(num_counting_); }
 
-  /// What the step to the minimum of the present piece moves a row by in rounding alone: residuals
-  /// that contradict each other cancel in it, and what is left of them is that of the largest.
+  /// Rounding of a row's motion in the step to the current piece's minimum: contradicting residuals
+  /// cancel, which leaves rounding of the largest.
   [[nodiscard]] double rounding_of_step() const {
     return tolerance::kRounding * counting_residuals().norm();
   }
 
   [[nodiscard]] bool has_inequalities() const { return has_inequalities_; }
 
-  /// Residuals of all rows of the level; zero where a row does not count.
+  /// Residuals of all rows of the level; zero for rows that do not count.
   [[nodiscard]] auto residuals() const { return residual_.head(num_rows_); }
 
   [[nodiscard]] Side side(Eigen::Index i) const { return side_[static_cast<std::size_t>(i)]; }
@@ -74,15 +74,15 @@ class LevelRows {
   /// Length of the step along the motion to the exact minimum of φ, at most `limit`.
   [[nodiscard]] double minimum_along(const RowValues& values, double limit);
 
-  /// After `minimum_along`, whether x has moved by it: counts changes of the piece at one point.
+  /// After `minimum_along`: did x move? Counts changes of the piece at one point.
   void note_step(bool has_moved);
 
-  /// After `note_step` and the move: nothing is left to gain with the constraints now held.
+  /// After `note_step` and the move: is nothing left to gain with the held constraints?
   [[nodiscard]] bool is_stationary(const RowValues& values, double length) const;
 
  private:
-  /// Changes of the piece at one point, one after the other; more of them are rounding.
-  static constexpr int kMostChangesInPlace = 20;
+  /// Consecutive changes of the piece at one point; more are rounding.
+  static constexpr int kMaxChangesInPlace = 20;
 
   [[nodiscard]] bool has_crossed() const;
   [[nodiscard]] Side present_side(const RowValues& values, Eigen::Index i) const;
@@ -98,7 +98,7 @@ class LevelRows {
   std::vector<Side> side_;        // at the last update
   std::vector<Side> moved_side_;  // at the end of the last search
   std::vector<Eigen::Index> counting_;
-  Eigen::VectorXd rate_;  // of the present search
+  Eigen::VectorXd rate_;  // of the current search
   Eigen::VectorXd residual_, counting_residual_;
 };
 

@@ -50,7 +50,7 @@ bool LevelSolver::minimize(Tableau& tableau, int max_iterations) {
     rows_.update(tableau.row_values());
     if (drop_constraint(tableau)) continue;
     if (!turning_.is_running()) return true;
-    turning_.stop();  // a fresh factorization has the last word
+    turning_.stop();  // a fresh factorization confirms the end
     may_turn_ = false;
   }
   return false;
@@ -76,7 +76,7 @@ LevelSolver::Move LevelSolver::descend(Tableau& tableau) {
   return rows_.is_stationary(tableau.row_values(), length) ? Move::stationary : Move::piece_changed;
 }
 
-// The minimum of the present piece over the free columns.
+// Goes to the minimum of the current piece over the free columns.
 void LevelSolver::choose_direction(Tableau& tableau) {
   const Index first = tableau.first_free + working_set_.size();
   auto direction = direction_.head(tableau.unknowns - first);
@@ -88,7 +88,7 @@ void LevelSolver::choose_direction(Tableau& tableau) {
     factorization_.least_squares_step(rows_.counting_residuals(), direction);
   }
   const double size = direction.norm();
-  if (!std::isfinite(size)) tableau.x_size = kInfinity;  // then nothing more can be told
+  if (!std::isfinite(size)) tableau.x_size = kInfinity;  // invalidates the result
   tableau.set_direction(first, direction, present_tolerance(tableau).keep);
 }
 
@@ -100,10 +100,10 @@ void LevelSolver::hold(Tableau& tableau, const Block& block) {
   num_factorized_ = -1;
 }
 
-// From the first constraint on, a large level of equalities is updated.
+// From its first constraint on, a large level of equalities is updated.
 void LevelSolver::start_turning(const Tableau& tableau) {
   may_turn_ = false;
-  if (rows_.has_inequalities() || tableau.num_free() < kWorthTurning) return;
+  if (rows_.has_inequalities() || tableau.num_free() < kMinTurningColumns) return;
   rows_.update(tableau.row_values());
   const Index count = tableau.num_rows - tableau.level_begin;
   (void)turning_.start(
@@ -111,8 +111,7 @@ void LevelSolver::start_turning(const Tableau& tableau) {
       rows_.residuals());
 }
 
-// Factorizes the first `num_rows` selected rows in the columns from `first`, unless they are
-// factorized already.
+// Factorizes the first `num_rows` selected rows in the columns from `first`, unless already done.
 void LevelSolver::factorize(const Tableau& tableau, Index first, Index num_rows) {
   if (num_factorized_ == num_rows &&
       std::equal(selected_.begin(), selected_.begin() + num_rows, factorized_.begin())) {
@@ -159,7 +158,7 @@ LevelSolver::Block LevelSolver::first_block(const Tableau& tableau) const {
   return block;
 }
 
-// Lets the constraint go that pulls most strongly the wrong way; false if none does.
+// Releases the constraint that pulls most in the wrong direction; false if none does.
 bool LevelSolver::drop_constraint(Tableau& tableau) {
   update_forces(tableau);
   const double wrong =
@@ -203,7 +202,7 @@ void LevelSolver::retire(Tableau& tableau) {
   const Index free = tableau.num_free();
   if (num_determined > 0 && free > 0) {
     factorize(tableau, tableau.first_free, num_determined);
-    if (factorization_.num_fixed() < free) {  // else nothing is left to be seen in a new basis
+    if (factorization_.num_fixed() < free) {  // otherwise no columns remain to be turned
       factorization_.apply_on_the_right(tableau.rows(tableau.first_free, free),
                                         tableau.scratch.head(tableau.num_rows));
     }
@@ -231,7 +230,7 @@ void LevelSolver::release_idle_constraints(Tableau& tableau) {
   }
 }
 
-// Rows of the level whose residual is the same at all of its optima.
+// Rows of the level with the same residual at all of its optima.
 Index LevelSolver::collect_determined_rows(const Tableau& tableau) {
   Index count = 0;
   for (Index i = 0; i < tableau.num_rows - tableau.level_begin; ++i) {
@@ -244,7 +243,7 @@ Index LevelSolver::collect_determined_rows(const Tableau& tableau) {
   return count;
 }
 
-// Rows to keep as constraints: those not fixed, and that can still move.
+// Keeps as constraints the rows that are not fixed and can still move.
 void LevelSolver::mark_remaining(Tableau& tableau) {
   const Index free = tableau.num_free();
   for (Index row = tableau.unknowns; row < tableau.num_rows; ++row) {
@@ -256,13 +255,13 @@ void LevelSolver::mark_remaining(Tableau& tableau) {
   }
 }
 
-// The weaker the directions already used, the larger the rounding in what is left.
+// Weaker pivots leave more rounding in the remaining rows.
 void LevelSolver::note_pivot(double relative) {
   smallest_pivot_ = std::min(smallest_pivot_, relative);
   tolerance_.keep = std::max(tolerance_.keep, tolerance::rounding_after(smallest_pivot_));
 }
 
-// With what is held now.
+// Includes the constraints held now.
 RankTolerance LevelSolver::present_tolerance(const Tableau& tableau) const {
   const double pivot = std::min(smallest_pivot_, working_set_.smallest_pivot(tableau));
   return {tolerance_.solve, std::max(tolerance_.keep, tolerance::rounding_after(pivot))};

@@ -16,12 +16,12 @@ namespace surefoot {
 ///
 ///     min_z ½ ‖violation of the level at x + Z z‖²   subject to the constraints in the tableau
 ///
-/// by a primal active-set method from z = 0, which is feasible by construction. Each step is the
-/// minimum of the present quadratic piece over the directions that no held constraint forbids,
-/// from orthogonal factorizations (H of Eq. 11 is never formed), followed by an exact line search.
-/// Every iterate is feasible for all constraints. Where a level leaves directions open, z changes
-/// as little as possible. A large level of equalities that meets constraints is updated rather than
-/// factorized anew (TurningLeastSquares); a fresh factorization has the last word.
+/// by a primal active-set method from z = 0, which is feasible by construction. Each step goes to
+/// the minimum of the current quadratic piece in the directions left by held constraints, from
+/// orthogonal factorizations (H of Eq. 11 is never formed), with an exact line search. Every
+/// iterate satisfies all constraints. If a level leaves directions open, z changes as little as
+/// possible. A large level of equalities that meets constraints is updated (TurningLeastSquares); a
+/// fresh factorization confirms the end.
 class LevelSolver {
  public:
   LevelSolver(Eigen::Index unknowns, Eigen::Index max_rows);
@@ -29,28 +29,27 @@ class LevelSolver {
   /// Starts a hierarchy.
   void reset(const RankTolerance& tolerance);
 
-  /// Moves the tableau to the optimum of its level; false at the cap of iterations.
+  /// Moves the tableau to the optimum of its level; false at the iteration cap.
   [[nodiscard]] bool minimize(Tableau& tableau, int max_iterations);
 
   /// After `minimize`: fixes all that the level determines (the null space shrinks, Eq. 12) and
-  /// turns the rest of its rows into constraints.
+  /// turns its other rows into constraints.
   ///
   /// Fixed are (i) equality rows and violated rows of the level, whose residual is unique at the
-  /// optimum, and (ii) held constraints that push back with a strictly positive multiplier: all
-  /// optima of the level lie on them. Satisfied rows and those with zero multiplier remain
-  /// inequalities.
+  /// optimum, and (ii) held constraints with a strictly positive multiplier: all optima of the
+  /// level lie on them. Satisfied rows and those with zero multiplier stay inequalities.
   void retire(Tableau& tableau);
 
   [[nodiscard]] int iterations() const { return iterations_; }
 
-  /// What was found since `reset` hangs on less than doubles can tell, see Solution::borderline.
+  /// The result since `reset` depends on rounding, see Solution::borderline.
   [[nodiscard]] bool is_borderline() const {
     return is_borderline_ || smallest_pivot_ < tolerance::kWeakPivot;
   }
 
  private:
   struct Block {
-    double length = 0.0;  ///< step at which the constraint is met
+    double length = 0.0;  ///< step to the constraint
     Eigen::Index row = -1;
     int side = 0;
   };
@@ -72,8 +71,8 @@ class LevelSolver {
   [[nodiscard]] RankTolerance present_tolerance(const Tableau& tableau) const;
   [[nodiscard]] bool is_cycling() const { return zero_steps_ > kPatience; }
 
-  static constexpr Eigen::Index kWorthTurning = 10;  ///< free columns from which updates pay
-  static constexpr int kPatience = 8;                ///< steps of zero length before Bland's rule
+  static constexpr Eigen::Index kMinTurningColumns = 10;  ///< free columns for updates to pay off
+  static constexpr int kPatience = 8;  ///< steps of zero length before Bland's rule
 
   RankTolerance tolerance_;
   double smallest_pivot_ = 1.0;
@@ -84,7 +83,7 @@ class LevelSolver {
   LevelRows rows_;
   std::vector<Eigen::Index> selected_;    // rows to factorize
   std::vector<Eigen::Index> factorized_;  // rows in the factorization
-  Eigen::Index num_factorized_ = -1;      // −1: not valid for the present basis
+  Eigen::Index num_factorized_ = -1;      // −1: invalid for the current basis
   Eigen::VectorXd direction_, gradient_;
   double force_scale_ = 0.0, force_noise_ = 0.0;
   int iterations_ = 0, zero_steps_ = 0;

@@ -5,8 +5,7 @@
 
 namespace surefoot {
 
-/// How long each level takes, over all sweeps and steps of a solve. Without a clock nothing is
-/// read, and all times are 0.
+/// Time of each level, over all sweeps and steps of a solve. Without a clock all times are 0.
 class LevelTimer {
  public:
   using Clock = double (*)();  ///< seconds of any steady clock
@@ -14,22 +13,21 @@ class LevelTimer {
   LevelTimer(std::size_t num_levels, Clock clock) : clock_(clock), seconds_(num_levels, 0.0) {}
 
   [[nodiscard]] bool has_clock() const { return clock_ != nullptr; }
-  /// All times are 0.
+  /// Sets all times to 0.
   void reset() noexcept;
-  /// What follows belongs to a level …
+  /// Starts a level.
   void start() noexcept {
     if (clock_ != nullptr) last_ = clock_();
   }
-  /// … which ends here; what follows belongs to the next one. Of levels that it has no room for
-  /// nothing is kept.
+  /// Ends this level and starts the next. Ignores levels beyond the capacity.
   void lap(int level) noexcept {
     if (clock_ != nullptr) take(level);
   }
-  /// What others have measured.
+  /// Adds time measured elsewhere.
   void add(std::size_t level, double seconds) noexcept { seconds_[level] += seconds; }
   [[nodiscard]] double seconds(std::size_t level) const { return seconds_[level]; }
 
-  /// `lap` for kernels, into whose code nothing is inlined. There must be a clock.
+  /// `lap` for kernels, which must not inline other code. Needs a clock.
   void take(int level) noexcept;
 
  private:

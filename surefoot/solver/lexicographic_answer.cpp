@@ -1,4 +1,4 @@
-// How the solver's answer becomes a Solution.
+// Converts the solver's answer to a Solution.
 #include "surefoot/solver/answer_comparison.hpp"
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/row_states.hpp"
@@ -14,7 +14,7 @@ using Index = Eigen::Index;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-// The kernels write these numbers.
+// The kernels write these values.
 static_assert(static_cast<int>(RowState::inactive) == 0);
 static_assert(static_cast<int>(RowState::at_upper) == 1);
 static_assert(static_cast<int>(RowState::at_lower) == -1);
@@ -37,13 +37,13 @@ void LexicographicSolver::take(Outcome outcome, const Hierarchy& hierarchy) {
   switch (outcome) {
     case Outcome::optimal:
       take_from_sweep(hierarchy);
-      solution_.borderline = hangs_on(tolerance::kWeakPivot, tolerance::kWeakForce);
+      solution_.borderline = depends_on(tolerance::kWeakPivot, tolerance::kWeakForce);
       if (solution_.borderline && !budget_.is_limited()) ask_cascade(hierarchy);
       return;
     case Outcome::out_of_budget:
       take_kept_point();
       solution_.borderline =
-          solution_.status == SolveStatus::optimal && hangs_on(tolerance::kWeakPivot, 0.0);
+          solution_.status == SolveStatus::optimal && depends_on(tolerance::kWeakPivot, 0.0);
       return describe(hierarchy);
     case Outcome::stuck:
       (void)solve_by_cascade(hierarchy);
@@ -51,18 +51,17 @@ void LexicographicSolver::take(Outcome outcome, const Hierarchy& hierarchy) {
   }
 }
 
-// Was less than `pivot` left of a row that the last sweep has used, or did less than `force` need
-// one, or was a row too weak to be used?
-bool LexicographicSolver::hangs_on(double pivot, double force) const {
+// Did the last sweep use a pivot below `pivot`, need a force below `force`, or skip a weak row?
+bool LexicographicSolver::depends_on(double pivot, double force) const {
   const Sweep& s = memory_.sweep;
   return s.smallest_pivot < pivot || s.unused_pivot < 1.0 || search_.weakest_force() < force;
 }
 
 bool LexicographicSolver::is_too_close_to_call() const {
-  return hangs_on(tolerance::kBorderlinePivot, tolerance::kBorderlineForce);
+  return depends_on(tolerance::kBorderlinePivot, tolerance::kBorderlineForce);
 }
 
-// A second answer, of which the better counts.
+// Gets a second answer, and takes the better one.
 void LexicographicSolver::ask_cascade(const Hierarchy& hierarchy) {
   if (!is_finite(solution_, hierarchy.num_levels())) return;
   const bool is_too_close = is_too_close_to_call();
@@ -80,7 +79,7 @@ void LexicographicSolver::take_from_sweep(const Hierarchy& hierarchy) {
   is_swept_ = true;
 }
 
-// The end of a budget. The levels before that of the point are finished, if not all are.
+// The budget is spent. The levels before the kept point's level are finished, if not all are.
 void LexicographicSolver::take_kept_point() {
   Sweep& s = memory_.sweep;
   std::copy_n(kept_.x.data(), s.unknowns, s.x);
@@ -100,7 +99,7 @@ const Solution& LexicographicSolver::solve_by_cascade(const Hierarchy& hierarchy
   return solution;
 }
 
-// What the cascade has found; of the sweeps the shortest x, if they come to the same.
+// Takes the cascade's answer, or the sweeps' shorter x if it is equally good.
 void LexicographicSolver::take_from_cascade(const Hierarchy& hierarchy) {
   const Solution& found = cascade_.solution();
   const bool is_polished = found.status == SolveStatus::optimal && polish();

@@ -1,4 +1,4 @@
-// What the leading equalities leave free, x = basis · (y, 1), and the rows as they see y.
+// Null space of the leading equalities, x = basis · (y, 1), and the rows in terms of y.
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/quiet_overflow.hpp"
 
@@ -12,16 +12,16 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Squared lengths of columns that can be divided by.
-constexpr double kSmallest = 1e-280;
-constexpr double kLargest = 1e280;
+/// Squared column lengths that are safe to divide by.
+constexpr double kMinSquare = 1e-280;
+constexpr double kMaxSquare = 1e280;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-// Levels of equalities before the first inequality leave no choice: they are swept once, and what
-// they leave free are the unknowns of all that follows.
+// Levels of equalities before the first inequality leave no choice: they are swept once, and their
+// null space has the unknowns of all that follows.
 void LexicographicSolver::sweep_leading_equalities() {
   Sweep& s = memory_.sweep;
   const int pack = kernels_.pack;
@@ -67,7 +67,7 @@ bool LexicographicSolver::can_use(const Substitution& substitution) const {
          std::isfinite(substitution.offset.squaredNorm());
 }
 
-// inverse_pivot ← 1 / length of each column; false if one is no direction.
+// inverse_pivot ← 1 / length of each column; false for a degenerate column.
 bool LexicographicSolver::measure_columns(const Substitution& substitution) {
   Sweep& s = memory_.sweep;
   const Index columns = substitution.basis.cols();
@@ -79,19 +79,19 @@ bool LexicographicSolver::measure_columns(const Substitution& substitution) {
   }
   bool are_directions = true;
   for (Index j = 0; j < columns; ++j) {
-    are_directions = are_directions && square[j] >= kSmallest && square[j] <= kLargest;
+    are_directions = are_directions && square[j] >= kMinSquare && square[j] <= kMaxSquare;
     square[j] = are_directions ? 1.0 / std::sqrt(square[j]) : 0.0;
   }
   return are_directions;
 }
 
 bool LexicographicSolver::is_usable(const Substitution& substitution) {
-  const QuietOverflow its_numbers_may_be_too_large;
+  const QuietOverflow quiet;
   return can_use(substitution) && measure_columns(substitution);
 }
 
-// The same where the basis is given. Its columns get the length 1: what is left of a row is
-// compared with its length in the space of x.
+// Uses a given basis. Its columns are scaled to length 1, because the rest of a row is compared
+// with its length in the space of x.
 void LexicographicSolver::substitute(const Substitution& substitution) {
   Sweep& s = memory_.sweep;
   const auto pack = static_cast<Index>(kernels_.pack);
@@ -141,7 +141,7 @@ void LexicographicSolver::forget_projections() {
   for (int row = s.level_begin[first_level_]; row < s.num_rows; ++row) s.base_value[row] = value;
 }
 
-// Those that take part, or all, that aren't projected yet.
+// Projects the active rows, or all, that aren't projected yet.
 void LexicographicSolver::project_rows(bool are_all) {
   Sweep& s = memory_.sweep;
   int count = 0;

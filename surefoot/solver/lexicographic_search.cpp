@@ -1,4 +1,4 @@
-// How the active rows are found, by sweeps and the descent.
+// Finds the active rows, by sweeps and the descent.
 #include "surefoot/solver/lexicographic_solver.hpp"
 #include "surefoot/solver/tolerances.hpp"
 
@@ -8,8 +8,8 @@
 namespace surefoot {
 namespace {
 
-/// Times that a guess is improved before the search starts without one.
-constexpr int kTries = 2;
+/// Attempts to improve a guess before the search starts without one.
+constexpr int kMaxTries = 2;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -40,7 +40,7 @@ LexicographicSolver::Outcome LexicographicSolver::find_active_rows(bool may_desc
       const bool has_ended = has_released || budget_.is_spent();
       if (has_ended || !search_.release_idle(memory_.sweep)) return Outcome::optimal;
       has_released = true;
-    } else if (may_descend && (num_sweeps_ > kTries || !search_.is_nearly_optimal())) {
+    } else if (may_descend && (num_sweeps_ > kMaxTries || !search_.is_nearly_optimal())) {
       may_descend = false;
       const Outcome outcome = descend();
       if (outcome != Outcome::optimal) return outcome;
@@ -70,8 +70,8 @@ void LexicographicSolver::sweep() {
   ++num_sweeps_;
 }
 
-// Without a guess a sweep tries no limit at all. Where the leading equalities alone leave x beyond
-// more than one, this is hardly ever right.
+// Without a guess a sweep starts without limits. If the leading equalities alone put x beyond more
+// than one, this hardly ever succeeds.
 bool LexicographicSolver::begins_far_off() {
   Sweep& s = memory_.sweep;
   double square = 0.0;
@@ -83,7 +83,7 @@ bool LexicographicSolver::begins_far_off() {
   int num_beyond = 0;
   for (int k = first_level_; k < s.num_levels && num_beyond < 2; ++k) {
     const int begin = s.level_begin[k], end = s.level_begin[k + 1];
-    if (begin == end || s.side[begin] == 2) continue;  // limits have levels of their own
+    if (begin == end || s.side[begin] == 2) continue;  // limits have their own levels
     kernels_.evaluate(s, begin, end);
     budget_.spend(2.0 * s.unknowns * (end - begin));
     for (int row = begin; row < end; ++row) {
@@ -94,7 +94,7 @@ bool LexicographicSolver::begins_far_off() {
   return num_beyond > 1;
 }
 
-// The active rows without a guess.
+// Finds the active rows without a guess.
 LexicographicSolver::Outcome LexicographicSolver::descend() {
   Sweep& s = memory_.sweep;
   project_rows(true);
@@ -110,10 +110,9 @@ LexicographicSolver::Outcome LexicographicSolver::descend() {
   return descend();
 }
 
-// Where the search is: at the end of the descent's last step, or where the leading equalities leave
-// x. A later point replaces an earlier one only if it has finished as many levels. It is the
-// optimum where all levels are finished and y is the shortest, in a basis where x is, too, or has
-// no choice.
+// Keeps the current point: the end of the descent's last step, or x of the leading equalities. A
+// later point replaces an earlier one only if it has finished as many levels. It is optimal if all
+// levels are finished and y is the shortest, in a basis where x is, too, or has no choice.
 void LexicographicSolver::keep_point(bool has_finished) {
   Sweep& s = memory_.sweep;
   const int level = num_descents_ > 0 ? descent_.level() : first_level_;
@@ -131,7 +130,7 @@ void LexicographicSolver::keep_point(bool has_finished) {
   }
 }
 
-// The shortest x, where the cascade had to say that there is an optimum.
+// Finds the shortest x after the cascade has shown that an optimum exists.
 bool LexicographicSolver::polish() {
   constexpr int kSweeps = 3;
   if (options_.max_sweeps <= 0) return false;

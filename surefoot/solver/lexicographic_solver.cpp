@@ -90,7 +90,7 @@ const std::vector<LevelBlockers>& LexicographicSolver::blockers() noexcept {
   return blockers_.levels();
 }
 
-// Reads all rows; false if a number makes no sense.
+// Reads all rows; false for invalid numbers.
 bool LexicographicSolver::load(const Hierarchy& hierarchy) {
   Sweep& s = memory_.sweep;
   s.unknowns = static_cast<int>(hierarchy.unknowns());
@@ -110,7 +110,7 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
   }
   s.level_begin[s.num_levels] = s.num_rows;
   {
-    const QuietOverflow a_row_may_be_too_long;
+    const QuietOverflow quiet;
     kernels_.measure(s);
   }
   const bool is_sound = kernels_.read_sides(s);
@@ -122,7 +122,7 @@ bool LexicographicSolver::load(const Hierarchy& hierarchy) {
   return is_sound && has_room;
 }
 
-// Which rows are active is the guess of the next solve.
+// Keeps the active rows as the next solve's guess.
 void LexicographicSolver::remember(const Hierarchy& hierarchy) {
   const Sweep& s = memory_.sweep;
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {

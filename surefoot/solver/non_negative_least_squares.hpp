@@ -7,14 +7,14 @@
 
 namespace surefoot {
 
-/// Rows or columns of numbers of any kind.
+/// Matrix and vector of any scalar type.
 template <typename Scalar>
 using MatrixOf = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <typename Scalar>
 using VectorOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-/// Moves mu towards the minimum over its passive elements, which are > 0 there; else stops where
-/// the first becomes zero, takes it out and returns false.
+/// Moves mu towards the minimum over its passive elements, as long as all stay > 0. Otherwise stops
+/// where the first becomes zero, removes it and returns false.
 template <typename Scalar>
 bool move_to_minimum(const MatrixOf<Scalar>& A, const VectorOf<Scalar>& b,
                      std::vector<Eigen::Index>& passive, VectorOf<Scalar>& mu) {
@@ -44,8 +44,8 @@ bool move_to_minimum(const MatrixOf<Scalar>& A, const VectorOf<Scalar>& b,
   return false;
 }
 
-/// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23); with columns and b of length 1,
-/// so that neither their units nor each other's decide.
+/// μ ≥ 0 that minimises ‖A μ − b‖ (Lawson and Hanson 1974, ch. 23); scales columns and b to length
+/// 1, so that units have no effect.
 template <typename Scalar>
 [[nodiscard]] VectorOf<Scalar> non_negative_least_squares(const MatrixOf<Scalar>& A,
                                                           const VectorOf<Scalar>& b) {
@@ -61,7 +61,7 @@ template <typename Scalar>
     columns.col(j) *= per_length[j];
   }
   const VectorOf<Scalar> target = b / size;
-  std::vector<Eigen::Index> passive;  // where mu may be positive
+  std::vector<Eigen::Index> passive;  // indices with μ > 0
   for (Eigen::Index iteration = 0; iteration < 3 * A.cols() + 10; ++iteration) {
     VectorOf<Scalar> ascent = columns.transpose() * (target - columns * mu);
     for (const Eigen::Index j : passive) ascent[j] = -1.0;

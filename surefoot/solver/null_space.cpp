@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-// T N(A Z) for the rows A Z given with their lengths before the projection.
+// Z N(A Z) for given rows A Z and their lengths before the projection.
 Eigen::MatrixXd shrink(const Eigen::MatrixXd& AZ, const Eigen::VectorXd& lengths,
                        const Eigen::MatrixXd& Z, double relative_tolerance) {
   if (AZ.rows() == 0 || Z.cols() == 0) return Z;

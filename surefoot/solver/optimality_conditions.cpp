@@ -21,17 +21,16 @@ using Eigen::VectorXd;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Of sums over a row's elements, relative to ‖a‖ ‖x‖.
 constexpr double kRounding = 100.0 * kEpsilon;
-/// What rounding may make of g counts as so much at most.
-constexpr double kOfRounding = 1e-8;
+/// Largest stationarity from rounding of g.
+constexpr double kRoundingStationarity = 1e-8;
 
-/// Signed violation of a row: positive above, negative below; NaN of a value that is none.
+/// Signed violation of a row: positive above, negative below; NaN for NaN.
 double violation(double value, double lower, double upper) {
   if (value > upper) return value - upper;
   return value >= lower ? 0.0 : value - lower;
 }
 
-/// Rows uᵢ aᵢ, given with the lengths of aᵢ, the longest first: in this order a QR keeps what short
-/// rows say.
+/// Rows uᵢ aᵢ, given with the lengths of aᵢ, the longest first, so that a QR preserves short rows.
 MatrixXd in_units(const Level& level, std::vector<std::pair<double, Index>> counting,
                   const VectorXd& x) {
   std::ranges::sort(counting, std::greater<>());
@@ -43,8 +42,8 @@ MatrixXd in_units(const Level& level, std::vector<std::pair<double, Index>> coun
   return rows;
 }
 
-/// What rows of length 1 span and what they leave free, by Eigen's own decomposition: nothing here
-/// shares code with a solver.
+/// Row space and null space of rows of length 1, by Eigen's decomposition: shares no code with a
+/// solver.
 class RowSpace {
  public:
   RowSpace(const MatrixXd& rows, double rank) : Q_(MatrixXd::Identity(rows.cols(), rows.cols())) {
@@ -55,11 +54,10 @@ class RowSpace {
     Q_.applyOnTheLeft(qr_.householderQ());
   }
 
-  /// Z: an orthonormal basis of what they leave free.
+  /// Z: an orthonormal basis of the null space.
   [[nodiscard]] MatrixXd free() const { return Q_.rightCols(Q_.cols() - used_); }
 
-  /// Multipliers of those that are independent, which make what of c they span; the others need
-  /// none.
+  /// Multipliers of independent rows for c's part in the row space; the others are 0.
   [[nodiscard]] VectorXd multipliers_of(const VectorXd& c) const {
     if (used_ == 0) return VectorXd::Zero(0);
     const auto R = qr_.matrixR().topLeftCorner(used_, used_);
@@ -72,7 +70,7 @@ class RowSpace {
   Index used_ = 0;
 };
 
-/// What is left of numbers b after the step that makes ‖A y + b‖ least.
+/// b after the step that minimises ‖A y + b‖.
 VectorXd left_over(const MatrixXd& A, const VectorXd& b) {
   if (A.rows() == 0 || A.cols() == 0) return b;
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
@@ -83,14 +81,14 @@ VectorXd left_over(const MatrixXd& A, const VectorXd& b) {
   return qr.householderQ() * rest;
 }
 
-/// Rows of a level and by how much they are beyond their bounds.
+/// Rows of a level and their violations.
 struct Violations {
   std::vector<Index> rows;
   MatrixXd A;
   VectorXd by;
 };
 
-/// Of equalities and the rows that `counts` names.
+/// Violations of the rows selected by `counts`.
 Violations violations(const Level& level, const VectorXd& x, const std::vector<bool>& counts) {
   Violations result;
   for (Index i = 0; i < level.num_rows(); ++i) {
@@ -107,8 +105,8 @@ Violations violations(const Level& level, const VectorXd& x, const std::vector<b
   return result;
 }
 
-/// What violations, or rounding of size w, make of g in the space of Z: Rᵀ R = I + Zᵀ U² Z / w²
-/// with the rows `U` = uᵢ aᵢ, up to an order of the columns.
+/// Measures g in the space of Z by violations, or rounding of size w: Rᵀ R = I + Zᵀ U² Z / w² with
+/// the rows `U` = uᵢ aᵢ, up to an order of the columns.
 class Measure {
  public:
   Measure(const MatrixXd& U, const MatrixXd& Z, double w) : qr_(stacked(U, Z, w)) {}
@@ -146,8 +144,8 @@ void RowSet::add(const RowSet& other) {
 }
 
 double row_unit(const Eigen::Ref<const Eigen::RowVectorXd>& row, const VectorXd& x) {
-  constexpr double kOfX = 1e-3;
-  return row.cwiseAbs().dot(x.cwiseAbs()) + row.norm() * (1.0 + kOfX * x.norm());
+  constexpr double kShareOfX = 1e-3;
+  return row.cwiseAbs().dot(x.cwiseAbs()) + row.norm() * (1.0 + kShareOfX * x.norm());
 }
 
 LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k, const VectorXd& x,
@@ -160,7 +158,7 @@ LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t k,
   const Level& level = hierarchy.level(k);
   const double x_size = 1.0 + x.norm();
   double sum_of_squares = 0.0;
-  std::vector<std::pair<double, Index>> counting;  // those that an error of x may put into g
+  std::vector<std::pair<double, Index>> counting;  // those through which an error of x enters g
   for (Index i = 0; i < level.num_rows(); ++i) {
     const VectorXd row = level.A().row(i).transpose();
     const double value = row.dot(x);
@@ -226,11 +224,11 @@ Multipliers multipliers(const LevelConditions& level, const RowSet& fixed, const
   if (Z.cols() > 0 && level.pull > 0.0 && std::isfinite(level.rounding)) {
     MatrixXd generators = (touching.rows * Z).transpose();
     for (auto generator : generators.colwise()) {
-      if (generator.norm() <= rank) generator.setZero();  // E has it, but for rounding
+      if (generator.norm() <= rank) generator.setZero();  // dependent on E, up to rounding
     }
     double forces = 0.0;
-    for (int pass = 0; pass < 2; ++pass) {  // the first finds how large the multipliers are
-      const double w = kRounding * (level.pull + forces) / kOfRounding;
+    for (int pass = 0; pass < 2; ++pass) {  // the first pass finds the size of the multipliers
+      const double w = kRounding * (level.pull + forces) / kRoundingStationarity;
       const Measure measure(level.in_units, Z, w);
       const VectorXd target = -Z.transpose() * level.gradient / w;
       const VectorXd mu = non_negative_least_squares(measure.of(generators), measure.of(target));

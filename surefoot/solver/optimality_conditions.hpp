@@ -16,7 +16,7 @@ struct RowIndex {
   friend bool operator==(const RowIndex&, const RowIndex&) = default;
 };
 
-/// Rows of length 1 and where they come from.
+/// Rows of length 1 with their origin.
 struct RowSet {
   explicit RowSet(Eigen::Index unknowns) : rows(0, unknowns) {}
   void add(const Eigen::VectorXd& row, RowIndex from);
@@ -26,61 +26,59 @@ struct RowSet {
   std::vector<RowIndex> origin;
 };
 
-/// How large a row is at x, u = Σ |aⱼ xⱼ| + ‖a‖ (1 + 1e-3 ‖x‖): what is judged of its value is
-/// judged relative to it. The last part is what solvers leave of rounding where x is large: 1e-11
-/// ‖a‖ ‖x‖ of what counts as 1e-8.
+/// Size of a row at x, u = Σ |aⱼ xⱼ| + ‖a‖ (1 + 1e-3 ‖x‖), the unit of its value. The last part is
+/// the solvers' rounding for large x: 1e-11 ‖a‖ ‖x‖ against a tolerance of 1e-8.
 [[nodiscard]] double row_unit(const Eigen::Ref<const Eigen::RowVectorXd>& row,
                               const Eigen::VectorXd& x);
 
-/// What decides whether x is optimal for a level, see `certify`: the gradient g of the level, and
-/// its own rows as they bind the levels after it. Allocates.
+/// Optimality conditions of x for a level, see `certify`: the level's gradient g, and its own rows
+/// as they bind the levels after it. Allocates.
 struct LevelConditions {
   Eigen::VectorXd gradient;  ///< g = Σ vᵢ aᵢ
   double residual = 0.0;     ///< √Σ violation²
-  /// Rows uᵢ aᵢ, uᵢ = `row_unit`, of those that are equalities, violated or at a bound.
+  /// Rows uᵢ aᵢ, uᵢ = `row_unit`, that are equalities, violated or at a bound.
   Eigen::MatrixXd in_units;
-  double pull = 0.0;      ///< Σ ‖aᵢ‖ |vᵢ| of the same rows, and ‖aᵢ‖² (1 + ‖x‖) of the shortest
-  double rounding = 0.0;  ///< that may be in g: 100 ε Σ ‖aᵢ‖ (|vᵢ| + ‖aᵢ‖ (1 + ‖x‖))
+  double pull = 0.0;      ///< Σ ‖aᵢ‖ |vᵢ| of these rows, plus ‖aᵢ‖² (1 + ‖x‖) of the shortest
+  double rounding = 0.0;  ///< of g: 100 ε Σ ‖aᵢ‖ (|vᵢ| + ‖aᵢ‖ (1 + ‖x‖))
   RowSet fixed;           ///< E: equality rows and violated rows
   RowSet touching;        ///< T: satisfied rows at a bound, signed so that T z ≤ 0 keeps them
 };
 
-/// `tight`: a row this close to a bound, relative to its `row_unit`, touches it.
+/// `tight`: distance of a row that touches a bound, relative to its `row_unit`.
 [[nodiscard]] LevelConditions optimality_conditions(const Hierarchy& hierarchy, std::size_t level,
                                                     const Eigen::VectorXd& x, double tight);
 
-/// Of each column the length of what no other column has; 0 where others make it. So large an error
-/// in what they make, divided by it, is one of the column's coefficient.
+/// Length of each column's part that is orthogonal to all others; 0 if others span it. An error in
+/// their sum, divided by it, is the error of the column's coefficient.
 [[nodiscard]] Eigen::VectorXd independence(const Eigen::MatrixXd& columns);
 
-/// Which multipliers are positive.
+/// Indices of the positive multipliers.
 [[nodiscard]] std::vector<Eigen::Index> pushing(const Eigen::VectorXd& mu);
 
-/// Multipliers that come closest to −g = Eᵀ λ + Tᵀ μ, μ ≥ 0, as `LevelCertificate` measures it.
+/// Multipliers with the least distance from −g = Eᵀ λ + Tᵀ μ, μ ≥ 0, as in `LevelCertificate`.
 struct Multipliers {
   Eigen::VectorXd fixed;      ///< λ, one for each row of E
   Eigen::VectorXd touching;   ///< μ, one for each row of T
   double distance = 0.0;      ///< ‖g + Eᵀ λ + Tᵀ μ‖
-  double stationarity = 0.0;  ///< the same as `LevelCertificate` measures it
-  /// What rounding may make of each μ: what it makes of Zᵀ g, and ten times what is left over,
-  /// divided by what of the row neither E nor another row that pushes has. Rounding of g is that of
-  /// the level's rows and values, and 100 ε times μ and the multipliers that rows of E need beside
-  /// it, because Z is only as good as these rows are independent.
+  double stationarity = 0.0;  ///< the same as in `LevelCertificate`
+  /// Rounding of each μ: that of Zᵀ g, plus ten times the remaining distance, divided by the row's
+  /// part that is independent of E and other pushing rows. Rounding of g comes from the level's
+  /// rows and values, plus 100 ε times the multipliers in E and T, because Z is only as good as
+  /// these rows are independent.
   Eigen::VectorXd rounding;
 };
 
-/// `rank`: relative length below which a row of E, or of T beside E, depends on others.
+/// `rank`: relative length below which a row of E, or of T after projection on E, is dependent.
 [[nodiscard]] Multipliers multipliers(const LevelConditions& level, const RowSet& fixed,
                                       const RowSet& touching, double rank);
 
-/// Moves rows from T to E whose μ is positive by more than rounding: all optima of the level lie on
-/// them.
+/// Moves rows with μ positive beyond rounding from T to E: all optima of the level lie on them.
 void fix_pushing(const Multipliers& multipliers, RowSet& fixed, RowSet& touching);
 
-/// Moves rows of the level from its T to its E that are beyond their bound, by less than `tight`
-/// but for certain: of that violation the least-squares step of all rows of the level that are
-/// beyond a bound, in the directions that `fixed` leaves free, takes less than half. So it is no
-/// error of x but what balances others of the level, and all optima of the level have it.
+/// Moves rows of the level from its T to its E that are violated by less than `tight`, but for
+/// certain: the least-squares step of all the level's violated rows, in the directions left by
+/// `fixed`, removes less than half of the violation. So it is no error of x but balances other rows
+/// of the level, and all optima of the level have it.
 void fix_violated(const Level& rows, const Eigen::VectorXd& x, const RowSet& fixed, double rank,
                   LevelConditions& level);
 

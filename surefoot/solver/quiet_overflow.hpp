@@ -8,9 +8,8 @@
 
 namespace surefoot {
 
-/// While it lives, a result beyond the range of doubles is an infinity, and what can't be computed
-/// of it NaN, without an exception: no trap that the caller has set, and no flag afterwards. For
-/// what finds out whether numbers that are given from outside have squares.
+/// While alive, overflow gives infinity and invalid operations NaN, without an exception: no trap
+/// of the caller, and no flag afterwards. For checks whether squares of given numbers overflow.
 class QuietOverflow {
  public:
 #if defined(__SSE2__)
@@ -27,7 +26,7 @@ class QuietOverflow {
 #if defined(__SSE2__)
   static constexpr unsigned kMasked = 0x1f80;  // all six
 
-  // Numbers that are read and written between two of them stay between them.
+  // The barriers keep reads and writes in between.
   static void write(unsigned mode) {
     asm volatile("" ::: "memory");
     _mm_setcsr(mode);

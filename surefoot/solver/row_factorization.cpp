@@ -12,7 +12,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Below this share of its last exact value a downdated length has lost half of its digits.
+/// A downdated length below this share of its last exact value has lost half of its digits.
 constexpr double kDowndateLoss = 1.5e-8;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -128,8 +128,8 @@ void RowFactorization::solve_triangle(const Eigen::Ref<const Eigen::VectorXd>& r
   }
 }
 
-// min ‖L q + P r‖ with more rows than directions. Householder QR with column pivoting, the
-// longest row on top in each step: stable for rows whose scales differ (Powell and Reid 1969).
+// min ‖L q + P r‖ with more rows than directions. Householder QR with column pivoting and the
+// longest row on top in each step: stable for rows of different scales (Powell and Reid 1969).
 void RowFactorization::solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& r) {
   auto G = G_.topLeftCorner(num_rows_, rank_);
   auto c = c_.head(num_rows_);
@@ -159,7 +159,7 @@ void RowFactorization::solve_trapezoid(const Eigen::Ref<const Eigen::VectorXd>& 
   for (Index s = 0; s < rank_; ++s) q_[column_order_[at(s)]] = c[s];
 }
 
-// The longest column comes to place s, and of its rows the longest element.
+// Moves the longest column to place s, and its longest element to the top.
 void RowFactorization::pivot_trapezoid(Index s) {
   auto G = G_.topLeftCorner(num_rows_, rank_);
   const Index left = num_rows_ - s;

@@ -12,14 +12,14 @@ namespace surefoot {
 ///
 ///     P K = [L 0] Qᵀ,   L lower trapezoidal (m × rank),   Q = H₁ H₂ … of Householder reflections,
 ///
-/// rows chosen by the largest relative remaining length. The columns of Q past `num_fixed()` span
-/// the null space N(K) of Eq. 12. Memory is fixed at construction.
+/// with rows chosen by the largest relative remaining length. The columns of Q past `num_fixed()`
+/// span the null space N(K) of Eq. 12. Memory is fixed at construction.
 class RowFactorization {
  public:
   RowFactorization(Eigen::Index max_rows, Eigen::Index max_columns);
 
-  /// Place for the rows to factorize, one a column (d × m), to be filled before `compute`, and
-  /// for their lengths in the space of x.
+  /// Storage for the rows, one a column (d × m), and for their lengths in the space of x, to be
+  /// filled before `compute`.
   [[nodiscard]] auto rows_to_fill(Eigen::Index num_rows, Eigen::Index num_columns) {
     num_rows_ = num_rows;
     num_columns_ = num_columns;
@@ -29,9 +29,9 @@ class RowFactorization {
 
   void compute(const RankTolerance& tolerance);
 
-  /// Directions that are no longer free: those that the rows can use, and those too weak for it.
+  /// Directions that are no longer free: usable ones, and those too weak to use.
   [[nodiscard]] Eigen::Index num_fixed() const { return num_fixed_; }
-  /// A direction is fixed that was too weak to be used.
+  /// Is a direction fixed that was too weak to use?
   [[nodiscard]] bool has_unused() const { return num_fixed_ > rank_; }
   /// Smallest relative length among the used pivots; 1 if there are none.
   [[nodiscard]] double smallest_pivot() const { return smallest_pivot_; }
@@ -58,9 +58,9 @@ class RowFactorization {
   Eigen::VectorXd scale_;  // m, moves with the rows
   Eigen::VectorXd beta_;
   Eigen::VectorXd length_, reference_length_;
-  std::vector<Eigen::Index> order_;  // position → row as it was filled
+  std::vector<Eigen::Index> order_;  // position → row as filled
   Eigen::VectorXd v_, q_;
-  // Trapezoid: second factorization, by rows and columns of any scale.
+  // Second factorization of the trapezoid, for rows and columns of any scale.
   Eigen::MatrixXd G_;
   Eigen::VectorXd c_;
   std::vector<Eigen::Index> column_order_;

@@ -43,7 +43,7 @@ void RowMemory::recall(std::size_t k, const Level& level, signed char* side) {
   }
   std::fill(side, side + rows, static_cast<signed char>(0));
   if (last == nullptr) return;
-  std::size_t next = 0;  // ids mostly come in the same order
+  std::size_t next = 0;  // ids mostly keep their order
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t tried = 0; tried < last->num_rows; ++tried) {
       const std::size_t candidate = next;
@@ -57,7 +57,7 @@ void RowMemory::recall(std::size_t k, const Level& level, signed char* side) {
 
 void RowMemory::remember(std::size_t k, const Level& level, const signed char* side) {
   LevelMemory& memory = levels_[k];
-  if (memory.name == level.name_hash() && level.num_rows() == 0) return;  // it may come back
+  if (memory.name == level.name_hash() && level.num_rows() == 0) return;  // it may return
   const bool is_same =
       memory.is_same || (memory.name == level.name_hash() && has_rows_of(memory, level));
   if (!is_same) {

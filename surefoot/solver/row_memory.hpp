@@ -7,18 +7,18 @@
 
 namespace surefoot {
 
-/// Remembers for every row on which side it was active, by the name of its level and its id.
+/// Remembers the active side of every row, by the name of its level and its id.
 class RowMemory {
  public:
   explicit RowMemory(const Hierarchy& capacity);
 
   void forget();
 
-  /// The remembered sides of the rows of a level, 0 where there is none; `side` has as many
-  /// elements as the level has rows. `k` is where the level stands now.
+  /// The remembered sides of a level's rows, 0 if unknown; `side` has an element for each row. `k`
+  /// is the level's current place.
   void recall(std::size_t k, const Level& level, signed char* side);
 
-  /// Takes the place of what was remembered about level `k`, which must have been recalled.
+  /// Replaces the memory of level `k`, which must have been recalled.
   void remember(std::size_t k, const Level& level, const signed char* side);
   void forget_from(std::size_t k);
 

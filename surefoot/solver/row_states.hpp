@@ -9,27 +9,27 @@
 
 namespace surefoot {
 
-/// What both solvers say of rows, in one place.
+/// States of rows, shared by both solvers.
 
-/// What is beyond the bounds: positive above, negative below, 0 between.
+/// Distance beyond the bounds: positive above, negative below, 0 between.
 inline double signed_violation(double value, double lower, double upper) {
   if (value > upper) return value - upper;
   return value < lower ? value - lower : 0.0;
 }
 
-/// lower ≤ upper, no larger than `tolerance::kLargest` where finite, and neither is an infinity
-/// that nothing can meet. False for NaN.
+/// Is lower ≤ upper, each at most `tolerance::kLargest` if finite, and no infinity impossible?
+/// False for NaN.
 inline bool are_sound(double lower, double upper) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kLargest = tolerance::kLargest;
-  if (std::isunordered(lower, upper)) return false;  // asking for order would raise an exception
+  if (std::isunordered(lower, upper)) return false;  // ordering would raise an exception
   const bool is_lower = lower >= -kLargest || lower == -kInfinity;
   const bool is_upper = upper <= kLargest || upper == kInfinity;
   return is_lower && is_upper && lower <= upper && lower <= kLargest && upper >= -kLargest;
 }
 
-/// Coefficients whose length is at most `tolerance::kLargest`. No square is taken of larger ones:
-/// that would raise an exception.
+/// Is a row's length at most `tolerance::kLargest`? Squares no larger elements, which would raise
+/// an exception.
 inline bool is_sound_row(const Eigen::Ref<const Eigen::RowVectorXd>& a) {
   for (const double element : a) {
     if (!std::islessequal(std::abs(element), tolerance::kLargest)) return false;
@@ -37,7 +37,7 @@ inline bool is_sound_row(const Eigen::Ref<const Eigen::RowVectorXd>& a) {
   return a.norm() <= tolerance::kLargest;
 }
 
-/// All rows have had room, and their bounds and coefficients are sound.
+/// Had all rows room, with valid bounds and coefficients?
 inline bool is_sound(const Level& level) {
   if (level.has_overflowed()) return false;
   for (Eigen::Index i = 0; i < level.num_rows(); ++i) {
@@ -47,7 +47,7 @@ inline bool is_sound(const Level& level) {
   return true;
 }
 
-/// Index of the first level that isn't sound; −1 if all are.
+/// Index of the first invalid level; −1: none.
 inline int first_unsound_level(const Hierarchy& hierarchy) {
   for (std::size_t k = 0; k < hierarchy.num_levels(); ++k) {
     if (!is_sound(hierarchy.level(k))) return static_cast<int>(k);
@@ -55,15 +55,15 @@ inline int first_unsound_level(const Hierarchy& hierarchy) {
   return -1;
 }
 
-/// ‖x‖² and the residuals of the first `num_levels` levels are within the range of doubles: all
-/// that is decided is decided relative to ‖x‖.
+/// Are ‖x‖² and the residuals of the first `num_levels` levels finite? All decisions are relative
+/// to ‖x‖.
 inline bool is_finite(const Solution& solution, std::size_t num_levels) {
   double sum = 0.0;
   for (std::size_t k = 0; k < num_levels; ++k) sum += solution.levels[k].residual;
   return std::isfinite(sum) && std::isfinite(solution.x.squaredNorm());
 }
 
-/// Empties the results from level `first` on, which asked for nothing and took no freedom.
+/// Clears the results from level `first` on, as of levels without rows.
 inline void clear_levels(Solution& solution, std::size_t first) {
   const Eigen::Index left =
       first > 0 ? solution.levels[first - 1].degrees_of_freedom_left : solution.x.size();
@@ -76,7 +76,7 @@ inline void clear_levels(Solution& solution, std::size_t first) {
   }
 }
 
-/// The answer where the input makes no sense, or the optimum is out of range.
+/// The answer to invalid input, or if the optimum is out of range.
 inline void reject(const Hierarchy& hierarchy, Solution& solution) {
   solution.status = SolveStatus::invalid_input;
   solution.failed_level = first_unsound_level(hierarchy);
@@ -86,7 +86,7 @@ inline void reject(const Hierarchy& hierarchy, Solution& solution) {
   clear_levels(solution, 0);
 }
 
-/// What a row does where it has this value; `tolerance` is the smallest difference that counts.
+/// State of a row with this value; `tolerance` is the smallest difference that counts.
 inline RowState state_of(double value, double lower, double upper, double tolerance) {
   const double above = value - upper, below = lower - value;
   if (lower == upper) return RowState::equality;

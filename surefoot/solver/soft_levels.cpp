@@ -11,7 +11,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// A row this close to its bound is at it [relative].
+/// Relative distance of a row at its bound.
 constexpr double kTouching = 1e-9;
 
 }  // namespace

@@ -6,12 +6,11 @@
 
 namespace surefoot {
 
-/// x = offset + basis · y: all x that satisfy the first `num_levels` levels of a hierarchy exactly,
-/// and no others.
+/// x = offset + basis · y: exactly the x that satisfy the first `num_levels` levels of a hierarchy.
 struct Substitution {
   std::size_t num_levels = 0;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      basis;  ///< unknowns × size of y; columns independent, of any length and angle
+  /// Unknowns × size of y; columns independent, of any length and angle.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis;
   Eigen::VectorXd offset;
 };
 

@@ -6,12 +6,12 @@ namespace surefoot {
 
 class LevelTimer;
 
-/// Numbers of one sweep of the lexicographic solver over all levels, as plain arrays that the
-/// kernels of any instruction set can work on; `SweepMemory` owns them.
+/// Numbers of one sweep of the lexicographic solver over all levels, as plain arrays for the
+/// kernels of any instruction set; `SweepMemory` owns them.
 ///
-/// The rows of all levels stand in one sequence, level k has the rows
-/// [level_begin[k], level_begin[k + 1]). Rows that take part are equalities: those of the hierarchy
-/// and inequalities held at one of their bounds. A sweep solves the levels one after the other,
+/// The rows of all levels form one sequence; level k has the rows [level_begin[k],
+/// level_begin[k + 1]). Active rows are equalities: those of the hierarchy and inequalities held at
+/// a bound. A sweep solves the levels one after the other,
 ///
 ///     min ‖Aₖ x − bₖ‖² without changing the residuals of the levels before,
 ///
@@ -26,41 +26,41 @@ struct Sweep {
   double* lower = nullptr;      ///< by row
   double* upper = nullptr;      ///< by row
   double* scale = nullptr;      ///< ‖a‖, by row
-  signed char* side = nullptr;  ///< by row: −1 at lower, +1 at upper, 2 equality, 0 no part
+  signed char* side = nullptr;  ///< by row: −1 at lower, +1 at upper, 2 equality, 0 inactive
 
-  // What is known of x = basis · (y, 1): y are the columns that are swept.
+  // x = basis · (y, 1), where y are the swept columns.
   int columns = 0;               ///< size of y
-  int stride = 0;                ///< from row to row in what follows
+  int stride = 0;                ///< between rows below
   double* basis = nullptr;       ///< unknowns × (columns + 1)
-  double* base = nullptr;        ///< row → a · basis, of those that have been projected
+  double* base = nullptr;        ///< row → a · basis, for projected rows
   double* base_value = nullptr;  ///< row → its value at y = 0
   [[nodiscard]] bool is_identity() const { return columns == unknowns; }  ///< the basis
 
   // The factorization.
   int num_taking_part = 0;
-  int* order = nullptr;          ///< rows that take part; in a level, the used ones come first
-  int* order_begin = nullptr;    ///< by level
-  int* list = nullptr;           ///< of rows, for whoever needs one
-  int* first_column = nullptr;   ///< by level: columns that the levels before have fixed
-  int fixed = 0;                 ///< columns that are fixed
-  int solved_last = -1;          ///< level whose columns no row has, see `factorize_last`; −1: none
-  bool needs_pivots = false;     ///< so there must be none
-  int first_reflection = 0;      ///< columns that were fixed when the factorization began
-  int turned_end = 0;            ///< rows of `order` before it are turned by all reflections so far
-  int* reach = nullptr;          ///< column → its reflector is zero from there on, in x
-  double* rows = nullptr;        ///< row → a · basis · Q
+  int* order = nullptr;         ///< active rows; in a level, the used ones come first
+  int* order_begin = nullptr;   ///< by level
+  int* list = nullptr;          ///< scratch list of rows
+  int* first_column = nullptr;  ///< by level: columns fixed by the levels before
+  int fixed = 0;                ///< number of fixed columns
+  int solved_last = -1;       ///< level whose columns have no rows, see `factorize_last`; −1: none
+  bool needs_pivots = false;  ///< forbids such a level
+  int first_reflection = 0;   ///< columns fixed before the factorization
+  int turned_end = 0;         ///< rows of `order` before it are turned by all reflections so far
+  int* reach = nullptr;       ///< column → end of its reflector's non-zero part, in x
+  double* rows = nullptr;     ///< row → a · basis · Q
   double* reflectors = nullptr;  ///< column → v of I − β v vᵀ
   double* beta = nullptr;
-  int* pivot = nullptr;             ///< column → the row that uses it; −1: fixed where it is
+  int* pivot = nullptr;             ///< column → the row that uses it; −1: fixed without a row
   double* inverse_pivot = nullptr;  ///< column → 1 / L
   double* q = nullptr;
-  double* residual = nullptr;  ///< row → a x − bound, of rows that take part
-  double* force = nullptr;     ///< row → multiplier of the level asked for last
+  double* residual = nullptr;  ///< row → a x − bound, for active rows
+  double* force = nullptr;     ///< row → multiplier for the level last balanced
   double* gradient = nullptr;  ///< columns
 
   // Rank policy, see RankTolerance.
   double solve_tolerance = 0.0, keep_tolerance = 0.0, smallest_pivot = 1.0;
-  double unused_pivot = 1.0;  ///< the smallest of those that were too weak to be used
+  double unused_pivot = 1.0;  ///< the smallest of the pivots too weak to use
 
   // Results.
   double* y = nullptr;
@@ -69,12 +69,12 @@ struct Sweep {
   double* square_violation = nullptr;  ///< by row
   signed char* state = nullptr;        ///< row → RowState
 
-  // The tableau of a search: the rows [first_row, end_row) turned by the columns fixed so far.
+  // The descent's tableau: the rows [first_row, end_row) turned by the columns fixed so far.
   int first_row = 0, end_row = 0;
   int row_stride = 0;
   double* tableau = nullptr;      ///< column after column, each `row_stride` long
   double* motion = nullptr;       ///< row → its change along a direction
-  double* limit_lower = nullptr;  ///< row → bound that a step must respect; −∞ where none is
+  double* limit_lower = nullptr;  ///< row → limit of a step; −∞: none
   double* limit_upper = nullptr;
 
   // Least squares of a level with more rows than columns.
@@ -87,13 +87,11 @@ struct Sweep {
 struct SweepKernels {
   const char* name;
   int pack;  ///< strides are multiples of it
-  /// scale[i] ← ‖aᵢ‖; NaN or ∞ where an element is.
+  /// scale[i] ← ‖aᵢ‖; NaN or ∞ if an element is.
   void (*measure)(Sweep&);
-  /// side ← 2 for equalities, 0 where there is no such bound. False if bounds or rows make no
-  /// sense.
+  /// side ← 2 for equalities, 0 if the bound does not exist. False for invalid bounds or rows.
   bool (*read_sides)(Sweep&);
-  /// Whether a row from `first` on that takes no part is beyond a bound by more than `rounding`
-  /// ‖a‖.
+  /// Is an inactive row from `first` on beyond a bound by more than `rounding` ‖a‖?
   bool (*has_violated)(const Sweep&, int first, double rounding);
   /// state, square_violation ← of all rows; those within `tolerance` ‖a‖ of a bound are at it.
   void (*judge_rows)(Sweep&, double tolerance);
@@ -101,12 +99,12 @@ struct SweepKernels {
   void (*start)(Sweep&, int first, int end);
   /// The same with all rows of the levels [0, end), in the space of x.
   void (*start_leading)(Sweep&, int end);
-  /// Sweeps over the levels [0, end), in the space of x, without order: where all of their rows
-  /// are clearly independent it says nothing, and short rows come first. False where they aren't.
+  /// Sweeps over the levels [0, end) at once, in the space of x, short rows first. False unless all
+  /// of their rows are clearly independent, so that their order has no effect.
   bool (*run_together)(Sweep&, int end);
   /// Sweeps over these levels. Each is a lap of the timer, which may be null.
   void (*run)(Sweep&, int first, int end, LevelTimer* timer);
-  /// Gives columns to the rows [begin, end) of the order, without looking at their bounds.
+  /// Gives columns to the rows [begin, end) of the order, ignoring their bounds.
   void (*fix)(Sweep&, int begin, int end);
   /// tableau ← base, for the rows [first_row, end_row).
   void (*fill_tableau)(Sweep&);
@@ -116,15 +114,15 @@ struct SweepKernels {
   void (*rotate)(Sweep&, int first, double cosine, double sine);
   /// Starts a factorization of the rows listed in `order`, from column `first` of the tableau on.
   void (*gather)(Sweep&, int first);
-  /// motion ← tableau · q from column `first` on; 0 where it is at most `rounding` ‖a‖. Whether
-  /// any other is at most `doubtful` ‖a‖.
+  /// motion ← tableau · q from column `first` on; 0 if it is at most `rounding` ‖a‖. Is any other
+  /// at most `doubtful` ‖a‖?
   bool (*move)(Sweep&, int first, double rounding, double doubtful);
-  /// Longest step along the motion within the limits of the rows before `end`, those after it in a
-  /// pack have none, and the row that ends it, −1 for none.
+  /// Longest step along the motion within the limits of the rows before `end` (later ones in its
+  /// pack have none), and the row that ends it; −1: none.
   double (*longest_step)(Sweep&, int end, int& row);
   /// base_value ← base_value + length · motion.
   void (*advance)(Sweep&, double length);
-  /// basis ← Q of the columns that are still free, and what the fixed ones say; 0 columns fixed.
+  /// basis ← Q of the columns that are still free, plus the fixed columns' offset; 0 columns fixed.
   void (*reduce)(Sweep&);
   /// base[row] ← a · basis, for these rows.
   void (*project)(Sweep&, const int* rows, int count);
@@ -134,16 +132,16 @@ struct SweepKernels {
   void (*recover)(Sweep&);
   /// value[i] ← aᵢ x for rows [first, end).
   void (*evaluate)(Sweep&, int first, int end);
-  /// A last level that was solved as a whole is solved again, so that its rows have columns and
-  /// can hold x against a gradient; y as it was found stays.
+  /// Solves a last level again that was solved as a whole, so that its rows have columns and can
+  /// balance a gradient; y stays.
   void (*factorize_last)(Sweep&);
-  /// Multipliers with which earlier rows balance the gradient of a level, down to this column.
+  /// Multipliers of earlier rows that balance a level's gradient, down to this column.
   void (*balance)(Sweep&, int level, int last_column);
   /// The same for the gradient q of ½ ‖x‖².
   void (*balance_norm)(Sweep&, int last_column);
 };
 
-/// Additions and multiplications that make a triangle of so many rows, at most, with its least
+/// Upper bound of the additions and multiplications of a triangle with so many rows, with its least
 /// squares.
 constexpr double factorization_flops(int rows, int columns) {
   return 4.0 * rows * columns * (rows < columns ? rows : columns);
@@ -152,7 +150,7 @@ constexpr double factorization_flops(int rows, int columns) {
 /// The kernels for the fastest instruction set of this processor.
 [[nodiscard]] const SweepKernels& fastest_kernels();
 
-/// The kernels of every instruction set that this processor has, the fastest last.
+/// The kernels of all instruction sets of this processor, the fastest last.
 [[nodiscard]] std::vector<const SweepKernels*> all_kernels();
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
-// All kernels, for packs of SUREFOOT_PACK doubles. Included once for each instruction set, in a
-// namespace of its own.
+// All kernels, for packs of SUREFOOT_PACK doubles. Included once for each instruction set, in its
+// own namespace.
 
 #include "surefoot/solver/kernel_packs.inl"
 //

@@ -12,7 +12,7 @@ constexpr std::size_t kAlignment = SweepMemory::kWidestPack;
 
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
-/// Hands out aligned pieces of a buffer; without one it only counts.
+/// Hands out aligned pieces of a buffer; without a buffer it only counts.
 class Pieces {
  public:
   explicit Pieces(double* begin) : next_(begin) {}

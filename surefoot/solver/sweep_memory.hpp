@@ -17,7 +17,7 @@ class SweepMemory {
     return (size + kWidestPack - 1) / kWidestPack * kWidestPack;
   }
 
-  /// `more_rows` than the levels have.
+  /// `more_rows`: room besides the levels' rows.
   explicit SweepMemory(const Hierarchy& capacity, std::size_t more_rows = 0);
   SweepMemory(const SweepMemory&) = delete;
   SweepMemory& operator=(const SweepMemory&) = delete;
@@ -34,7 +34,7 @@ class SweepMemory {
   std::vector<const double*> pointers_;
 };
 
-/// Appends the rows of a level, without looking at them.
+/// Appends a level's rows unchecked.
 void append_level(Sweep& sweep, const Level& level);
 
 }  // namespace surefoot

@@ -91,7 +91,7 @@ void Tableau::gather(Index row, Index first, std::vector<Rotation>& rotations) {
     rotations[at(k)] = make_rotation(here, carried);
     carried = std::hypot(here, carried);
   }
-  // A few rows at a time through all rotations, each element is read and written once.
+  // A few rows at a time pass all rotations: each element is read and written once.
   constexpr Index kRows = 4;
   using Piece = Eigen::Array<double, kRows, 1>;
   Index i = 0;

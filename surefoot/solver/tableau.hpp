@@ -10,17 +10,17 @@
 
 namespace surefoot {
 
-/// All rows that still matter, seen in a basis of the unknowns that makes the next step easy.
+/// All rows that still matter, in a basis of the unknowns that simplifies the next step.
 ///
-/// The basis Q is orthogonal; its columns from `first_free` on span the null space Z of everything
-/// that has been fixed (Eqs. 12, 13). Row i of T holds aᵢ Q; the first `unknowns` rows are those
-/// of the identity, so there T = Q and value = x. Then come rows of finished levels that are still
-/// inequalities, then the rows of the level being solved:
+/// The basis Q is orthogonal; its columns from `first_free` on span the null space Z of all fixed
+/// rows (Eqs. 12, 13). Row i of T holds aᵢ Q. The first `unknowns` rows are the identity's, so
+/// there T = Q and value = x. Then come rows of finished levels that are still inequalities, then
+/// the rows of the current level:
 ///
 ///     [0, unknowns)  x   |   [unknowns, level_begin)  constraints   |   [level_begin, num_rows)
 ///     level
 ///
-/// Columns before `first_free` are stale: nothing moves along them any more.
+/// Columns before `first_free` are stale: nothing moves along them.
 class Tableau {
  public:
   Tableau(Eigen::Index unknowns, Eigen::Index max_rows);
@@ -31,7 +31,7 @@ class Tableau {
   /// Adds the rows of the next level: T = A Z, value = A x.
   void append(const Level& level);
 
-  /// Q ← Q (I − β v vᵀ) on the columns from `first`, as many as v has; in all rows.
+  /// Q ← Q (I − β v vᵀ) on the columns from `first`, as many as v has, in all rows.
   void reflect(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& v, double beta);
 
   /// Rotates the columns `first` and `first` + 1 so that T(row, first + 1) becomes zero.
@@ -41,21 +41,21 @@ class Tableau {
   /// column `first`; rotations[k] is that of the columns `first` + k and `first` + k + 1.
   void gather(Eigen::Index row, Eigen::Index first, std::vector<Rotation>& rotations);
 
-  /// x and the values of all rows move by `step` · T(:, first …) p; see `motion`.
+  /// Moves x and the values of all rows by `step` · T(:, first …) p; see `motion`.
   void move(double step);
 
-  /// motion ← T(:, first …) p, the rate of all values along p; 0 where it is rounding, and where
-  /// the row depends on those before `first`, see `RankTolerance::keep`.
+  /// motion ← T(:, first …) p, the rate of all values along p; 0 for rounding, and for rows that
+  /// depend on those before `first`, see `RankTolerance::keep`.
   void set_direction(Eigen::Index first, const Eigen::Ref<const Eigen::VectorXd>& p,
                      double rounding);
 
-  /// At most `rounding` ‖aᵢ‖ is left of row i in the columns from `first` on.
+  /// Is at most `rounding` ‖aᵢ‖ left of row i in the columns from `first` on?
   [[nodiscard]] bool is_dependent(Eigen::Index row, Eigen::Index first, double rounding) const;
 
-  /// Ends a level: rows for which `keep` is not set leave, the rest become constraints.
+  /// Ends a level: drops rows without `keep`, and makes the others constraints.
   void retire();
 
-  /// Smallest change of row i's value that is not rounding.
+  /// Rounding of row i's value.
   [[nodiscard]] double noise(Eigen::Index i) const { return row_values().noise(i); }
 
   [[nodiscard]] RowValues row_values() const {

@@ -8,7 +8,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Smallest share of the largest diagonal element of R that is certainly not a loss of rank.
+/// Smallest diagonal element of R, relative to the largest, that certainly is no loss of rank.
 constexpr double kClearlyFullRank = 1e-6;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool TurningLeastSquares::start(const Eigen::Ref<const Eigen::MatrixXd>& B,
 void TurningLeastSquares::rotate(Index column, const Rotation& rotation) {
   const Index j = num_columns_ - 2 - column;
   rotate_columns(rotation, R_.col(j + 1).head(j + 2), R_.col(j).head(j + 2));
-  // That has filled R(j + 1, j): turn the two rows until it is zero again.
+  // R(j + 1, j) has filled: turn the two rows until it is zero again.
   const Rotation turn = make_rotation(R_(j, j), R_(j + 1, j));
   const Index columns = num_columns_ - j;
   rotate_columns(turn, R_.row(j).segment(j, columns), R_.row(j + 1).segment(j, columns));

@@ -6,18 +6,18 @@
 
 namespace surefoot {
 
-/// min ‖B p + r‖ over the last columns of B, kept factorized while pairs of columns are rotated and
-/// while the number of columns that are free changes: O(d²) instead of a new factorization.
+/// min ‖B p + r‖ over the last columns of B. Updates its factorization when pairs of columns rotate
+/// and when the number of free columns changes: O(d²) instead of a new factorization.
 ///
 ///     Uᵀ B P = [R; 0],   c = Uᵀ r        P reverses the columns, R is upper triangular (d × d)
 ///
-/// so the free columns of B are the leading ones of R and nothing before them changes their share.
-/// Only for B of full column rank; whoever uses it confirms the end with a fresh factorization.
+/// so the free columns of B are the leading ones of R, independent of the columns before them.
+/// Needs full column rank of B; the user confirms the end with a fresh factorization.
 class TurningLeastSquares {
  public:
   TurningLeastSquares(Eigen::Index max_rows, Eigen::Index max_columns);
 
-  /// Factorizes; false, and not running, if B is too close to losing rank or has too few rows.
+  /// Factorizes; false, and not running, if B is nearly rank deficient or has too few rows.
   bool start(const Eigen::Ref<const Eigen::MatrixXd>& B,
              const Eigen::Ref<const Eigen::VectorXd>& r);
   void stop() { is_running_ = false; }

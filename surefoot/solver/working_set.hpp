@@ -9,10 +9,10 @@
 
 namespace surefoot {
 
-/// Constraints of higher levels that are held at a bound while a level is solved.
+/// Constraints of higher levels that are held at a bound while solving a level.
 ///
-/// The basis of the tableau is turned so that the held rows are lower triangular in the first
-/// free columns: T(held, first_free …) = [L 0]. What comes after them moves no held row.
+/// The tableau's basis is turned so that the held rows are lower triangular in the first free
+/// columns: T(held, first_free …) = [L 0]. Later columns move no held row.
 class WorkingSet {
  public:
   explicit WorkingSet(Eigen::Index unknowns);
@@ -20,11 +20,11 @@ class WorkingSet {
   struct Held {
     Eigen::Index row = 0;
     int side = 0;        ///< +1 at its upper bound, −1 at its lower bound
-    double force = 0.0;  ///< multiplier times side times ‖a‖; ≥ 0 where the bound is needed
+    double force = 0.0;  ///< multiplier times side times ‖a‖; ≥ 0 if the bound is needed
   };
 
   void clear(Tableau& tableau);
-  /// `least_squares` follows the turns of the basis if it is running.
+  /// `least_squares` follows the turns of the basis while it is running.
   void add(Tableau& tableau, Eigen::Index row, int side, TurningLeastSquares& least_squares);
   void remove(Tableau& tableau, Eigen::Index position, TurningLeastSquares& least_squares);
 

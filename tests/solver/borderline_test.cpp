@@ -1,4 +1,4 @@
-// An answer that another one beats says that it is borderline, and one that is clear does not.
+// An answer that another one beats is borderline, a clear one is not.
 #include "tests/solver/guess.hpp"
 #include "tests/solver/solve.hpp"
 #include "tests/support/damaged_bytes.hpp"

@@ -1,4 +1,4 @@
-// A budget that ends a solve anywhere, whatever was guessed and in whatever basis it is solved.
+// A budget may end a solve anywhere, with any guess and in any basis.
 
 #include "tests/solver/guess.hpp"
 #include "tests/solver/solve.hpp"
@@ -23,7 +23,7 @@ constexpr std::size_t kPhysics = 2;  // levels of equalities that come first
 constexpr int kSeeds = 12;
 constexpr double kTolerance = 1e-8;
 
-/// Later by `step` each time that it is asked: so it can end a solve at any of its questions.
+/// Advances by `step` at each call, so that it can end a solve at any of them.
 struct Clock {
   static inline double now = 0.0, step = 0.0;
   static double read() { return now += step; }
@@ -93,7 +93,7 @@ class Case {
     ASSERT_LE((solution.x - optimum_.x).norm(), kTolerance * (1.0 + optimum_.x.norm()));
   }
 
-  /// Every finished level is as good as at the optimum, and none is told better than it is.
+  /// Every finished level is as good as at the optimum, and none is reported better than it is.
   void expect_safe(const Solution& solution) const {
     ASSERT_EQ(solution.status, SolveStatus::iteration_cap);
     ASSERT_GE(solution.failed_level, basis_ == Basis::identity ? 0 : static_cast<int>(kPhysics));

@@ -127,7 +127,7 @@ TEST(Budget, ItsEndIsTheSameToTheBit) {
   EXPECT_EQ(first.x, second.x);
 }
 
-/// One second later each time that it is asked.
+/// Advances by a second at each call.
 double late_clock() {
   static double now = 0.0;
   return now += 1.0;

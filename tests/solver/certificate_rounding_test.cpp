@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-// What the certificate takes for rounding: which rows of the levels above are fixed, which are
-// left.
+// What counts as rounding in the certificate: which rows of the levels above are fixed.
 
 namespace surefoot::test {
 namespace {
@@ -239,7 +238,7 @@ TEST(CertificateRounding, ALimitThatOnlyRoundingOfALargeXPullsAtIsLeft) {
 }
 
 TEST(CertificateRounding, ALimitIsHeldToItsOwnSizeHoweverLargeXIs) {
-  // A torque of 40 beside accelerations of 5000.
+  // A torque of 40 next to accelerations of 5000.
   const HierarchyData levels{at_most(RowVector2d(0.0, 1.0), number(40.0)),
                              equalities(RowVector2d(1.0, 0.0), number(5000.0)),
                              equalities(RowVector2d(0.0, 1.0), number(50.0))};

@@ -209,7 +209,7 @@ TEST(Certificate, ProvesALimitAboveThatHoldsALongRow) {
 }
 
 TEST(Certificate, ALimitThatAnEqualityAboveHasAlreadyHoldsNothing) {
-  // In turned coordinates the rest of the limit's row beside the equality is rounding, not zero.
+  // In turned coordinates the rest of the limit's row besides the equality is rounding, not zero.
   for (int seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));

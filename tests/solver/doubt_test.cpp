@@ -26,7 +26,7 @@ Verdict verdict_of(Index unknowns, const HierarchyData& levels, const VectorXd& 
   return verdict(certify(make_hierarchy(unknowns, levels), x));
 }
 
-/// a = 0, and below it a + weak b = 1 beside what can't be had, c = ±1e5, in coordinates turned so
+/// a = 0, and below it a + weak b = 1 next to an impossible c = ±1e5, in coordinates turned so
 /// that no unit of unknowns tells them apart.
 HierarchyData nearly_parallel(double weak, double unit = 1.0) {
   RandomMatrices random(1);

@@ -80,7 +80,7 @@ Hierarchy any_rows(RandomMatrices& random) {
   return hierarchy;
 }
 
-// What a solve leaves beside the rows of the next, smaller one is infinite at times.
+// A solve may leave infinities next to the rows of the next, smaller one.
 TYPED_TEST(FloatTrapped, OneSolverMayBeAskedOneHierarchyAfterAnother) {
   RandomMatrices random(7);
   TypeParam solver([] {
@@ -250,7 +250,7 @@ TYPED_TEST(FloatTrapped, AProblemAfterALargerOneIsSolved) {
   }
 }
 
-/// Many rows that nothing comes near: a warm solver never looks at them again.
+/// Many inactive rows that a warm solver never evaluates again.
 HierarchyData idle_rows(RandomMatrices& random, Eigen::Index unknowns) {
   return {equalities(random.matrix(1, unknowns), random.vector(1)),
           at_most(random.matrix(60, unknowns), VectorXd::Constant(60, 1e6))};

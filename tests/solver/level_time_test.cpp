@@ -1,4 +1,4 @@
-// The time that each level takes, by a clock that the solver may have or not.
+// The time of each level, with and without a clock.
 
 #include "surefoot/solver/soft_levels.hpp"
 #include "tests/solver/guess.hpp"
@@ -22,7 +22,7 @@ constexpr Index kUnknowns = 30;
 constexpr std::size_t kPhysics = 2;  // levels of equalities that come first
 constexpr int kSeeds = 40;
 
-/// A quarter later each time that it is asked: sums of it are exact.
+/// Advances by a quarter at each call: sums are exact.
 double ticking_clock() {
   static double now = 0.0;
   return now += 0.25;

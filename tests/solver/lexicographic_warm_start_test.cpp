@@ -72,7 +72,7 @@ HierarchyData open_levels(RandomMatrices& random, Index unknowns) {
   return levels;
 }
 
-// Rows that nothing pulls at but the length of x, beside a last level that takes all columns.
+// Rows that only the length of x pulls at, next to a last level that takes all columns.
 TEST(LexicographicWarmStart, AnyGuessLeadsToTheShortest) {
   for (int seed = 0; seed < 20000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

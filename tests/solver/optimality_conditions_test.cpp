@@ -59,7 +59,7 @@ TEST(NonNegativeLeastSquares, DoesNotDependOnUnits) {
 }
 
 TEST(Multipliers, OfALimitThatIsWeakBesideWhatIsFixedAreNoMoreCertainThanTheGradient) {
-  // The limit has 1e-7 of its own beside E; what pulls at that is rounding, or is not.
+  // The limit has 1e-7 independent of E; what pulls at that is rounding, or is not.
   constexpr double kWeak = 1e-7, kRounding = 1e-13;
   RowSet fixed(2);
   fixed.add(Eigen::Vector2d(1.0, 0.0), {});

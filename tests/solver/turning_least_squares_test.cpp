@@ -70,7 +70,7 @@ TEST(CascadeWithLargeLevels, LeastSquaresUnderManyLimitsIsOptimal) {
 }
 
 TEST(CascadeWithLargeLevels, ALevelOfDependentColumnsUnderManyLimitsIsOptimal) {
-  // Too few independent rows to be updated, so it is factorized anew at each step.
+  // Too few independent rows to be updated, so it is factorized again at each step.
   for (int seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomMatrices random(static_cast<std::uint64_t>(seed));
