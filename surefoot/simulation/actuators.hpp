@@ -7,38 +7,38 @@
 
 namespace surefoot::simulation {
 
-/// From commanded torques to torques at the joints.
+/// Turns commanded torques into torques at the joints.
 ///
 /// `ideal`: the command, clipped to the robot's torque limits.
 ///
-/// `sea`: the clipped command times the gains arrives `delay_ticks` control ticks later; what comes
-/// before the first is no torque, or that of `rest_at`. At level 1 it passes a first-order lag
-/// τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, is limited by the
-/// torque–speed line at the joint's speed and is rounded to the torque's quantum. At level 2 it is
-/// the reference of each joint's SeriesElasticDrive.
+/// `sea`: the clipped command times the gains arrives `delay_ticks` control ticks later; before the
+/// first there is no torque, or that of `rest_at`. At level 1 it passes a first-order lag
+/// τ̇ = 2πf (τ_command − τ), integrated exactly over each physics step, the torque–speed line at the
+/// joint's speed and the torque quantum. At level 2 it is the reference of each joint's
+/// SeriesElasticDrive.
 class Actuators {
  public:
   Actuators(const ActuatorOptions& options, const JointVector& torque_limit, double timestep);
 
-  /// At rest under torques [N·m] that were commanded for long, the joints at `q` [rad].
+  /// At rest under torques [N·m] commanded for long, with the joints at `q` [rad].
   void rest_at(const JointVector& q, const JointVector& torque = JointVector::Zero()) noexcept;
   /// A new command [N·m], once a control tick.
   void command(const JointVector& torque) noexcept;
-  /// Torques at the joints now, at joint angles `q` and velocities `qd` [N·m].
+  /// Current torques at the joints, at joint angles `q` and velocities `qd` [N·m].
   [[nodiscard]] JointVector torque(const JointVector& q, const JointVector& qd) const noexcept;
-  /// Time goes on by one physics step, at whose end the joints have come to `q`.
+  /// Advances by one physics step, after which the joints are at `q`.
   void advance(const JointVector& q) noexcept;
 
  private:
   ActuatorOptions options_;
   JointVector limit_;
   JointVector gain_;
-  double lag_;                        ///< share of the gap that is closed in one physics step
+  double lag_;                        ///< share of the gap closed in one physics step
   std::vector<JointVector> delayed_;  ///< ring of the last commands
   std::size_t oldest_ = 0;
   JointVector commanded_ = JointVector::Zero();  ///< the command that has arrived
   JointVector motor_ = JointVector::Zero();      ///< after the lag
-  std::vector<SeriesElasticDrive> drives_;       ///< of each joint at level 2, otherwise none
+  std::vector<SeriesElasticDrive> drives_;       ///< one a joint at level 2, otherwise none
 };
 
 }  // namespace surefoot::simulation

@@ -9,7 +9,7 @@ namespace surefoot::simulation {
 
 namespace {
 
-// Heavier grids than this take minutes to compile and gigabytes to hold.
+// Larger grids take minutes to compile and gigabytes of memory.
 constexpr int kMaxGridPoints = 4'000'000;
 constexpr double kMaxRandomBoxes = 20'000.0;
 

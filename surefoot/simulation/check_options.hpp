@@ -4,8 +4,7 @@
 
 namespace surefoot::simulation {
 
-/// Throws Error on the first option that makes no sense: its name, what was given, what would be
-/// valid.
+/// Throws Error on the first invalid option: its name, its value, and what would be valid.
 void check_options(const PlantOptions& options);
 
 /// Physics steps in a control period; throws Error if it is not a whole number.

@@ -10,15 +10,15 @@ namespace surefoot::simulation {
 
 namespace {
 
-// MuJoCo wants an inertia above zero; this one is that of a millimetre-sized lump.
+// MuJoCo needs a positive inertia; this is a millimetre-sized lump's.
 constexpr double kPointInertia = 1e-9;
 
-// Of a hand: a robot of 30 kg hangs 3 cm lower, and swings to rest within a second.
-constexpr double kStiffness = 1e4;  // [N/m]
-constexpr double kSteadying = 3e2;  // [N·s/m]
-constexpr double kSlack = 0.15;     // [m]
+// The lifting hand: a robot of 30 kg hangs 3 cm lower, and swings to rest within a second.
+constexpr double kHandStiffness = 1e4;  // [N/m]
+constexpr double kHandDamping = 3e2;    // [N·s/m]
+constexpr double kReleaseDepth = 0.15;  // below its start [m]
 
-constexpr double kForgotten = 1.0;  // after its end a push is out of all steps [s]
+constexpr double kDiscardTime = 1.0;  // after a push's end, when no step includes it any more [s]
 
 void scale_mass(mjsBody& body, double scale) {
   body.mass *= scale;
@@ -30,7 +30,7 @@ void shift_center_of_mass(mjsBody& body, const Vec3& offset) {
   for (int i = 0; i < 3; ++i) body.ipos[i] += offset[i];
 }
 
-/// Scale of the links from this joint on to the next.
+/// Mass scale of the link behind this joint.
 double link_scale(mjsElement& joint, const RobotDescription& description,
                   const DisturbanceOptions& options) {
   for (std::size_t leg = 0; leg < kNumLegs; ++leg) {
@@ -43,14 +43,14 @@ double link_scale(mjsElement& joint, const RobotDescription& description,
   return options.leg_mass_scale;
 }
 
-/// Goes through the tree of bodies.
+/// Traverses the tree of bodies.
 class MassDisturber {
  public:
   MassDisturber(const RobotDescription& description, const DisturbanceOptions& options)
       : description_(description), options_(options) {}
 
-  /// `scale` is that of the link above; `q_Xbase` turns base coordinates into the body's, while
-  /// they are fixed.
+  /// `scale` is the parent link's; `q_Xbase` turns base coordinates into the body's, as long as it
+  /// is fixed to the base.
   void disturb(mjsBody& body, double scale, bool fixed_to_base, const Quat& q_Xbase) const {
     scale_mass(body, scale);
     if (fixed_to_base && body.mass > 0.0) {
@@ -77,8 +77,7 @@ void add_payload(mjsBody& base, const Payload& payload) {
   for (int i = 0; i < 3; ++i) body->pos[i] = payload.position[i];
   body->explicitinertial = 1;
   body->mass = payload.mass;
-  for (double& value : body->ipos)
-    value = 0.0;  // undefined by default, and then the mass is ignored
+  for (double& value : body->ipos) value = 0.0;  // undefined by default: MuJoCo ignores the mass
   for (double& value : body->inertia) value = kPointInertia;
 }
 
@@ -97,7 +96,7 @@ double share(const Push& push, double time, double timestep) {
   return std::max(0.0, end - start) / timestep;
 }
 
-/// Of a point of a body, in W [m].
+/// Position of a body's point in W [m].
 Vec3 place(const mjData& data, int body, const Vec3& point) {
   using RotationRows = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
   return Eigen::Map<const Vec3>(data.xpos + 3 * body) + RotationRows(data.xmat + 9 * body) * point;
@@ -126,9 +125,9 @@ Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
   const double t = time - lift_.time;
   if (t < 0.0 || t > 2.0 * lift_.duration + lift_.hold) return Vec3::Zero();
   if (!begin_.allFinite()) begin_ = p_W;
-  const double pull = kStiffness * (begin_.z() + height(t) - p_W.z());
+  const double pull = kHandStiffness * (begin_.z() + height(t) - p_W.z());
   if (!(pull > 0.0)) return Vec3::Zero();
-  Vec3 force = pull * Vec3::UnitZ() - kSteadying * v_W;
+  Vec3 force = pull * Vec3::UnitZ() - kHandDamping * v_W;
   force.z() = std::max(0.0, force.z());
   return force;
 }
@@ -136,7 +135,7 @@ Vec3 Hand::force(double time, const Vec3& p_W, const Vec3& v_W) noexcept {
 double Hand::height(double time) const {
   const double down = time - lift_.duration - lift_.hold;
   if (down < 0.0) return lift_.height * smoothstep(std::min(1.0, time / lift_.duration));
-  const double lowest = -kSlack;
+  const double lowest = -kReleaseDepth;
   return lift_.height + (lowest - lift_.height) * smoothstep(down / lift_.duration);
 }
 
@@ -165,7 +164,7 @@ std::vector<std::string> Pushes::bodies() const { return body_names(model_); }
 
 void Pushes::add(const Push& push, double time) {
   std::erase_if(forces_, [&](const Force& force) {
-    return force.push.time + force.push.duration + kForgotten < time;
+    return force.push.time + force.push.duration + kDiscardTime < time;
   });
   forces_.push_back({push, body_of(push.body, "the pushed body")});
 }

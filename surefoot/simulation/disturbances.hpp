@@ -9,19 +9,18 @@
 
 namespace surefoot::simulation {
 
-/// Gives the robot in the spec masses that the controller's model does not know: scales, an offset
-/// of the base's centre of mass, a payload. What is fixed to the base link counts as base, the rest
-/// as legs.
+/// Changes masses in the spec without the controller's knowledge: scales, an offset of the base's
+/// centre of mass, a payload. Links fixed to the base count as base, the others as legs.
 void disturb_masses(mjsBody& base, const RobotDescription& description,
                     const DisturbanceOptions& options);
 
-/// The hand of a `Lift`. It begins where the point is at the start of the lift, and comes down
-/// deeper than that by a slack, so that it holds nothing when it lets go.
+/// The hand of a `Lift`. It starts at the point's position at the start of the lift, and ends below
+/// it, so that it carries nothing when it lets go.
 class Hand {
  public:
   explicit Hand(const Lift& lift) : lift_(lift) {}
 
-  /// Its force on the point, which is at p_W and moves by v_W, at a time: [m], [m/s], [s], [N].
+  /// Its force [N] on the point at p_W [m], which moves at v_W [m/s], at a time [s].
   [[nodiscard]] Vec3 force(double time, const Vec3& p_W, const Vec3& v_W) noexcept;
   [[nodiscard]] const Vec3& point() const { return lift_.point; }
 
@@ -29,27 +28,27 @@ class Hand {
   [[nodiscard]] double height(double time) const;
 
   Lift lift_;
-  Vec3 begin_ = Vec3::Constant(kNaN);  // where it took hold [m]
+  Vec3 begin_ = Vec3::Constant(kNaN);  // start position [m]
 };
 
-/// Pushes by their time, and what lifts and pulls beside them. A push acts at the centre of mass of
-/// the link it is given for; at the origin of the base link if that link's own inertia was dropped.
+/// Pushes, lifts and pulls. A push acts at the centre of mass of its link, or at the origin of a
+/// base link whose own inertia was ignored.
 class Pushes {
  public:
-  /// Throws UnknownNameError, with the robot's links, for a body that does not exist.
+  /// Throws UnknownNameError, listing the robot's links, for an unknown body.
   Pushes(const DisturbanceOptions& disturbances, const mjModel& model,
          const std::string& base_link);
 
-  /// One more; those that are long over at `time` [s], which is now, are forgotten. Throws as the
+  /// Adds a push, and discards those that ended long before `time` [s], which is now. Throws as the
   /// constructor.
   void add(const Push& push, double time);
-  /// In the place of what pulled before. Throws as the constructor.
+  /// Replaces the pull. Throws as the constructor.
   void set(const Pull& pull);
-  /// What there is to push, by name.
+  /// Names of the bodies that can be pushed.
   [[nodiscard]] std::vector<std::string> bodies() const;
 
-  /// Sets the external forces of the physics step that comes: a push that covers only a part of the
-  /// step acts with that share, so that its impulse is exact.
+  /// Sets the external forces of the next physics step. A push that covers part of the step acts
+  /// with that share, so that its impulse is exact.
   void apply(double timestep, mjData& data) noexcept;
 
  private:
@@ -68,8 +67,8 @@ class Pushes {
   std::vector<Hand> hands_;
   int base_ = -1;
   Pull pull_;
-  int pulled_ = -1;            // body that `pull_` acts on; −1: none
-  std::vector<int> released_;  // bodies that it acted on before
+  int pulled_ = -1;            // body of `pull_`; −1: none
+  std::vector<int> released_;  // bodies of earlier pulls
 };
 
 }  // namespace surefoot::simulation

@@ -6,21 +6,21 @@
 
 namespace surefoot {
 
-/// What really touches the ground at a foot.
+/// True contact of a foot with the ground.
 struct TrueContact {
   bool touching = false;
-  bool touched = false;         ///< touches, or did in a physics step since the tick before
+  bool touched = false;         ///< at any physics step since the tick before
   Vec3 force = Vec3::Zero();    ///< of the ground on the foot, summed over its contacts, in W [N]
   Vec3 normal = Vec3::UnitZ();  ///< force-weighted mean normal, in W
   Vec3 point = Vec3::Zero();    ///< force-weighted mean contact point, in W [m]
   Vec3 slip_velocity =
       Vec3::Zero();          ///< tangential velocity of the material contact point, in W [m/s]
-  double friction = 0.0;     ///< coefficient of this contact
+  double friction = 0.0;     ///< coefficient
   double penetration = 0.0;  ///< deepest [m]
 };
 
 /// The simulator's truth. Only evaluation, the log's truth channel and an explicit `estimation:
-/// truth` may read it; no stage of control includes this header.
+/// truth` may read it; control never includes this header.
 struct GroundTruth {
   double time = 0.0;
   Vec3 p_WB = Vec3::Zero();
@@ -31,17 +31,16 @@ struct GroundTruth {
   JointVector qd = JointVector::Zero();
   JointVector torque =
       JointVector::Zero();     ///< applied at the joints, after the actuator model [N·m]
-  Vec3 p_WCom = Vec3::Zero();  ///< of everything that moves, payload included
+  Vec3 p_WCom = Vec3::Zero();  ///< of all moving parts, with payload
   Vec3 v_WCom = Vec3::Zero();
   PerLeg<Vec3> p_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< sphere centres
   PerLeg<Vec3> v_WF{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   PerLeg<TrueContact> feet;
-  double body_contact_force =
-      0.0;                     ///< largest force on any other part of the robot than a foot [N]
-  bool torso_contact = false;  ///< the torso touches the ground
-  int shank_contacts = 0;      ///< bit k: thigh, knee or shank of leg k touches the ground
+  double body_contact_force = 0.0;  ///< largest force on any part of the robot besides feet [N]
+  bool torso_contact = false;       ///< the torso touches the ground
+  int shank_contacts = 0;           ///< bit k: thigh, knee or shank of leg k touches the ground
   std::vector<double> qpos, qvel, ctrl;  ///< MuJoCo's own, so that stock MuJoCo can replay
-  std::vector<double> xfrc_applied;      ///< and its external forces, 6 a body: the pushes
+  std::vector<double> xfrc_applied;      ///< MuJoCo's external forces, 6 a body: the pushes
 };
 
 }  // namespace surefoot

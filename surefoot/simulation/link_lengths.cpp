@@ -16,7 +16,7 @@ Quat orientation_of(const mjsBody& body) {
   return {body.quat[0], body.quat[1], body.quat[2], body.quat[3]};
 }
 
-/// The bodies below `link` down to and with `end`.
+/// The bodies below `link` down to `end`, inclusive.
 std::vector<mjsBody*> way(mjsBody& link, mjsBody& end) {
   std::vector<mjsBody*> bodies;
   for (mjsBody* body = &end; body != &link; body = mjs_getParent(body->element)) {
@@ -30,8 +30,8 @@ Vec3 axis_of(mjsBody& link) {
   return Vec3(joint.axis[0], joint.axis[1], joint.axis[2]).normalized();
 }
 
-/// Moves everything that is fixed behind the link, shapes that touch ground with it, so that
-/// `point` of the body `end` comes further from the link's axis.
+/// Moves all bodies fixed to the link, with their collision shapes, so that `point` of the body
+/// `end` is further from the link's axis.
 void lengthen(mjsBody& link, mjsBody& end, const Vec3& point, double offset) {
   if (offset == 0.0) return;
   const std::vector<mjsBody*> bodies = way(link, end);

@@ -6,11 +6,11 @@
 
 namespace surefoot::simulation {
 
-/// Gives the robot in the spec thighs and shanks of other lengths than the controller's model has.
+/// Changes thigh and shank lengths in the spec without the controller's knowledge.
 ///
-/// A length is the distance from a link's own joint axis to the next axis, or to the centre of the
-/// foot sphere. What lies behind the longest fixed offset on the way is moved along that distance;
-/// masses, and the shapes of the link itself, stay.
+/// A length is the distance from a link's joint axis to the next axis, or to the centre of the foot
+/// sphere. Bodies behind the longest fixed offset on the way move along that distance; masses and
+/// the link's own shapes stay.
 void change_link_lengths(mjSpec& spec, const RobotDescription& description,
                          const DisturbanceOptions& options);
 

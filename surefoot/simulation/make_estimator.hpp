@@ -10,16 +10,16 @@
 
 namespace surefoot {
 
-/// What an estimator may be made from.
+/// Inputs for making an estimator.
 struct EstimatorSetup {
   const RobotDescription& robot;
   double period;                    ///< of the control loop [s]
-  const Plant& plant;               ///< whose readings it gets; must outlive it
-  LegInertialOptions options = {};  ///< of `sensors`
+  const Plant& plant;               ///< source of its readings; must outlive it
+  LegInertialOptions options = {};  ///< for `sensors`
 };
 
-/// The state estimator that a scenario asks for. Truth stays on this side: the controller gets a
-/// StateEstimator and can't tell where the state comes from.
+/// The state estimator of a scenario. The controller gets a StateEstimator and can't see whether it
+/// knows the truth.
 [[nodiscard]] std::unique_ptr<StateEstimator> make_estimator(Estimation estimation,
                                                              const EstimatorSetup& setup);
 

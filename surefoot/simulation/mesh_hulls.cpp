@@ -5,15 +5,14 @@
 namespace surefoot::simulation {
 namespace {
 
-/// The hull's vertices in the frame of the file, scaled: the compiled mesh lies in its principal
-/// axes.
+/// The hull's vertices in the file's frame, scaled; the compiled mesh is in its principal axes.
 std::vector<float> hull(const mjModel& model, int mesh) {
   std::vector<float> result;
   const double* q = model.mesh_quat + 4 * mesh;
   const Quat R(q[0], q[1], q[2], q[3]);
   const Vec3 p(model.mesh_pos + 3 * mesh);
   const float* vertices = model.mesh_vert + 3 * model.mesh_vertadr[mesh];
-  // A graph begins with its numbers of vertices and faces; the vertices' own numbers are second.
+  // A graph starts with its counts of vertices and faces; the vertex numbers come second.
   const int* graph = model.mesh_graph + model.mesh_graphadr[mesh];
   const int count = graph[0];
   for (int i = 0; i < count; ++i) {

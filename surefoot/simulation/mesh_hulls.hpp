@@ -4,8 +4,8 @@
 
 namespace surefoot::simulation {
 
-/// Puts convex hulls, which is what collides, in the place of the mesh files that a spec names, so
-/// that its text needs no other file. `compiled`: of a spec with the same meshes.
+/// Replaces the spec's mesh files by their convex hulls, which are what collides, so that its text
+/// needs no other file. `compiled`: from a spec with the same meshes.
 void embed_hulls(mjSpec& spec, const mjModel& compiled);
 
 }  // namespace surefoot::simulation

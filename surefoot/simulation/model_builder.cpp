@@ -14,8 +14,8 @@
 #include <cmath>
 #include <mutex>
 
-// MuJoCo writes six digits by default, too few to recompute contact forces from; its own Python
-// bindings set the precision by these functions.
+// MuJoCo writes six digits by default, too few to recompute contact forces; its own Python bindings
+// set the precision by these functions.
 extern "C" {
 MJAPI int _mjPRIVATE__get_xml_precision();
 MJAPI void _mjPRIVATE__set_xml_precision(int digits);
@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kFullPrecision = 17;
 constexpr double kSameSphere = 1e-4;    // sphere of the URDF and of the description agree [m]
-constexpr double kNearbySphere = 5e-3;  // a sphere this near is meant to be the foot's [m]
+constexpr double kNearbySphere = 5e-3;  // sphere of the URDF counts as the foot's [m]
 
 void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.timestep = options.timestep;
@@ -35,9 +35,9 @@ void set_physics(mjSpec& spec, const PlantOptions& options) {
   spec.option.integrator = mjINT_IMPLICITFAST;
   spec.option.cone = mjCONE_ELLIPTIC;
   spec.option.impratio = options.contact.impratio;
-  // A state that went wrong is reported, not silently replaced by the initial one.
+  // Report a diverged state instead of silently resetting it.
   spec.option.disableflags |= mjDSBL_AUTORESET;
-  // One robot is one island: looking for more costs 4 % of a step.
+  // One robot is one island: the search for more costs 4 % of a step.
   spec.option.disableflags |= mjDSBL_ISLAND;
 }
 
@@ -67,7 +67,7 @@ mjsGeom& new_sphere(mjsBody& foot, const RobotDescription& description) {
   return *sphere;
 }
 
-/// The URDF's sphere at the foot, or a massless one where it has none.
+/// The URDF's foot sphere, or a new massless one.
 mjsGeom& foot_sphere(mjSpec& spec, const RobotDescription& description, Leg leg,
                      std::vector<std::string>& notes) {
   const std::string& frame = description.legs[index(leg)].foot_frame;
@@ -89,13 +89,13 @@ void set_collision(mjsBody& base, const ContactOptions& contact) {
          element = mjs_nextChild(body, element, 0)) {
       mjsGeom& geom = *mjs_asGeom(element);
       geom.group = kRobotGroup;
-      std::fill_n(geom.rgba, 3, 0.7F);  // light grey, where a picture has no mesh
+      std::fill_n(geom.rgba, 3, 0.7F);  // light grey in pictures without meshes
       geom.condim = 3;
       geom.friction[0] = 0.5;  // of the robot against itself
       geom.solref[0] = contact.solref_time;
       geom.solref[1] = contact.solref_damping;
-      geom.contype = 2;      // seen by the robot's other shapes …
-      geom.conaffinity = 3;  // … and sees both those and the terrain
+      geom.contype = 2;      // the robot's other shapes collide with it
+      geom.conaffinity = 3;  // it collides with those and the terrain
     }
   }
 }
@@ -124,7 +124,7 @@ mjsElement& find_hinge(mjSpec& spec, const std::string& joint) {
       text("unknown joint \"", joint, "\"; the robot has: ", listed(hinge_names(spec))));
 }
 
-/// A body and all that is fixed to it that has a shape.
+/// Names of a body and all bodies with shapes that are fixed to it.
 void collect_solid(mjsBody& body, std::vector<std::string>& names) {
   if (mjs_firstChild(&body, mjOBJ_GEOM, 0) != nullptr) names.push_back(name_of(body.element));
   for (mjsElement* child = mjs_firstChild(&body, mjOBJ_BODY, 0); child != nullptr;
@@ -150,9 +150,9 @@ mjsBody& moved_by(mjSpec& spec, const std::string& joint) {
   return *mjs_getParent(&find_hinge(spec, joint));
 }
 
-/// Links with one joint between them are left out by MuJoCo; the shapes of those with two overlap
-/// at the hip (base and thigh) or at the knee (hip and shank) in postures that the robot can take.
-/// What is fixed to a link belongs to it.
+/// MuJoCo excludes links with one joint between them. With two joints between them, shapes overlap
+/// at the hip (base and thigh) or knee (hip and shank) in legal postures. Fixed bodies count as
+/// their link.
 void exclude_neighbours(mjSpec& spec, mjsBody& base, const RobotDescription& description) {
   for (const LegDescription& leg : description.legs) {
     exclude_all(spec, solid(base), solid(moved_by(spec, leg.joints[1])));
@@ -225,7 +225,7 @@ BuiltModel build_model(const RobotDescription& description, const PlantOptions& 
   add_terrain(*spec, options.terrain, options.contact);
   const ModelHandle compiled = compile(*spec, description.urdf_path);
 
-  // The model that runs is the one that is logged: compiled from the same text.
+  // The running model is compiled from the logged text.
   std::string xml = saved_with_full_precision(*spec);
   SpecHandle saved = parsed_back(xml);
   if (compiled->nmesh > 0) {

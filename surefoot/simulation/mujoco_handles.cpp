@@ -11,7 +11,7 @@ namespace {
 
 thread_local std::vector<std::string>* current_notes = nullptr;
 
-// MuJoCo ends the process when an error handler returns, so this one throws.
+// MuJoCo ends the process if an error handler returns, so this one throws.
 void handle(const mjLogMessage* message) {
   const std::string line = "MuJoCo: " + one_line(message->subject);
   if (message->level == mjLOG_ERROR) throw Error(line);
@@ -35,7 +35,7 @@ MessageCatcher::MessageCatcher(std::vector<std::string>& notes) : outer_(current
 MessageCatcher::~MessageCatcher() { current_notes = outer_; }
 
 std::string name_of(mjsElement* element) {
-  // MuJoCo's strings come from another standard library: only its own functions may read them.
+  // MuJoCo's strings use another standard library: only its own functions may read them.
   return mjs_getString(mjs_getName(element));
 }
 

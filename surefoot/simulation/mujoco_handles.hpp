@@ -8,7 +8,7 @@
 
 namespace surefoot::simulation {
 
-/// Owners of MuJoCo's objects.
+/// Owning handles of MuJoCo's objects.
 struct MujocoDeleter {
   void operator()(mjSpec* spec) const { mj_deleteSpec(spec); }
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -18,8 +18,8 @@ using SpecHandle = std::unique_ptr<mjSpec, MujocoDeleter>;
 using ModelHandle = std::unique_ptr<mjModel, MujocoDeleter>;
 using DataHandle = std::unique_ptr<mjData, MujocoDeleter>;
 
-/// While it lives, MuJoCo's warnings of this thread go to `notes` (each text once), not to the
-/// screen or a file, and its fatal errors are thrown as Error instead of ending the program.
+/// While alive, collects this thread's MuJoCo warnings in `notes` (each text once) instead of
+/// printing them, and throws fatal errors as Error instead of ending the program.
 class MessageCatcher {
  public:
   explicit MessageCatcher(std::vector<std::string>& notes);
@@ -34,7 +34,7 @@ class MessageCatcher {
 /// Name of an element of a spec.
 [[nodiscard]] std::string name_of(mjsElement* element);
 
-/// Id of a named element of the compiled model; −1 if there is none.
+/// Id of a named element in the compiled model; −1 if there is none.
 [[nodiscard]] int id_of(const mjModel& model, mjtObj type, const std::string& name);
 
 }  // namespace surefoot::simulation

@@ -32,7 +32,7 @@ using simulation::text;
 
 namespace {
 
-constexpr std::size_t kMaxNotes = 100;  // a fault that stays must not fill the memory
+constexpr std::size_t kMaxNotes = 100;  // limits the memory of a lasting fault
 
 }  // namespace
 
@@ -88,7 +88,7 @@ struct Plant::Implementation {
   Actuators actuators;
   Sensors sensors;
   SensorLink link;
-  PerLeg<bool> touched{};  ///< feet that did in a physics step since the tick before
+  PerLeg<bool> touched{};  ///< feet that touched in a physics step since the tick before
   GroundTruth truth;
   SensorReading sampled;
   std::int64_t tick = 0;
@@ -126,7 +126,7 @@ void Plant::Implementation::settle(const JointVector& torque_limit) {
   actuators.rest_at(simulation::joint_positions(data, parts), torque);
 }
 
-/// As far as any of its parts is in the terrain: only the feet stood on it.
+/// Raises the robot by its deepest penetration: touching_height() considers only the feet.
 void Plant::Implementation::raise_out_of_terrain() {
   constexpr int kTries = 5;
   constexpr double kTouches = 1e-4;  // [m]
@@ -147,7 +147,7 @@ void Plant::Implementation::raise_out_of_terrain() {
   }
 }
 
-/// Base height at which the first foot sphere touches the terrain, with the base now at z = 0.
+/// Base height at which the first foot sphere touches the terrain; the base is at z = 0 now.
 double Plant::Implementation::touching_height(const RobotDescription& description) const {
   double height = -std::numeric_limits<double>::infinity();
   for (const int geom : parts.foot_geom) {
@@ -185,8 +185,7 @@ void Plant::Implementation::physics_step() {
   mj_step1(&model, &data);
 }
 
-/// Contact forces of the state that was reached, under the torques that act there; then what is to
-/// be seen.
+/// Contact forces of the new state, under its torques; then truth and readings.
 void Plant::Implementation::observe() {
   set_torques();
   mj_forwardSkip(&model, &data, mjSTAGE_VEL, 1);
@@ -211,7 +210,7 @@ void Plant::Implementation::check_state() const {
   }
 }
 
-/// Drives refuse a torque that is not a number: nothing is applied instead.
+/// Drives refuse a torque that is not a number and apply 0.
 JointVector Plant::Implementation::finite(JointVector torque) {
   for (Eigen::Index i = 0; i < torque.size(); ++i) {
     if (std::isfinite(torque[i])) continue;

@@ -11,26 +11,25 @@
 
 namespace surefoot {
 
-/// The robot's stand-in: MuJoCo on a model built from the same URDF that the controller reads, with
-/// actuators, sensors, terrain and disturbances.
+/// The simulated robot: MuJoCo with a model from the controller's URDF, plus actuators, sensors,
+/// terrain and disturbances.
 class Plant final : public RobotPort {
  public:
-  /// Throws Error on options that make no sense, naming the one.
+  /// Throws Error on an invalid option, with its name.
   Plant(const RobotDescription& description, const PlantOptions& options);
   ~Plant() override;
 
-  /// Readings at the current time. The first is available before the first write.
+  /// Readings at the current time; also before the first write.
   [[nodiscard]] const SensorReading& read() override;
   /// Applies the command through the actuator model and advances the physics by one control period.
   void write(const JointCommand& command) override;
 
-  /// Between two ticks: a push beside those of the options; one whose time is past begins now.
-  /// Throws UnknownNameError, with the robot's links, for a body that does not exist.
+  /// Between two ticks: adds a push; a past start time means now. Throws UnknownNameError, listing
+  /// the robot's links, for an unknown body.
   void push(const Push& push);
-  /// Between two ticks: pulls from now on, in the place of what pulled before; a force of 0 ends
-  /// it. Throws UnknownNameError as `push` does.
+  /// Between two ticks: replaces the pull, from now on; a force of 0 ends it. Throws as `push`.
   void pull(const Pull& pull);
-  /// What can be pushed.
+  /// Names of the bodies that can be pushed.
   [[nodiscard]] std::vector<std::string> bodies() const;
 
   [[nodiscard]] const GroundTruth& truth() const;
@@ -38,7 +37,7 @@ class Plant final : public RobotPort {
   /// The compiled physics model as MJCF text, for the log.
   [[nodiscard]] std::string model_xml() const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
-  /// Height of the terrain under (x, y), by a ray from above [m]; NaN where there is none.
+  /// Height of the terrain under (x, y), by a ray from above [m]; NaN without terrain.
   [[nodiscard]] double terrain_height(double x, double y) const;
 
  private:

@@ -10,12 +10,12 @@
 
 namespace surefoot {
 
-/// Of sensors and drives, in control ticks.
+/// Limit of sensor and drive delays, in control ticks.
 inline constexpr int kMaxDelayTicks = 1000;
-/// A thigh or shank may be longer or shorter by this [m].
+/// Limit of a thigh's or shank's length error [m].
 inline constexpr double kMaxLengthOffset = 0.1;
 inline constexpr double kMaxPayload = 200.0;  ///< [kg]
-/// Masses may be so many times as large or as small.
+/// Limit of mass scales and their inverses.
 inline constexpr double kMaxMassScale = 10.0;
 
 /// A box of terrain; `position` is its centre.
@@ -26,7 +26,7 @@ struct TerrainBox {
   double friction = -1.0;        ///< < 0: the terrain's default
 };
 
-/// An endless plane through `position` with the orientation `rpy`.
+/// An infinite plane through `position` with orientation `rpy`.
 struct TerrainLevel {
   Vec3 position = Vec3::Zero();  ///< [m]
   Vec3 rpy = Vec3::Zero();       ///< roll, pitch, yaw [rad]
@@ -45,7 +45,7 @@ struct TerrainHeightField {
   double friction = -1.0;
 };
 
-/// Random boxes on a grid, reproducible by their seed.
+/// Random boxes on a grid, reproducible by seed.
 struct TerrainRandomBoxes {
   Vec3 position = Vec3::Zero();       ///< centre of the field, z = lowest top face
   double size_x = 2.0, size_y = 2.0;  ///< [m]
@@ -73,50 +73,50 @@ struct ContactOptions {
 
 enum class ActuatorModel { ideal, sea };
 
-/// Between motor and joint, of `sea` at level 2.
+/// Spring between motor and joint, of `sea` at level 2.
 struct SpringOptions {
   double stiffness = 180.9;  ///< [N·m/rad]
 };
 
-/// Motor and gear, of `sea` at level 2. Friction is told at the joint's side of the gear.
+/// Motor and gear, of `sea` at level 2. Friction is at the joint's side of the gear.
 struct RotorOptions {
-  double inertia = 2.4e-5;     ///< of the rotor itself [kg·m²]; 0.06 at the joint
+  double inertia = 2.4e-5;     ///< of the rotor [kg·m²]; 0.06 at the joint
   double gear_ratio = 50.0;    ///< turns of the rotor per turn of the joint
   double viscous = 0.2;        ///< [N·m·s/rad]
   double coulomb = 1.0;        ///< [N·m]
-  double coulomb_speed = 0.1;  ///< over which it changes sign, as tanh(ω / speed) [rad/s]
+  double coulomb_speed = 0.1;  ///< of the sign change, tanh(ω / speed) [rad/s]
 };
 
-/// Loop on the spring's torque, of `sea` at level 2. Its gains follow from `bandwidth_hz`.
+/// Control loop of the spring's torque, of `sea` at level 2. Its gains follow from `bandwidth_hz`.
 struct TorqueLoopOptions {
   double damping = 0.7;        ///< ratio of the closed loop
   double integral_time = 0.1;  ///< [s]
 };
 
 struct ActuatorOptions {
-  ActuatorModel model = ActuatorModel::ideal;  ///< of a scenario that names none: sea
+  ActuatorModel model = ActuatorModel::ideal;  ///< a scenario's default is sea
   // sea:
   int level = 1;                ///< 1: delay and lag; 2: motor, spring and torque loop
   int delay_ticks = 1;          ///< control ticks between command and motor
   double bandwidth_hz = 70.0;   ///< of the lag at level 1, of the torque loop at level 2
-  double stall_torque = 40.0;   ///< torque–speed line: full torque at rest … [N·m]
-  double no_load_speed = 12.0;  ///< … none at this speed [rad/s]
-  double quantisation = 0.2;    ///< of the torque that is applied (1) or measured (2) [N·m]
-  double torque_gain = 1.0;     ///< true torque per commanded, of all joints …
-  JointVector joint_torque_gain = JointVector::Ones();  ///< … and of each, on top
+  double stall_torque = 40.0;   ///< torque limit at rest [N·m]
+  double no_load_speed = 12.0;  ///< speed at which the torque limit is 0 [rad/s]
+  double quantisation = 0.2;    ///< of the applied (level 1) or measured (2) torque [N·m]
+  double torque_gain = 1.0;     ///< true torque per commanded, of all joints
+  JointVector joint_torque_gain = JointVector::Ones();  ///< of each joint, on top
   SpringOptions spring;
   RotorOptions rotor;
   TorqueLoopOptions torque_loop;
 };
 
-// Sensors, one by one. Noise is white, the standard deviation of a sample. A rate is that of the
-// samples; one above the control rate counts as the control rate, below it a sample is held until
-// the next. A delay is that of the way to the controller, in control ticks.
+// Sensors. Noise is white, with the standard deviation of a sample. A rate is that of samples, at
+// most the control rate; below it a sample is held until the next. A delay is of the transmission,
+// in control ticks.
 
 struct EncoderOptions {
   double resolution = 4.4e-4;                ///< [rad], 0.025°; 0 = exact
-  double noise = 0.0;                        ///< before it is rounded [rad]
-  JointVector offset = JointVector::Zero();  ///< where each joint's zero is wrong by [rad]
+  double noise = 0.0;                        ///< before rounding [rad]
+  JointVector offset = JointVector::Zero();  ///< error of each joint's zero [rad]
   double rate_hz = 400.0;
   int delay_ticks = 0;
 };
@@ -132,14 +132,13 @@ struct ImuOptions {
   double gyro_bias = 1e-3;             ///< standard deviation of the constant bias [rad/s]
   double accelerometer_noise = 0.015;  ///< [m/s²]
   double accelerometer_bias = 0.08;    ///< standard deviation of the constant bias [m/s²]
-  // Biases also wander: a Gauss–Markov process from 0 at the start, with the standard deviation
-  // that it has in the long run and its correlation time. 0 = they stand still.
+  // Biases also drift: a Gauss–Markov process from 0, with the standard deviation in the long run
+  // and the correlation time. 0: constant biases.
   double gyro_drift = 0.0;                  ///< [rad/s]
   double gyro_drift_time = 1000.0;          ///< [s]
   double accelerometer_drift = 0.0;         ///< [m/s²]
   double accelerometer_drift_time = 300.0;  ///< [s]
-  Vec3 tilt =
-      Vec3::Zero();  ///< roll, pitch, yaw of the IMU in B, which is taken for B itself [rad]
+  Vec3 tilt = Vec3::Zero();  ///< roll, pitch, yaw of the IMU in B, unknown to the robot [rad]
   double rate_hz = 400.0;
   int delay_ticks = 0;
 };
@@ -154,25 +153,25 @@ struct FootForceSensorOptions {
 enum class FaultySensor { imu, gyro, accelerometer, encoders, joint_torques, foot_force };
 
 enum class FaultKind {
-  stops,    ///< nothing comes: NaN, and the sample's time stands still
+  stops,    ///< no samples: NaN, and the sample time stands still
   repeats,  ///< the last sample again and again, with its time
-  nan,      ///< samples come, but are NaN
+  nan,      ///< samples are NaN
   jump,     ///< every sample is off by `size`
   late,     ///< samples are `size` ticks older than usual
   spike,    ///< one sample is off by `size`
-  scaled,   ///< every sample is `size` times what it should be: another unit, or a wrong sign
+  scaled,   ///< samples are multiplied by `size`: another unit, or a wrong sign
 };
 
-/// A sensor that fails for a time.
+/// A sensor fault over a time.
 struct SensorFault {
   FaultySensor sensor = FaultySensor::imu;
   FaultKind kind = FaultKind::stops;
   double time = 0.0;                                          ///< start [s]
   double duration = std::numeric_limits<double>::infinity();  ///< [s]
-  /// In the sensor's unit, on each of its values; of `late` in control ticks, of `scaled` a factor.
+  /// In the sensor's unit, on each of its values; `late`: control ticks; `scaled`: a factor.
   double size = 0.0;
-  int joint = -1;  ///< encoders and joint_torques: this one alone; -1: all
-  int leg = -1;    ///< foot_force: this one alone; -1: all
+  int joint = -1;  ///< encoders and joint_torques: only this one; -1: all
+  int leg = -1;    ///< foot_force: only this one; -1: all
 };
 
 struct SensorOptions {
@@ -180,11 +179,11 @@ struct SensorOptions {
   JointTorqueSensorOptions joint_torques;
   ImuOptions imu;
   FootForceSensorOptions foot_force;
-  std::vector<SensorFault> faults;  ///< one after the other, where they overlap
+  std::vector<SensorFault> faults;  ///< applied in this order
 };
 
-/// A push: a force on a body over a time. A scenario may give it as an impulse over that time, or
-/// as a magnitude and a direction along the ground.
+/// A push: a force on a body over a time. A scenario may also give its impulse, or a magnitude and
+/// a direction along the ground.
 struct Push {
   std::string body;           ///< URDF link; empty: the base
   double time = 0.0;          ///< start [s]
@@ -192,20 +191,20 @@ struct Push {
   Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
-/// A force at a point of a body, as by a spring that somebody holds.
+/// A force at a point of a body, like a hand-held spring's.
 struct Pull {
   std::string body;           ///< URDF link; empty: the base
   Vec3 point = Vec3::Zero();  ///< in the body's frame [m]
   Vec3 force = Vec3::Zero();  ///< in W [N]
 };
 
-/// Somebody lifts the robot by a point of its base: what he holds it by is a spring that only pulls
-/// up, and steadies the point. His hand rises, stays, comes down again and lets go.
+/// Somebody lifts the robot at a point of its base, by a spring that only pulls up, and damps the
+/// point. The hand rises, stays, comes down again and lets go.
 struct Lift {
   double time = 0.0;                 ///< start [s]
-  double height = 0.3;               ///< of the hand's way [m]
-  double duration = 1.0;             ///< of the way up, and of the way down [s]
-  double hold = 3.0;                 ///< between them [s]
+  double height = 0.3;               ///< rise of the hand [m]
+  double duration = 1.0;             ///< of the rise, and of the descent [s]
+  double hold = 3.0;                 ///< time between them [s]
   Vec3 point = Vec3(0.0, 0.0, 0.3);  ///< of the base, in B [m]
 };
 
@@ -214,34 +213,31 @@ struct Payload {
   Vec3 position = Vec3(0.0, 0.0, 0.2);  ///< in B [m]
 };
 
-/// What acts on the robot, and what is wrong in the controller's model of it: all this is the
-/// plant's alone.
+/// External forces on the robot, and differences from the controller's model.
 struct DisturbanceOptions {
   std::vector<Push> pushes;
   std::vector<Lift> lifts;
   Payload payload;
   double base_mass_scale = 1.0;
-  double leg_mass_scale = 1.0;  ///< of all links of the legs …
-  JointVector link_mass_scale =
-      JointVector::Ones();  ///< … and of the one behind each joint (LF_HAA … RH_KFE), on top
-  Vec3 base_com_offset = Vec3::Zero();   ///< in B [m]
-  PerLeg<double> thigh_length_offset{};  ///< longer by this, HFE axis to KFE axis [m]
-  PerLeg<double> shank_length_offset{};  ///< KFE axis to the foot sphere's centre [m]
+  double leg_mass_scale = 1.0;                        ///< of all links of the legs
+  JointVector link_mass_scale = JointVector::Ones();  ///< of the link behind each joint, on top
+  Vec3 base_com_offset = Vec3::Zero();                ///< in B [m]
+  PerLeg<double> thigh_length_offset{};               ///< longer by this, HFE axis to KFE axis [m]
+  PerLeg<double> shank_length_offset{};               ///< KFE axis to the foot sphere's centre [m]
 };
 
-/// Where the robot stands at the start.
+/// Pose and posture at the start.
 struct InitialState {
-  Vec3 position = Vec3(0.0, 0.0, kNaN);  ///< base; z NaN: feet on the terrain's z = 0
+  Vec3 position = Vec3(0.0, 0.0, kNaN);  ///< of the base; z NaN: feet on the terrain
   double yaw = 0.0;                      ///< [rad]
   JointVector q = JointVector::Zero();   ///< joint angles [rad]
-  /// Whether these are a posture of its own and not the stance: what touches the ground first may
-  /// be any part.
+  /// The posture is not the stance, so any part may touch the ground first.
   bool is_given = false;
-  /// Before the run the joints are held by stiff springs for at least this long, feet in the air
-  /// are let down, and nothing moves any more: it begins at rest, with loaded feet; 0: it begins
-  /// with the foot that touches first, and carries nothing [s].
+  /// Before the run stiff springs hold the joints for at least this long, feet in the air are
+  /// lowered, and all motion stops: the run begins at rest, with loaded feet. 0: it begins with the
+  /// first touching foot, without load [s].
   double settle = 0.0;
-  /// Before the run nothing holds the joints, which only damp: the robot lies as it has sunk.
+  /// Before the run the joints only damp, so that the robot lies on the ground.
   bool limp = false;
 };
 

@@ -5,8 +5,8 @@
 
 namespace surefoot::simulation {
 
-/// Random numbers that are the same with every standard library: xoshiro256++ seeded by splitmix64,
-/// normal deviates by Box and Muller.
+/// Random numbers, equal with every standard library: xoshiro256++ seeded by splitmix64, normal
+/// deviates by Box and Muller.
 class Random {
  public:
   explicit Random(std::uint64_t seed);

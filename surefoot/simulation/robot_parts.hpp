@@ -5,7 +5,7 @@
 
 namespace surefoot::simulation {
 
-/// What a geom of the compiled model belongs to.
+/// The part that a geom of the compiled model belongs to.
 enum class Part : signed char {
   terrain,
   torso,  ///< the base, what is fixed to it, and the hips up to the HFE axes
@@ -15,11 +15,11 @@ enum class Part : signed char {
 
 struct GeomOwner {
   Part part = Part::terrain;
-  int leg = -1;  ///< index of the leg, of `leg` and `foot`
+  int leg = -1;  ///< for `leg` and `foot`
 };
 
-/// Where our joints, legs and feet are in MuJoCo's arrays; found by name, as its order is the
-/// URDF's.
+/// Indices of our joints, legs and feet in MuJoCo's arrays, found by name, as MuJoCo keeps the
+/// URDF's order.
 struct RobotParts {
   int base_body = -1;
   int base_qpos = 0, base_dof = 0;         ///< of the free joint
@@ -31,7 +31,7 @@ struct RobotParts {
   std::vector<GeomOwner> owner;  ///< of each geom
 };
 
-/// Name of the geom that is the sphere of a foot.
+/// Name of a foot sphere's geom.
 [[nodiscard]] std::string foot_geom_name(Leg leg);
 
 [[nodiscard]] RobotParts find_parts(const mjModel& model, const RobotDescription& description);

@@ -20,7 +20,7 @@ double duration_of(const SensorFault& fault, double control_period) {
   return fault.kind == FaultKind::spike ? control_period : fault.duration;
 }
 
-/// Calls `change(value, other value)` on what the fault's sensor measures.
+/// Calls `change(value, other value)` on each value of the fault's sensor.
 template <typename Change>
 void change_values(const SensorFault& fault, SensorReading& reading, const SensorReading& other,
                    const Change& change) {
@@ -39,7 +39,7 @@ void change_values(const SensorFault& fault, SensorReading& reading, const Senso
     each(reading.foot_force, other.foot_force, fault.leg);
 }
 
-/// The sample times are those of another reading, where the whole sensor is concerned.
+/// Takes the other reading's sample times, if the whole sensor is faulty.
 void take_time(const SensorFault& fault, SensorReading& reading, const SensorReading& other) {
   if (fault.joint >= 0) return;
   if (fault.sensor == FaultySensor::encoders) reading.encoder_time = other.encoder_time;

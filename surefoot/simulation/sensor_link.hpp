@@ -7,26 +7,25 @@
 
 namespace surefoot::simulation {
 
-/// The way from the sensors to the controller: delays, then faults.
+/// Transmission from the sensors to the controller: delays, then faults.
 ///
-/// A sample keeps the time at which it was taken, so that silence and delay show in the reading's
-/// sample times. Before the first sample there is only the first. A fault of one joint alone, of
-/// the gyroscope alone or of the accelerometer alone leaves the sample times as they are; foot
-/// sensors have none.
+/// A sample keeps its sample time, so that silence and delay show in the reading. Before enough
+/// ticks have passed the first sample arrives. A fault of a single joint, of the gyroscope alone or
+/// of the accelerometer alone leaves sample times unchanged; foot sensors have none.
 class SensorLink {
  public:
   SensorLink(const SensorOptions& options, double control_period);
 
-  /// The samples of a control tick go out. Does not allocate.
+  /// Sends the samples of a control tick. Does not allocate.
   void transmit(const SensorReading& sampled) noexcept;
-  /// What has come at this tick.
+  /// The reading that arrives at this tick.
   [[nodiscard]] const SensorReading& received() const noexcept { return received_; }
 
  private:
   struct Fault {
     SensorFault options;
     double end;                 ///< [s]
-    int delay;                  ///< of the faulty samples of a `late` one [ticks]
+    int delay;                  ///< of the samples of a `late` fault [ticks]
     SensorReading before = {};  ///< the last reading without the fault
   };
   [[nodiscard]] const SensorReading& sent(int ticks_ago) const noexcept;

@@ -17,7 +17,7 @@ Vector normal_vector(Random& random) {
   return result;
 }
 
-/// One step of a Gauss–Markov process of this standard deviation and correlation time.
+/// One step of a Gauss–Markov process with this standard deviation and correlation time.
 Vec3 drifted(const Vec3& drift, double deviation, double time, double step, Random& random) {
   const double kept = std::exp(-step / time);
   return kept * drift + deviation * std::sqrt(1.0 - kept * kept) * normal_vector<Vec3>(random);
@@ -57,11 +57,11 @@ void Sensors::accumulate(const Vec3& specific_force) noexcept {
   ++num_forces_;
 }
 
-// Noise is drawn at every tick, due or not, so that a rate changes no other noise.
+// Draws noise at every tick, so that a rate changes no other noise.
 void Sensors::read(const GroundTruth& truth, SensorReading& reading) noexcept {
   const Noise noise = draw();
   reading.time = truth.time;
-  wander();
+  drift();
   read_encoders(truth, reading);
   if (torque_clock_.is_due()) {
     reading.torque = truth.torque + options_.joint_torques.noise * noise.torque;
@@ -79,7 +79,7 @@ Sensors::Noise Sensors::draw() noexcept {
   return noise;
 }
 
-void Sensors::wander() noexcept {
+void Sensors::drift() noexcept {
   const ImuOptions& imu = options_.imu;
   gyro_drift_ =
       drifted(gyro_drift_, imu.gyro_drift, imu.gyro_drift_time, control_period_, drift_random_);

@@ -7,12 +7,12 @@
 
 namespace surefoot::simulation {
 
-/// Says at each control tick whether a sensor has a new sample.
+/// Decides at each control tick whether a sensor has a new sample.
 class SampleClock {
  public:
   SampleClock(double rate_hz, double control_period);
 
-  /// Asked once a tick; always true at the first.
+  /// Call once a tick; always true at the first.
   [[nodiscard]] bool is_due() noexcept;
 
  private:
@@ -21,16 +21,16 @@ class SampleClock {
   std::int64_t samples_ = -1;
 };
 
-/// What the robot's sensors make of the truth: encoders with noise that round, noisy torques, an
-/// IMU at the base frame, perhaps tilted, with biases that are drawn from the seed and may wander,
-/// optional foot force sensors. Each has its rate, and a sample is held until the next one is due.
+/// Measures the truth: noisy rounded encoders, noisy torques, an IMU at the base frame, perhaps
+/// tilted, with random and drifting biases, optional foot force sensors. Each has its rate and
+/// holds a sample until the next.
 ///
-/// The gyroscope gives the angular velocity at the moment of the sample. The accelerometer gives
-/// the mean specific force since its last sample, as strapdown IMUs do, so that its integral is the
-/// change of velocity also through impacts; before the first step the robot is held at rest.
+/// The gyroscope gives the current angular velocity. The accelerometer gives the mean specific
+/// force since its last sample, like strapdown IMUs, so that its integral is the change of velocity
+/// also through impacts; before the first step the robot is at rest.
 ///
-/// A sensor's noise at a tick depends on the seed alone: neither noise, nor rate, nor presence of
-/// the others changes it.
+/// A sensor's noise at a tick depends on the seed alone, not on noise, rate or presence of the
+/// others.
 class Sensors {
  public:
   Sensors(const SensorOptions& options, double control_period, std::uint64_t seed);
@@ -47,17 +47,17 @@ class Sensors {
     Vec3 gyro, accelerometer;
   };
   [[nodiscard]] Noise draw() noexcept;
-  void wander() noexcept;
+  void drift() noexcept;
   void read_encoders(const GroundTruth& truth, SensorReading& reading) noexcept;
   void read_imu(const GroundTruth& truth, const Noise& noise, SensorReading& reading) noexcept;
   void read_feet(const GroundTruth& truth, SensorReading& reading) noexcept;
 
   SensorOptions options_;
   SampleClock encoder_clock_, torque_clock_, imu_clock_, foot_clock_;
-  Random random_;  // of biases, torques and IMU
+  Random random_;  // for biases, torques and IMU
   Random encoder_random_, foot_random_, drift_random_;
   double control_period_;
-  Quat q_BS_;  // of the IMU's own frame S
+  Quat q_BS_;  // orientation of the IMU's own frame S
   Vec3 gyro_bias_, accelerometer_bias_;
   Vec3 gyro_drift_ = Vec3::Zero(), accelerometer_drift_ = Vec3::Zero();
   Vec3 force_sum_ = Vec3::Zero();

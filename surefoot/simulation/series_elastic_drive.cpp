@@ -14,7 +14,7 @@ double limited_by_speed(double torque, double speed, const ActuatorOptions& opti
 }
 
 double quantised(double torque, double quantum, double limit) {
-  constexpr double kRounding = 1e-9;  // 40 / 0.2 may come out just below 200
+  constexpr double kRounding = 1e-9;  // 40 / 0.2 may be just below 200
   if (quantum <= 0.0) return std::clamp(torque, -limit, limit);
   const double most = std::floor(limit / quantum + kRounding);
   return quantum * std::clamp(std::round(torque / quantum), -most, most);
@@ -35,10 +35,9 @@ void SeriesElasticDrive::rest_at(double q, double torque) noexcept {
   joint_angle_ = q;
   angle_ = q + torque / stiffness_;
   speed_ = joint_speed_ = integral_ = 0.0;
-  motor_torque_ = torque;
 }
 
-/// The motor's torque; the integral stands still while the motor can't follow.
+/// The motor's torque; at its limit the integral stands still.
 double SeriesElasticDrive::controlled(double reference) noexcept {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const double measured = quantised(torque(joint_angle_), options_.quantisation, kNoLimit);
@@ -50,7 +49,7 @@ double SeriesElasticDrive::controlled(double reference) noexcept {
   return given;
 }
 
-/// What friction is at this speed, as a damping.
+/// Friction at this speed, as a damping.
 double SeriesElasticDrive::friction_damping() const noexcept {
   const RotorOptions& rotor = options_.rotor;
   const double ratio = std::abs(speed_) / rotor.coulomb_speed;
@@ -60,22 +59,17 @@ double SeriesElasticDrive::friction_damping() const noexcept {
 
 void SeriesElasticDrive::advance(double reference, double q) noexcept {
   const double torque_before = torque(joint_angle_);
-  motor_torque_ = controlled(reference);
+  const double motor_torque = controlled(reference);
   joint_speed_ = (q - joint_angle_) / timestep_;
   joint_angle_ = q;
 
   const double momentum = 2.0 * inertia_ / timestep_;
   const double stiffening = 0.5 * stiffness_ * timestep_;
   const double middle_speed =
-      (momentum * speed_ + motor_torque_ - torque_before + stiffening * joint_speed_) /
+      (momentum * speed_ + motor_torque - torque_before + stiffening * joint_speed_) /
       (momentum + stiffening + friction_damping());
   angle_ += timestep_ * middle_speed;
   speed_ = 2.0 * middle_speed - speed_;
-}
-
-double SeriesElasticDrive::energy(double q) const noexcept {
-  const double deflection = angle_ - q;
-  return 0.5 * inertia_ * speed_ * speed_ + 0.5 * stiffness_ * deflection * deflection;
 }
 
 }  // namespace surefoot::simulation

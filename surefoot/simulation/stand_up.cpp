@@ -11,14 +11,14 @@
 namespace surefoot::simulation {
 namespace {
 
-constexpr double kStiffness = 1500.0;  // of the springs [N·m/rad]
-constexpr double kDamping = 25.0;      // [N·m·s/rad]
-constexpr double kInTheAir = 0.03;     // a foot that touches nothing for so long is let down [s] …
-constexpr double kLowering = 0.1;      // … at [m/s] …
-constexpr double kDeepest = 0.15;      // … to at most [m]
-constexpr double kLongest = 5.0;       // [s]
-constexpr double kRestSpeed = 0.005;   // of the base [m/s]
-constexpr double kRestRate = 0.02;     // of the joints [rad/s]
+constexpr double kStiffness = 1500.0;   // of the springs [N·m/rad]
+constexpr double kDamping = 25.0;       // [N·m·s/rad]
+constexpr double kMaxAirTime = 0.03;    // until a foot is lowered [s]
+constexpr double kLoweringSpeed = 0.1;  // of a foot [m/s]
+constexpr double kMaxLowering = 0.15;   // of a foot [m]
+constexpr double kMaxDuration = 5.0;    // [s]
+constexpr double kRestSpeed = 0.005;    // of the base [m/s]
+constexpr double kRestRate = 0.02;      // of the joints [rad/s]
 
 struct Foot {
   double in_the_air = 0.0;  // [s]
@@ -38,7 +38,7 @@ bool at_rest(const mjData& data, const RobotParts& parts) {
          joint_velocities(data, parts).cwiseAbs().maxCoeff() < kRestRate;
 }
 
-/// J of the foot with respect to its own joints, in W.
+/// Jacobian of the foot for its own joints, in W.
 Mat3 foot_jacobian(const mjModel& model, const mjData& data, const RobotParts& parts, Leg leg) {
   std::vector<mjtNum> jacobian(static_cast<std::size_t>(3 * model.nv));
   const auto nv = static_cast<std::size_t>(model.nv);
@@ -63,14 +63,14 @@ JointVector stand_up(const mjModel& model, mjData& data, const RobotParts& parts
   JointVector held = options.q, torque = JointVector::Zero();
   PerLeg<Foot> feet{};
   const auto least = std::lround(options.at_least / options.timestep);
-  const auto most = std::lround(kLongest / options.timestep);
+  const auto most = std::lround(kMaxDuration / options.timestep);
   for (long step = 0; step < least || (step < most && !at_rest(data, parts)); ++step) {
     for (const Leg leg : kLegs) {
       Foot& foot = feet[index(leg)];
       foot.in_the_air =
           touches(data, parts.foot_geom[index(leg)]) ? 0.0 : foot.in_the_air + options.timestep;
-      if (foot.in_the_air < kInTheAir || foot.lowered > kDeepest) continue;
-      const double down = kLowering * options.timestep;
+      if (foot.in_the_air < kMaxAirTime || foot.lowered > kMaxLowering) continue;
+      const double down = kLoweringSpeed * options.timestep;
       foot.lowered += down;
       held.segment<3>(first_joint(leg)) +=
           damped_inverse(foot_jacobian(model, data, parts, leg)) * Vec3(0.0, 0.0, -down);

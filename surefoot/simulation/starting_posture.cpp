@@ -13,8 +13,8 @@
 namespace surefoot::simulation {
 namespace {
 
-constexpr double kTouching = 1e-4;  // less than this is no overlap [m]
-constexpr double kRounding = 1e-6;  // [rad]
+constexpr double kMinOverlap = 1e-4;  // [m]
+constexpr double kRounding = 1e-6;    // [rad]
 
 std::string link_of(const mjModel& model, int geom) {
   return mj_id2name(&model, mjOBJ_BODY, model.geom_bodyid[geom]);
@@ -40,7 +40,7 @@ bool is_of_robot(const RobotParts& parts, int geom) {
   return parts.owner[static_cast<std::size_t>(geom)].part != Part::terrain;
 }
 
-/// The robot's shapes lie inside each other, where nothing but a contact force can part them.
+/// Finds shapes of the robot inside each other.
 void check_overlap(const mjModel& model, const mjData& data, const RobotParts& parts,
                    const std::string& urdf) {
   const mjContact* deepest = nullptr;
@@ -48,7 +48,7 @@ void check_overlap(const mjModel& model, const mjData& data, const RobotParts& p
   for (int id = 0; id < data.ncon; ++id) {
     const mjContact& contact = data.contact[id];
     if (!is_of_robot(parts, contact.geom[0]) || !is_of_robot(parts, contact.geom[1])) continue;
-    if (contact.dist > -kTouching) continue;
+    if (contact.dist > -kMinOverlap) continue;
     pairs.insert(
         std::minmax(model.geom_bodyid[contact.geom[0]], model.geom_bodyid[contact.geom[1]]));
     if (deepest == nullptr || contact.dist < deepest->dist) deepest = &contact;
@@ -62,7 +62,7 @@ void check_overlap(const mjModel& model, const mjData& data, const RobotParts& p
                    "; make them smaller, leave one out, or change the stance"));
 }
 
-/// z of the lowest vertex of a mesh, from its place, along a direction in its frame.
+/// Lowest z of a mesh's vertices relative to its position; `up` is e_z in the mesh's frame.
 double lowest_vertex(const mjModel& model, int mesh, const Vec3& up) {
   double lowest = std::numeric_limits<double>::infinity();
   const float* vertices = model.mesh_vert + 3 * model.mesh_vertadr[mesh];
@@ -73,7 +73,7 @@ double lowest_vertex(const mjModel& model, int mesh, const Vec3& up) {
   return lowest;
 }
 
-/// z of the lowest point of a shape in W; NaN of one that a URDF can't have.
+/// z of a shape's lowest point in W; NaN for shapes that a URDF can't have.
 double lowest_point(const mjModel& model, const mjData& data, int geom) {
   const Vec3 up(data.geom_xmat + 9 * geom + 6);  // e_z of W in the shape's frame
   const Vec3 size(model.geom_size + 3 * geom);
@@ -94,7 +94,7 @@ double lowest_point(const mjModel& model, const mjData& data, int geom) {
   }
 }
 
-/// Does the robot's torso lie above its feet? Else it does not stand, and feet need not be lowest.
+/// Is the torso above the feet? Otherwise the robot lies, and its feet need not be lowest.
 bool stands(const mjModel& model, const mjData& data, const RobotParts& parts) {
   double torso = std::numeric_limits<double>::infinity(), feet = -torso, radius = 0.0;
   for (int geom = 0; geom < model.ngeom; ++geom) {
@@ -108,7 +108,7 @@ bool stands(const mjModel& model, const mjData& data, const RobotParts& parts) {
   return torso > feet + radius;
 }
 
-/// What reaches below the sphere stands on the ground in its place, and no contact is ever found.
+/// A shape below the foot sphere would stand on the ground in its place, without a foot contact.
 void check_feet(const mjModel& model, const mjData& data, const RobotParts& parts,
                 const std::string& urdf) {
   if (!stands(model, data, parts)) return;
@@ -117,7 +117,7 @@ void check_feet(const mjModel& model, const mjData& data, const RobotParts& part
     if (owner.part != Part::leg) continue;
     const int sphere = parts.foot_geom[static_cast<std::size_t>(owner.leg)];
     const double depth = lowest_point(model, data, sphere) - lowest_point(model, data, geom);
-    if (depth < kTouching) continue;
+    if (depth < kMinOverlap) continue;
     throw Error(text(urdf, ": in the starting posture a collision shape of link \"",
                      link_of(model, geom), "\" reaches ", millimetres(depth),
                      " below the foot sphere of ", kLegNames[static_cast<std::size_t>(owner.leg)],

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRayStart = 1000.0;          // above any terrain [m]
 constexpr double kFieldThickness = 0.5;       // of a height field below its lowest point [m]
-constexpr double kFlatFieldElevation = 1e-3;  // MuJoCo wants a height above 0, even of a flat field
+constexpr double kFlatFieldElevation = 1e-3;  // MuJoCo needs a positive height range [m]
 constexpr int kRings = 24;                    // samples of the terrain under a sphere
 constexpr int kRays = 32;
 
@@ -27,7 +27,7 @@ class TerrainWriter {
 
   void operator()(const TerrainLevel& plane) {
     mjsGeom* geom = add_geom(mjGEOM_PLANE, plane.position, plane.rpy, plane.friction);
-    geom->size[0] = geom->size[1] = 0.0;  // endless
+    geom->size[0] = geom->size[1] = 0.0;  // infinite
     geom->size[2] = 1.0;
   }
 
@@ -90,7 +90,7 @@ class TerrainWriter {
     geom.solimp[0] = contact_.solimp_min;
     geom.solimp[1] = contact_.solimp_max;
     geom.solimp[2] = contact_.solimp_width;
-    // The robot's shapes look for the terrain; the terrain looks for nothing.
+    // Only the robot's shapes test for collisions with the terrain.
     geom.contype = 1;
     geom.conaffinity = 0;
   }

@@ -6,7 +6,7 @@
 
 namespace surefoot::simulation {
 
-/// The arguments written one after the other, as `<<` writes them.
+/// The concatenated arguments, as `<<` writes them.
 template <typename... Parts>
 [[nodiscard]] std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -14,7 +14,7 @@ template <typename... Parts>
   return stream.str();
 }
 
-/// MuJoCo's messages have lines; ours are one.
+/// MuJoCo's messages have several lines; ours have one.
 [[nodiscard]] inline std::string one_line(std::string message) {
   while (message.ends_with('\n')) message.pop_back();
   for (std::size_t end = 0; (end = message.find('\n')) != std::string::npos;)
@@ -22,7 +22,7 @@ template <typename... Parts>
   return message;
 }
 
-/// Names with a space between, for messages that say what would be valid.
+/// Names separated by spaces, for messages that list valid ones.
 [[nodiscard]] inline std::string listed(const std::vector<std::string>& names) {
   std::string line;
   for (const std::string& name : names) line += line.empty() ? name : " " + name;

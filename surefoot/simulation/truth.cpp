@@ -10,7 +10,7 @@ using ConstVec3 = Eigen::Map<const Vec3>;
 
 Vec3 vec3(const mjtNum* values) { return ConstVec3(values); }
 
-/// Sums over the contacts of one foot, weighted by force where there is some.
+/// Sums over the contacts of one foot, weighted by force.
 struct FootSum {
   Vec3 normal = Vec3::Zero();
   Vec3 point = Vec3::Zero();
@@ -22,7 +22,7 @@ const GeomOwner& owner_of(const RobotParts& parts, int geom) {
   return parts.owner[static_cast<std::size_t>(geom)];
 }
 
-/// The leg whose foot meets the terrain at this contact; −1 if none does.
+/// The leg whose foot touches the terrain at this contact; −1: none.
 int foot_on_terrain(const mjContact& contact, const RobotParts& parts) {
   const GeomOwner& first = owner_of(parts, contact.geom[0]);
   const GeomOwner& second = owner_of(parts, contact.geom[1]);

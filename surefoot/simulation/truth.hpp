@@ -5,13 +5,13 @@
 
 namespace surefoot::simulation {
 
-/// The truth at the state of `data`, whose positions, velocities and accelerations must be up to
-/// date. Does not allocate when `truth` has been filled once.
+/// The truth at the state of `data`, whose positions, velocities and accelerations must be current.
+/// Does not allocate after the first call.
 void extract_truth(const mjModel& model, mjData& data, const RobotParts& parts,
                    GroundTruth& truth) noexcept;
 
-/// Marks the feet that the ground pushed on in the physics step that was made last; `data.contact`
-/// must still be of that step.
+/// Marks the feet with ground force in the last physics step; `data.contact` must still be of that
+/// step.
 void note_touches(const mjModel& model, const mjData& data, const RobotParts& parts,
                   PerLeg<bool>& touched) noexcept;
 

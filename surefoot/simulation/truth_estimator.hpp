@@ -5,12 +5,12 @@
 
 namespace surefoot {
 
-/// `estimation: truth`: the base's pose and velocity and the joints' velocities are the simulator's
-/// own, joint positions and torques come from the sensors; positions that come late by τ_q go on
-/// to now, q += q̇ τ_q. The only place of control that sees the truth.
+/// `estimation: truth`: base state and joint velocities from the simulator, joint positions and
+/// torques from the sensors; positions delayed by τ_q are predicted to now, q += q̇ τ_q. The only
+/// part of control that knows the truth.
 class TruthEstimator final : public StateEstimator {
  public:
-  /// `truth` must outlive the estimator and belong to the time of the readings.
+  /// `truth` must outlive the estimator and be of the same time as the readings.
   explicit TruthEstimator(const GroundTruth& truth) : truth_(truth) {}
 
   [[nodiscard]] const RobotState& update(const SensorReading& reading,

@@ -104,32 +104,12 @@ TEST(SeriesElasticDrive, is_slower_the_larger_the_torque) {
   EXPECT_LT(gain_at(70.0, 10.0, drive_options()), 0.2);
 }
 
-TEST(SeriesElasticDrive, has_a_motor_that_never_gives_more_than_its_line) {
-  Random random(3);
-  const ActuatorOptions options = drive_options();
-  SeriesElasticDrive drive(options, kTimestep);
-  drive.rest_at(0.0);
-  double q = 0.0, largest = 0.0;
-  for (int step = 0; step < 20'000; ++step) {
-    const double speed_before = drive.rotor_speed();
-    const double reference = step % 40 < 20 ? 40.0 : -40.0;
-    drive.advance(reference, q += 0.01 * random.normal());
-    const double torque = drive.motor_torque();
-    largest = std::max(largest, std::abs(torque));
-    ASSERT_EQ(torque, limited_by_speed(torque, speed_before, options));
-  }
-  EXPECT_EQ(largest, options.stall_torque);
-}
-
 /// A joint of some inertia with nothing else on it, integrated as MuJoCo does.
 struct FreeJoint {
   void step(SeriesElasticDrive& drive, double reference) {
     speed += kTimestep * drive.torque(angle) / inertia;
     angle += kTimestep * speed;
     drive.advance(reference, angle);
-  }
-  [[nodiscard]] double energy(const SeriesElasticDrive& drive) const {
-    return 0.5 * inertia * speed * speed + drive.energy(angle);
   }
 
   double inertia = 0.05;
@@ -141,13 +121,12 @@ TEST(SeriesElasticDrive, runs_away_no_faster_than_the_motor_turns) {
   SeriesElasticDrive drive(drive_options(), kTimestep);
   FreeJoint joint;
   drive.rest_at(joint.angle);
-  double fastest = 0.0;
-  for (int step = 0; step < 4000; ++step) {
-    joint.step(drive, 40.0);
-    fastest = std::max(fastest, drive.rotor_speed());
-  }
-  EXPECT_LT(fastest, 12.0);
-  EXPECT_GT(fastest, 10.0);
+  for (int step = 0; step < 4000; ++step) joint.step(drive, 40.0);
+  const double begin = joint.angle;
+  for (int step = 0; step < 1000; ++step) joint.step(drive, 40.0);
+  const double speed = (joint.angle - begin) / (1000 * kTimestep);
+  EXPECT_LT(speed, 12.0);
+  EXPECT_GT(speed, 10.0);
 }
 
 TEST(SeriesElasticDrive, gives_no_energy_to_a_joint_that_nothing_is_asked_of) {
@@ -156,7 +135,7 @@ TEST(SeriesElasticDrive, gives_no_energy_to_a_joint_that_nothing_is_asked_of) {
       SeriesElasticDrive drive(drive_options(), kTimestep);
       FreeJoint joint{.inertia = inertia, .speed = speed};
       drive.rest_at(joint.angle);
-      const double start = joint.energy(drive);
+      const double start = 0.5 * inertia * speed * speed;
       double late = 0.0;
       for (int step = 0; step < 8000; ++step) {
         joint.step(drive, 0.0);
@@ -176,11 +155,13 @@ TEST(SeriesElasticDrive, keeps_the_energy_of_rotor_and_spring_where_nothing_take
   SeriesElasticDrive drive(options, kTimestep);
   drive.rest_at(0.1);
   drive.advance(0.0, 0.0);
-  const double start = drive.energy(0.0);
+  double early = 0.0, late = 0.0;  // amplitudes
   for (int step = 0; step < 20'000; ++step) {
     drive.advance(0.0, 0.0);
-    ASSERT_NEAR(drive.energy(0.0) / start, 1.0, 1e-6) << step;
+    double& amplitude = step < 1000 ? early : late;
+    if (step < 1000 || step >= 19'000) amplitude = std::max(amplitude, drive.torque(0.0));
   }
+  EXPECT_NEAR(late / early, 1.0, 1e-3);
 }
 
 TEST(SeriesElasticDrive, stays_finite_with_a_rotor_of_almost_no_inertia_and_a_stiff_spring) {

@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-/// Hills of ±5 cm under a robot that carries a load beside its middle.
+/// Hills of ±5 cm under a robot that carries a load off its middle.
 PlantOptions rough_ground(std::uint64_t seed, double settle = 0.6) {
   PlantOptions options = test::standing_options();
   options.initial.settle = settle;
@@ -54,7 +54,7 @@ TEST(StandUp, ALimpRobotLiesWhereItHasSunk) {
   EXPECT_LT(plant.truth().v_WB.norm(), 0.05);
 }
 
-// Not in the ground: legs that are folded well reach less deep than the torso.
+// Not in the ground: well-folded legs are above the torso's lowest point.
 TEST(StandUp, APostureOfItsOwnRestsOnWhatIsLowest) {
   PlantOptions options = test::standing_options();
   options.initial.is_given = true;

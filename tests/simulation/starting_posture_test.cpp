@@ -1,4 +1,4 @@
-// What would throw a robot over at once is named before it does.
+// Starting postures that would throw the robot over are refused.
 #include "surefoot/model/robot_model.hpp"
 #include "tests/simulation/plant_support.hpp"
 #include "tests/support/changed_urdf.hpp"
