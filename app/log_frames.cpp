@@ -101,8 +101,8 @@ bool LogFrames::has_wrong_times(std::size_t chunk) const {
   const auto [first, last] = std::pair(all[chunk].first_time, all[chunk].last_time);
   const bool can_be = all[chunk].has_sure_times || mcap::can_be_times(first, last);
   if (!can_be || seconds(last) / period_ >= kMostTicks) return true;
-  if (!all[chunk].is_bare || first != last || first < mcap::kLongestChunk) return false;
-  const std::uint64_t least = first - mcap::kLongestChunk;
+  if (!all[chunk].is_bare || first != last || first < mcap::kMaxChunkTime) return false;
+  const std::uint64_t least = first - mcap::kMaxChunkTime;
   if (!places_.empty()) return places_.back().last < least;
   return chunk + 1 < all.size() && all[chunk + 1].first_time < least;
 }

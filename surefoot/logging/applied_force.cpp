@@ -10,8 +10,8 @@
 namespace surefoot {
 namespace {
 
-constexpr double kTold = 0.38;  // share of a force that is told: less is within 22.5° of the others
-constexpr double kLeast = 1e-6;  // less is of a step that a push touches by rounding [N]
+constexpr double kMinShare = 0.38;  // of a force in a direction named: more than 22.5° off
+constexpr double kMinForce = 1e-6;  // less comes from rounding at a push's last step [N]
 constexpr double kDegrees = 57.29577951308232;
 
 double yaw_of(const Quat& q) {
@@ -22,13 +22,13 @@ double yaw_of(const Quat& q) {
 std::string direction(const AppliedForce& force) {
   const double up = force.force.z() / force.force.norm();
   std::string out;
-  if (std::hypot(force.force.x(), force.force.y()) > kTold * force.force.norm()) {
+  if (std::hypot(force.force.x(), force.force.y()) > kMinShare * force.force.norm()) {
     const double degrees = std::round(kDegrees * angle_from_ahead(force));
     out = formatted(", %.0f° from ahead", std::abs(degrees));
     if (degrees != 0.0 && std::abs(degrees) != 180.0)
       out += degrees > 0.0 ? " to the left" : " to the right";
   }
-  if (std::abs(up) > kTold)
+  if (std::abs(up) > kMinShare)
     out += (out.empty() ? ", " : " and ") + std::string(up > 0.0 ? "upwards" : "downwards");
   return out;
 }
@@ -40,7 +40,7 @@ std::vector<AppliedForce> applied_forces(double time, const std::vector<double>&
   std::vector<AppliedForce> forces;
   for (std::size_t body = 1; 6 * body + 6 <= xfrc.size(); ++body) {
     const Vec3 force(xfrc[6 * body], xfrc[6 * body + 1], xfrc[6 * body + 2]);
-    if (force.allFinite() && force.norm() > kLeast)
+    if (force.allFinite() && force.norm() > kMinForce)
       forces.push_back({.body = body, .from = time, .to = kNaN, .force = force, .q_WB = q_WB});
   }
   return forces;
@@ -65,11 +65,11 @@ AppliedForceWatch::Changes AppliedForceWatch::see(double time, const std::vector
       one.force.force = force.force;
       one.force.q_WB = force.q_WB;
     }
-    if (!std::exchange(one.is_told, true)) changes.begun.push_back(one.force);
+    if (!std::exchange(one.is_reported, true)) changes.begun.push_back(one.force);
     followed_.erase(goes_on);
   }
   for (Followed& one : followed_) {
-    if (!one.is_told) changes.begun.push_back(one.force);
+    if (!one.is_reported) changes.begun.push_back(one.force);
     one.force.to = before;
     changes.ended.push_back(one.force);
   }
@@ -83,7 +83,7 @@ std::vector<AppliedForce> AppliedForceWatch::acting() const {
   return forces;
 }
 
-// MuJoCo numbers bodies as they stand in the file, behind the world.
+// MuJoCo numbers bodies in the file's order, after the world.
 std::vector<std::string> body_names(const LogHeader& header) {
   const std::string* model = header.attachment("model.xml");
   if (model == nullptr) return {};

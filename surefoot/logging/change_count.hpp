@@ -7,13 +7,12 @@
 
 namespace surefoot {
 
-/// How often a run was changed or pushed from outside. A pull counts once, however many messages
-/// follow the operator's hand.
+/// Counts external changes and pushes of a run. A pull counts once, however many messages it has.
 class ChangeCount {
  public:
   /// In the order of the log.
   void add(const logged::Change& change);
-  /// Of a message on /changes; one that makes no sense is a change, too.
+  /// A message on /changes; an invalid one counts, too.
   void add(std::string_view message);
 
   [[nodiscard]] int count() const { return count_; }

@@ -6,8 +6,7 @@
 namespace surefoot {
 namespace {
 
-// tables[k][b]: what byte b contributes after k further zero bytes, so that eight bytes are taken
-// at once.
+// tables[k][b]: contribution of byte b with k zero bytes after it, to take eight bytes at once.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 constexpr Tables make_tables() {

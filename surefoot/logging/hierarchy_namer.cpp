@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-/// Entries that a report claims to have, within those that it can have.
+/// The claimed number of entries, limited to the possible one.
 std::size_t count(std::int32_t claimed, std::size_t most) {
   return std::min(static_cast<std::size_t>(std::max(claimed, 0)), most);
 }

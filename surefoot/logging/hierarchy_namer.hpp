@@ -9,17 +9,17 @@
 
 namespace surefoot {
 
-/// Names of a hierarchy's levels, highest first, and of their inequality rows.
+/// Names of a hierarchy's levels, highest first, and of their rows.
 struct LevelNames {
   std::vector<std::string> levels;
   RowNamer row_name;
 
-  /// "level 3" and "row 17" where there is no name.
+  /// "level 3" and "row 17" without a name.
   [[nodiscard]] std::string level(int number) const;
   [[nodiscard]] std::string row(int level, std::int32_t id) const;
 };
 
-/// Gives a HierarchyReport its names, as the log has them.
+/// Adds the log's names to a HierarchyReport.
 class HierarchyNamer {
  public:
   explicit HierarchyNamer(LevelNames names) : names_(std::move(names)) {}

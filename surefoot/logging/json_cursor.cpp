@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-// Appends a code point of the basic plane as UTF-8.
+// Appends a code point of the basic multilingual plane as UTF-8.
 void append_utf8(std::string& out, unsigned code) {
   if (code < 0x80) {
     out += static_cast<char>(code);
@@ -80,7 +80,7 @@ bool JsonCursor::truth() {
   return false;
 }
 
-// Between the quotes, as it stands.
+// The raw text between quotes.
 std::string_view JsonCursor::quoted() {
   expect('"');
   const std::size_t begin = position_;
@@ -128,7 +128,7 @@ void JsonCursor::skip() {
     if (c == '{' || c == '[') ++depth;
     if (c == '}' || c == ']') --depth;
     if (depth < 0) fail("a value");
-    // What remains are numbers and words: up to the next structure.
+    // Numbers and words end at the next structural character.
     const std::size_t end = text_.find_first_of("{}[],:\" \t\r\n", position_);
     position_ = end == position_ ? end + 1 : std::min(end, text_.size());
   } while (depth > 0);

@@ -7,21 +7,21 @@
 
 namespace surefoot {
 
-/// What is not JSON, or not of the kind that was asked for.
+/// Invalid JSON, or a value of another kind than requested.
 class JsonError : public Error {
  public:
   using Error::Error;
 };
 
 /// Reads JSON from front to back without building a tree: fast enough for each message of a log.
-/// Every read throws JsonError where the text is something else.
+/// Every read throws JsonError on other text.
 class JsonCursor {
  public:
   explicit JsonCursor(std::string_view text) : text_(text) {}
 
   /// The next byte that is not white space; '\0' at the end.
   [[nodiscard]] char peek();
-  /// Takes this byte.
+  /// Takes this byte, which must be next.
   void expect(char c);
   /// Takes this byte if it is the next.
   [[nodiscard]] bool accept(char c);
@@ -30,9 +30,9 @@ class JsonCursor {
   [[nodiscard]] double number();
   [[nodiscard]] bool truth();
   [[nodiscard]] std::string string();
-  /// A member's name with its colon, as it stands between the quotes.
+  /// A member's name, unescaped, and its colon.
   [[nodiscard]] std::string_view key();
-  /// Passes over any value.
+  /// Skips any value.
   void skip();
 
   [[nodiscard]] std::size_t position() const { return position_; }

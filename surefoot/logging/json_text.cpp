@@ -12,7 +12,7 @@ bool needs_escape(char c) { return c == '"' || c == '\\' || static_cast<unsigned
 
 bool is_plain(char c) { return !needs_escape(c) && static_cast<unsigned char>(c) < 0x80; }
 
-/// Bytes of the character that a text begins with, in UTF-8; 0 where they are none.
+/// Bytes of a text's first UTF-8 character; 0 if invalid.
 std::size_t character(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -23,7 +23,7 @@ std::size_t character(std::string_view text) {
   const std::size_t length = first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  // Longer than it need be, half of a pair, or beyond U+10FFFF.
+  // Overlong, a surrogate, or beyond U+10FFFF.
   const bool is_none = (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU) ||
                        (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
   return is_none ? 0 : length;
@@ -41,7 +41,7 @@ JsonText& JsonText::key(std::string_view name) {
 
 JsonText& JsonText::value(double number) {
   if (!std::isfinite(number)) return null();
-  // "-0" would be read as an integer, which has no sign.
+  // "-0" would be read as an integer, without a sign.
   if (number == 0.0) return plain(std::signbit(number) ? "-0.0" : "0");
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;

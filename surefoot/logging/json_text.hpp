@@ -8,9 +8,8 @@
 
 namespace surefoot {
 
-/// Appends compact JSON to a string. Numbers are the shortest text that reads back to the same
-/// double; NaN and infinities, which JSON has not, become null, and bytes of a text that are no
-/// UTF-8, as file names may have, U+FFFD.
+/// Appends compact JSON to a string. Numbers have the shortest text that reads back to the same
+/// double. NaN and infinity become null, bytes that are not UTF-8 (possible in file names) U+FFFD.
 ///
 ///     JsonText(out).object().member("time", 0.25).member("name", "LF").end_object();
 class JsonText {
@@ -35,7 +34,7 @@ class JsonText {
   /// A list of texts.
   JsonText& value(std::span<const std::string> texts);
   JsonText& null() { return plain("null"); }
-  /// Text that is JSON already.
+  /// Text that already is JSON.
   JsonText& raw(std::string_view json) { return plain(json); }
 
   template <typename T>

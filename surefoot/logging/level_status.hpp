@@ -9,13 +9,13 @@
 
 namespace surefoot {
 
-/// How a level came out.
+/// Result of a level.
 enum class LevelStatus : std::int8_t {
   met = 0,
-  missed,       ///< its residual is more than rounding
-  no_rows,      ///< it asks for nothing
-  cut_off,      ///< the solve ended early in it
-  not_reached,  ///< the solve ended early above it
+  missed,       ///< its residual exceeds rounding
+  no_rows,      ///< it has no rows
+  cut_off,      ///< the solver stopped early in it
+  not_reached,  ///< the solver stopped early above it
   not_solved,   ///< nothing was solved
 };
 
@@ -26,10 +26,10 @@ inline constexpr std::array<std::string_view, 6> kLevelStatusNames{
   return kLevelStatusNames[static_cast<std::size_t>(status)];
 }
 
-/// Of a level that was solved.
+/// Of a solved level.
 [[nodiscard]] LevelStatus level_status(const LevelReport& level);
 
-/// Of a level of the report, by its place in the order of priority.
+/// Of the report's level at this place in the order of priority.
 [[nodiscard]] LevelStatus level_status(const HierarchyReport& report, std::size_t place);
 
 }  // namespace surefoot

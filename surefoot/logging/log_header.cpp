@@ -49,8 +49,8 @@ void terrain_member(JsonText& json, const std::vector<LogTerrain>& terrain) {
   json.end_array();
 }
 
-/// Versions of one first number are told apart by it.
-int second_number(std::string_view version) {
+/// The minor number of a version.
+int minor_number(std::string_view version) {
   const std::size_t point = std::min(version.find('.'), version.size() - 1);
   return std::atoi(std::string(version.substr(point + 1)).c_str());
 }
@@ -62,9 +62,9 @@ std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t num
   return is_known ? names[static_cast<std::size_t>(number)] : "level " + std::to_string(number + 1);
 }
 
-bool LogHeader::is_older() const { return second_number(log_version) < second_number(kLogVersion); }
+bool LogHeader::is_older() const { return minor_number(log_version) < minor_number(kLogVersion); }
 
-bool LogHeader::is_newer() const { return second_number(log_version) > second_number(kLogVersion); }
+bool LogHeader::is_newer() const { return minor_number(log_version) > minor_number(kLogVersion); }
 
 std::string LogHeader::level_name(std::ptrdiff_t number) const {
   return surefoot::level_name(level_names, number);

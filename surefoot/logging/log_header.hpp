@@ -13,10 +13,10 @@
 
 namespace surefoot {
 
-/// Version of the log's topics and fields: the first number changes when a reader must change.
+/// Version of the log's topics and fields: the major number changes if readers must change.
 inline constexpr std::string_view kLogVersion = "2.11";
 
-/// What the report needs to know of the robot and its limits.
+/// Robot data for the report.
 struct LogRobot {
   std::string name;
   std::array<std::string, kNumJoints> joint_names;  ///< of the URDF, joint j of leg k at 3 k + j
@@ -25,30 +25,30 @@ struct LogRobot {
   double foot_radius = kNaN;                               ///< [m]
 };
 
-/// Limits of the distance between hip and foot (Eq. 35), as the stack has them; NaN: no such level.
+/// Limits of the distance between hip and foot (Eq. 35), from the stack; NaN: no such level.
 struct LogLimbLimits {
-  int level = -1;                 ///< of the hierarchy, counted from 0
+  int level = -1;                 ///< of the hierarchy, from 0
   std::string form;               ///< "radial" or "vertical"
   double min = kNaN, max = kNaN;  ///< [m]
 };
 
-/// A piece of the simulated ground; the highest of them at a place is what feet meet there.
+/// A piece of the simulated ground; feet touch the highest at each place.
 struct LogTerrain {
-  std::string shape;              ///< "plane" (endless), "box", or "heights" on a level grid
+  std::string shape;              ///< "plane" (infinite), "box", or "heights" on a grid
   Vec3 position = Vec3::Zero();   ///< of its centre in W [m]
-  Quat q_WT = Quat::Identity();   ///< takes its coordinates to W; a plane's z is its normal
+  Quat q_WT = Quat::Identity();   ///< takes its coordinates to W; a plane's normal is z
   Vec3 size = Vec3::Zero();       ///< full edge lengths; of a grid along x and y [m]
   int columns = 0, rows = 0;      ///< points of the grid along x and y
   std::vector<double> heights{};  ///< above `position`, row by row along y [m]
 };
 
-/// A value that the seed chose.
+/// A value drawn from the seed.
 struct LogDraw {
   std::string path;  ///< of the scenario's key
   double value = kNaN;
 };
 
-/// A file that the run was made from, kept in the log as an attachment.
+/// An input file of the run, stored in the log as an attachment.
 struct LogAttachment {
   std::string name, media_type, data;
 };
@@ -56,50 +56,48 @@ struct LogAttachment {
 /// Name of an inequality row by its level and its id in that level.
 using RowNamer = std::function<std::string(int level, std::int32_t id)>;
 
-/// What a log says of its run before the first tick. Nothing in it may depend on when or where it
-/// ran.
+/// Description of the run at the log's start. Must not depend on when or where it ran.
 struct LogHeader {
   std::string version;                   ///< of the program
-  std::string log_version{kLogVersion};  ///< of a log that was read: that log's
-  std::string commit;                    ///< that it was built from; empty: not known
-  std::string command;                   ///< that makes this run again; empty: not known
+  std::string log_version{kLogVersion};  ///< for a log that was read: its version
+  std::string commit;                    ///< of the build; empty: not known
+  std::string command;                   ///< to repeat the run; empty: not known
   std::string scenario, stack;           ///< names
-  std::string description;               ///< what the scenario is about, in a line
+  std::string description;               ///< of the scenario, one line
   std::string estimation;                ///< e.g. "truth"
-  std::string options;                   ///< everything that was set, as JSON; empty: none
+  std::string options;                   ///< all settings, as JSON; empty: none
   std::uint64_t seed = 0;
-  std::vector<LogDraw> drawn;            ///< what the seed chose, besides the sensors' noise
+  std::vector<LogDraw> drawn;            ///< values from the seed, besides sensor noise
   double control_period = 0.0025;        ///< [s]
   std::vector<std::string> level_names;  ///< of the hierarchy, highest first
-  std::vector<std::string> level_units;  ///< of their residuals; empty texts where there is none
+  std::vector<std::string> level_units;  ///< of their residuals; empty texts: none
   std::vector<std::string> event_names;  ///< of MotionPlan::event, by number
   LogRobot robot;
   LogLimbLimits limb;
   std::vector<LogTerrain> terrain;
-  std::vector<std::string> notes;  ///< e.g. what was changed in the robot's model
-  /// The physics model as MJCF; scenario, stack and robot as they were read; the stack with
-  /// everything worked in, and the robot's URDF.
+  std::vector<std::string> notes;  ///< e.g. changes to the robot's model
+  /// The physics model as MJCF; scenario, stack and robot as read; the complete stack, and the
+  /// robot's URDF.
   std::vector<LogAttachment> attachments;
 
-  /// A log that was read lacks what came into the format since then, or has what this program
-  /// passes over.
+  /// Older: the log lacks newer parts of the format. Newer: it has parts that are ignored.
   [[nodiscard]] bool is_older() const;
   [[nodiscard]] bool is_newer() const;
 
-  /// Of a level by its number; "level 3" where there is none of it.
+  /// Of a level by its number; "level 3" without a name.
   [[nodiscard]] std::string level_name(std::ptrdiff_t number) const;
-  /// Of its residual; empty where there is none.
+  /// Of its residual; empty if unknown.
   [[nodiscard]] std::string level_unit(std::ptrdiff_t number) const;
 
-  /// The content of an attachment; null where there is none of that name.
+  /// The content of an attachment; null if there is none.
   [[nodiscard]] const std::string* attachment(std::string_view name) const;
 
-  /// Called on the recorder's thread. Not part of the file: the rows' names stand in the hierarchy
-  /// messages.
+  /// Called on the recorder's thread. Not part of the file: hierarchy messages contain the rows'
+  /// names.
   RowNamer row_name;
 };
 
-/// Of a level by its number; "level 3" where there is none of it.
+/// Of a level by its number; "level 3" without a name.
 [[nodiscard]] std::string level_name(const std::vector<std::string>& names, std::ptrdiff_t number);
 
 /// The header as JSON, without the attachments.

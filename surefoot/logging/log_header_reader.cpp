@@ -11,14 +11,14 @@ namespace {
 
 using nlohmann::json;
 
-/// A member of the header that is missing or is not of its kind.
+/// A missing member of the header, or one of the wrong kind.
 struct BadMember {
   std::string name;
 };
 
 double number(const json& value) { return value.is_null() ? kNaN : value.get<double>(); }
 
-/// What `parse` makes of a member.
+/// Parses a member.
 auto member(const json& object, const char* name, const auto& parse) {
   try {
     return parse(object.at(name));
@@ -66,7 +66,7 @@ LogTerrain parse_terrain(const json& piece) {
           .heights = piece.at("heights").get<std::vector<double>>()};
 }
 
-// What not all logs have.
+// Members that older logs lack.
 void parse_newer(const json& header, LogHeader& result) {
   result.commit = header.value("commit", "");
   result.command = header.value("command", "");
@@ -107,12 +107,12 @@ LogHeader parse_header(const json& header) {
   return result;
 }
 
-/// What reads and writes JSON calls itself for each bracket: of a header that is deeper than any of
-/// ours the stack would run out.
+/// The JSON library recurses at each bracket: a header deeper than any of ours would overflow the
+/// stack.
 json parse_flat(const std::string& text) {
-  constexpr int kDeepest = 100;
+  constexpr int kMaxDepth = 100;
   return json::parse(text, [](int depth, json::parse_event_t, const json&) {
-    if (depth > kDeepest) throw BadMember{"an end of its brackets"};
+    if (depth > kMaxDepth) throw BadMember{"an end of its brackets"};
     return true;
   });
 }

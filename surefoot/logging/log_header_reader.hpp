@@ -7,8 +7,8 @@
 namespace surefoot {
 
 /// The header of the log at `path` from its attachment header.json, without `row_name` and
-/// attachments. Throws FileError where it is damaged, lacks something or is of another major
-/// version of the log, with what can still be done.
+/// attachments. Throws FileError, with advice, if it is damaged, incomplete or of another major
+/// version.
 [[nodiscard]] LogHeader read_log_header(const std::string& path, const std::string& text);
 
 }  // namespace surefoot

@@ -16,8 +16,8 @@ namespace {
 constexpr std::string_view kHeaderName = "header.json";
 constexpr std::string_view kSummaryName = "summary.json";
 
-/// Levels by their numbers in the header, whatever order they had at the tick; those that it does
-/// not have by their place in the message.
+/// Levels by their numbers in the header, in any order at the tick; levels missing there by their
+/// place in the message.
 class LevelNumbers {
  public:
   LevelNumbers(const std::vector<std::string>& header, const logged::Hierarchy& named)
@@ -70,10 +70,10 @@ void add_switch(const logged::Hierarchy& named, const LevelNumbers& numbers,
   set_change(change.remove, LevelChange::goes, named, numbers, report.level_switch);
 }
 
-/// Of a solve that was cut off: the level that it ended in, and those behind it, have no residual.
+/// After an early stop the level it happened in, and those below, have no residual.
 void forget_unsolved(const logged::Hierarchy& named, const LevelNumbers& numbers,
                      HierarchyReport& report) {
-  constexpr std::int32_t kIterationCap = 1;  // as the schema of the message has it
+  constexpr std::int32_t kIterationCap = 1;  // as in the message's schema
   if (named.status != kIterationCap || named.failed_level < 0) return;
   for (auto i = static_cast<std::size_t>(named.failed_level); i < named.levels.size(); ++i) {
     const auto number = static_cast<std::size_t>(numbers.of(named.levels[i].name));
@@ -134,7 +134,7 @@ bool is_signal(std::string_view topic) {
   return std::apply([&](const auto&... one) { return ((topic == one.name) || ...); }, kSignals);
 }
 
-/// On a channel of the recorder.
+/// A channel of the recorder.
 bool is_own(std::string_view topic) {
   return is_signal(topic) || topic == "/hierarchy" || topic == "/timings";
 }
@@ -200,7 +200,7 @@ bool LogReader::next(TickRecord& tick) {
   return false;
 }
 
-// A tick may have begun in what is lost; the next one begins with its readings.
+// A lost part may contain the start of a tick; the next tick starts with its readings.
 bool LogReader::is_rest_of_lost_tick(const McapMessage& message) {
   if (known_losses_ != file_.losses().size()) in_lost_tick_ = true;
   for (; known_losses_ < file_.losses().size(); ++known_losses_) {
@@ -218,7 +218,7 @@ bool LogReader::end_tick(std::uint64_t time) {
   return true;
 }
 
-// Timings stand behind all ticks, and each tick has one.
+// Timings follow all ticks, one a tick.
 bool LogReader::may_go_on() const {
   const std::uint64_t last = tick_time_.value_or(0);
   const bool has_timings = !timings_.empty();

@@ -14,12 +14,11 @@
 
 namespace surefoot {
 
-/// Decodes a message that is a signal of the tick, which is all that a tick has but its hierarchy;
-/// false where it is another. Throws JsonError where the message is not what its schema says.
+/// Decodes a message with a signal of the tick (all of a tick but its hierarchy); false for other
+/// messages. Throws JsonError if the message does not fit its schema.
 [[nodiscard]] bool decode_signal(const McapMessage& message, TickRecord& tick);
 
-/// Reads a recorder's log tick by tick, also one that was cut off or damaged: what can't be read is
-/// passed over.
+/// Reads a recorder's log tick by tick, and skips unreadable parts of cut-off or damaged logs.
 class LogReader {
  public:
   /// Level and id of an inequality row.
@@ -27,42 +26,40 @@ class LogReader {
   using Other = std::function<void(const McapMessage&)>;
 
   /// Throws FileError if the file is missing, empty, not MCAP, not a log of ours or of another
-  /// version.
-  /// `other` gets the messages on channels that are not the recorder's own, such as /truth, as they
-  /// come.
+  /// version. `other` gets the messages on other than the recorder's own channels, such as /truth,
+  /// in their order.
   explicit LogReader(const std::string& path, Other other = {});
 
-  /// What the recorder was given, without `row_name`.
+  /// The recorder's header, without `row_name`.
   [[nodiscard]] const LogHeader& header() const { return header_; }
 
-  /// Passes over the ticks before a time [s], without decoding them; before the first `next`. What
-  /// is on other channels still comes.
+  /// Skips the ticks before a time [s], without decoding; call before the first `next`. Messages on
+  /// other channels still arrive.
   void skip_until(double time);
 
-  /// The next tick that is whole; false after the last one. Throws FileError if a message is not
-  /// what its schema says.
+  /// The next complete tick; false after the last one. Throws FileError if a message does not fit
+  /// its schema.
   [[nodiscard]] bool next(TickRecord& tick);
 
-  /// Of the last tick: its levels by their numbers in the header, highest first. In the record they
-  /// stand by these numbers, whatever their order was.
+  /// Levels of the last tick, highest first, as numbers in the header. The record always has them
+  /// by these numbers.
   [[nodiscard]] const std::vector<std::int16_t>& level_order() const { return level_order_; }
 
   /// After the last tick.
   [[nodiscard]] const std::vector<TickTiming>& timings() const { return timings_; }
-  /// After the last tick: the summary that the recorder was closed with, as JSON; empty without
-  /// one.
+  /// After the last tick: the summary given to the recorder on closing, as JSON; empty without one.
   [[nodiscard]] std::string summary() const;
-  /// Names of the rows that were active, missed or held something back in the ticks read so far.
+  /// Names of the active, missed and blocking rows in the ticks read so far.
   [[nodiscard]] const std::map<RowKey, std::string>& row_names() const { return row_names_; }
   [[nodiscard]] bool complete() const { return file_.complete(); }
   [[nodiscard]] std::string problem() const { return file_.problem(); }
 
-  /// Whether the last tick is the first of the run or came a control period after the one before:
-  /// none between them is lost.
+  /// Is the last tick the run's first, or one control period after the one before, so that none in
+  /// between is lost?
   [[nodiscard]] bool follows() const { return clock_.follows(); }
-  /// In the ticks read so far.
+  /// Of the ticks read so far.
   [[nodiscard]] const ClockSkips& clock_skips() const { return clock_.skips(); }
-  /// After the last tick: whether the run may have had more behind it, which are lost.
+  /// After the last tick: may later ticks be lost?
   [[nodiscard]] bool may_go_on() const;
 
  private:

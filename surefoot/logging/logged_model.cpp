@@ -3,7 +3,7 @@
 namespace surefoot::logged {
 namespace {
 
-constexpr double kLoaded = 1.0;  // [N]
+constexpr double kMinLoad = 1.0;  // [N]
 
 }  // namespace
 
@@ -13,7 +13,7 @@ Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force) {
     load += force[k].z();
     moment += p_WF[k].z() * force[k].z();
   }
-  if (!(load > kLoaded)) return Vec2::Constant(kNaN);
+  if (!(load > kMinLoad)) return Vec2::Constant(kNaN);
   const double height = moment / load;
   Vec2 sum = Vec2::Zero();
   for (std::size_t k = 0; k < force.size(); ++k) {

@@ -5,7 +5,7 @@
 
 namespace surefoot::logged {
 
-/// ModelRecord, and what follows from it and the believed state.
+/// ModelRecord, and results from it and the estimated state.
 struct Model {
   ModelRecord record;
   Vec2 zmp = Vec2::Constant(kNaN);  ///< see `measured_zmp`
@@ -13,12 +13,12 @@ struct Model {
 
 [[nodiscard]] Model model_of(const TickRecord& tick);
 
-/// Where one force can stand for the estimated ground forces f on the feet F, without a horizontal
-/// moment, at the height at which they act:
+/// Measured zero-moment point: a single force there replaces the estimated ground forces f on the
+/// feet F, without a horizontal moment, at their mean height:
 ///
 ///     x = Σ (p_WF,xy f_z − (p_WF,z − z) f_xy) / Σ f_z,   z = Σ p_WF,z f_z / Σ f_z
 ///
-/// In W [m]; NaN while the feet carry nothing or nothing is believed.
+/// In W [m]; NaN while the feet carry nothing or without an estimate.
 [[nodiscard]] Vec2 measured_zmp(const PerLeg<Vec3>& p_WF, const PerLeg<Vec3>& force);
 
 template <typename Archive, Is<Model> T>

@@ -7,11 +7,11 @@
 
 namespace surefoot::logged {
 
-/// What the log has of a tick's timing, whose levels have these names, highest priority first. No
-/// level stands in it where none was measured.
+/// A tick's timing in the log, with its levels' names, highest priority first. Has no levels if
+/// none was measured.
 [[nodiscard]] Timing timing_of(const TickTiming& timing, const std::vector<std::string>& names);
 
-/// The same back, with the levels in the order of `names`, whatever theirs was.
+/// The reverse, with the levels in the order of `names`.
 [[nodiscard]] TickTiming timing_from(const Timing& timing, const std::vector<std::string>& names);
 
 }  // namespace surefoot::logged

@@ -17,11 +17,11 @@ using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
-constexpr std::uint64_t kDates = 16;         // of an attachment [bytes] …
-constexpr std::uint64_t kBeforeData = 1024;  // … with as much of its name as can be asked for
-constexpr std::uint64_t kLargestChannel = 1 << 20;
-constexpr std::uint64_t kLargestBare = 1 << 22;        // messages taken together [bytes] …
-constexpr std::uint64_t kLongestBare = 1'000'000'000;  // … and [ns]
+constexpr std::uint64_t kDates = 16;                   // of an attachment [bytes]
+constexpr std::uint64_t kMaxHead = 1024;               // of an attachment, with its name [bytes]
+constexpr std::uint64_t kMaxChannel = 1 << 20;         // [bytes]
+constexpr std::uint64_t kMaxBareSize = 1 << 22;        // of messages taken together [bytes]
+constexpr std::uint64_t kMaxBareTime = 1'000'000'000;  // of messages taken together [ns]
 constexpr std::uint64_t kBeforeTime = 6;               // of a message's content [bytes]
 
 }  // namespace
@@ -30,7 +30,7 @@ McapChunks::McapChunks(const std::string& path) : path_(path), file_(path) {
   if (!file_.is_open()) throw FileError(path + ": can't be read");
   try {
     find_chunks();
-  } catch (const Malformed&) {  // what was found so far
+  } catch (const Malformed&) {  // keep the chunks found so far
   }
 }
 
@@ -49,21 +49,21 @@ void McapChunks::find_chunks() {
     if (file_.opcode() == Opcode::attachment)
       attachments_.push_back({file_.offset() + kRecordHead, file_.length()});
     complete_ = complete_ || file_.opcode() == Opcode::data_end;
-    if (file_.opcode() == Opcode::channel && file_.length() < kLargestChannel) learn_channel();
+    if (file_.opcode() == Opcode::channel && file_.length() < kMaxChannel) learn_channel();
   }
 }
 
 std::string McapChunks::attachment(const std::string& name) {
   for (auto place = attachments_.rbegin(); place != attachments_.rend(); ++place) {
     try {
-      const std::string start = file_.bytes(place->offset, std::min(place->length, kBeforeData));
+      const std::string start = file_.bytes(place->offset, std::min(place->length, kMaxHead));
       Cursor cursor(start);
       cursor.bytes(kDates);
       if (cursor.text() != name) continue;
       const std::string content = file_.bytes(place->offset, place->length);
       const mcap::AttachmentRecord record = mcap::attachment_record(content);
       if (record.is_whole) return std::string(record.data);
-    } catch (const Malformed&) {  // it is damaged; an earlier one may not be
+    } catch (const Malformed&) {  // damaged; an earlier one may be intact
     }
   }
   return "";
@@ -80,8 +80,8 @@ void McapChunks::add_bare_message() {
   const std::uint64_t size = kRecordHead + file_.length();
   const bool goes_on = !chunks_.empty() && chunks_.back().is_bare &&
                        chunks_.back().offset + chunks_.back().size == file_.offset() &&
-                       chunks_.back().size < kLargestBare && time >= chunks_.back().last_time &&
-                       time - chunks_.back().first_time < kLongestBare;
+                       chunks_.back().size < kMaxBareSize && time >= chunks_.back().last_time &&
+                       time - chunks_.back().first_time < kMaxBareTime;
   if (!goes_on) {
     chunks_.push_back({file_.offset(), size, time, time, true});
     return;
@@ -90,11 +90,11 @@ void McapChunks::add_bare_message() {
   chunks_.back().last_time = time;
 }
 
-// One that is described outside of chunks, as behind the data all are.
+// A channel described outside of chunks, as all are after the data.
 void McapChunks::learn_channel() {
   try {
     keep(mcap::channel_record(file_.content()));
-  } catch (const Malformed&) {  // then its messages in the chunks tell it
+  } catch (const Malformed&) {  // its messages' chunks describe it, too
   }
 }
 
@@ -110,7 +110,7 @@ void McapChunks::learn_times(McapChunk& chunk) {
       first = std::min(first, time);
       last = std::max(last, time);
     }
-  } catch (const Malformed&) {  // then it can't be read at all
+  } catch (const Malformed&) {  // unreadable
     return;
   } catch (const mcap::OtherCompression&) {
     return;
@@ -132,7 +132,7 @@ std::string McapChunks::records(const McapChunk& chunk) {
 
 void McapChunks::read(std::size_t chunk, const Take& take) {
   const McapChunk& place = chunks_.at(chunk);
-  std::vector<std::uint64_t> lost;  // where they begin
+  std::vector<std::uint64_t> lost;  // their offsets
   try {
     const std::string bytes = records(place);
     Cursor cursor(bytes);
@@ -155,7 +155,7 @@ void McapChunks::read(std::size_t chunk, const Take& take) {
                   " is unknown" + more);
 }
 
-// False for a message whose channel is not known.
+// False for a message of an unknown channel.
 bool McapChunks::take_record(mcap::Opcode opcode, std::string_view content, const Take& take) {
   if (opcode == Opcode::channel) keep(mcap::channel_record(content));
   if (opcode != Opcode::message) return true;

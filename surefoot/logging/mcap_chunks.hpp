@@ -12,19 +12,18 @@
 
 namespace surefoot {
 
-/// A chunk of an MCAP file; where another writer left its messages outside of chunks, some of them
-/// that stand one after the other.
+/// A chunk of an MCAP file, or some consecutive messages outside of chunks, from other writers.
 struct McapChunk {
   std::uint64_t offset = 0, size = 0;           ///< of its record, or records, in the file [bytes]
   std::uint64_t first_time = 0, last_time = 0;  ///< of its messages [ns]
-  bool is_bare = false;                         ///< its messages stand outside of chunks
-  bool has_sure_times = false;                  ///< they were read of its messages
+  bool is_bare = false;                         ///< messages outside of chunks
+  bool has_sure_times = false;                  ///< read from its messages
 };
 
-/// Reads an MCAP file chunk by chunk, in any order: of a file of any size only one chunk is in
-/// memory. Where the chunks lie is found without reading them, also in a file that was cut off; a
-/// chunk whose head has times that a recorder gives none is read for those of its messages: another
-/// writer's may be longer, and a damaged head says anything.
+/// Reads an MCAP file chunk by chunk, in any order, with one chunk in memory. Finds the chunks
+/// without reading them, also in a cut-off file. A chunk whose head has times that our recorder
+/// never writes is read for its messages' times: other writers may use longer chunks, and a damaged
+/// head is arbitrary.
 class McapChunks {
  public:
   using Take = std::function<void(const McapMessage&)>;
@@ -34,27 +33,25 @@ class McapChunks {
 
   [[nodiscard]] const std::vector<McapChunk>& chunks() const { return chunks_; }
 
-  /// The file was closed: its data have an end.
+  /// The file was closed: it has a data end.
   [[nodiscard]] bool complete() const { return complete_; }
-  /// Behind the last record that was found [bytes]: there a file that is not complete was cut off.
+  /// After the last record found [bytes]; an incomplete file was cut off there.
   [[nodiscard]] std::uint64_t end() const { return file_.offset(); }
 
-  /// The data of the last attachment of that name; empty where there is none that is whole.
+  /// Data of the last intact attachment with that name; empty without one.
   [[nodiscard]] std::string attachment(const std::string& name);
 
-  /// Places between the chunks where something stood that can't be found, and messages outside of
-  /// chunks that are too short to be one.
+  /// Number of gaps between the chunks, and of messages outside of chunks that are too short.
   [[nodiscard]] std::size_t num_lost() const { return num_lost_; }
 
-  /// The messages of a chunk, in their order. Channels are described behind the data, and in the
-  /// chunk of their first message, which must have been read before where the file was cut off;
-  /// messages of a channel that is not known are left out. Throws FileError if the chunk is
-  /// damaged; of messages outside of chunks after those that can be read, also where a channel is
-  /// not known.
+  /// The messages of a chunk, in order. Channels are described after the data, and in the chunk of
+  /// their first message, which must have been read before in a cut-off file; messages of unknown
+  /// channels are skipped. Throws FileError for a damaged chunk, and, after the readable ones, for
+  /// messages outside of chunks that are damaged or of an unknown channel.
   void read(std::size_t chunk, const Take& take);
 
  private:
-  /// Of a record's content in the file [bytes].
+  /// A record's content in the file [bytes].
   struct Place {
     std::uint64_t offset, length;
   };

@@ -7,19 +7,19 @@
 namespace surefoot::mcap {
 namespace {
 
-constexpr std::uint64_t kLargestChunk = 1ull << 30;
-constexpr std::uint64_t kMostShrunk = 1 << 15;  // by zstd, some 20 000 times: a run of zeros
+constexpr std::uint64_t kMaxChunk = 1ull << 30;  // [bytes]
+constexpr std::uint64_t kMaxRatio = 1 << 15;     // of zstd, some 20 000 for zeros
 
 std::string decompress(std::string_view compressed, const std::string& compression,
                        std::uint64_t size) {
-  if (size > kLargestChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
+  if (size > kMaxChunk) throw Malformed{"a chunk claims to be larger than 1 GiB"};
   if (compression.empty()) return std::string(compressed);
   if (compression == "lz4") throw OtherCompression{compression};
   if (compression != "zstd") throw Malformed{"a chunk is not compressed with zstd"};
-  const unsigned long long told = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
-  if (told != ZSTD_CONTENTSIZE_UNKNOWN && told != size)  // before there is room for what isn't
+  const unsigned long long stored = ZSTD_getFrameContentSize(compressed.data(), compressed.size());
+  if (stored != ZSTD_CONTENTSIZE_UNKNOWN && stored != size)  // check before allocating
     throw Malformed{"a chunk can't be decompressed"};
-  if (size / kMostShrunk > compressed.size()) throw Malformed{"a chunk claims to be too large"};
+  if (size / kMaxRatio > compressed.size()) throw Malformed{"a chunk claims to be too large"};
   std::string out(size, '\0');
   const std::size_t written =
       ZSTD_decompress(out.data(), out.size(), compressed.data(), compressed.size());

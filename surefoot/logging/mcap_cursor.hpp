@@ -8,27 +8,27 @@
 #include <string>
 #include <string_view>
 
-/// Reading of MCAP records, shared by those who read a file from front to back and by chunks.
+/// Reading of MCAP records, from front to back or by chunks.
 namespace surefoot::mcap {
 
 inline constexpr std::size_t kRecordHead = 9;  ///< opcode and length [bytes]
 inline constexpr std::size_t kMessageHead =
     22;                                         ///< of a message's content, before its data [bytes]
-inline constexpr std::size_t kChunkTimes = 16;  ///< at the begin of a chunk's content [bytes]
+inline constexpr std::size_t kChunkTimes = 16;  ///< at the start of a chunk's content [bytes]
 
-/// What a record claims does not fit into its bytes.
+/// A record's claims don't fit its bytes.
 struct Malformed {
   std::string what;
 };
 
-/// A chunk is whole, but compressed as no reader here can undo.
+/// A chunk is intact, but has an unsupported compression.
 struct OtherCompression {
   std::string name;
-  /// In words, without the file's name, and what to do.
+  /// Error text with advice, without the file's name.
   [[nodiscard]] std::string what() const;
 };
 
-/// Takes values from the front of some bytes. Throws Malformed beyond their end.
+/// Takes values from the front of a byte string. Throws Malformed beyond its end.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}
@@ -56,7 +56,7 @@ class Cursor {
   std::string_view rest_;
 };
 
-/// Begin of a record.
+/// Start of a record.
 struct RecordHead {
   Opcode opcode;
   std::uint64_t length;  ///< of its content [bytes]
@@ -77,7 +77,7 @@ struct MessageRecord {
 struct AttachmentRecord {
   std::string name;
   std::string_view data;
-  bool is_whole = false;  ///< its checksum is right, or it has none
+  bool is_whole = false;  ///< the checksum is correct or absent
 };
 
 [[nodiscard]] RecordHead take_head(Cursor& cursor);
@@ -85,7 +85,7 @@ struct AttachmentRecord {
 [[nodiscard]] MessageRecord message_record(std::string_view content);
 [[nodiscard]] AttachmentRecord attachment_record(std::string_view content);
 
-/// The records in a chunk record, decompressed and with the right checksum. Throws Malformed or
+/// The records in a chunk record, decompressed, with a correct checksum. Throws Malformed or
 /// OtherCompression.
 [[nodiscard]] std::string chunk_records(std::string_view chunk);
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// The MCAP container format, version 0 (https://mcap.dev/spec): what writer and reader share.
+/// The MCAP container format, version 0 (https://mcap.dev/spec), for writer and reader.
 namespace surefoot::mcap {
 
 inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
@@ -26,11 +26,11 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F,
 };
 
-inline constexpr std::uint64_t kLongestChunk = 10'000'000'000;  ///< a recorder's last a second [ns]
+inline constexpr std::uint64_t kMaxChunkTime = 10'000'000'000;  ///< a recorder's last a second [ns]
 
-/// Whether the head of a chunk can be right that says from when to when its messages are [ns].
+/// Are these plausible first and last times of a chunk's messages [ns]?
 [[nodiscard]] constexpr bool can_be_times(std::uint64_t first, std::uint64_t last) {
-  return last >= first && last - first <= kLongestChunk;
+  return last >= first && last - first <= kMaxChunkTime;
 }
 
 }  // namespace surefoot::mcap

@@ -19,14 +19,14 @@ using mcap::kRecordHead;
 using mcap::Malformed;
 using mcap::Opcode;
 
-constexpr std::size_t kToldLosses = 4;
+constexpr std::size_t kMaxReportedLosses = 4;
 
 std::string seconds(std::uint64_t nanoseconds) {
   return formatted("%.4f", 1e-9 * static_cast<double>(nanoseconds));
 }
 
-/// Of an attachment, as far as it can be told: what is damaged may be its name.
-std::string told(const std::string& name) {
+/// An attachment's name for a message, unless it is damaged.
+std::string shown(const std::string& name) {
   const bool is_name = !name.empty() && name.size() < 80 &&
                        std::ranges::all_of(name, [](char c) { return c > ' ' && c <= '~'; });
   return is_name ? "the attachment " + name : "an attachment";
@@ -38,7 +38,7 @@ std::string valid_instead(const std::string& path) {
                          : partial + ", of a run that goes on or was cut off, would be valid";
 }
 
-/// What was skipped before a record, by what the file's index has there.
+/// The skipped part before a record, with data from the file's index.
 McapLoss skipped_loss(const mcap::RecordWalk& file) {
   McapLoss loss{.offset = file.offset() - file.skipped(),
                 .size = file.skipped(),
@@ -99,7 +99,7 @@ bool McapReader::next(McapMessage& message) {
   return false;
 }
 
-// Reads one record outside of chunks; false at the end.
+// Reads a record outside of chunks; false at the end.
 bool McapReader::read_record() {
   if (ended_) return false;
   try {
@@ -129,7 +129,7 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
     case Opcode::channel:
       take_descriptions(opcode, content);
       break;
-    case Opcode::message: {  // outside of a chunk: a chunk of its own
+    case Opcode::message: {  // outside of a chunk: treated as a chunk of its own
       const auto length = static_cast<std::uint64_t>(content.size());
       chunk_.assign(1, static_cast<char>(opcode));
       for (unsigned shift = 0; shift < 64; shift += 8)
@@ -143,7 +143,7 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
       break;
     case Opcode::attachment: {
       const mcap::AttachmentRecord record = mcap::attachment_record(content);
-      if (!record.is_whole) throw Malformed{"the checksum of " + told(record.name) + " is wrong"};
+      if (!record.is_whole) throw Malformed{"the checksum of " + shown(record.name) + " is wrong"};
       attachments_[record.name] = record.data;
       break;
     }
@@ -156,7 +156,7 @@ void McapReader::take(mcap::Opcode opcode, std::string_view content) {
     case Opcode::footer:
       close();
       break;
-    default:  // indices, which are not needed here, and records of later versions
+    default:  // indices, not needed here, and records of later versions
       break;
   }
 }
@@ -192,14 +192,14 @@ void McapReader::close() {
   is_closed_ = ended_ = true;
 }
 
-// Channels stand in the chunk of their first message, which is lost, and once more behind the data.
+// The chunk of a channel's first message, which describes it, is lost; the file's end repeats it.
 void McapReader::learn_descriptions() {
   if (std::exchange(has_learned_, true)) return;
   mcap::RecordWalk behind(path_);
   const auto goes_on = [&] {
     try {
       return behind.next();
-    } catch (const Malformed&) {  // then with what is known
+    } catch (const Malformed&) {  // continue with the known ones
       return false;
     }
   };
@@ -207,7 +207,7 @@ void McapReader::learn_descriptions() {
     try {
       if (behind.opcode() == Opcode::schema || behind.opcode() == Opcode::channel)
         take_descriptions(behind.opcode(), behind.content());
-    } catch (const Malformed&) {  // the others may be good
+    } catch (const Malformed&) {  // the others may be intact
     }
   }
 }
@@ -238,7 +238,7 @@ bool McapReader::take_from_chunk(McapMessage& message) {
   return true;
 }
 
-// What is open; the file goes on behind it.
+// Loses the open record; the file continues after it.
 void McapReader::lose(const std::string& why) {
   rest_ = {};
   McapLoss loss{
@@ -272,14 +272,14 @@ std::string McapReader::damage() const {
 
 std::string McapReader::problem() const {
   std::string text;
-  for (std::size_t i = 0; i < std::min(losses_.size(), kToldLosses); ++i) {
+  for (std::size_t i = 0; i < std::min(losses_.size(), kMaxReportedLosses); ++i) {
     const McapLoss& loss = losses_[i];
     text += (i == 0 ? "" : ", ") + place(loss.why, loss.offset);
     if (loss.has_times)
       text += " (" + seconds(loss.first_time) + " s to " + seconds(loss.last_time) + " s)";
   }
-  if (losses_.size() > kToldLosses)
-    text += " and " + std::to_string(losses_.size() - kToldLosses) + " more places";
+  if (losses_.size() > kMaxReportedLosses)
+    text += " and " + std::to_string(losses_.size() - kMaxReportedLosses) + " more places";
   if (!losses_.empty()) text += "; what stood there is lost, the rest was read";
   if (!end_.empty())
     text += (text.empty() ? "" : "; ") + end_ +

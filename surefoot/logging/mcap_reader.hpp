@@ -25,51 +25,48 @@ struct McapMessage {
   std::string_view data;
 };
 
-/// A part of an MCAP file that can't be read.
+/// An unreadable part of an MCAP file.
 struct McapLoss {
   std::uint64_t offset = 0, size = 0;  ///< in the file [bytes]
   std::string why;
   bool may_hold_messages = false;
-  bool has_times = false;  ///< of chunks of which is known from when their messages are
+  bool has_times = false;                       ///< for chunks with known message times
   std::uint64_t first_time = 0, last_time = 0;  ///< of them [ns]
 };
 
-/// Of the first message that is lost, where it is known [s].
+/// Time of the first lost message, if known [s].
 [[nodiscard]] inline std::optional<double> first_time(const McapLoss& loss) {
   if (!loss.has_times) return std::nullopt;
   return 1e-9 * static_cast<double>(loss.first_time);
 }
 
-/// Reads an MCAP file from front to back without its index, so that a file that was cut off or
-/// damaged gives all of its whole chunks: what can't be read is passed over.
+/// Reads an MCAP file from front to back without its index, so that all intact chunks of a cut-off
+/// or damaged file are read; skips the rest.
 class McapReader {
  public:
-  /// Reads up to the first chunk: what was attached before it is known. Throws FileError if the
-  /// file is missing, empty, not MCAP, or compressed as can't be read here.
+  /// Reads up to the first chunk, with all attachments before it. Throws FileError if the file is
+  /// missing, empty, not MCAP, or has an unsupported compression.
   explicit McapReader(const std::string& path);
 
-  /// The next message in the order of the file that can be read; false at its end. Throws FileError
-  /// where a chunk is compressed as can't be read here.
+  /// The next readable message in the file's order; false at the end. Throws FileError for a chunk
+  /// with an unsupported compression.
   [[nodiscard]] bool next(McapMessage& message);
 
-  /// After the last message: the file has its footer, and nothing of it is lost.
+  /// After the last message: the file has its footer, and nothing is lost.
   [[nodiscard]] bool complete() const { return is_closed_ && losses_.empty(); }
-  /// So far: what could not be read, in the order of the file.
+  /// The unreadable parts so far, in the file's order.
   [[nodiscard]] const std::vector<McapLoss>& losses() const { return losses_; }
-  /// After the last message: the file has its footer.
-  [[nodiscard]] bool is_closed() const { return is_closed_; }
-  /// After the last message: the file has the mark behind its last chunk and attachment; what may
-  /// be missing is the index.
+  /// After the last message: the file has its data end, so that at most its index is missing.
   [[nodiscard]] bool has_all_data() const { return has_all_data_; }
-  /// In a sentence without its end, and without the file's name: what is lost so far, and after the
-  /// last message where the file was cut off; empty if it is complete.
+  /// Sentence without its full stop and the file's name: what is lost so far, and after the last
+  /// message where the file was cut off; empty if it is complete.
   [[nodiscard]] std::string problem() const;
-  /// The same of the first place alone: what is wrong, and where.
+  /// The same for the first place only: what is wrong, and where.
   [[nodiscard]] std::string damage() const;
-  /// Bytes before the chunk, or the record outside of chunks, that the last message stood in.
+  /// Offset of the chunk, or record outside of chunks, of the last message [bytes].
   [[nodiscard]] std::uint64_t chunk_offset() const { return chunk_offset_; }
 
-  /// By name; those that stand before the last message read, and all after the last one.
+  /// By name; those before the last message read, and all after the last one.
   [[nodiscard]] const std::map<std::string, std::string>& attachments() const {
     return attachments_;
   }
@@ -102,7 +99,7 @@ class McapReader {
   std::map<std::string, std::map<std::string, std::string>> metadata_;
   bool is_closed_ = false, ended_ = false, has_learned_ = false, has_all_data_ = false;
   std::vector<McapLoss> losses_;
-  std::string end_;  // why and where it ended before its end
+  std::string end_;  // reason and place of an early end
 };
 
 }  // namespace surefoot

@@ -11,29 +11,29 @@ namespace {
 
 constexpr std::string_view kZstd{"\x04\0\0\0zstd", 8};
 constexpr std::uint64_t kBeforeCompression = 28;  // of a chunk's content [bytes]
-constexpr std::uint64_t kBesideName = 40;         // of a chunk's content, without records and name
-constexpr std::uint64_t kLongestName = 16;
-constexpr std::uint64_t kBesideIndex = 6;  // of a message index's content, without its entries
-constexpr std::uint64_t kLeastSought = 1 << 12;      // at once [bytes], at first …
-constexpr std::uint64_t kMostSought = 1 << 20;       // … and where nothing was found
-constexpr std::uint64_t kFooter = 20;                // content of a footer [bytes]
+constexpr std::uint64_t kFixedChunkSize = 40;     // of a chunk's content, without records and name
+constexpr std::uint64_t kMaxName = 16;            // of a compression [bytes]
+constexpr std::uint64_t kFixedIndexSize = 6;      // of a message index's content, without entries
+constexpr std::uint64_t kMinSearch = 1 << 12;     // first block of a search [bytes]
+constexpr std::uint64_t kMaxSearch = 1 << 20;     // largest block of a search [bytes]
+constexpr std::uint64_t kFooter = 20;             // content of a footer [bytes]
 constexpr std::uint64_t kDataEnd = kRecordHead + 4;  // the record before the index [bytes]
-constexpr std::uint64_t kLargestIndex = 1 << 28;     // [bytes]
+constexpr std::uint64_t kMaxIndex = 1 << 28;         // [bytes]
 
-// Whether the sizes in a record's content, of which `start` has the first bytes, fit together.
+// Are the sizes in a record's content consistent? `start` has its first bytes.
 bool fits(Opcode opcode, std::string_view start, std::uint64_t length) {
   try {
     Cursor cursor(start);
     if (opcode == Opcode::message_index) {
       cursor.bytes(2);  // channel
-      return length == kBesideIndex + cursor.number<std::uint32_t>();
+      return length == kFixedIndexSize + cursor.number<std::uint32_t>();
     }
     if (opcode != Opcode::chunk) return true;
     cursor.bytes(kBeforeCompression);
     const auto name = cursor.number<std::uint32_t>();
-    if (name > kLongestName) return false;
+    if (name > kMaxName) return false;
     cursor.bytes(name);
-    return length == kBesideName + name + cursor.number<std::uint64_t>();
+    return length == kFixedChunkSize + name + cursor.number<std::uint64_t>();
   } catch (const Malformed&) {
     return false;
   }
@@ -43,7 +43,7 @@ bool is_compressed(std::string_view start) {
   return start.size() > kBeforeCompression && start.substr(kBeforeCompression).starts_with(kZstd);
 }
 
-/// The record that an index entry is about.
+/// The record of an index entry.
 std::optional<IndexedRecord> record_of(Opcode opcode, std::string_view content) {
   Cursor cursor(content);
   if (opcode == Opcode::chunk_index) {
@@ -90,25 +90,25 @@ bool RecordWalk::next() {
   return true;
 }
 
-// Whether a record can begin there; then it has its opcode and length.
+// Can a record begin here? If so, sets opcode and length.
 bool RecordWalk::is_record(std::uint64_t offset) {
   if (offset > size_ || size_ - offset < kRecordHead) return false;
-  constexpr std::uint64_t kMost = kRecordHead + kBesideName + kLongestName;
-  const std::string start = bytes(offset, std::min(kMost, size_ - offset));
+  constexpr std::uint64_t kStart = kRecordHead + kFixedChunkSize + kMaxName;
+  const std::string start = bytes(offset, std::min(kStart, size_ - offset));
   Cursor cursor(start);
   const auto [opcode, length] = take_head(cursor);
   if (length > size_ - offset - kRecordHead) return false;
   const std::string_view content = cursor.rest();
   const bool is_chunk = is_compressed(content) && fits(Opcode::chunk, content, length);
-  const bool is_known = static_cast<std::uint8_t>(opcode) != 0;  // 0 is none: a file's empty tail
+  const bool is_known = static_cast<std::uint8_t>(opcode) != 0;  // 0: a file's empty tail
   if (!is_chunk && (!is_known || !fits(opcode, content, length))) return false;
   opcode_ = is_chunk ? Opcode::chunk : opcode;
   length_ = length;
   return true;
 }
 
-// The next record from there on that can be one; then it has its place. What looks like a chunk
-// within another record's data is none: where there is an index, it alone counts.
+// Finds the next possible record and sets its place. An index alone decides, because another
+// record's data may look like a chunk.
 bool RecordWalk::find_record(std::uint64_t from) {
   if (!index_) index_ = read_index();
   if (index_->empty()) return find_chunk(from);
@@ -129,8 +129,8 @@ std::span<const IndexedRecord> RecordWalk::skipped_records() const {
   return {at(offset_ - skipped_), at(offset_)};
 }
 
-// Where the records stand that a closed file names behind its data, and that index itself; nothing
-// of a file whose index is damaged or was cut off.
+// Places of the records in a closed file's index, and of the index itself; empty if it is damaged
+// or missing.
 std::vector<IndexedRecord> RecordWalk::read_index() {
   std::vector<IndexedRecord> records;
   try {
@@ -140,11 +140,11 @@ std::vector<IndexedRecord> RecordWalk::read_index() {
     Cursor footer(end);
     const auto [opcode, length] = take_head(footer);
     const auto begin = footer.number<std::uint64_t>();
-    footer.bytes(sizeof(std::uint64_t));  // of the summary's offsets
+    footer.bytes(sizeof(std::uint64_t));  // start of the summary offsets
     const auto crc = footer.number<std::uint32_t>();
     const bool is_footer = opcode == Opcode::footer && length == kFooter && footer.rest() == kMagic;
     const std::uint64_t summed = size_ - kMagic.size() - sizeof(crc);
-    if (!is_footer || begin == 0 || begin > summed || summed - begin > kLargestIndex) return {};
+    if (!is_footer || begin == 0 || begin > summed || summed - begin > kMaxIndex) return {};
     const std::string summary = bytes(begin, summed - begin);
     if (crc != 0 && crc != crc32(summary)) return {};
     records.push_back({.offset = begin});
@@ -161,12 +161,12 @@ std::vector<IndexedRecord> RecordWalk::read_index() {
   return records;
 }
 
-// The next compressed chunk from there on; then it has its place.
+// Finds the next compressed chunk and sets its place.
 bool RecordWalk::find_chunk(std::uint64_t from) {
   constexpr std::uint64_t kToName = kRecordHead + kBeforeCompression;
-  std::uint64_t sought = kLeastSought;
+  std::uint64_t sought = kMinSearch;
   for (std::uint64_t begin = from + kToName; begin < size_;
-       begin += sought, sought = std::min(2 * sought, kMostSought)) {
+       begin += sought, sought = std::min(2 * sought, kMaxSearch)) {
     const std::string part = bytes(begin, std::min(sought + kZstd.size(), size_ - begin));
     for (std::size_t found = part.find(kZstd); found != std::string::npos;
          found = part.find(kZstd, found + 1)) {

@@ -130,7 +130,7 @@ void McapWriter::end_chunk() {
   if (std::fflush(file_.get()) != 0) fail("can't be written");
 }
 
-// Compresses the open chunk and gives all of its record that comes before the compressed bytes.
+// Compresses the open chunk and returns its record up to the compressed bytes.
 std::string McapWriter::chunk_record() {
   compressed_.resize(ZSTD_compressBound(chunk_.size()));
   const std::size_t size = ZSTD_compressCCtx(static_cast<ZSTD_CCtx*>(compressor_.get()),
@@ -151,7 +151,7 @@ std::string McapWriter::chunk_record() {
   return header + content;
 }
 
-// The message indices that follow a chunk, and the chunk's entry in the summary.
+// Writes a chunk's message indices, and its entry of the summary.
 void McapWriter::write_index(std::uint64_t chunk_start, std::uint64_t chunk_length,
                              std::uint64_t compressed_size) {
   const std::uint64_t index_start = offset_;
@@ -187,7 +187,7 @@ void McapWriter::write_index(std::uint64_t chunk_start, std::uint64_t chunk_leng
 
 void McapWriter::attach(std::string_view name, std::string_view media_type, std::string_view data) {
   end_chunk();
-  constexpr std::uint64_t kNoTime = 0;  // a date would make every file different
+  constexpr std::uint64_t kNoTime = 0;  // a date would make each file different
   std::string content;
   put(content, kNoTime);
   put(content, kNoTime);

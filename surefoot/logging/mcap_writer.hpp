@@ -14,29 +14,29 @@ namespace surefoot {
 struct McapWriterOptions {
   std::string profile;
   std::string library = "surefoot";
-  std::size_t chunk_bytes = 1 << 20;                ///< a chunk is closed when it holds this much …
-  std::uint64_t chunk_nanoseconds = 1'000'000'000;  ///< … or spans this much log time
+  std::size_t chunk_bytes = 1 << 20;                ///< size that closes a chunk
+  std::uint64_t chunk_nanoseconds = 1'000'000'000;  ///< log time that closes a chunk
   int compression_level = 1;                        ///< of zstd
 };
 
 /// Writes an MCAP file (https://mcap.dev/spec): messages in chunks compressed with zstd, with
 /// checksums, indices, attachments, metadata, statistics and a summary. The same calls give the
-/// same bytes. Each chunk stands in the file when the next begins. All calls throw FileError,
-/// naming the path, when the file can't be written.
+/// same bytes. Each chunk is in the file when the next begins. All calls throw FileError, with the
+/// path, if the file can't be written.
 class McapWriter {
  public:
   using Metadata = std::map<std::string, std::string>;
 
   explicit McapWriter(const std::string& path, McapWriterOptions options = {});
-  /// Closes the file as it is, without a summary, if `close` was not called.
+  /// Without `close`, closes the file as it is, without a summary.
   ~McapWriter() = default;
 
   [[nodiscard]] std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
   [[nodiscard]] std::uint16_t add_channel(std::string topic, std::uint16_t schema,
                                           std::string message_encoding, Metadata metadata = {});
-  /// Schema and channel records stand in the chunk of a channel's first message.
+  /// Schema and channel records are in the chunk of a channel's first message.
   void write(std::uint16_t channel, std::uint64_t log_time, std::string_view data);
-  /// Ends the open chunk, if any, and hands everything to the operating system.
+  /// Ends an open chunk and hands everything to the operating system.
   void flush();
   void attach(std::string_view name, std::string_view media_type, std::string_view data);
   void add_metadata(std::string_view name, const Metadata& metadata);

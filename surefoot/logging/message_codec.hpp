@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// Turns signals into JSON messages and into the JSON schemas that describe them, by `fields`.
+/// Converts signals to JSON messages and to their JSON schemas, by `fields`.
 namespace surefoot::logged {
 
 template <typename T>
@@ -29,7 +29,7 @@ inline constexpr bool kIsList = false;
 template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = true;
 
-/// The texts that stand for an enumeration's values.
+/// The names of an enumeration's values.
 inline const auto& names(LegPhase) { return kPhaseNames; }
 inline const auto& names(CommandMode) { return kModeNames; }
 inline const auto& names(StopCause) { return kCauseNames; }
@@ -37,8 +37,8 @@ inline const auto& names(SampleFault) { return kFaultNames; }
 inline const auto& names(CalibrationStage) { return kCalibrationNames; }
 inline const auto& names(LevelStatus) { return kLevelStatusNames; }
 
-/// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z, what
-/// belongs to legs as an object of LF, RF, LH and RH, enumerations as names.
+/// Writes a value as JSON: vectors as arrays, matrices row by row, quaternions as w, x, y, z,
+/// per-leg values as an object of LF, RF, LH and RH, enumerations as names.
 class Encoder {
  public:
   explicit Encoder(std::string& out) : json_(out) {}

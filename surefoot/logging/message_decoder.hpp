@@ -10,9 +10,9 @@
 
 namespace surefoot::logged {
 
-/// Reads a signal from its JSON message, by `fields`. Members that the message has not keep their
-/// value and those that the signal has not are passed over, so that logs of other minor versions
-/// can be read. Throws JsonError where the message is something else.
+/// Reads a signal from its JSON message, by `fields`. Members missing in the message keep their
+/// value and unknown ones are skipped, so that logs of other minor versions are readable. Throws
+/// JsonError for anything else.
 class Decoder {
  public:
   template <typename T>
@@ -31,11 +31,11 @@ class Decoder {
   }
 
  private:
-  // `json` stands behind the opening brace.
+  // `json` is after the opening brace.
   explicit Decoder(JsonCursor& json)
       : json_(json), first_(json.position()), next_(json.position()) {}
 
-  // Goes to the value of a member. It is most likely the one behind the member that was read last.
+  // Goes to a member's value, most likely the next one.
   bool find(std::string_view name) {
     json_.go_to(next_);
     if (find_before_end(name)) return true;
@@ -139,7 +139,7 @@ class Decoder {
   }
 
   JsonCursor& json_;
-  std::size_t first_, next_;  // behind the opening brace, and behind the last member that was read
+  std::size_t first_, next_;  // after the opening brace, and after the last member read
 };
 
 }  // namespace surefoot::logged

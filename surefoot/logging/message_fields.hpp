@@ -10,35 +10,35 @@
 #include <type_traits>
 #include <vector>
 
-/// What the log's messages hold. Each signal is described here once, field by field with unit and
-/// frame; encoder, schema and decoder (message_codec.hpp) all follow these functions.
+/// Contents of the log's messages. Describes each signal once, field by field with unit and frame;
+/// encoder, schema and decoder (message_codec.hpp) all follow these functions.
 namespace surefoot::logged {
 
-/// One level of the hierarchy, under its name.
+/// A level of the hierarchy, with its name.
 struct Level {
   std::string name;
   LevelStatus status = LevelStatus::not_solved;
   LevelReport report;
 };
 
-/// What solving one level took, under its name.
+/// Time of solving a level, with its name.
 struct LevelTime {
   std::string name;
   double solve = kNaN;  ///< [µs]
 };
 
-/// TickTiming, with names of its levels.
+/// TickTiming, with names of levels.
 struct Timing {
   TickTiming stages;
   std::vector<LevelTime> levels;
 };
 
-/// An inequality row at or beyond a bound, under its name.
+/// An inequality row at or beyond a bound, with names.
 struct Row {
   std::string level, row;
   std::int32_t id = 0;
   std::int32_t state = 0;
-  double by = kNaN;  ///< logs before 2.9 have it not
+  double by = kNaN;  ///< missing in logs before 2.9
 };
 
 /// MissedEquality, with names.
@@ -48,20 +48,19 @@ struct MissedRow {
   double by = 0.0;
 };
 
-/// A row that kept a lower level from a smaller residual, with names.
+/// A row that keeps a lower level from a smaller residual, with names.
 struct BlockingRow {
   std::string level, by, row;
   surefoot::BlockingRow report;
 };
 
-/// A switch of levels that was asked for between two ticks, with names.
+/// A switch of levels requested between two ticks, with names.
 struct LevelSwitch {
   std::vector<std::string> add, remove;
   double duration = 0.0;
 };
 
-/// Something that was changed from outside between two ticks; members that its kind does not have
-/// are empty or NaN.
+/// An external change between two ticks; members that its kind lacks are empty or NaN.
 struct Change {
   double time = 0.0;
   std::string kind, text;

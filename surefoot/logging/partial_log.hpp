@@ -4,10 +4,10 @@
 
 namespace surefoot {
 
-/// Where a log stands until it is whole.
+/// Path of an unfinished log.
 [[nodiscard]] std::string partial_path(const std::string& path);
 
-/// The log of a run that goes on or was cut off, where it lies beside `path`; empty: none does.
+/// The log of an unfinished or cut-off run next to `path`; empty without one.
 [[nodiscard]] std::string partial_beside(const std::string& path);
 
 }  // namespace surefoot

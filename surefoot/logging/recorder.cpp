@@ -41,9 +41,9 @@ void check_place(const std::string& path) {
 }
 
 constexpr Recorder::Channel kTick = -1;
-constexpr Recorder::Channel kNames = -2;  // none of the file: the names of the ticks that follow
+constexpr Recorder::Channel kNames = -2;  // not a message: names for the following ticks
 
-// A message that waits for the writer.
+// A message waiting for the writer.
 struct Job {
   Recorder::Channel channel = kTick;
   double time = 0.0;
@@ -52,7 +52,7 @@ struct Job {
   LevelNames names;
 };
 
-// Topics of a TickRecord, in the order of their messages.
+// Channels of a TickRecord, in the order of their messages.
 struct TickChannels {
   std::uint16_t readings, health, user, state, plan, model, hierarchy, command;
 };
@@ -107,7 +107,7 @@ struct Recorder::Implementation {
     return add_channel(topic, schema_name, logged::schema<T>(schema_name));
   }
 
-  // Takes a free place in the queue, fills it, and hands it to the writer.
+  // Takes a free place of the queue, fills it, and hands it to the writer.
   template <typename Fill>
   void push(const Fill& fill) {
     {
@@ -183,7 +183,7 @@ struct Recorder::Implementation {
     thread.join();
   }
 
-  // With the thread gone: what stands apart, and the end of the file.
+  // After the thread's end: writes timings, summary and the end of the file.
   void finish(std::string_view summary) {
     if (failure) std::rethrow_exception(failure);
     writer.flush();
@@ -201,14 +201,14 @@ struct Recorder::Implementation {
     }
   }
 
-  WriteLock write_lock;  // of the file, until it has its name
+  WriteLock write_lock;  // until the file is renamed
   McapWriter writer;
   HierarchyNamer namer;
   TickChannels channels{};
-  std::deque<TickTiming> timings;  // grows without moving what is there, on the loop's thread
-  // Names of the levels, by the first of `timings` that has them.
+  std::deque<TickTiming> timings;  // grows without moving entries, on the loop's thread
+  // Names of the levels, with the index of the first timing that has them.
   std::vector<std::pair<std::size_t, std::vector<std::string>>> orders;
-  std::string text;  // of the message that is being written
+  std::string text;  // of the current message
 
   std::mutex mutex;
   std::condition_variable not_empty, not_full;
@@ -231,7 +231,7 @@ Recorder::~Recorder() {
   try {
     implementation_->finish("{}");
   } catch (const FileError&) {
-    // The ticks so far stand in the file; the error was or could have been seen in `record`.
+    // The ticks so far are in the file; `record` reports the error, too.
   }
 }
 

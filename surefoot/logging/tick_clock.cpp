@@ -26,7 +26,7 @@ void TickClock::add(double time) {
 }
 
 void TickClock::end(double time) {
-  if (!last_ && !begin_) return;  // the clock may have begun at any time
+  if (!last_ && !begin_) return;  // the clock may start at any time
   const double missing = (time + period_ - expected()) / period_;
   if (!(missing > 0.5)) return;
   lost_ += static_cast<std::uint64_t>(std::llround(missing));

@@ -8,7 +8,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kOfOther = 0.05;
+constexpr double kOtherUnits = 0.05;
 constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
     {{"m/s²", 0.02}, {"rad/s²", 0.05}, {"N·m", 0.1}, {"N", 0.5}}};
 
@@ -17,7 +17,7 @@ constexpr std::array<std::pair<std::string_view, double>, 4> kVisible{
 double visible_residual(std::string_view level_name, std::string_view unit) {
   if (level_name.ends_with("_minimisation")) return kNaN;
   const auto found = std::ranges::find(kVisible, unit, &std::pair<std::string_view, double>::first);
-  return found == kVisible.end() ? kOfOther : found->second;
+  return found == kVisible.end() ? kOtherUnits : found->second;
 }
 
 std::vector<double> visible_residuals(const LogHeader& header) {

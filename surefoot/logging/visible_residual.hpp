@@ -8,8 +8,8 @@
 
 namespace surefoot {
 
-/// From this residual on a level gave way, in its unit: what is less is nothing that people should
-/// see. NaN: the level asks for no force or torque at all, is never content, and gives way to none.
+/// Smallest residual, in its unit, at which a level visibly gave way. NaN: the level wants zero
+/// forces or torques, so it always has a residual and never gives way.
 [[nodiscard]] double visible_residual(std::string_view level_name, std::string_view unit);
 
 /// The same for the levels of a log.

@@ -5,18 +5,18 @@
 
 namespace surefoot {
 
-/// Writes a file that is there whole or not at all: under a name that no other process writes to,
-/// which it changes at the end. Of two that write the same file the last one's is kept.
+/// Writes a file completely or not at all: under a unique name, renamed at the end. If two write
+/// the same file, the last one wins.
 class WholeFile {
  public:
   explicit WholeFile(std::string path);
-  /// Without `finish` before nothing is left.
+  /// Without `finish`, removes the file.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
   [[nodiscard]] std::ostream& stream() { return stream_; }
-  /// Gives the file its name. Throws FileError, naming it, if it could not be written.
+  /// Renames the file. Throws FileError, with its name, if it could not be written.
   void finish();
 
  private:

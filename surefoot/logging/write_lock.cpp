@@ -14,22 +14,22 @@
 namespace surefoot {
 namespace {
 
-constexpr mode_t kAsTheUserHasIt = 0666;  // less what umask takes
+constexpr mode_t kDefaultMode = 0666;  // before umask
 
 int open_to_lock(const std::string& path) {
   struct stat there{};
   const bool is_folder = stat(path.c_str(), &there) == 0 && S_ISDIR(there.st_mode);
-  return open(path.c_str(), O_RDONLY | O_CLOEXEC | (is_folder ? 0 : O_CREAT), kAsTheUserHasIt);
+  return open(path.c_str(), O_RDONLY | O_CLOEXEC | (is_folder ? 0 : O_CREAT), kDefaultMode);
 }
 
-/// The file may have got another name before it was locked.
+/// The file may have been renamed before it was locked.
 bool has_this_name(int file, const std::string& path) {
   struct stat locked{}, named{};
   return fstat(file, &locked) == 0 && stat(path.c_str(), &named) == 0 &&
          locked.st_ino == named.st_ino && locked.st_dev == named.st_dev;
 }
 
-/// " (process 4711)", of the one that has it locked, where the kernel tells.
+/// " (process 4711)" of the lock's holder, if the kernel shows it.
 std::string holder(int file) {
   struct stat locked{};
   if (fstat(file, &locked) != 0) return "";

@@ -4,13 +4,13 @@
 
 namespace surefoot {
 
-/// Keeps a file, or all of a folder, to one writer while it lives. It goes away with the process,
-/// however that ends, and leaves nothing behind that would have to be removed.
+/// Reserves a file, or a whole folder, for one writer during its lifetime. Ends with the process in
+/// any case, and leaves nothing to clean up.
 class WriteLock {
  public:
-  /// Makes the file if there is none. Throws FileError, which calls it `shown` and names the
-  /// process that has it, where another WriteLock does. Where nothing can be opened or locked there
-  /// is no lock: whoever writes then says why that can't be.
+  /// Creates a missing file. Throws FileError, with the name `shown` and the other process, if
+  /// another WriteLock holds it. If the file can't be opened or locked there is no lock: writing
+  /// will fail and say why.
   WriteLock(const std::string& path, const std::string& shown);
   ~WriteLock();
   WriteLock(const WriteLock&) = delete;
