@@ -5,7 +5,7 @@
 namespace surefoot {
 namespace {
 
-constexpr double kLoss = 0.05;  // [s]
+constexpr double kMinLossTime = 0.05;  // [s]
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void ContactLossJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
     }
     const bool stands = phase == LegPhase::stance;
     if (stands && (touches || !stood)) foot.touched_at = truth.time;
-    foot.is_lost = foot.is_lost || (stands && truth.time - foot.touched_at >= kLoss);
+    foot.is_lost = foot.is_lost || (stands && truth.time - foot.touched_at >= kMinLossTime);
     foot.phase = phase;
   }
 }

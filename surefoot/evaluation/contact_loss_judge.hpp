@@ -8,11 +8,11 @@
 
 namespace surefoot {
 
-/// Holds the losses of contact that the controller notices against those that happen. A foot that
-/// is to stand (LegPhase::stance) truly loses the ground if it does not touch it for 50 ms; bounces
-/// are shorter. A loss is noticed when the foot begins to search, and missed if it touches again,
-/// or is lifted as planned, before; its latency runs from the last touch. What is noticed of a foot
-/// that touched in the last tick is false.
+/// Compares the contact losses that the controller notices with the true ones. A planned stance
+/// foot (LegPhase::stance) truly loses contact if it does not touch the ground for 50 ms, longer
+/// than a bounce. A loss is noticed when the foot begins to search, missed if it touches again or
+/// lifts off as planned before; its latency starts at the last touch. A noticed loss of a foot that
+/// touched in the last tick is false.
 class ContactLossJudge {
  public:
   void add(const GroundTruth& truth, const MotionPlan& plan);
@@ -21,7 +21,7 @@ class ContactLossJudge {
  private:
   struct Foot {
     LegPhase phase = LegPhase::stance;
-    double touched_at = kNaN;  // last, while it was to stand [s]
+    double touched_at = kNaN;  // last touch in planned stance [s]
     bool is_lost = false;
   };
 

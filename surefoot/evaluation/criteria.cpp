@@ -8,7 +8,7 @@
 namespace surefoot {
 namespace {
 
-// A metric that can be limited.
+// A metric with a possible limit.
 struct Limitable {
   std::string name;
   double value;
@@ -31,7 +31,7 @@ std::vector<Limitable> limitables(const Metrics& metrics) {
       all.push_back({name + ".max", times->max, false});
     }
   }
-  // It is what the criteria decide.
+  // The criteria decide it.
   std::erase_if(all, [](const Limitable& metric) { return metric.name == "succeeded"; });
   return all;
 }

@@ -8,22 +8,22 @@
 
 namespace surefoot {
 
-/// A limit that a metric must keep, e.g. com_error_max_m ≤ 0.0005 or fell = false.
+/// A limit on a metric, e.g. com_error_max_m ≤ 0.0005 or fell = false.
 struct Criterion {
-  std::string metric;              ///< its name; of a distribution one member, e.g. "tick_us.p99"
+  std::string metric;              ///< its name; for a distribution a member, e.g. "tick_us.p99"
   std::optional<double> min, max;  ///< inclusive
-  std::optional<bool> equals;      ///< for metrics that are true or false
+  std::optional<bool> equals;      ///< for boolean metrics
 };
 
 struct CriterionResult {
   Criterion criterion;
-  double value = kNaN;  ///< of the metric; 1 and 0 for true and false
+  double value = kNaN;  ///< of the metric; 1 and 0 for booleans
   bool passed = false;  ///< a NaN never passes
 };
 
-/// Throws UnknownNameError if the metric is not one that criteria can limit (the message lists
-/// them), Error if the criterion limits nothing or not in the way of its metric. For the reading of
-/// scenarios.
+/// Throws UnknownNameError if criteria can't limit this metric (the message lists the valid ones),
+/// Error if the criterion limits nothing or does not fit its metric. Called when scenarios are
+/// read.
 void check(const Criterion& criterion);
 
 /// Judges the metrics; throws as `check` does.

@@ -3,7 +3,7 @@
 #include "surefoot/evaluation/start_alignment.hpp"
 #include "surefoot/logging/message_fields.hpp"
 
-/// What the viewer and `explain` say of the estimate, once.
+/// The estimate's fields in the viewer and in `explain`.
 namespace surefoot::logged {
 
 template <typename Archive, Is<AlignedEstimate> T>

@@ -5,10 +5,9 @@
 
 namespace surefoot {
 
-/// Holds the believed base state against the true one. Velocity is compared in B and tilt by the
-/// direction of the vertical in B, so that the heading, which can't be observed, plays no part.
-/// Drift is what the way since the first tick is off by, begun with the same heading
-/// (StartAlignment).
+/// Compares the estimated base state with the truth. Compares velocity in B and tilt by the
+/// direction of the vertical in B, as the heading is not observable. Drift is the error of the way
+/// since the first tick, from the same initial heading (StartAlignment).
 class EstimateJudge {
  public:
   void add(const GroundTruth& truth, const RobotState& state);

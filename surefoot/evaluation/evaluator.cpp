@@ -11,13 +11,13 @@
 namespace surefoot {
 namespace {
 
-constexpr double kMinBaseHeight = 0.12;  // [m] above the mean stance foot; a crouch is legal
+constexpr double kMinBaseHeight = 0.12;  // above the mean stance foot; allows a crouch [m]
 constexpr double kMaxTilt = 60.0 * kPi / 180.0;
-constexpr double kSoftLanding = 0.5;    // [m/s] of a robot that sits down
-constexpr double kLanded = 5.0;         // [N] normal force from which on a foot has landed
-constexpr double kCarryingShare = 0.1;  // of the weight, from which on a foot carries
+constexpr double kMaxSitSpeed = 0.5;   // of a robot that sits down [m/s]
+constexpr double kLandingForce = 5.0;  // normal force of a landed foot [N]
+constexpr double kMinLoadShare = 0.1;  // of the weight, on a loaded foot
 
-// Extremes that begin as NaN; a NaN value changes nothing.
+// Extremes start as NaN, and a NaN value changes nothing.
 void raise(double& maximum, double value) {
   if (std::isnan(maximum) || value > maximum) maximum = value;
 }
@@ -59,7 +59,7 @@ void Evaluator::add(const GroundTruth& truth, const TickRecord& tick) {
   ++ticks_;
 }
 
-// What was believed of its place and plan before is worth nothing afterwards.
+// Estimate and plan restart afterwards.
 void Evaluator::add_off_its_feet(const GroundTruth& truth, const TickRecord& tick) {
   const bool is_lifted = tick.command.mode == CommandMode::lifted;
   double& time = is_lifted ? metrics_.lifted_s : metrics_.standing_up_s;
@@ -70,7 +70,7 @@ void Evaluator::add_off_its_feet(const GroundTruth& truth, const TickRecord& tic
   plan_before_.reset();
 }
 
-// Nobody follows the plan of a controller that has stopped, or acts on its estimate.
+// A stopped controller uses neither its plan nor its estimate.
 void Evaluator::judge_plan(const GroundTruth& truth, const TickRecord& tick) {
   frame_.update(tick.plan, tick.model.p_WF, truth.p_WF);
   if (begins_anew(tick)) estimate_ = {};
@@ -109,7 +109,8 @@ void Evaluator::add_walk(const GroundTruth& truth, const TickRecord& tick) {
 }
 
 void Evaluator::add_com(const GroundTruth& truth, const TickRecord& tick) {
-  // Frames differ by a turn about the vertical, so the height of the plan's COM plays no part.
+  // The frames differ by a turn about the vertical, so the height of the plan's COM does not
+  // matter.
   const Vec3 desired = frame_.to_truth({tick.plan.com.p.x(), tick.plan.com.p.y(), 0.0});
   const double error = (truth.p_WCom - desired).head<2>().norm();
   raise(metrics_.com_zmp_slack_max_m, tick.plan.com_zmp_slack);
@@ -134,7 +135,7 @@ void Evaluator::add_torso(const GroundTruth& truth, const TickRecord& tick) {
   orientation_error_.add(truth.q_WB.angularDistance(Quat(frame_.R()) * tick.plan.torso.q_WB));
 }
 
-// A calibration begins the plan anew, in a world of its own.
+// A calibration restarts the plan, in its own world frame.
 void Evaluator::add_frames(const TickRecord& tick) {
   const MotionPlan& now = tick.plan;
   const bool calibrates = now.calibration != CalibrationStage::none;
@@ -180,7 +181,7 @@ void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
   raise(metrics_.foot_slip_max_m, foot.slip);
   const double normal_force = contact.normal.dot(contact.force);
   add_friction(contact, normal_force);
-  if (normal_force < kLanded || foot.landing_seen || !options_.terrain_height) return;
+  if (normal_force < kLandingForce || foot.landing_seen || !options_.terrain_height) return;
   foot.landing_seen = true;
   if (is_edge_landing(options_.terrain_height, contact.point, contact.normal))
     ++metrics_.edge_landings;
@@ -189,10 +190,10 @@ void Evaluator::add_stance(Foot& foot, const TrueContact& contact) {
 void Evaluator::add_friction(const TrueContact& contact, double normal_force) {
   if (normal_force <= 0.0) return;
   const double tangential_force = (contact.force - normal_force * contact.normal).norm();
-  // A sliding foot's is ±1e-16.
+  // A sliding foot's margin is ±1e-16.
   const double margin = std::max(0.0, contact.friction - tangential_force / normal_force);
   lower(metrics_.friction_margin_min, margin);
-  if (normal_force >= kCarryingShare * options_.mass * kGravity) {
+  if (normal_force >= kMinLoadShare * options_.mass * kGravity) {
     lower(metrics_.friction_margin_loaded_min, margin);
   }
 }
@@ -218,7 +219,7 @@ void Evaluator::check_fall(const GroundTruth& truth, bool may_lie, bool hangs) {
   metrics_.base_height_end_m = height;
   if (metrics_.fell) return;
   std::array<char, 96> text{};
-  const bool lands_softly = may_lie && truth.v_WB.z() > -kSoftLanding;
+  const bool lands_softly = may_lie && truth.v_WB.z() > -kMaxSitSpeed;
   if (truth.torso_contact && !lands_softly) {
     std::snprintf(text.data(), text.size(), "fell at %.4f s: the torso touched the ground",
                   truth.time);

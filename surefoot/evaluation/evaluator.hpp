@@ -21,18 +21,18 @@ namespace surefoot {
 struct EvaluatorOptions {
   double control_period = 0.0025;  ///< [s]
   double mass = kNaN;              ///< of the robot [kg]; NaN: no friction margin
-  TerrainHeight terrain_height;    ///< empty: no edge landings are counted
+  TerrainHeight terrain_height;    ///< empty: edge landings are not counted
   /// Hip H in B at joint angles (HAA, HFE, KFE) of a leg; empty: no limb extension.
   std::function<Vec3(Leg, const Vec3&)> hip_in_base;
 };
 
-/// What the program knows of a run's end.
+/// End of a run, as the program knows it.
 struct RunEnd {
-  std::string reason;  ///< a fall has its own
+  std::string reason;  ///< replaced after a fall
   double wall_seconds = kNaN;
   std::uint64_t seed = 0;
   std::string version = {};
-  std::optional<bool> goal_reached = {};  ///< empty where there is no goal
+  std::optional<bool> goal_reached = {};  ///< empty without a goal
 };
 
 /// Judges a run tick by tick.
@@ -43,22 +43,22 @@ class Evaluator {
         slips_(options_.control_period),
         path_(options_.control_period) {}
 
-  /// Truth and tick belong to the same time: the truth from which the readings were made.
+  /// Truth and tick must be of the same time.
   void add(const GroundTruth& truth, const TickRecord& tick);
   void add(const TickTiming& timing);
 
-  /// True from the tick on at which the robot fell.
+  /// True from the tick of the fall on.
   [[nodiscard]] bool fell() const { return metrics_.fell; }
-  /// "fell at 3.2025 s: …", empty if it did not.
+  /// "fell at 3.2025 s: …"; empty without a fall.
   [[nodiscard]] const std::string& fall() const { return fall_; }
 
-  /// `succeeded` is left false: it depends on the criteria.
+  /// Leaves `succeeded` false: it depends on the criteria.
   [[nodiscard]] Metrics metrics(const RunEnd& end) const;
 
  private:
   struct Foot {
     bool was_contact = true;
-    bool landing_seen = true;  // this stance's landing was judged, or it began before the run
+    bool landing_seen = true;  // landing of this stance was judged, or preceded the run
     double slip = 0.0;         // in this stance [m]
     double search = 0.0;       // in this swing [s]
   };
@@ -81,12 +81,12 @@ class Evaluator {
   void add_stance(Foot& foot, const TrueContact& contact);
   void add_friction(const TrueContact& contact, double normal_force);
   void add_body_contacts(const GroundTruth& truth);
-  /// A robot that sits down for want of a sensor, or stands up, `may_lie`. One that `hangs` may do
-  /// so at any height and tilt, but if its torso is on the ground nobody holds it.
+  /// `may_lie`: the robot sits down after a sensor fault, or stands up. `hangs`: lifted, at any
+  /// height and tilt, but not with the torso on the ground.
   void check_fall(const GroundTruth& truth, bool may_lie, bool hangs);
 
   EvaluatorOptions options_;
-  Metrics metrics_;  // what is final at every tick
+  Metrics metrics_;  // those that are final at every tick
   BeliefFrame frame_;
   EstimateJudge estimate_;
   TouchdownJudge touchdowns_;
@@ -100,12 +100,12 @@ class Evaluator {
   int walk_ticks_ = 0;
   Squares com_error_, height_error_, orientation_error_;
   double sway_min_ = 0.0, sway_max_ = 0.0;
-  std::optional<MotionPlan> plan_before_;  // empty where the plan begins anew
+  std::optional<MotionPlan> plan_before_;  // empty after a restart of the plan
   JointVector torque_before_ = JointVector::Zero();
   PerLeg<Foot> feet_{};
   double footprint_height_ = kNaN;
   bool torso_touched_ = false;
-  int shanks_touched_ = 0;                        // bits
+  int shanks_touched_ = 0;                        // a bit a leg
   std::vector<double> tick_times_, solve_times_;  // [µs]
 };
 

@@ -36,7 +36,7 @@ std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before, const LegsA
     case PlanEvent::collision:
     case PlanEvent::push_foot_down:
     case PlanEvent::caught:
-      // Of several legs in the air the one that changed its motion.
+      // Of several swing legs the one that changed its motion.
       if (const auto leg = find([&](Leg k) { return !in_contact(was(k)) && changed(k); }))
         return leg;
       return find([&](Leg leg) { return !in_contact(is(leg)); });

@@ -9,15 +9,15 @@
 
 namespace surefoot {
 
-/// How often something happened to a leg in a run.
+/// Count of an event of one leg in a run.
 struct EventCount {
   PlanEvent event = PlanEvent::none;
-  std::optional<Leg> leg;  ///< empty: none stands out
+  std::optional<Leg> leg;  ///< empty: unknown
   int count = 0;
-  double first = 0.0;  ///< when it happened first [s]
+  double first = 0.0;  ///< time of the first one [s]
 };
 
-/// What the legs do at a tick.
+/// Motion of the legs at a tick.
 struct LegsAtTick {
   PerLeg<LegPhase> phases{};
   PerLeg<bool> slips{};  ///< the foot is believed to slide
@@ -25,20 +25,20 @@ struct LegsAtTick {
 
 [[nodiscard]] LegsAtTick legs_of(const MotionPlan& plan, const RobotState& state);
 
-/// The leg that an event happened to: the plan says what happened, and what the legs do, before and
-/// at the event, tells to which. Empty: to none, or to none that stands out.
+/// The leg of an event, found from the legs' motion before and at the event. Empty: none, or
+/// ambiguous.
 [[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before,
                                         const LegsAtTick& now);
 
-/// Is it worth telling? What every step of a walk has, lift-off and touchdown, is not.
+/// False for lift-off and touchdown, which every step has.
 [[nodiscard]] bool is_notable(PlanEvent event);
 
-/// Collects the notable events of a walk, tick by tick.
+/// Collects a walk's notable events, tick by tick.
 class EventCounter {
  public:
   void add(double time, const MotionPlan& plan, const RobotState& state);
 
-  /// In the order in which they happened first.
+  /// In the order of their first times.
   [[nodiscard]] const std::vector<EventCount>& counts() const { return counts_; }
 
  private:

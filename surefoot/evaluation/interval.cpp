@@ -13,7 +13,7 @@ Interval wilson_interval(int successes, int trials) {
   const double centre = p + z * z / (2.0 * n);
   const double spread = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   const double scale = 1.0 + z * z / n;
-  // Against rounding: the rate itself is inside, and so are 0 and 1 where it is one of them.
+  // Rounding must not exclude the rate itself, nor 0 or 1 if that is the rate.
   return {std::clamp((centre - spread) / scale, 0.0, p),
           std::clamp((centre + spread) / scale, p, 1.0)};
 }

@@ -5,13 +5,13 @@
 namespace surefoot {
 namespace {
 
-constexpr double kReach = 0.02;  // [m]
-constexpr double kJump = 0.015;  // [m]
+constexpr double kReach = 0.02;     // [m]
+constexpr double kMinJump = 0.015;  // [m]
 constexpr double kMaxLean = 15.0 * kPi / 180.0;
 
-bool jumps(double height, double neighbour) { return !(std::abs(height - neighbour) <= kJump); }
+bool jumps(double height, double neighbour) { return !(std::abs(height - neighbour) <= kMinJump); }
 
-// Looks from the point outwards: what lies beyond an edge is seen across it.
+// Searches outwards from the point.
 bool edge_in_reach(const TerrainHeight& terrain, const Vec3& point) {
   constexpr int kDirections = 32, kPlaces = 5;
   const double height = terrain(point.x(), point.y());

@@ -6,15 +6,14 @@
 
 namespace surefoot {
 
-/// How far the robot comes off the path that it is asked to walk. The path begins under the centre
-/// of the feet where the walk begins, and goes on with the commanded velocity and yaw rate. Only
-/// what lies across its direction counts: who is late is still on the path.
+/// Measures the robot's deviation from the commanded path. The path starts under the feet's centre
+/// when the walk begins, and follows the commanded velocity and yaw rate. Only deviation across the
+/// path counts, not delay along it.
 class PathJudge {
  public:
   explicit PathJudge(double period) : period_(period) {}
 
-  /// A tick at which walking is commanded; `heading` is that of the torso's reference in the true
-  /// world.
+  /// A tick with commanded walking; `heading` of the torso's reference in the true world.
   void add(const GroundTruth& truth, const UserCommand& user, const Vec3& heading);
   void write(Metrics& metrics) const;
 
@@ -25,7 +24,7 @@ class PathJudge {
   bool begun_ = false;
   double yaw_ = 0.0;
   Vec2 point_ = Vec2::Zero(), direction_ = Vec2::UnitX();  // of the path, in the true W
-  double feet_ = 0.0, base_ = 0.0;                         // farthest [m]
+  double feet_ = 0.0, base_ = 0.0;                         // largest deviations [m]
 };
 
 }  // namespace surefoot

@@ -5,12 +5,12 @@
 namespace surefoot {
 namespace {
 
-constexpr double kSpeed = 0.05;     // from which on a foot slides [m/s]
-constexpr double kCreep = 0.025;    // … from which on believing it is not false [m/s]
-constexpr double kLoad = 20.0;      // [N]
-constexpr double kDuration = 0.01;  // of the shortest slip [s]
-constexpr double kRest = 0.05;      // between two slips [s]
-constexpr double kRounding = 1e-9;  // [s]
+constexpr double kSlipSpeed = 0.05;    // of a sliding foot [m/s]
+constexpr double kCreepSpeed = 0.025;  // from here on a detection is not false [m/s]
+constexpr double kMinLoad = 20.0;      // [N]
+constexpr double kMinDuration = 0.01;  // of a slip [s]
+constexpr double kRestTime = 0.05;     // between two slips [s]
+constexpr double kRounding = 1e-9;     // [s]
 
 }  // namespace
 
@@ -21,15 +21,15 @@ void SlipJudge::add(const GroundTruth& truth, const TickRecord& tick) {
     const TrueContact& contact = truth.feet[k];
     const bool stands = tick.plan.contact(leg) && contact.touching;
     const double speed = stands ? contact.slip_velocity.norm() : 0.0;
-    follow(foot, truth.time, speed, contact.normal.dot(contact.force) > kLoad);
+    follow(foot, truth.time, speed, contact.normal.dot(contact.force) > kMinLoad);
     notice(foot, truth.time, tick.state.slips[k]);
-    if (foot.is_slip && !(truth.time - foot.last_at <= kRest)) close(foot);
+    if (foot.is_slip && !(truth.time - foot.last_at <= kRestTime)) close(foot);
   }
 }
 
 void SlipJudge::follow(Foot& foot, double time, double speed, bool loaded) const {
-  if (speed > kCreep) foot.crept_at = time;
-  if (!(speed > kSpeed && loaded)) {
+  if (speed > kCreepSpeed) foot.crept_at = time;
+  if (!(speed > kSlipSpeed && loaded)) {
     foot.slides_for = 0.0;
     return;
   }
@@ -37,13 +37,13 @@ void SlipJudge::follow(Foot& foot, double time, double speed, bool loaded) const
   foot.last_at = time;
   if (foot.is_slip) return;
   if (foot.slides_for <= period_ + kRounding) foot.began_at = time;
-  foot.is_slip = foot.slides_for >= kDuration - kRounding;
+  foot.is_slip = foot.slides_for >= kMinDuration - kRounding;
 }
 
 void SlipJudge::notice(Foot& foot, double time, bool believed) {
   const bool is_new = believed && !foot.was_believed;
   foot.was_believed = believed;
-  if (is_new && !(time - foot.crept_at <= kRest)) ++false_;
+  if (is_new && !(time - foot.crept_at <= kRestTime)) ++false_;
   if (!believed || !foot.is_slip || foot.is_noticed) return;
   foot.is_noticed = true;
   latencies_.push_back(time - foot.began_at);
@@ -57,7 +57,7 @@ void SlipJudge::close(Foot& foot) {
 void SlipJudge::write(Metrics& metrics) const {
   metrics.slips_detected = detected_;
   metrics.slips_missed = missed_;
-  for (const Foot& foot : feet_) {  // that still slide in the end
+  for (const Foot& foot : feet_) {  // slips at the end of the run
     if (foot.is_slip) ++(foot.is_noticed ? metrics.slips_detected : metrics.slips_missed);
   }
   metrics.slips_false = false_;

@@ -8,12 +8,11 @@
 
 namespace surefoot {
 
-/// Holds the slips that the controller notices against those that happen. A foot slides truly while
-/// the plan lets it stand, it carries more than 20 N and its contact point moves along the ground
-/// faster than 0.05 m/s; from 10 ms on that is a slip, until the foot has rested for 50 ms. A slip
-/// is detected if it is believed until then, and missed otherwise; its latency runs from the
-/// beginning. What is noticed while no foot has slid, be it more slowly or for a shorter time,
-/// within 50 ms before is false.
+/// Compares the slips that the controller detects with the true ones. A foot truly slides while it
+/// is in planned stance, carries more than 20 N and its contact point moves along the ground faster
+/// than 0.05 m/s; for at least 10 ms this is a slip, until the foot has rested for 50 ms. A slip is
+/// detected if the estimate shows it until then, otherwise missed; its latency runs from its start.
+/// A detection is false if no foot slid within 50 ms before, not even more slowly or shortly.
 class SlipJudge {
  public:
   explicit SlipJudge(double period) : period_(period) {}
@@ -24,11 +23,11 @@ class SlipJudge {
  private:
   struct Foot {
     double slides_for = 0.0;  // without a break [s]
-    double began_at = kNaN;   // of this slip, short ones included [s]
-    double last_at = kNaN;    // when it was last seen to slide [s]
-    double crept_at = kNaN;   // when it last moved at all [s]
+    double began_at = kNaN;   // start of this slip, short ones included [s]
+    double last_at = kNaN;    // last sliding [s]
+    double crept_at = kNaN;   // last motion at all [s]
     bool is_slip = false;     // long enough
-    bool is_noticed = false;  // believed since it began
+    bool is_noticed = false;  // detected since it began
     bool was_believed = false;
   };
   void follow(Foot& foot, double time, double speed, bool loaded) const;

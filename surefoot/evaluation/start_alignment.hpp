@@ -8,8 +8,8 @@
 
 namespace surefoot {
 
-/// Where the controller's world W lay in the true one when the run began: sensors can see neither
-/// position nor heading, so a belief is counted from there.
+/// Pose of the controller's world W in the true one at the start of the run. Sensors can see
+/// neither position nor heading, so estimates are compared relative to it.
 ///
 ///     R = R_z(yaw_true − yaw),  p = p_true − R p       at the first tick
 struct StartAlignment {
@@ -17,15 +17,15 @@ struct StartAlignment {
   Vec3 p = Vec3::Zero();
 };
 
-/// None at another tick than the run's first, whose time is 0, and where the state is not known:
-/// what is counted from the start is then not known at all.
+/// Empty at any tick but the run's first, whose time is 0, or without an estimate: values relative
+/// to the start are unknown then.
 [[nodiscard]] std::optional<StartAlignment> start_alignment(const GroundTruth& truth,
                                                             const RobotState& state);
 
-/// Does this tick's estimate begin anew? Of what was believed before nothing is counted.
+/// Does the estimate restart at this tick, so that the past does not count?
 [[nodiscard]] bool begins_anew(const TickRecord& tick);
 
-/// The believed base in the true world, and how far it is off.
+/// The estimated base in the true world, and its error.
 struct AlignedEstimate {
   Vec3 p_WB = Vec3::Constant(kNaN);   ///< [m]
   Quat q_WB{kNaN, kNaN, kNaN, kNaN};  ///< takes B coordinates to the true W

@@ -7,9 +7,9 @@
 namespace surefoot {
 namespace {
 
-constexpr double kBounce = 0.05;   // [s]
-constexpr double kJustNow = 0.02;  // [s]
-constexpr double kLate = 0.03;     // [s]
+constexpr double kMaxBounce = 0.05;    // [s]
+constexpr double kMaxTouchAge = 0.02;  // of a noticed touchdown [s]
+constexpr double kLateLatency = 0.03;  // [s]
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void TouchdownJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
     Foot& foot = feet_[index(leg)];
     const bool contact = plan.contact(leg);
     if (truth.feet[index(leg)].touched) {
-      const bool is_new = !(time - foot.touching_at <= kBounce);
+      const bool is_new = !(time - foot.touching_at <= kMaxBounce);
       if (is_new || foot.was_contact) foot.touched_at = time;
       foot.touching_at = time;
     }
@@ -29,7 +29,7 @@ void TouchdownJudge::add(const GroundTruth& truth, const MotionPlan& plan) {
 }
 
 void TouchdownJudge::judge(const Foot& foot, double time) {
-  if (time - foot.touching_at <= kJustNow) {
+  if (time - foot.touching_at <= kMaxTouchAge) {
     latencies_.push_back(time - foot.touched_at);
   } else {
     ++false_touchdowns_;
@@ -40,8 +40,8 @@ void TouchdownJudge::write(Metrics& metrics) const {
   metrics.false_touchdowns = false_touchdowns_;
   metrics.touchdown_latency_p95_s = quantile_of(latencies_, 0.95);
   metrics.touchdowns_noticed = static_cast<int>(latencies_.size());
-  metrics.touchdowns_late = static_cast<int>(
-      std::ranges::count_if(latencies_, [](double latency) { return latency > kLate + 1e-9; }));
+  metrics.touchdowns_late = static_cast<int>(std::ranges::count_if(
+      latencies_, [](double latency) { return latency > kLateLatency + 1e-9; }));
 }
 
 }  // namespace surefoot

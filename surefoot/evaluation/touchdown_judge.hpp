@@ -8,10 +8,10 @@
 
 namespace surefoot {
 
-/// Holds the touchdowns that the controller notices against those that happen. A touchdown is
-/// noticed when a leg's phase becomes stance; it is false if the foot did not touch within 20 ms
-/// before, not even for a single physics step. Its latency runs from the foot's first touch, gaps
-/// of up to 50 ms, as a bouncing foot makes them, left aside.
+/// Compares the touchdowns that the controller notices with the true ones. A touchdown is noticed
+/// when a leg's phase becomes stance, and false if the foot did not touch for a single physics step
+/// within 20 ms before. Its latency starts at the foot's first touch, ignoring gaps of up to 50 ms
+/// from bounces.
 class TouchdownJudge {
  public:
   void add(const GroundTruth& truth, const MotionPlan& plan);
@@ -20,8 +20,8 @@ class TouchdownJudge {
  private:
   struct Foot {
     bool was_contact = true;
-    double touched_at = kNaN;   // when this touch began [s]
-    double touching_at = kNaN;  // when it was last seen [s]
+    double touched_at = kNaN;   // start of this touch [s]
+    double touching_at = kNaN;  // last touch [s]
   };
   void judge(const Foot& foot, double time);
 

@@ -3,7 +3,7 @@
 #include "surefoot/logging/message_fields.hpp"
 #include "surefoot/simulation/ground_truth.hpp"
 
-/// The truth's fields, once: for the log's channel and for Python.
+/// The truth's fields, for the log's channel and for Python.
 namespace surefoot::logged {
 
 template <typename Archive, Is<TrueContact> T>
@@ -40,8 +40,8 @@ void fields(Archive& field, T& truth) {
   field("torso_contact", truth.torso_contact, "the torso touches the ground");
   field("shank_contacts", truth.shank_contacts,
         "bit k: thigh, knee or shank of leg k touches the ground");
-  // Brackets with several units are read by number: a last "…" repeats the unit before it; where
-  // there is none, all of them begin again.
+  // Tools read brackets with several units by position: a last "…" repeats the unit before it;
+  // without it, the list repeats.
   field("qpos", truth.qpos,
         "MuJoCo's mjData.qpos, of the model in model.xml: base position in W, its quaternion w, x, "
         "y, z, then the joints' angles in the model's order [m, m, m, 1, 1, 1, 1, rad, …]");

@@ -5,11 +5,11 @@
 
 namespace surefoot {
 
-/// The log's channel `/truth`: what the simulator knows and the controller does not, with MuJoCo's
-/// qpos, qvel, ctrl and xfrc_applied, so that stock MuJoCo can show and check the run.
+/// The log's channel `/truth`: simulator state unknown to the controller, with MuJoCo's qpos, qvel,
+/// ctrl and xfrc_applied, so that stock MuJoCo can show and check the run.
 class TruthLog {
  public:
-  /// Adds the channel; before the recorder's first tick.
+  /// Adds the channel; call before the recorder's first tick.
   explicit TruthLog(Recorder& recorder);
 
   void record(const GroundTruth& truth);

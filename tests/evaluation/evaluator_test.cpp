@@ -143,7 +143,7 @@ TEST(Evaluator, StepsOfTheFramesAreTheLargestChangesBetweenTwoTicksOfOnePlan) {
   lean(0.5, 0.5, 0.5);  // before the first tick there is none
   lean(0.4, 0.53, 0.5);
   lean(0.2, 0.52, 0.25);
-  run.tick.plan.calibration = CalibrationStage::settling;  // the plan begins anew
+  run.tick.plan.calibration = CalibrationStage::settling;  // the plan restarts
   lean(-0.5, 0.2, 1.0);
   run.tick.plan.calibration = CalibrationStage::none;
   lean(0.3, 0.7, 0.0);
