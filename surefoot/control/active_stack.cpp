@@ -25,8 +25,7 @@ const Solution& ActiveStack::solve(double time, const Dynamics& dynamics,
   const Substitution* physics =
       solver.wants_substitution() ? stack.substitution(dynamics) : nullptr;
   const Solution& solution = solver.solve(stack.hierarchy(), physics, switcher_.transition());
-  return is_fading() ? fade_->between(dynamics, plan, time, stack.hierarchy(), solution)
-                     : solution;
+  return is_fading() ? fade_->between(dynamics, plan, time, stack.hierarchy(), solution) : solution;
 }
 
 void ActiveStack::describe(const Solution& solution, bool explains,

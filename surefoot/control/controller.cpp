@@ -99,7 +99,7 @@ struct Controller::Implementation {
   TickRecord record;
   std::array<double, kMaxLevels> level_times{};  // [s]
   bool explains_levels = false;
-  bool has_solved = false;  // the last tick
+  bool has_solved = false;      // the last tick
   bool has_begun_anew = false;  // at this tick
   StageObserver* observer = nullptr;
 };
@@ -154,10 +154,9 @@ const ReadingGuard& Controller::Implementation::sense() noexcept {
   if (memory.last.imu_step) guard.judge_imu_step(*memory.last.imu_step);
   take_in(record.reading);
   record.health = guard.health();
-  has_begun_anew =
-      first_readings.are_contradicted(record.reading, guard.clock_is_right(), record.health,
-                                      memory.estimation.has_begun()) &&
-      !before.has_stopped;
+  has_begun_anew = first_readings.are_contradicted(record.reading, guard.clock_is_right(),
+                                                   record.health, memory.estimation.has_begun()) &&
+                   !before.has_stopped;
   if (has_begun_anew) begin_anew();
   if (memory.footing.restarts() && !before.has_stopped) stand_anew();
   if (!memory.estimation.has_begun()) memory.footing.look_at_start(model, guard.repaired().q);
@@ -212,8 +211,8 @@ bool Controller::Implementation::estimate(const ReadingGuard& seen) noexcept {
 
 bool Controller::Implementation::is_on_its_feet() noexcept {
   const bool stood = memory.footing.stands();
-  record.plan.event = static_cast<int>(
-      memory.footing.update(model, record.state, memory.estimation.lift()));
+  record.plan.event =
+      static_cast<int>(memory.footing.update(model, record.state, memory.estimation.lift()));
   if (memory.footing.has_fallen()) safety.give_up(StopCause::fallen);
   return stood && memory.footing.stands();
 }
@@ -370,9 +369,7 @@ const std::array<double, kMaxLevels>& Controller::level_times() const {
   return implementation_->level_times;
 }
 
-const Hierarchy& Controller::hierarchy() const {
-  return implementation_->stack.hierarchy();
-}
+const Hierarchy& Controller::hierarchy() const { return implementation_->stack.hierarchy(); }
 
 const Dynamics* Controller::dynamics() const {
   return implementation_->has_solved ? &implementation_->model.dynamics() : nullptr;

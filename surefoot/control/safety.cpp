@@ -25,7 +25,7 @@ constexpr double kToStand = 2.0;      // for which a robot that has not begun is
 constexpr double kDampFade = 1.0;     // of the damping: what falls lies by then [s]
 constexpr double kUnsureTilt = 0.03;  // of a robot that has not begun [s]
 constexpr double kTipTime = 0.2;      // for which a robot that tips goes on turning [s]
-constexpr double kUnsteady = 0.5;   // for which little is known of a robot that has begun late [s]
+constexpr double kUnsteady = 0.5;  // for which little is known of a robot that has begun late [s]
 
 JointVector finite_or_zero(const JointVector& v) {
   JointVector result = v;
@@ -169,7 +169,8 @@ void Safety::look_for_a_stop(const RobotState& state, const SensorHealth& health
 double Safety::patience(const RobotState& state, const SensorHealth& health) const {
   const auto is_well = [](const GroupHealth& group) { return group.fault == SampleFault::none; };
   const auto is_there = [&](const GroupHealth& group) {
-    return is_well(group) || (std::isfinite(group.age) && !is_lost(group.age, options_.bridge_time));
+    return is_well(group) ||
+           (std::isfinite(group.age) && !is_lost(group.age, options_.bridge_time));
   };
   const bool has_torques = is_well(health.joint_torques) || state.torque.allFinite();
   const bool has_all = is_there(health.encoders) && is_there(health.joint_torques) &&

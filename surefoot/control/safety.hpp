@@ -36,8 +36,9 @@ namespace surefoot {
 ///                repeated failures, non-finite readings that last, or a torso tilted too far
 ///                (before the first good tick only when 30 ms have gone by, as the first readings
 ///                may be wrong); where joint sensors fail as it tips over, since joints of a
-///                falling robot do what their sensors can't follow; lying; or at once where encoders of several legs are lost, on top
-///                of the last good torques, or those of the way down, which fade out within 0.5 s
+///                falling robot do what their sensors can't follow; lying; or at once where
+///                encoders of several legs are lost, on top of the last good torques, or those of
+///                the way down, which fade out within 0.5 s
 ///
 /// The PD of a leg that does not stand (`set_standing`) is soft, for its inertia is small.
 ///

@@ -21,8 +21,8 @@ constexpr double kMaxGap = 1.0;
 /// Can the robot be so? Not where a number is NaN.
 bool is_plausible(const RobotState& state) {
   const auto within = [](const auto& v, double limit) { return (v.array().abs() <= limit).all(); };
-  return std::isfinite(state.time) && within(state.p_WB, kMaxDistance) &&
-         is_rotation(state.q_WB) && within(state.u(), kMaxSpeed) && within(state.q, kMaxAngle) &&
+  return std::isfinite(state.time) && within(state.p_WB, kMaxDistance) && is_rotation(state.q_WB) &&
+         within(state.u(), kMaxSpeed) && within(state.q, kMaxAngle) &&
          within(state.torque, kMaxTorque);
 }
 
@@ -59,8 +59,8 @@ StateEstimation::StateEstimation(const ControllerOptions& options, StateEstimato
 
 bool StateEstimation::has_begun() const { return std::isfinite(time_); }
 
-bool StateEstimation::follow(const ReadingGuard& seen, const LastTick& last,
-                             const RobotMode& mode, SensorHealth& health) noexcept {
+bool StateEstimation::follow(const ReadingGuard& seen, const LastTick& last, const RobotMode& mode,
+                             SensorHealth& health) noexcept {
   imu_step_.reset();
   observe_joints(seen);
   if (!seen.clock_is_right()) {
@@ -108,9 +108,8 @@ void StateEstimation::forget_lost_joints(const ReadingGuard& seen,
   }
 }
 
-void StateEstimation::feel(const ReadingGuard& seen, const Dynamics& dynamics,
-                           const LastTick& last, const RobotMode& mode,
-                           SensorHealth& health) noexcept {
+void StateEstimation::feel(const ReadingGuard& seen, const Dynamics& dynamics, const LastTick& last,
+                           const RobotMode& mode, SensorHealth& health) noexcept {
   const PerLeg<bool> stands = last.plan.standing();
   contact_force_.update(dynamics, stands, last.terrain_normal_W, seen.repaired(), state_);
   lift_.update(kGravity * dynamics.mass, state_.foot_force, seen.repaired().accelerometer);

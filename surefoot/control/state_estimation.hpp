@@ -12,9 +12,9 @@ namespace surefoot {
 
 /// What the robot was about before this tick.
 struct RobotMode {
-  bool stands = true;       ///< on its feet; else it is lifted, or lies
-  bool has_begun = false;   ///< there was a good tick
-  bool has_stopped = false; ///< for good
+  bool stands = true;        ///< on its feet; else it is lifted, or lies
+  bool has_begun = false;    ///< there was a good tick
+  bool has_stopped = false;  ///< for good
 };
 
 /// Makes the state that the controller believes, in two steps: base and joints (`follow`), then,
@@ -26,8 +26,8 @@ class StateEstimation {
 
   /// Base and joints by this tick's sensors. False: the state is not one to plan with. Sensors that
   /// contradict each other at rest are written into `health`.
-  [[nodiscard]] bool follow(const ReadingGuard& seen, const LastTick& last,
-                            const RobotMode& mode, SensorHealth& health) noexcept;
+  [[nodiscard]] bool follow(const ReadingGuard& seen, const LastTick& last, const RobotMode& mode,
+                            SensorHealth& health) noexcept;
   /// Completes the state, with the dynamics at it. As above.
   void feel(const ReadingGuard& seen, const Dynamics& dynamics, const LastTick& last,
             const RobotMode& mode, SensorHealth& health) noexcept;
