@@ -8,8 +8,8 @@
 #include "surefoot/estimation/reading_guard.hpp"
 #include "surefoot/estimation/rest_check.hpp"
 #include "surefoot/estimation/sensor_consistency.hpp"
+#include "surefoot/gaits/planner.hpp"
 #include "surefoot/model/robot_model.hpp"
-#include "surefoot/planning/planner.hpp"
 
 namespace surefoot {
 

@@ -1,7 +1,7 @@
 #include "surefoot/config/scenario_file.hpp"
 
 #include "surefoot/config/data_file.hpp"
-#include "surefoot/planning/com_planner.hpp"
+#include "surefoot/gaits/parts/com_planner.hpp"
 #include "tests/config/trial_scenario.hpp"
 
 #include <cmath>
