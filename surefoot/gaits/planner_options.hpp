@@ -196,4 +196,13 @@ struct PlannerOptions {
   PushOptions push;
 };
 
+/// Does a leg touch twice?
+[[nodiscard]] inline bool probes(const ProbeOptions& options, Leg leg) {
+  return options.enabled && is_front(leg);
+}
+/// A hind foot that steps into a front foot's print knows how high the ground is.
+[[nodiscard]] inline bool knows_ground(const PlannerOptions& options, Leg leg) {
+  return options.foothold.hind_use_front_prints && !is_front(leg);
+}
+
 }  // namespace surefoot

@@ -29,6 +29,11 @@ constexpr std::array<double, kGaussPoints> kGaussNodes{0.0694318442029737, 0.330
 constexpr std::array<double, kGaussPoints> kGaussWeights{0.1739274225687269, 0.3260725774312731,
                                                          0.3260725774312731, 0.1739274225687269};
 
+int samples_of(const SupportPhase& phase, double interval) {
+  const double samples = std::ceil(phase.duration / interval);
+  return static_cast<int>(std::clamp(samples, 1.0 * kMinSamples, 1.0 * kMaxSamples));
+}
+
 }  // namespace
 
 ComPlanner::ComPlanner(const ComPlannerOptions& options, const ForceOptions& force,
@@ -110,11 +115,6 @@ void ComPlanner::guess_knots(double time, const Motion<Vec2>& begin) noexcept {
   knots_ = guess;
 }
 
-int ComPlanner::samples_of(const SupportPhase& phase) const noexcept {
-  const double samples = std::ceil(phase.duration / options_.sample_interval);
-  return static_cast<int>(std::clamp(samples, 1.0 * kMinSamples, 1.0 * kMaxSamples));
-}
-
 double ComPlanner::pendulum(const HalfPlane& edge) const noexcept {
   return std::max(kLeastHeight, height_ - edge.height) / kGravity;
 }
@@ -125,7 +125,7 @@ Vec2 ComPlanner::load_shift(double height) const noexcept {
 
 void ComPlanner::write_region_rows(Hierarchy& hierarchy, int phase) const noexcept {
   const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
-  const int samples = samples_of(support);
+  const int samples = samples_of(support, options_.sample_interval);
   const double zmp_margin = std::min(options_.zmp_margin, support.zmp_margin_max);
   const bool loaded = load_.force.norm() > 0.0;
   for (int i = 1; i <= samples; ++i) {
@@ -277,7 +277,7 @@ void ComPlanner::measure_slack() noexcept {
   zmp_slack_ = 0.0;
   for (int phase = 0; phase < planned_; ++phase) {
     const SupportPhase& support = phases_[static_cast<std::size_t>(phase)];
-    const int samples = samples_of(support);
+    const int samples = samples_of(support, options_.sample_interval);
     for (int i = 1; i <= samples; ++i) {
       const double t = support.duration * i / samples;
       const Motion<Vec2> m = evaluate(phase, t);

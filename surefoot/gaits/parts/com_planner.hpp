@@ -113,7 +113,6 @@ class ComPlanner {
   static constexpr RankTolerance kRank{.solve = 1e-8, .keep = 1e-12};
 
   void guess_knots(double time, const Motion<Vec2>& begin) noexcept;
-  [[nodiscard]] int samples_of(const SupportPhase& phase) const noexcept;
   /// h/g of the COM over an edge of the region [s²].
   [[nodiscard]] double pendulum(const HalfPlane& edge) const noexcept;
   /// d of a COM `height` over the feet [m].

@@ -10,12 +10,12 @@ constexpr double kLeastForce = 15.0;  // of a foot whose forces say something of
 }  // namespace
 
 bool Grip::update(const RobotState& state, const PerLeg<Vec3>& normals_W) {
-  began_ = false;
+  began_.fill(false);
   bool changed = false;
   if (!options_.enabled) return false;
   for (const Leg leg : kLegs) {
     const std::size_t k = index(leg);
-    began_ = began_ || (state.slips[k] && !slid_[k]);
+    began_[k] = state.slips[k] && !slid_[k];
     changed = changed || state.slips[k] != slid_[k];
     slid_[k] = state.slips[k];
     adapt(leg, state, normals_W[k]);
@@ -34,6 +34,17 @@ void Grip::adapt(Leg leg, const RobotState& state, const Vec3& normal_W) {
   if (!(normal > kLeastForce)) return;
   const double ratio = (force - normal * normal_W).norm() / normal;
   mu = std::min(mu, std::max(options_.friction_min, options_.share * ratio));
+}
+
+double Grip::mean_friction(const PerLeg<bool>& stands) const {
+  double sum = 0.0;
+  int standing = 0;
+  for (const Leg k : kLegs) {
+    if (!stands[index(k)]) continue;
+    sum += friction(k);
+    ++standing;
+  }
+  return standing == 0 ? configured_ : sum / standing;
 }
 
 double Grip::caution() const {

@@ -3,6 +3,8 @@
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/signals/robot_state.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 /// What friction each foot is believed to find: the configured one until it slides, then
@@ -28,8 +30,11 @@ class Grip {
   bool update(const RobotState& state, const PerLeg<Vec3>& normals_W);
 
   [[nodiscard]] double friction(Leg leg) const { return friction_[index(leg)]; }
+  /// Of the feet that stand, in the mean.
+  [[nodiscard]] double mean_friction(const PerLeg<bool>& stands) const;
   /// Did a foot begin to slide at this tick?
-  [[nodiscard]] bool began() const { return began_; }
+  [[nodiscard]] bool began() const { return std::ranges::find(began_, true) != began_.end(); }
+  [[nodiscard]] bool began(Leg leg) const { return began_[index(leg)]; }
   /// How much slower than usual the walk should be: 1 while every foot has enough friction.
   [[nodiscard]] double caution() const;
 
@@ -40,7 +45,7 @@ class Grip {
   double configured_, period_;
   PerLeg<double> friction_{};
   PerLeg<bool> slid_{};
-  bool began_ = false;
+  PerLeg<bool> began_{};
 };
 
 }  // namespace surefoot

@@ -13,7 +13,6 @@ constexpr double kCertain = 2.0;       // times the touchdown force: an impact, 
 constexpr int kFirmTicks = 2;          // debounce of a touchdown
 constexpr double kArrivesFrom = 0.8;   // share of a swing from which on its end is near
 constexpr double kFastDescent = 0.25;  // too fast for its velocity to be told from a bounce [m/s]
-constexpr double kJolt = 0.01;         // an impact changes a velocity within this [s]
 constexpr double kStopped = 0.5;       // share of a foot's descent that an impact takes, at least
 constexpr double kRebound = 0.25;      // a foot that rises faster stands on nothing [m/s] …
 constexpr double kOffGround = 0.005;   // … higher than this over where it came down [m] …
@@ -22,18 +21,11 @@ constexpr double kBelow = 0.01;        // deeper than where it came down there w
 constexpr double kFliesOn = 1.0;       // a foot in mid-swing this fast has met nothing [m/s]
 constexpr double kAway = 0.02;         // … so far from there [m] …
 constexpr double kFliesWithin = 0.1;   // … so soon after that [s]
-constexpr double kUsual = 0.05;        // memory of the force on a foot in the air [s]
 constexpr double kAstray = 0.04;       // beside its reference by more, a foot could not follow [m]
-constexpr double kGoes = 0.05;   // a foot that is asked to go faster than this can be caught [m/s]
-constexpr double kLag = 0.04;    // weak or delayed drives let a foot be as late as this [s]
-constexpr double kBrake = 0.04;  // a foot follows a reference that brakes at once within this [s]
-constexpr double kSearchBrake = 30.0;    // of a foot that begins to search [m/s²], which takes …
-constexpr double kSearchTurn = 0.04;     // … as long as this at least [s]
-constexpr double kReferenceLead = 0.02;  // the search waits for a foot further behind than this [m]
-constexpr double kSlowZone =
-    0.03;                         // the search slows down this far before the end of its reach [m]
-constexpr double kWaiting = 0.1;  // a pace below this is none
-constexpr double kUnreachableAfter = 0.3;  // [s]
+constexpr double kGoes = 0.05;  // a foot that is asked to go faster than this can be caught [m/s]
+constexpr double kLag = 0.04;   // weak or delayed drives let a foot be as late as this [s]
+constexpr double kSearchBrake = 30.0;  // of a foot that begins to search [m/s²], which takes …
+constexpr double kSearchTurn = 0.04;   // … as long as this at least [s]
 
 }  // namespace
 
@@ -63,11 +55,9 @@ void LegMotion::lift(double time, const SwingTarget& target) {
   begin_ = time;
   curve_ = SwingCurve(target, swing_);
   firm_ticks_ = 0;
-  num_lags_ = 0;
-  usual_brake_ = 0.0;
+  impact_.begin();
   held_for_ = 0.0;
-  search_pace_ = 1.0;
-  stuck_for_ = 0.0;
+  search_ = {};
 }
 
 // From the velocity it has to that of the search, evenly: the largest acceleration of such a spline
@@ -178,8 +168,8 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   const bool stalled = arrives && behind && force > touchdown_.stall_force;
   const double descent = -normal.dot(asked.v);
   const double stopped = std::max(touchdown_.bounce_speed, kStopped * descent);
-  const bool jolted = is_jolted(normal.dot(foot.v - asked.v), stopped, force);
-  const bool braked = brakes(time);
+  const bool jolted = impact_.is_jolted(normal.dot(foot.v - asked.v), stopped, force);
+  const bool braked = impact_.brakes(normal.dot(asked.v - curve_.at(since(time)).v));
   const bool bounced = arrives && jolted && !braked && descent < kFastDescent;
   // What drags a foot off its way in the middle of a swing are its own drives.
   const bool strays = !arrives && beside(time, foot.p) > kAstray;
@@ -194,39 +184,17 @@ bool LegMotion::touches(double time, const LegObservation& seen) {
   return certain || firm_ticks_ >= kFirmTicks;
 }
 
-// A foot falls behind a reference that steps, and comes up with it again at once: as if it bounced.
-bool LegMotion::brakes(double time) {
-  const double brake = curve_.target().normal.dot(reference(time).v - curve_.at(since(time)).v);
-  usual_brake_ += period_ / kBrake * (brake - usual_brake_);
-  return std::abs(brake - usual_brake_) > 0.5 * touchdown_.bounce_speed;
-}
-
-bool LegMotion::is_jolted(double lag, double stopped, double force) {
-  const std::size_t most = lags_.size();
-  const auto window = std::min(most, static_cast<std::size_t>(std::ceil(kJolt / period_)));
-  if (num_lags_ == 0) usual_force_ = force;
-  usual_force_ += period_ / kUsual * (force - usual_force_);
-  double least = lag;
-  for (std::size_t i = 1; i <= std::min(window, num_lags_); ++i) {
-    least = std::min(least, lags_[(num_lags_ - i) % most]);
-  }
-  lags_[num_lags_++ % most] = lag;
-  return lag - least > stopped && force - usual_force_ > touchdown_.bounce_force;
-}
-
 // The reference waits for a foot that stays behind, and at the end of the leg's reach.
 LegEvent LegMotion::observe_search(double time, const Vec3& p_WF) {
   const SwingTarget& target = curve_.target();
   const double behind = target.normal.dot(p_WF - reference(time).p);
   const double reach_left = swing_.reach_max - (p_WF - hip_.p).norm();
-  search_pace_ = behind > kReferenceLead ? 0.0 : std::clamp(reach_left / kSlowZone, 0.0, 1.0);
-  begin_ += (1.0 - search_pace_) * period_;
-  const bool waits = search_pace_ < kWaiting;
-  stuck_for_ = std::max(0.0, stuck_for_ + (waits ? period_ : -period_));
+  search_.update(behind, reach_left, period_);
+  begin_ += (1.0 - search_.pace()) * period_;
   const double depth = target.normal.dot(target.goal - curve_.at(since(time)).p);
-  const bool deeper = target.normal.dot(foothold_ - p_WF) > kReferenceLead;
+  const bool deeper = target.normal.dot(foothold_ - p_WF) > SearchPace::kReferenceLead;
   const bool low = deeper && target.normal.dot(hip_.p - foothold_) < swing_.hip_height_min;
-  const bool unreachable = stuck_for_ > kUnreachableAfter || depth > swing_.search_depth_max || low;
+  const bool unreachable = search_.is_stuck() || depth > swing_.search_depth_max || low;
   return unreachable ? LegEvent::unreachable : LegEvent::none;
 }
 
@@ -254,8 +222,8 @@ FootPlan LegMotion::plan(double time) const {
 // the force along it.
 Motion<Vec3> LegMotion::reference(double time) const {
   Motion<Vec3> result = curve_.at(since(time));
-  result.v *= search_pace_;
-  if (curve_.target().straight) result.a *= search_pace_;
+  result.v *= search_.pace();
+  if (curve_.target().straight) result.a *= search_.pace();
   const Vec3 r = result.p - hip_.p;
   const double length = r.norm(), reach = swing_.reach_max;
   if (length <= reach) return result;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "surefoot/gaits/parts/impact_detector.hpp"
+#include "surefoot/gaits/parts/search_pace.hpp"
 #include "surefoot/gaits/parts/swing_curve.hpp"
 #include "surefoot/gaits/planner_options.hpp"
 #include "surefoot/signals/motion_plan.hpp"
 
-#include <array>
 #include <limits>
 
 namespace surefoot {
@@ -25,7 +26,12 @@ class LegMotion {
  public:
   LegMotion(const SwingOptions& swing, const TouchdownOptions& touchdown, const ForceOptions& force,
             double period, const ReflexOptions& reflex = {})
-      : swing_(swing), touchdown_(touchdown), force_(force), reflex_(reflex), period_(period) {}
+      : swing_(swing),
+        touchdown_(touchdown),
+        force_(force),
+        reflex_(reflex),
+        period_(period),
+        impact_(touchdown, period) {}
 
   /// Stands at p from `time` on; `loaded` from long before (no ramp).
   void plant(double time, const Vec3& p_WF, bool loaded = false);
@@ -67,12 +73,6 @@ class LegMotion {
   /// Distance of the foot from its reference along the ground [m].
   [[nodiscard]] double beside(double time, const Vec3& p_WF) const;
   [[nodiscard]] bool touches(double time, const LegObservation& seen);
-  /// Has the foot's velocity just changed by `stopped`, as by an impact, and does something bear
-  /// it? `lag` is that velocity along the normal, less its reference's [m/s]; `force` is along it,
-  /// too [N].
-  [[nodiscard]] bool is_jolted(double lag, double stopped, double force);
-  /// Does the reference leave its curve just now: at the end of the reach, or to wait for the foot?
-  [[nodiscard]] bool brakes(double time);
   [[nodiscard]] LegEvent observe_search(double time, const Vec3& p_WF);
   [[nodiscard]] Motion<Vec3> reference(double time) const;
   [[nodiscard]] double force_max(double time) const;
@@ -92,17 +92,11 @@ class LegMotion {
   Motion<Vec3> hip_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double normal_force_ = 0.0;
   double force_per_torque_ = 0.0;
-  double light_for_ = 0.0;    // how long a loaded stance foot has carried nothing [s]
-  double search_pace_ = 1.0;  // 1: at touchdown speed, 0: the search waits
-  double stuck_for_ = 0.0;    // how long it has waited [s]
-  /// By how much a swinging foot was faster along the normal than its reference, at the last ticks
-  /// [m/s].
-  std::array<double, 8> lags_{};
-  std::size_t num_lags_ = 0;
-  double usual_force_ = 0.0;  // on a swinging foot, as estimated [N]
-  double usual_brake_ = 0.0;  // of its reference against its curve, along the normal [m/s]
-  double held_for_ = 0.0;     // how long something has been in the foot's way [s]
-  int firm_ticks_ = 0;        // ticks in a row with a firm contact
+  double light_for_ = 0.0;  // how long a loaded stance foot has carried nothing [s]
+  SearchPace search_;
+  ImpactDetector impact_;
+  double held_for_ = 0.0;  // how long something has been in the foot's way [s]
+  int firm_ticks_ = 0;     // ticks in a row with a firm contact
 };
 
 }  // namespace surefoot
