@@ -142,7 +142,7 @@ const JointCommand& Controller::Implementation::step(const SensorReading& readin
   const Solution* solution = believed ? act(record.user) : nullptr;
   if (!believed) describe_refused_state();
   if (!believed && !footing.stands() && !safety.has_stopped()) keep_posture();
-  if (begun_anew) record.plan.event = static_cast<int>(PlanEvent::begun_anew);
+  if (begun_anew) record.plan.events.add({.kind = PlanEvent::begun_anew});
   has_solved = solution != nullptr;
   if (believed) safety.set_standing(record.plan.standing());
   // Whose base is not known, but whose joints are.
@@ -244,7 +244,7 @@ const Solution* Controller::Implementation::act(const UserCommand& user) noexcep
   const PlanEvent event = footing.update(model, record.state, lift);
   if (stood && footing.stands()) return optimise(dynamics, user);
   get_on_feet();
-  record.plan.event = static_cast<int>(event);
+  record.plan.events.add({.kind = event});
   return nullptr;
 }
 
@@ -391,7 +391,7 @@ void Controller::Implementation::describe(const Dynamics& dynamics,
 
 // Nothing happened and nothing was solved: what the last tick said must not be logged once more.
 void Controller::Implementation::describe_refused_state() noexcept {
-  record.plan.event = static_cast<int>(PlanEvent::none);
+  record.plan.events = {};
   record.model = unknown_model();
   last = {};
   level_times.fill(0.0);

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "surefoot/signals/motion_plan.hpp"
-#include "surefoot/signals/plan_event.hpp"
-#include "surefoot/signals/robot_state.hpp"
+#include "surefoot/signals/event_list.hpp"
 
 #include <optional>
 #include <vector>
@@ -12,23 +10,10 @@ namespace surefoot {
 /// How often something happened to a leg in a run.
 struct EventCount {
   PlanEvent event = PlanEvent::none;
-  std::optional<Leg> leg;  ///< empty: none stands out
+  std::optional<Leg> leg;  ///< empty: of none, or not of one
   int count = 0;
   double first = 0.0;  ///< when it happened first [s]
 };
-
-/// What the legs do at a tick.
-struct LegsAtTick {
-  PerLeg<LegPhase> phases{};
-  PerLeg<bool> slips{};  ///< the foot is believed to slide
-};
-
-[[nodiscard]] LegsAtTick legs_of(const MotionPlan& plan, const RobotState& state);
-
-/// The leg that an event happened to: the plan says what happened, and what the legs do, before and
-/// at the event, tells to which. Empty: to none, or to none that stands out.
-[[nodiscard]] std::optional<Leg> leg_of(PlanEvent event, const LegsAtTick& before,
-                                        const LegsAtTick& now);
 
 /// Is it worth telling? What every step of a walk has, lift-off and touchdown, is not.
 [[nodiscard]] bool is_notable(PlanEvent event);
@@ -36,13 +21,12 @@ struct LegsAtTick {
 /// Collects the notable events of a walk, tick by tick.
 class EventCounter {
  public:
-  void add(double time, const MotionPlan& plan, const RobotState& state);
+  void add(double time, const EventList& events);
 
   /// In the order in which they happened first.
   [[nodiscard]] const std::vector<EventCount>& counts() const { return counts_; }
 
  private:
-  LegsAtTick before_;
   std::vector<EventCount> counts_;
 };
 

@@ -133,7 +133,6 @@ void Planner::write_plan(const GaitTick& tick) {
   plan_.terrain_point = body_.plane.point;
   plan_.calibration = calibration_.stage();
   plan_.events = body_.events;
-  plan_.event = plan_.events.empty() ? 0 : static_cast<int>((plan_.events.end() - 1)->kind);
 }
 
 bool Planner::is_undisturbed(const RobotState& state) const {

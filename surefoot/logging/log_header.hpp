@@ -14,7 +14,7 @@
 namespace surefoot {
 
 /// Version of the log's topics and fields: the first number changes when a reader must change.
-inline constexpr std::string_view kLogVersion = "2.11";
+inline constexpr std::string_view kLogVersion = "2.12";
 
 /// What the report needs to know of the robot and its limits.
 struct LogRobot {

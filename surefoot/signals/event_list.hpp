@@ -26,6 +26,7 @@ struct GaitEvent {
 /// What happened at a tick, in order; further ones than kMost are left out.
 struct EventList {
   static constexpr std::size_t kMost = 8;
+  using value_type = GaitEvent;
 
   std::array<GaitEvent, kMost> items{};
   std::size_t count = 0;

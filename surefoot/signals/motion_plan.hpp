@@ -66,7 +66,6 @@ struct MotionPlan {
   Vec3 terrain_point = Vec3::Zero();
   double com_zmp_slack = 0.0;  ///< how far the plan's ZMP had to leave the polygon [m]
   CalibrationStage calibration = CalibrationStage::none;
-  int event = 0;     ///< PlanEvent of this tick, 0 none (signals/plan_event.hpp)
   EventList events;  ///< of this tick
 
   [[nodiscard]] bool contact(Leg leg) const { return in_contact(feet[index(leg)].phase); }

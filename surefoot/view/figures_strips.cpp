@@ -154,13 +154,13 @@ std::string active_rows_figure(const RunData& run) {
 std::string event_figure(const RunData& run) {
   std::map<int, Strip> strips;
   for (const TickSample& tick : run.ticks) {
-    const int event = tick.plan.event;
-    if (event == 0) continue;
-    Strip& strip = strips[event];
-    const auto& names = run.header.event_names;
-    const bool known = event > 0 && static_cast<std::size_t>(event) < names.size();
-    strip.name = known ? names[static_cast<std::size_t>(event)] : "event " + std::to_string(event);
-    strip.plain.emplace_back(tick.time, tick.time + run.header.control_period);
+    for (const GaitEvent& event : tick.plan.events) {
+      const auto kind = static_cast<std::size_t>(event.kind);
+      Strip& strip = strips[static_cast<int>(kind)];
+      const auto& names = run.header.event_names;
+      strip.name = kind < names.size() ? names[kind] : "event " + std::to_string(kind);
+      strip.plain.emplace_back(tick.time, tick.time + run.header.control_period);
+    }
   }
   std::vector<Strip> rows;
   for (auto& [event, strip] : strips) {

@@ -51,7 +51,9 @@ std::vector<Happening> troubles(const RunData& run) {
   for (const PlanEvent event : kEvents) {
     result.push_back(count(
         run, std::string(name(event)),
-        [](const TickSample& tick, int number) { return tick.plan.event == number; },
+        [](const TickSample& tick, int number) {
+          return tick.plan.events.has(static_cast<PlanEvent>(number));
+        },
         static_cast<int>(event)));
   }
   result.push_back(count(

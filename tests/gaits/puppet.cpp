@@ -76,10 +76,9 @@ void Puppet::tick() {
   state_.external_force = push;
   move_body();
   for (std::size_t k = 0; k < kNumLegs; ++k) move_foot(k);
-  const MotionPlan before = plan_;
   planner_.tell_calibration_known(calibration_known);
   plan_ = planner_.update(user, state_, dynamics_, last);
-  note_event(before);
+  note_events();
 }
 
 void Puppet::move_body() {
@@ -122,14 +121,11 @@ void Puppet::move_foot(std::size_t k) {
   dynamics_.hip[k].p = p + leg_length * Vec3::UnitZ();
 }
 
-void Puppet::note_event(const MotionPlan& before) {
-  const auto event = static_cast<PlanEvent>(plan_.event);
-  if (event == PlanEvent::none) return;
-  Leg leg = Leg::LF;
-  for (const Leg k : kLegs) {
-    if (!before.contact(k) || !plan_.contact(k)) leg = k;
+void Puppet::note_events() {
+  for (const GaitEvent& event : plan_.events) {
+    const Leg leg = event.leg.value_or(Leg::LF);
+    happenings_.push_back({time(), event.kind, leg, foot(leg)});
   }
-  happenings_.push_back({time(), event, leg, foot(leg)});
 }
 
 std::vector<Happening> Puppet::happenings(PlanEvent event) const {

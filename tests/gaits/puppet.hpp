@@ -21,7 +21,7 @@ using Ground = std::function<double(const Vec2&)>;
 struct Happening {
   double time = 0.0;
   PlanEvent event = PlanEvent::none;
-  Leg leg = Leg::LF;      ///< that came down or up, or the one that was in the air
+  Leg leg = Leg::LF;      ///< that it happened to; LF where it is none
   Vec3 p = Vec3::Zero();  ///< its foot
 };
 
@@ -69,7 +69,7 @@ class Puppet {
  private:
   void move_body();
   void move_foot(std::size_t k);
-  void note_event(const MotionPlan& before);
+  void note_events();
 
   Planner planner_;
   Dynamics dynamics_;

@@ -57,7 +57,7 @@ std::string report_of_end(const std::string& reason, const std::string& criterio
   SyntheticRun run;
   for (int i = 0; i < 400; ++i) {
     run.step();
-    if (i == 200 || i == 300) run.tick.plan.event = static_cast<int>(PlanEvent::no_ground);
+    if (i == 200 || i == 300) run.tick.plan.events.add({.kind = PlanEvent::no_ground});
     recorder.record(run.tick);
     recorder.record(run.timing);
   }
